@@ -1,0 +1,54 @@
+//! The files to write, collected in memory: relative path to bytes.
+//!
+//! `replace_in` deletes the generated layers of an earlier run and writes all files. It must never delete a folder
+//! that it does not recognise as its own work.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::io;
+use std::path::Path;
+
+/// A folder that only this generator makes in each layer; its presence allows the layer to be replaced.
+const LAYERS: [(&str, &str); 2] = [("data", "base/figure"), ("user", "base/imp")];
+
+pub(crate) struct Tree {
+    files: BTreeMap<String, Vec<u8>>,
+}
+
+impl Tree {
+    pub(crate) fn new() -> Self {
+        Self { files: BTreeMap::new() }
+    }
+
+    /// Adds a file; `path` is relative, with forward slashes.
+    pub(crate) fn add(&mut self, path: impl Into<String>, content: impl Into<Vec<u8>>) {
+        let path = path.into();
+        let earlier = self.files.insert(path.clone(), content.into());
+        assert!(earlier.is_none(), "{path} is generated twice");
+    }
+
+    pub(crate) fn replace_in(&self, folder: &Path) -> io::Result<()> {
+        for (layer, mark) in LAYERS {
+            remove_layer(&folder.join(layer), mark)?;
+        }
+        for (path, content) in &self.files {
+            let file = folder.join(path);
+            if let Some(parent) = file.parent() {
+                fs::create_dir_all(parent)?;
+            }
+            fs::write(file, content)?;
+        }
+        Ok(())
+    }
+}
+
+fn remove_layer(layer: &Path, mark: &str) -> io::Result<()> {
+    if !layer.exists() {
+        return Ok(());
+    }
+    if !layer.join(mark).is_dir() {
+        let text = format!("{} was not made by this generator (no {mark} in it)", layer.display());
+        return Err(io::Error::other(text));
+    }
+    fs::remove_dir_all(layer)
+}

@@ -1,0 +1,66 @@
+//! Outcomes of the command and their exit codes.
+
+use std::fmt;
+use std::io;
+use std::process::ExitCode;
+
+/// How the command ends.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Exit {
+    /// Nothing at or above the level to fail on.
+    Clean,
+    /// Findings.
+    Findings,
+    /// Could not work.
+    CannotWork,
+    /// Nothing found to check.
+    NothingToCheck,
+}
+
+impl Exit {
+    pub(super) fn code(self) -> ExitCode {
+        ExitCode::from(match self {
+            Self::Clean => 0,
+            Self::Findings => 1,
+            Self::CannotWork => 2,
+            Self::NothingToCheck => 3,
+        })
+    }
+}
+
+/// Why the command could not work.
+#[derive(Debug)]
+pub(super) enum Failure {
+    /// The run could not be done.
+    Run(crate::engine::Error),
+    /// Writing failed.
+    Io(io::Error),
+}
+
+impl Failure {
+    /// A reader that went away (`| head`) is no failure.
+    pub(super) fn is_closed_pipe(&self) -> bool {
+        matches!(self, Self::Io(error) if error.kind() == io::ErrorKind::BrokenPipe)
+    }
+}
+
+impl From<crate::engine::Error> for Failure {
+    fn from(error: crate::engine::Error) -> Self {
+        Self::Run(error)
+    }
+}
+
+impl From<io::Error> for Failure {
+    fn from(error: io::Error) -> Self {
+        Self::Io(error)
+    }
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Run(error) => error.fmt(f),
+            Self::Io(error) => write!(f, "cannot write: {error}"),
+        }
+    }
+}

@@ -1,0 +1,90 @@
+//! Numbers behind a finding: one cause is one finding, with counts instead of repetitions.
+
+use serde::Serialize;
+
+/// How many examples a finding carries.
+pub const EXAMPLES: usize = 5;
+
+/// What was counted.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct Evidence {
+    /// How many elements show the fault.
+    pub count: u64,
+    /// Out of how many, where that is known.
+    pub of: Option<u64>,
+    /// The first few.
+    pub examples: Vec<String>,
+    /// The worst value and where it is.
+    pub worst: Option<Worst>,
+}
+
+/// The worst value of a finding.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Worst {
+    /// The number.
+    pub value: f64,
+    /// Where it was seen.
+    pub place: String,
+}
+
+impl Evidence {
+    /// Evidence from all cases; keeps the first few as examples.
+    pub fn of_cases<T: ToString>(cases: impl IntoIterator<Item = T>) -> Self {
+        let mut evidence = Self::default();
+        for case in cases {
+            evidence.count += 1;
+            if evidence.examples.len() < EXAMPLES {
+                evidence.examples.push(case.to_string());
+            }
+        }
+        evidence
+    }
+
+    /// Says out of how many.
+    #[must_use]
+    pub fn out_of(mut self, total: usize) -> Self {
+        self.of = Some(total as u64);
+        self
+    }
+
+    /// Adds the worst value.
+    #[must_use]
+    pub fn with_worst(mut self, value: f64, place: impl Into<String>) -> Self {
+        self.worst = Some(Worst { value, place: place.into() });
+        self
+    }
+}
+
+/// Counts rows of a bulk file while a parser walks it: how many, the first few with line and index.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct Tally {
+    /// How many rows.
+    pub count: u64,
+    /// The first few: line (from 1) and vertex index as written.
+    pub first: Vec<(u32, i64)>,
+}
+
+impl Tally {
+    /// Counts one row.
+    pub fn add(&mut self, line: u32, index: i64) {
+        self.count += 1;
+        if self.first.len() < EXAMPLES {
+            self.first.push((line, index));
+        }
+    }
+
+    /// Line of the first row counted.
+    pub fn first_line(&self) -> Option<u32> {
+        self.first.first().map(|(line, _)| *line)
+    }
+
+    /// As evidence out of `total` rows, the indices as examples.
+    pub fn evidence(&self, total: usize) -> Evidence {
+        Evidence {
+            count: self.count,
+            of: Some(total as u64),
+            examples: self.first.iter().map(|(_, index)| index.to_string()).collect(),
+            worst: None,
+        }
+    }
+}

@@ -1,0 +1,133 @@
+//! The finding itself and the small builder that rules use.
+
+use serde::Serialize;
+
+use super::{Application, Confidence, Evidence, Level, Location, Place, RuleInfo};
+
+/// Something wrong in an asset repository.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Finding {
+    /// Id of the rule.
+    pub rule: &'static str,
+    /// Level after everything that lowers or raises it.
+    pub level: Level,
+    /// How sure the rule is.
+    pub confidence: Confidence,
+    /// File, relative to its data root in rules; relative to the working directory in reports.
+    pub path: String,
+    /// Symbolic place.
+    pub place: Place,
+    /// Place after the source was consulted; filled by the engine.
+    pub location: Location,
+    /// What is wrong, in one sentence.
+    pub message: String,
+    /// What to do about it.
+    pub help: Option<String>,
+    /// What each application does with it.
+    pub breaks: Vec<Break>,
+    /// Counts, examples, worst value.
+    pub evidence: Option<Evidence>,
+    /// Other places that belong to the same fault.
+    pub related: Vec<Related>,
+    /// Structural name of the fault inside the file (a bone, a pattern): part of the fingerprint.
+    pub key: String,
+    /// Stable identity, filled by the engine.
+    pub fingerprint: String,
+}
+
+/// The consequence in one application.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Break {
+    /// Who.
+    pub application: Application,
+    /// What happens to its user.
+    pub effect: String,
+}
+
+/// Another place that belongs to a finding.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Related {
+    /// File, as in [`Finding::path`].
+    pub path: String,
+    /// Symbolic place.
+    pub place: Place,
+    /// Place after the source was consulted; filled by the engine.
+    pub location: Location,
+    /// What is there.
+    pub message: String,
+}
+
+impl Finding {
+    /// A finding of `rule` at `place` of the file `path`, with the level and consequences of the rule.
+    pub fn new(rule: &RuleInfo, path: impl Into<String>, place: Place, message: impl Into<String>) -> Self {
+        Self {
+            rule: rule.id,
+            level: rule.level,
+            confidence: Confidence::High,
+            path: path.into(),
+            place,
+            location: Location::default(),
+            message: message.into(),
+            help: None,
+            breaks: rule
+                .breaks
+                .iter()
+                .map(|(application, effect)| Break { application: *application, effect: (*effect).to_owned() })
+                .collect(),
+            evidence: None,
+            related: Vec::new(),
+            key: String::new(),
+            fingerprint: String::new(),
+        }
+    }
+
+    /// Says what to do.
+    #[must_use]
+    pub fn help(mut self, help: impl Into<String>) -> Self {
+        self.help = Some(help.into());
+        self
+    }
+
+    /// Names the fault inside the file: bone, pattern, combination. Must not depend on order or layout.
+    #[must_use]
+    pub fn key(mut self, key: impl Into<String>) -> Self {
+        self.key = key.into();
+        self
+    }
+
+    /// Lowers or raises the level where the consequence differs from the rule's usual one.
+    #[must_use]
+    pub fn level(mut self, level: Level) -> Self {
+        self.level = level;
+        self
+    }
+
+    /// Marks a heuristic.
+    #[must_use]
+    pub fn confidence(mut self, confidence: Confidence) -> Self {
+        self.confidence = confidence;
+        self
+    }
+
+    /// Adds counts and examples.
+    #[must_use]
+    pub fn evidence(mut self, evidence: Evidence) -> Self {
+        self.evidence = Some(evidence);
+        self
+    }
+
+    /// Replaces the usual consequence by the one of this case.
+    #[must_use]
+    pub fn breaks(mut self, application: Application, effect: impl Into<String>) -> Self {
+        self.breaks.retain(|other| other.application != application);
+        self.breaks.push(Break { application, effect: effect.into() });
+        self
+    }
+
+    /// Adds another place.
+    #[must_use]
+    pub fn related(mut self, path: impl Into<String>, place: Place, message: impl Into<String>) -> Self {
+        self.related.push(Related { path: path.into(), place, location: Location::default(), message: message.into() });
+        self
+    }
+}

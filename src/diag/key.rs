@@ -1,0 +1,26 @@
+//! Stable identity of a finding: rule, asset, structural place. Never line, count or wording.
+
+use xxhash_rust::xxh3::xxh3_128;
+
+/// 128 bit fingerprint in hexadecimal. `asset` is the path relative to the data root, `key` the
+/// structural name of the fault, `ordinal` tells apart findings that share all three.
+pub fn fingerprint(rule: &str, asset: &str, key: &str, ordinal: u32) -> String {
+    let mut text = Vec::with_capacity(rule.len() + asset.len() + key.len() + 8);
+    for part in [rule, asset, key] {
+        text.extend_from_slice(part.as_bytes());
+        text.push(0);
+    }
+    text.extend_from_slice(&ordinal.to_le_bytes());
+    format!("{:032x}", xxh3_128(&text))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn parts_do_not_run_into_each_other() {
+        assert_ne!(fingerprint("a", "bc", "", 0), fingerprint("ab", "c", "", 0));
+        assert_ne!(fingerprint("a", "b", "c", 0), fingerprint("a", "b", "c", 1));
+    }
+}

@@ -1,0 +1,20 @@
+//! What a finding is: plain, serialisable data shared by every layer.
+//!
+//! A leaf of the house: imports nothing of ours, no terminal types, no borrowed sources. Rules make
+//! [`Finding`]s, the engine places and sorts them, reports only say them.
+
+mod evidence;
+mod finding;
+mod key;
+mod level;
+mod nearest;
+mod place;
+mod rule_info;
+
+pub use evidence::{EXAMPLES, Evidence, Tally, Worst};
+pub use finding::{Break, Finding, Related};
+pub use key::fingerprint;
+pub use level::{Application, Confidence, Level};
+pub use nearest::nearest;
+pub use place::{Element, Excerpt, Location, Place};
+pub use rule_info::{FixKind, OptionInfo, RuleInfo};

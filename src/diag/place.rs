@@ -1,0 +1,94 @@
+//! Where in a file something is wrong: symbolic first, line and column late.
+
+use std::ops::Range;
+
+use serde::Serialize;
+
+/// The place inside one file as a rule knows it.
+///
+/// Rules name places symbolically; the engine turns them into a [`Location`] for what is printed.
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
+pub enum Place {
+    /// The file as a whole (also: the file that is missing).
+    #[default]
+    File,
+    /// A JSON pointer (RFC 6901) to a value.
+    Pointer(String),
+    /// A JSON pointer to a member whose key is meant, not its value.
+    Key(String),
+    /// A byte range of the decoded text.
+    Span(Range<usize>),
+    /// A line of a text format, counted from 1.
+    Line(u32),
+    /// A line of a text format that describes an element, a row of a target say.
+    Row(u32, Element),
+    /// An element that has no line: a vertex of a computed result, a member of an archive.
+    Element(Element),
+}
+
+/// A numbered thing of the domain: a vertex, a face, a row.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+pub struct Element {
+    /// What is counted: `vertex`, `face`, `row`.
+    pub kind: &'static str,
+    /// The index, counted from 0 as the formats do.
+    pub index: u64,
+}
+
+/// A place after the source text was consulted. Members are `None` where they make no sense.
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
+pub struct Location {
+    /// Line, counted from 1.
+    pub line: Option<u32>,
+    /// Column in characters, counted from 1.
+    pub column: Option<u32>,
+    /// JSON pointer.
+    pub pointer: Option<String>,
+    /// Element of a bulk format.
+    pub element: Option<Element>,
+    /// The text around the place, for readers. Not part of the JSON report.
+    #[serde(skip)]
+    pub excerpt: Option<Excerpt>,
+}
+
+/// A few lines of source text with the marked part.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Excerpt {
+    /// The lines, joined by `\n`.
+    pub text: String,
+    /// Number of the first line in `text`, counted from 1.
+    pub first_line: u32,
+    /// The marked bytes within `text`.
+    pub mark: Range<usize>,
+}
+
+impl Place {
+    /// A JSON pointer built from unescaped parts.
+    pub fn pointer<const N: usize>(parts: [&str; N]) -> Self {
+        Self::Pointer(join_pointer(&parts))
+    }
+
+    /// The key of a JSON member, its pointer built from unescaped parts.
+    pub fn key<const N: usize>(parts: [&str; N]) -> Self {
+        Self::Key(join_pointer(&parts))
+    }
+}
+
+fn join_pointer(parts: &[&str]) -> String {
+    let mut pointer = String::new();
+    for part in parts {
+        pointer.push('/');
+        pointer.push_str(&part.replace('~', "~0").replace('/', "~1"));
+    }
+    pointer
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pointer_parts_are_escaped() {
+        assert_eq!(Place::pointer(["a/b", "c~d", "0"]), Place::Pointer("/a~1b/c~0d/0".to_owned()));
+    }
+}

@@ -1,0 +1,58 @@
+//! What is known of a rule without running it: id, level, consequences, texts.
+
+use super::{Application, Level};
+
+/// The declared half of a rule; everything public (table, `explain`, reports) is derived from it.
+#[derive(Debug, Clone, Copy)]
+pub struct RuleInfo {
+    /// `family-fault`, kebab-case; never reused, never renamed without an alias.
+    pub id: &'static str,
+    /// The bad state in a few words: "allow <summary>" must make sense.
+    pub summary: &'static str,
+    /// The usual (worst) level.
+    pub level: Level,
+    /// Whether and how it can be repaired automatically.
+    pub fix: FixKind,
+    /// Cannot be muted or lowered: a matter of safety.
+    pub unmutable: bool,
+    /// What each application does with it.
+    pub breaks: &'static [(Application, &'static str)],
+    /// Typed options with their defaults.
+    pub options: &'static [OptionInfo],
+    /// What it means, why it matters, what to do: plain paragraphs for `mhlint explain`.
+    pub docs: &'static str,
+}
+
+/// Whether a rule can repair what it finds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FixKind {
+    /// Only a person can.
+    None,
+    /// `--fix`.
+    Safe,
+    /// `--fix --unsafe-fixes`.
+    Unsafe,
+}
+
+/// One numeric option of a rule.
+#[derive(Debug, Clone, Copy)]
+pub struct OptionInfo {
+    /// Key in `[rule.<id>]`.
+    pub name: &'static str,
+    /// Value when nobody sets it.
+    pub default: f64,
+    /// Meaning and unit.
+    pub docs: &'static str,
+}
+
+impl RuleInfo {
+    /// A rule with nothing but the obligatory parts; the rest by struct update.
+    pub const fn new(id: &'static str, level: Level, summary: &'static str) -> Self {
+        Self { id, summary, level, fix: FixKind::None, unmutable: false, breaks: &[], options: &[], docs: "" }
+    }
+
+    /// The part of the id before the first dash.
+    pub fn family(&self) -> &'static str {
+        self.id.split('-').next().unwrap_or(self.id)
+    }
+}

@@ -1,0 +1,157 @@
+//! What a file is for, judged by its place below a MakeHuman 2 data root.
+
+/// Kinds of files in a MakeHuman 2 data root.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Kind {
+    /// `base/<b>/base.json`.
+    BaseJson,
+    /// `base/<b>/base.obj`.
+    BaseMesh,
+    /// `base/<b>/geometry.json`.
+    Geometry,
+    /// `macro.json` of a target folder.
+    MacroJson,
+    /// `modelling.json` of a target folder.
+    ModellingJson,
+    /// `target_cat.json` of a target folder.
+    TargetCategories,
+    /// `*.target` below a target folder.
+    Target,
+    /// `*.target.gz`: MakeHuman 2 does not read it.
+    PackedTarget,
+    /// `compressedtargets.npz` of a target folder.
+    TargetArchive,
+    /// A picture in `icons/` of a target folder.
+    TargetIcon,
+    /// `*.mhskel` below `rigs/<b>/`.
+    Skeleton,
+    /// `*.mhw`.
+    Weights,
+    /// Any other JSON that a loader reads.
+    OtherJson,
+    /// Text formats of families that are judged elsewhere.
+    Text,
+    /// Pictures.
+    Image,
+    /// Anything else.
+    Other,
+}
+
+/// Folders whose files are sorted by base mesh.
+const TARGET_FOLDERS: [&str; 2] = ["target", "contarget"];
+
+/// The kind of the file at `path` (relative to its data root) and the base mesh it belongs to.
+pub fn kind_of(path: &str) -> (Kind, Option<&str>) {
+    let parts: Vec<&str> = path.split('/').collect();
+    match parts.as_slice() {
+        [folder, base, rest @ ..] if !rest.is_empty() => (kind_in(folder, rest), Some(base)),
+        [file] => (by_extension(file), None),
+        _ => (by_extension(parts.last().copied().unwrap_or_default()), None),
+    }
+}
+
+fn kind_in(folder: &str, rest: &[&str]) -> Kind {
+    match (folder, rest) {
+        ("base", ["base.json"]) => Kind::BaseJson,
+        ("base", ["base.obj"]) => Kind::BaseMesh,
+        ("base", ["geometry.json"]) => Kind::Geometry,
+        (folder, rest) if TARGET_FOLDERS.contains(&folder) => kind_of_target_file(rest),
+        (_, [.., file]) => by_extension(file),
+        (_, []) => Kind::Other,
+    }
+}
+
+fn kind_of_target_file(rest: &[&str]) -> Kind {
+    match rest {
+        ["macro.json"] => Kind::MacroJson,
+        ["modelling.json"] => Kind::ModellingJson,
+        ["target_cat.json"] => Kind::TargetCategories,
+        ["compressedtargets.npz"] => Kind::TargetArchive,
+        ["icons", .., file] if has_extension(file, "png") => Kind::TargetIcon,
+        [.., file] if has_extension(file, "target") => Kind::Target,
+        [.., file] if file.ends_with(".target.gz") => Kind::PackedTarget,
+        [.., file] => by_extension(file),
+        [] => Kind::Other,
+    }
+}
+
+/// Extensions are compared as the applications do: `X.TARGET` is no target.
+fn by_extension(file: &str) -> Kind {
+    match file.rsplit_once('.').map(|(_, extension)| extension) {
+        Some("mhskel") => Kind::Skeleton,
+        Some("mhw") => Kind::Weights,
+        Some("json" | "mhpose") => Kind::OtherJson,
+        Some("mhclo" | "proxy" | "mhmat" | "mhm" | "bvh" | "meta") => Kind::Text,
+        Some("png" | "jpg" | "jpeg" | "tif" | "tiff" | "thumb") => Kind::Image,
+        _ => Kind::Other,
+    }
+}
+
+fn has_extension(file: &str, extension: &str) -> bool {
+    file.rsplit_once('.').is_some_and(|(_, found)| found == extension)
+}
+
+impl Kind {
+    /// Whether the file is JSON.
+    pub const fn is_json(self) -> bool {
+        matches!(
+            self,
+            Self::BaseJson
+                | Self::Geometry
+                | Self::MacroJson
+                | Self::ModellingJson
+                | Self::TargetCategories
+                | Self::Skeleton
+                | Self::Weights
+                | Self::OtherJson
+        )
+    }
+
+    /// Whether the file is text in which an encoding matters.
+    pub const fn is_text(self) -> bool {
+        self.is_json() || matches!(self, Self::BaseMesh | Self::Target | Self::Text)
+    }
+
+    /// What people call it.
+    pub const fn title(self) -> &'static str {
+        match self {
+            Self::BaseJson => "base.json",
+            Self::BaseMesh => "base mesh",
+            Self::Geometry => "geometry.json",
+            Self::MacroJson => "macro.json",
+            Self::ModellingJson => "modelling.json",
+            Self::TargetCategories => "target_cat.json",
+            Self::Target => "target",
+            Self::PackedTarget => "packed target",
+            Self::TargetArchive => "target archive",
+            Self::TargetIcon => "icon",
+            Self::Skeleton => "skeleton",
+            Self::Weights => "weights",
+            Self::OtherJson => "JSON",
+            Self::Text => "text asset",
+            Self::Image => "picture",
+            Self::Other => "file",
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn place_decides_the_kind() {
+        for (path, kind, base) in [
+            ("base/hm08/base.json", Kind::BaseJson, Some("hm08")),
+            ("target/hm08/macro.json", Kind::MacroJson, Some("hm08")),
+            ("contarget/x/a/b/c.target", Kind::Target, Some("x")),
+            ("target/hm08/icons/a.png", Kind::TargetIcon, Some("hm08")),
+            ("target/hm08/a/X.TARGET", Kind::Other, Some("hm08")),
+            ("rigs/hm08/sub/a.mhskel", Kind::Skeleton, Some("hm08")),
+            ("clothes/hm08/x/macro.json", Kind::OtherJson, Some("hm08")),
+            ("makehuman2_version.json", Kind::OtherJson, None),
+        ] {
+            assert_eq!(kind_of(path), (kind, base), "{path}");
+        }
+    }
+}

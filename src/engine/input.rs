@@ -1,0 +1,117 @@
+//! PATH arguments to trees: downwards, or upwards when a path lies inside a data root.
+
+use std::path::{Path, PathBuf};
+
+use super::outcome::Error;
+use super::run::roots_of;
+use crate::discover::root_above;
+use crate::source::Tree;
+
+/// A tree to look for data roots in.
+pub(super) struct Input {
+    pub(super) tree: Tree,
+    /// Report only below these printed paths; empty for everything.
+    pub(super) narrow: Vec<String>,
+}
+
+impl Input {
+    pub(super) fn whole(tree: Tree) -> Self {
+        Self { tree, narrow: Vec::new() }
+    }
+}
+
+/// Opens the paths. A path given twice, or inside another, is opened once.
+pub(super) fn open(paths: &[PathBuf]) -> Result<Vec<Input>, Error> {
+    let mut inputs: Vec<(PathBuf, Input)> = Vec::new();
+    for path in paths {
+        let (place, input) = open_one(path)?;
+        match inputs.iter_mut().find(|(known, _)| *known == place) {
+            Some((_, known)) if known.narrow.is_empty() || input.narrow.is_empty() => known.narrow.clear(),
+            Some((_, known)) => known.narrow.extend(input.narrow),
+            None => inputs.push((place, input)),
+        }
+    }
+    Ok(inputs.into_iter().map(|(_, input)| input).collect())
+}
+
+/// Opens `--system`.
+pub(super) fn open_system(path: &Path) -> Result<Tree, Error> {
+    canonical(path)?;
+    Ok(Tree::on_disk(label(path), path))
+}
+
+fn open_one(path: &Path) -> Result<(PathBuf, Input), Error> {
+    let place = canonical(path)?;
+    let here = label(path);
+    if place.is_dir() {
+        let tree = Tree::on_disk(here.clone(), path);
+        if !roots_of(&tree).is_empty() {
+            return Ok((place, Input::whole(tree)));
+        }
+    }
+    Ok(open_above(path, &place, &here).unwrap_or_else(|| (place, Input::whole(Tree::on_disk(here, path)))))
+}
+
+/// The data root that `path` lies inside of.
+fn open_above(path: &Path, place: &Path, here: &str) -> Option<(PathBuf, Input)> {
+    let slashed = place.to_str()?.replace('\\', "/");
+    let root = PathBuf::from(root_above(&slashed)?);
+    let shallow = Tree::on_disk_to_depth(String::new(), &root, 4);
+    roots_of(&shallow).iter().any(|root| root.path.is_empty()).then_some(())?;
+    let levels = place.strip_prefix(&root).ok()?.components().count();
+    let root_label = label_above(path, here, levels);
+    let narrow = if root_label.is_empty() {
+        place.strip_prefix(&root).ok()?.to_str()?.to_owned()
+    } else {
+        format!("{root_label}/{}", place.strip_prefix(&root).ok()?.to_str()?)
+    };
+    let tree = Tree::on_disk(root_label, &root);
+    Some((root, Input { tree, narrow: vec![narrow.replace('\\', "/")] }))
+}
+
+/// What is printed for the folder `levels` above `path`.
+fn label_above(path: &Path, here: &str, levels: usize) -> String {
+    let parts: Vec<&str> = here.split('/').filter(|part| !part.is_empty()).collect();
+    let named = parts.iter().filter(|part| **part != "..").count();
+    if path.is_absolute() || named >= levels {
+        let kept = parts.len().saturating_sub(levels);
+        let start = if path.is_absolute() { "/" } else { "" };
+        return format!("{start}{}", parts.get(..kept).unwrap_or_default().join("/"));
+    }
+    let mut up = vec![".."; levels - named];
+    up.extend(parts.iter().filter(|part| **part == ".."));
+    up.join("/")
+}
+
+fn canonical(path: &Path) -> Result<PathBuf, Error> {
+    std::fs::canonicalize(path)
+        .map_err(|error| Error::Path { path: path.display().to_string(), reason: error.to_string() })
+}
+
+/// The path as reports print it: forward slashes, no `./`, empty for the working directory.
+fn label(path: &Path) -> String {
+    let text = path.to_string_lossy().replace('\\', "/");
+    let absolute = text.starts_with('/');
+    let parts: Vec<&str> = text.split('/').filter(|part| !part.is_empty() && *part != ".").collect();
+    format!("{}{}", if absolute { "/" } else { "" }, parts.join("/"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn labels_are_short_and_slashed() {
+        assert_eq!(label(Path::new("./data/")), "data");
+        assert_eq!(label(Path::new(".")), "");
+        assert_eq!(label(Path::new("/a//b/")), "/a/b");
+    }
+
+    #[test]
+    fn labels_of_folders_above() {
+        assert_eq!(label_above(Path::new("x/data/target/b"), "x/data/target/b", 2), "x/data");
+        assert_eq!(label_above(Path::new("."), "", 2), "../..");
+        assert_eq!(label_above(Path::new("b"), "b", 2), "..");
+        assert_eq!(label_above(Path::new("/d/target/b"), "/d/target/b", 2), "/d");
+    }
+}

@@ -1,0 +1,15 @@
+//! The order of things: read all files in parallel, connect layers, run rules, place and sort findings.
+//!
+//! The only place with threads. Prints nothing and judges nothing.
+
+mod input;
+mod load;
+mod locate;
+mod outcome;
+mod read;
+mod run;
+mod select;
+mod stack;
+
+pub use outcome::{Error, Outcome, RootSummary, Summary, Timing};
+pub use run::{Options, lint, lint_trees};

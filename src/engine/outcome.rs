@@ -1,0 +1,124 @@
+//! What a run gives back.
+
+use std::time::Duration;
+
+use serde::Serialize;
+
+use crate::diag::{Application, Finding, Level};
+
+/// Result of a run.
+#[derive(Debug, Clone, Default)]
+pub struct Outcome {
+    /// The data roots that were looked at.
+    pub roots: Vec<RootSummary>,
+    /// Findings, sorted by path, place and rule.
+    pub findings: Vec<Finding>,
+    /// What a reader should know besides findings: what was not judged and why.
+    pub notes: Vec<String>,
+    /// Counts.
+    pub summary: Summary,
+    /// Time per phase and rule, in order of the run.
+    pub timings: Vec<Timing>,
+    /// Rules that panicked: bugs of ours, whose findings are missing.
+    pub failed_rules: Vec<String>,
+}
+
+/// A data root.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct RootSummary {
+    /// Its path as printed.
+    pub path: String,
+    /// Whose data it is.
+    pub application: Application,
+    /// Base meshes in it.
+    pub bases: Vec<String>,
+    /// Whether this version judges it.
+    #[serde(skip)]
+    pub judged: bool,
+}
+
+/// Counts of a run.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+pub struct Summary {
+    /// Findings of level error.
+    pub error: usize,
+    /// Findings of level warning.
+    pub warning: usize,
+    /// Findings of level info.
+    pub info: usize,
+    /// Findings that were muted.
+    pub suppressed: usize,
+    /// Files of the judged roots.
+    pub files: usize,
+    /// Their size in bytes.
+    pub bytes: u64,
+}
+
+/// Time spent on something.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Timing {
+    /// Phase or rule.
+    pub what: String,
+    /// How long, added up over threads for rules.
+    pub time: Duration,
+}
+
+/// Why a run could not be done at all.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Error {
+    /// A PATH or `--system` that cannot be read.
+    Path {
+        /// As given.
+        path: String,
+        /// Why.
+        reason: String,
+    },
+    /// `--base` that no root has.
+    UnknownBase {
+        /// As given.
+        name: String,
+        /// The bases there are.
+        known: Vec<String>,
+    },
+    /// A selector that matches no rule, or no glob at all.
+    Selector {
+        /// As given.
+        text: String,
+        /// Why.
+        reason: String,
+    },
+}
+
+impl Outcome {
+    /// Counts the findings by level.
+    pub(super) fn count(&mut self) {
+        let of = |level| self.findings.iter().filter(|finding| finding.level == level).count();
+        (self.summary.error, self.summary.warning, self.summary.info) =
+            (of(Level::Error), of(Level::Warning), of(Level::Info));
+    }
+
+    /// Whether something at or above `limit` was found.
+    pub fn has_at_least(&self, limit: Level) -> bool {
+        self.findings.iter().any(|finding| finding.level >= limit)
+    }
+
+    /// Whether any root was judged.
+    pub fn judged_anything(&self) -> bool {
+        self.roots.iter().any(|root| root.judged)
+    }
+}
+
+impl std::fmt::Display for Error {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Path { path, reason } => write!(f, "cannot read `{path}`: {reason}"),
+            Self::UnknownBase { name, known } if known.is_empty() => write!(f, "there is no base mesh `{name}`"),
+            Self::UnknownBase { name, known } => {
+                write!(f, "there is no base mesh `{name}`; known: {}", known.join(", "))
+            }
+            Self::Selector { text, reason } => write!(f, "`{text}`: {reason}"),
+        }
+    }
+}
+
+impl std::error::Error for Error {}

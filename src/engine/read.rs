@@ -1,0 +1,140 @@
+//! One file: bytes to facts. A panic of ours in here is caught and becomes a finding of that file.
+
+use xxhash_rust::xxh3::xxh3_64;
+
+use crate::discover::{Kind, kind_of};
+use crate::formats::json_file::{self, JsonFacts, JsonFault};
+use crate::formats::target::MeshSize;
+use crate::formats::{base_json, geometry, macro_json, mhskel, mhw, modelling, obj, target, target_cat};
+use crate::json::{self, Document, SchemaFaults};
+use crate::repo::{Content, FileFacts};
+use crate::source::{Encoding, Entry, Limits, Tree, gunzip};
+
+/// Smaller files are read even when only their size would matter: they may be stand-ins for the content.
+const STAND_IN_BYTES: u64 = 512;
+
+/// Reads one file. `rel` is its path below the data root; `mesh` the size of the mesh it is for.
+pub(super) fn read(tree: &Tree, entry: &Entry, rel: &str, limits: &Limits, mesh: Option<MeshSize>) -> FileFacts {
+    let mut facts = empty(tree, entry, rel);
+    if !is_read(&facts) {
+        return facts;
+    }
+    match tree.read(entry, limits) {
+        Ok(bytes) => fill(&mut facts, &bytes, limits, mesh),
+        Err(fault) => facts.unreadable = Some(fault),
+    }
+    facts
+}
+
+/// Hash of a file's bytes, for files that only their content matters of.
+pub(super) fn hash(tree: &Tree, entry: &Entry, limits: &Limits) -> Option<u64> {
+    tree.read(entry, limits).ok().map(|bytes| xxh3_64(&bytes))
+}
+
+fn empty(tree: &Tree, entry: &Entry, rel: &str) -> FileFacts {
+    let (kind, base) = kind_of(rel);
+    let path = if tree.label().is_empty() { entry.path.clone() } else { format!("{}/{}", tree.label(), entry.path) };
+    FileFacts {
+        path,
+        rel: rel.to_owned(),
+        kind,
+        base: base.map(str::to_owned),
+        size: entry.size,
+        unreadable: None,
+        gzip_fault: None,
+        encoding: Encoding::default(),
+        json: JsonFacts::default(),
+        schema: SchemaFaults::default(),
+        content_hash: None,
+        content: Content::Unread,
+    }
+}
+
+fn is_read(facts: &FileFacts) -> bool {
+    facts.kind.is_text() || facts.kind == Kind::PackedTarget || facts.size < STAND_IN_BYTES
+}
+
+fn fill(facts: &mut FileFacts, bytes: &[u8], limits: &Limits, mesh: Option<MeshSize>) {
+    if facts.kind == Kind::PackedTarget {
+        facts.gzip_fault = gunzip(bytes, limits).err();
+        return;
+    }
+    facts.encoding = Encoding::of(bytes);
+    match facts.kind {
+        Kind::Target if !facts.encoding.lfs_pointer => {
+            let parsed = target::parse(bytes, mesh);
+            facts.content_hash = Some(parsed.facts.content);
+            facts.content = Content::Target(Box::new(parsed.facts));
+        }
+        Kind::BaseMesh => facts.content = Content::Mesh(Box::new(obj::parse(bytes))),
+        Kind::Weights => fill_weights(facts, bytes, mesh),
+        kind if kind.is_json() => fill_json(facts, bytes),
+        _ => facts.content_hash = Some(xxh3_64(bytes)),
+    }
+}
+
+fn fill_json(facts: &mut FileFacts, bytes: &[u8]) {
+    match json_file::parse(bytes, &facts.encoding) {
+        Ok(document) => {
+            facts.json = JsonFacts::of(&document);
+            if let Some(schema) = schema_of(facts.kind) {
+                facts.schema = json::check(schema, &document);
+            }
+            facts.content = model(facts.kind, &document);
+        }
+        Err(fault) => facts.content = Content::Broken(fault),
+    }
+}
+
+fn model(kind: Kind, document: &Document) -> Content {
+    match kind {
+        Kind::BaseJson => Content::BaseJson(Box::new(base_json::read(document))),
+        Kind::Geometry => Content::Geometry(Box::new(geometry::read(document))),
+        Kind::MacroJson => Content::Macro(Box::new(macro_json::read(document))),
+        Kind::ModellingJson => Content::Modelling(Box::new(modelling::read(document))),
+        Kind::TargetCategories => Content::Categories(Box::new(target_cat::read(document))),
+        Kind::Skeleton => Content::Skeleton(Box::new(mhskel::read(document))),
+        _ => Content::Json,
+    }
+}
+
+/// Name of the schema of a kind.
+pub(super) fn schema_of(kind: Kind) -> Option<&'static str> {
+    match kind {
+        Kind::BaseJson => Some("base"),
+        Kind::Geometry => Some("geometry"),
+        Kind::MacroJson => Some("macro"),
+        Kind::ModellingJson => Some("modelling"),
+        Kind::TargetCategories => Some("target_cat"),
+        Kind::Skeleton => Some("mhskel"),
+        Kind::Weights => Some("mhw"),
+        _ => None,
+    }
+}
+
+/// Weights are read without a tree; the tree is made only to explain what the typed reader refused.
+fn fill_weights(facts: &mut FileFacts, bytes: &[u8], mesh: Option<MeshSize>) {
+    match mhw::parse(bytes, &facts.encoding, mesh.map(|mesh| mesh.vertices)) {
+        Ok(weights) => {
+            let needs_explaining = !weights.has_weights || !weights.facts.json.duplicates.is_empty();
+            facts.content = Content::Weights(Box::new(weights));
+            if needs_explaining && let Ok(document) = json_file::parse(bytes, &facts.encoding) {
+                facts.json = JsonFacts::of(&document);
+                facts.schema = json::check("mhw", &document);
+            }
+        }
+        Err(fault) => facts.content = Content::Broken(fault),
+    }
+}
+
+/// A stand-in for a file on which a parser of ours panicked.
+pub(super) fn panicked(tree: &Tree, entry: &Entry, rel: &str) -> FileFacts {
+    let mut facts = empty(tree, entry, rel);
+    let reason = "mhlint itself failed on this file; please report it with the file".to_owned();
+    facts.unreadable = Some(crate::source::ReadFault::Unreadable(reason));
+    facts.content = match facts.kind.is_json() {
+        true => Content::Broken(JsonFault::Empty),
+        false => Content::Unread,
+    };
+    facts
+}

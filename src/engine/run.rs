@@ -1,0 +1,272 @@
+//! A run: inputs to data roots, roots to repositories, repositories through the rules to an outcome.
+
+use std::collections::BTreeMap;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+use rayon::prelude::*;
+
+use super::input::{Input, open};
+use super::load::{MeshSizes, join, load};
+use super::locate::locate;
+use super::outcome::{Error, Outcome, RootSummary, Timing};
+use super::select::Selection;
+use super::stack::{Role, stacks};
+use crate::diag::{Application, Finding, Level, fingerprint};
+use crate::discover::{DataRoot, find_roots};
+use crate::repo::{Layer, Repository};
+use crate::rules::{Check, RULES, Rule, RuleCx};
+use crate::source::{EntryKind, Limits, Tree};
+
+/// What a run is asked to do.
+#[derive(Debug, Clone, Default)]
+pub struct Options {
+    /// System data that is read and not reported.
+    pub system: Option<PathBuf>,
+    /// Judge these applications only; empty for all.
+    pub applications: Vec<Application>,
+    /// Report these base meshes only; empty for all.
+    pub bases: Vec<String>,
+    /// Globs of rule ids to run; empty for all.
+    pub only: Vec<String>,
+    /// Globs of rule ids not to run.
+    pub skip: Vec<String>,
+    /// Levels by rule id or glob, `None` for off; the last one that fits counts.
+    pub levels: Vec<(String, Option<Level>)>,
+    /// Options of rules, by rule and name.
+    pub rule_options: BTreeMap<(String, String), f64>,
+    /// Bounds on what is read.
+    pub limits: Limits,
+}
+
+/// Judges data roots found at `paths`.
+///
+/// # Errors
+/// When a path cannot be read, or an option names nothing that exists.
+pub fn lint(paths: &[PathBuf], options: &Options) -> Result<Outcome, Error> {
+    let inputs = open(paths)?;
+    let system = options.system.as_deref().map(super::input::open_system).transpose()?;
+    lint_inputs(&inputs, system.as_ref(), options)
+}
+
+/// Judges data roots in trees, from disk or memory; `system` is read and not reported.
+///
+/// # Errors
+/// As [`lint`].
+pub fn lint_trees(trees: Vec<Tree>, system: Option<Tree>, options: &Options) -> Result<Outcome, Error> {
+    let inputs: Vec<Input> = trees.into_iter().map(Input::whole).collect();
+    lint_inputs(&inputs, system.as_ref(), options)
+}
+
+/// A data root with its facts.
+pub(super) struct Loaded {
+    pub(super) layer: Layer,
+    pub(super) role: Role,
+    narrow: Vec<String>,
+}
+
+fn lint_inputs(inputs: &[Input], system: Option<&Tree>, options: &Options) -> Result<Outcome, Error> {
+    let selection = Selection::new(options)?;
+    let mut outcome = Outcome::default();
+    let started = Instant::now();
+    let system_layer = system.map(|tree| load_system(tree, &options.limits)).transpose()?;
+    let loaded = load_roots(inputs, system_layer.as_ref(), options, &mut outcome);
+    outcome.timings.push(timing("read", started));
+    let started = Instant::now();
+    let system_layer = system_layer.as_ref().map(|(layer, _)| layer);
+    for (system, user, judged) in stacks(&loaded, system_layer) {
+        let repository = Repository::connect(Application::Makehuman2, system, user, &judged.layer);
+        summarise(&repository, &mut outcome);
+        let findings = judge(&repository, &selection, options, &mut outcome);
+        outcome.findings.extend(report(&repository, findings, judged, &selection, options));
+    }
+    check_bases(options, &outcome)?;
+    outcome.timings.push(timing("rules", started));
+    let trees: Vec<&Tree> = inputs.iter().map(|input| &input.tree).chain(system).collect();
+    let started = Instant::now();
+    finish(&mut outcome, &trees, &options.limits);
+    outcome.timings.push(timing("places", started));
+    Ok(outcome)
+}
+
+fn timing(what: &str, started: Instant) -> Timing {
+    Timing { what: what.to_owned(), time: started.elapsed() }
+}
+
+fn load_system(tree: &Tree, limits: &Limits) -> Result<(Layer, MeshSizes), Error> {
+    let roots = roots_of(tree);
+    let root = roots.iter().find(|root| root.application == Application::Makehuman2);
+    let root = root.ok_or_else(|| Error::Path {
+        path: tree.label().to_owned(),
+        reason: "holds no MakeHuman 2 data (a folder with base/<name>/base.json in it is wanted)".to_owned(),
+    })?;
+    Ok(load(tree, &root.path, limits, None))
+}
+
+pub(super) fn roots_of(tree: &Tree) -> Vec<DataRoot> {
+    let files = tree.entries().iter().filter(|entry| entry.kind == EntryKind::File);
+    find_roots(files.map(|entry| entry.path.as_str()))
+}
+
+fn load_roots(
+    inputs: &[Input],
+    system: Option<&(Layer, MeshSizes)>,
+    options: &Options,
+    outcome: &mut Outcome,
+) -> Vec<Loaded> {
+    let mut wanted = Vec::new();
+    for input in inputs {
+        for root in roots_of(&input.tree) {
+            let path = join(input.tree.label(), &root.path);
+            let is_system = system.is_some_and(|(layer, _)| layer.path == path);
+            if is_system || !is_asked_for(root.application, options) {
+                continue;
+            }
+            if root.application == Application::Makehuman2 {
+                wanted.push((input, root.path.clone(), Role::of(&input.tree, &root.path)));
+            } else {
+                note_unjudged(&path, root.application, outcome);
+            }
+        }
+    }
+    // System data first: a user root may lack the meshes that its targets are for.
+    wanted.sort_by_key(|(_, _, role)| *role != Role::System);
+    let mut sizes = system.map(|(_, sizes)| sizes.clone()).unwrap_or_default();
+    let mut loaded = Vec::new();
+    for (input, root, role) in wanted {
+        let (layer, own) = load(&input.tree, &root, &options.limits, Some(&sizes));
+        if role == Role::System && system.is_none() {
+            sizes.extend(own);
+        }
+        outcome.summary.files += layer.files.len();
+        outcome.summary.bytes += layer.files.values().map(|file| file.size).sum::<u64>();
+        loaded.push(Loaded { layer, role, narrow: input.narrow.clone() });
+    }
+    loaded
+}
+
+fn is_asked_for(application: Application, options: &Options) -> bool {
+    options.applications.is_empty() || options.applications.contains(&application)
+}
+
+fn note_unjudged(path: &str, application: Application, outcome: &mut Outcome) {
+    let shown = if path.is_empty() { "." } else { path };
+    outcome.notes.push(format!("{shown}: {application} data, which this version does not judge yet"));
+    outcome.roots.push(RootSummary { path: shown.to_owned(), application, bases: Vec::new(), judged: false });
+}
+
+fn summarise(repository: &Repository<'_>, outcome: &mut Outcome) {
+    let judged = repository.judged;
+    let own = |name: &str| judged.files.values().any(|file| file.base.as_deref() == Some(name));
+    let bases = repository.bases.iter().map(|base| base.name).filter(|name| own(name));
+    let shown = if judged.path.is_empty() { "." } else { judged.path.as_str() };
+    outcome.roots.push(RootSummary {
+        path: shown.to_owned(),
+        application: repository.application,
+        bases: bases.map(str::to_owned).collect(),
+        judged: true,
+    });
+}
+
+fn check_bases(options: &Options, outcome: &Outcome) -> Result<(), Error> {
+    let known: std::collections::BTreeSet<&String> = outcome.roots.iter().flat_map(|root| &root.bases).collect();
+    let unknown = options.bases.iter().find(|name| !known.contains(name));
+    unknown.filter(|_| outcome.judged_anything()).map_or(Ok(()), |name| {
+        Err(Error::UnknownBase { name: name.clone(), known: known.into_iter().cloned().collect() })
+    })
+}
+
+fn judge(repository: &Repository<'_>, selection: &Selection, options: &Options, outcome: &mut Outcome) -> Vec<Finding> {
+    let cx = RuleCx { options: &options.rule_options };
+    let results: Vec<(&str, Duration, Option<Vec<Finding>>)> = RULES
+        .par_iter()
+        .filter(|rule| selection.runs(rule.info.id))
+        .map(|rule| {
+            let started = Instant::now();
+            let found = catch_unwind(AssertUnwindSafe(|| run_rule(rule, repository, &cx, options))).ok();
+            (rule.info.id, started.elapsed(), found)
+        })
+        .collect();
+    let mut findings = Vec::new();
+    for (rule, time, found) in results {
+        outcome.timings.push(Timing { what: rule.to_owned(), time });
+        match found {
+            Some(found) => findings.extend(found),
+            None => outcome.failed_rules.push(rule.to_owned()),
+        }
+    }
+    findings
+}
+
+fn run_rule(rule: &Rule, repository: &Repository<'_>, cx: &RuleCx<'_>, options: &Options) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    match rule.check {
+        Check::Layer(run) => run(repository.judged, cx, &mut findings),
+        Check::Repository(run) => run(repository, cx, &mut findings),
+        Check::Base(run) => {
+            let asked = |name: &str| options.bases.is_empty() || options.bases.iter().any(|base| base == name);
+            for base in repository.bases.iter().filter(|base| asked(base.name)) {
+                run(repository, base, cx, &mut findings);
+            }
+        }
+    }
+    findings
+}
+
+/// Keeps what is to be reported for the judged layer and gives it level and fingerprint.
+fn report(
+    repository: &Repository<'_>,
+    findings: Vec<Finding>,
+    judged: &Loaded,
+    selection: &Selection,
+    options: &Options,
+) -> Vec<Finding> {
+    let mut ordinals: BTreeMap<(String, String, String), u32> = BTreeMap::new();
+    let mut kept = Vec::new();
+    for mut finding in findings {
+        let Some(rel) = own_path(repository, &finding.path).map(str::to_owned) else { continue };
+        let wanted_base = || {
+            let base = crate::discover::kind_of(&rel).1;
+            options.bases.is_empty() || base.is_none_or(|base| options.bases.iter().any(|name| name == base))
+        };
+        if !judged.is_asked_for(&finding.path) || !wanted_base() {
+            continue;
+        }
+        let Some(level) = selection.level(finding.rule, finding.level) else { continue };
+        finding.level = level;
+        let identity = (finding.rule.to_owned(), rel, finding.key.clone());
+        let ordinal = ordinals.entry(identity).or_default();
+        finding.fingerprint =
+            fingerprint(finding.rule, own_path(repository, &finding.path).unwrap_or_default(), &finding.key, *ordinal);
+        *ordinal += 1;
+        kept.push(finding);
+    }
+    kept
+}
+
+/// Path below the judged root, if the file belongs to it and not to a layer inside or beside it.
+fn own_path<'p>(repository: &Repository<'_>, path: &'p str) -> Option<&'p str> {
+    let judged = repository.judged;
+    let deeper = |layer: &&Layer| layer.path.len() > judged.path.len() && layer.holds(path);
+    let foreign = [repository.system, repository.user].into_iter().flatten().any(|layer| deeper(&layer));
+    if foreign { None } else { judged.relative(path) }
+}
+
+impl Loaded {
+    fn is_asked_for(&self, path: &str) -> bool {
+        let inside = |narrow: &String| {
+            path == narrow || path.strip_prefix(narrow.as_str()).is_some_and(|rest| rest.starts_with('/'))
+        };
+        self.narrow.is_empty() || self.narrow.iter().any(inside)
+    }
+}
+
+fn finish(outcome: &mut Outcome, trees: &[&Tree], limits: &Limits) {
+    outcome.roots.sort_by(|a, b| (&a.path, a.application).cmp(&(&b.path, b.application)));
+    outcome.findings.sort_by(|a, b| (&a.path, a.rule, &a.key).cmp(&(&b.path, b.rule, &b.key)));
+    locate(&mut outcome.findings, trees, limits);
+    let place = |finding: &Finding| (finding.location.line, finding.location.column);
+    outcome.findings.sort_by(|a, b| (&a.path, place(a), a.rule, &a.key).cmp(&(&b.path, place(b), b.rule, &b.key)));
+    outcome.count();
+}

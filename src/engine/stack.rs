@@ -1,0 +1,64 @@
+//! Which data roots lie over which: system data below, user data on top.
+
+use super::run::Loaded;
+use crate::repo::Layer;
+use crate::source::Tree;
+
+/// The part a data root plays.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Role {
+    /// Holds base meshes and no `contarget/`: what the application calls its system data.
+    System,
+    /// Holds base meshes and `contarget/`: a user's folder with bases of its own, or both in one.
+    Both,
+    /// Holds no base mesh: a user's folder.
+    User,
+}
+
+impl Role {
+    /// The role of the data root at `root` of `tree`.
+    pub(super) fn of(tree: &Tree, root: &str) -> Self {
+        let prefix = if root.is_empty() { String::new() } else { format!("{root}/") };
+        let has = |test: fn(&[&str]) -> bool| {
+            let below = tree.entries().iter().filter_map(|entry| entry.path.strip_prefix(&prefix));
+            below.map(|rel| rel.split('/').collect::<Vec<_>>()).any(|parts| test(&parts))
+        };
+        let meshes = has(|parts| matches!(parts, ["base", _, "base.json" | "base.obj"]));
+        let contarget = has(|parts| matches!(parts, ["contarget", _, _, ..]));
+        match (meshes, contarget) {
+            (true, false) => Self::System,
+            (true, true) => Self::Both,
+            (false, _) => Self::User,
+        }
+    }
+}
+
+/// System layer, user layer and judged root of every repository to judge.
+type Stack<'a> = (Option<&'a Layer>, Option<&'a Layer>, &'a Loaded);
+
+/// The repositories that `loaded` makes. With `system` given, every root lies over it.
+pub(super) fn stacks<'a>(loaded: &'a [Loaded], system: Option<&'a Layer>) -> Vec<Stack<'a>> {
+    let stack = |root: &'a Loaded| -> Stack<'a> {
+        if let Some(system) = system {
+            return (Some(system), Some(&root.layer), root);
+        }
+        let below = nearest_system(loaded, root);
+        match (root.role, below) {
+            (Role::System, _) => (Some(&root.layer), None, root),
+            (Role::Both, None) => (Some(&root.layer), Some(&root.layer), root),
+            (Role::Both | Role::User, Some(below)) => (Some(below), Some(&root.layer), root),
+            (Role::User, None) => (None, Some(&root.layer), root),
+        }
+    };
+    loaded.iter().map(stack).collect()
+}
+
+/// Of several system roots the one that shares most of the path.
+fn nearest_system<'a>(loaded: &'a [Loaded], root: &Loaded) -> Option<&'a Layer> {
+    let shared = |other: &Loaded| {
+        let pairs = other.layer.path.split('/').zip(root.layer.path.split('/'));
+        pairs.take_while(|(a, b)| a == b).count()
+    };
+    let systems = loaded.iter().filter(|other| other.role == Role::System);
+    systems.max_by_key(|other| shared(other)).map(|other| &other.layer)
+}

@@ -1,0 +1,96 @@
+//! `base.json`: what a base mesh consists of and how its window is set up (formats/makehuman2.md §7).
+
+use serde::Serialize;
+
+use super::macro_json::{text, texts};
+use crate::json::{Document, Node, Value};
+
+/// The file.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct BaseJson {
+    /// Groups of the OBJ that are drawn. Without it the program stops.
+    pub visible_groups: Option<Vec<String>>,
+    /// Vertex count as claimed.
+    pub numverts: Option<i64>,
+    /// Pairs of suffixes, negative then positive, in file order.
+    pub opposites: Vec<(String, String)>,
+    /// Folders of equipment that are offered.
+    pub equipment: Option<Vec<String>>,
+    /// File name of the skeleton for poses.
+    pub pose_skeleton: Option<String>,
+    /// File name of the model loaded at start.
+    pub mhm: Option<String>,
+    /// Pattern and value of sliders at start.
+    pub presets: Vec<(String, Option<f64>)>,
+    /// Purpose and pattern of the measures shown.
+    pub measure: Vec<(String, String)>,
+    /// The randomizer.
+    pub random: Option<Random>,
+    /// Beginnings of groups that belong to the head.
+    pub head_pattern: Option<Vec<String>>,
+    /// Base mesh this one is derived from.
+    pub parentmesh: Option<String>,
+}
+
+/// `random` of a base.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct Random {
+    /// Suffixes of targets that may be asymmetric.
+    pub nonsym: Vec<String>,
+    /// Key of the gender slider.
+    pub gender: Option<String>,
+    /// Key of the proportions slider.
+    pub ideal: Option<String>,
+    /// `category` or `category|subcategory` and whether it is preselected.
+    pub groups: Vec<(String, bool)>,
+    /// Slider key to conditions: slider key and Python expression in `x`.
+    pub rules: Vec<(String, Vec<(String, String)>)>,
+}
+
+/// Takes what the loader would take.
+pub fn read(document: &Document) -> BaseJson {
+    let root = &document.root;
+    BaseJson {
+        visible_groups: root.get("visible groups").and_then(texts),
+        numverts: root.get("numverts").and_then(Node::as_i64),
+        opposites: text_members(root.get("target-opposites")),
+        equipment: root.get("equipment").and_then(texts),
+        pose_skeleton: text(root, "pose-skeleton"),
+        mhm: text(root, "mhm"),
+        presets: root.get("modifier-presets").map(presets).unwrap_or_default(),
+        measure: text_members(root.get("measure")),
+        random: root.get("random").filter(|node| node.is_object()).map(random),
+        head_pattern: root.get("head-pattern").and_then(texts),
+        parentmesh: text(root, "parentmesh"),
+    }
+}
+
+/// Values go through `float()`, so numbers in quotes count.
+fn presets(node: &Node) -> Vec<(String, Option<f64>)> {
+    let value = |node: &Node| match &node.value {
+        Value::Number(number, _) => Some(*number),
+        Value::String(text) => super::python_float(text.trim().as_bytes()),
+        Value::Bool(value) => Some(f64::from(u8::from(*value))),
+        _ => None,
+    };
+    let members = node.effective_members().into_iter();
+    members.map(|member| (member.key.clone(), value(&member.node))).collect()
+}
+
+fn random(node: &Node) -> Random {
+    let groups = node.get("groups").map(Node::effective_members).unwrap_or_default();
+    let rules = node.get("rules").map(Node::effective_members).unwrap_or_default();
+    Random {
+        nonsym: node.get("nonsym").and_then(texts).unwrap_or_default(),
+        gender: text(node, "gender"),
+        ideal: text(node, "ideal"),
+        groups: groups.into_iter().map(|member| (member.key.clone(), !member.node.is_falsy())).collect(),
+        rules: rules.into_iter().map(|member| (member.key.clone(), text_members(Some(&member.node)))).collect(),
+    }
+}
+
+/// Members of an object whose values are texts.
+fn text_members(node: Option<&Node>) -> Vec<(String, String)> {
+    let members = node.map(Node::effective_members).unwrap_or_default().into_iter();
+    members.filter_map(|member| Some((member.key.clone(), member.node.as_str()?.to_owned()))).collect()
+}

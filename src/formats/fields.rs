@@ -1,0 +1,43 @@
+//! Lines split at white space as Python's `str.split()` does it, with the offset of every field.
+
+/// White space separated fields with their offsets; white space as Python's `split()` has it.
+pub(super) fn fields(line: &[u8]) -> Vec<(usize, &[u8])> {
+    if line.is_ascii() {
+        return ascii_fields(line);
+    }
+    let text = String::from_utf8_lossy(line);
+    if text.len() != line.len() {
+        return ascii_fields(line);
+    }
+    let mut fields = Vec::new();
+    let mut start = None;
+    for (at, character) in text.char_indices().chain([(text.len(), ' ')]) {
+        match (is_python_space(character), start) {
+            (false, None) => start = Some(at),
+            (true, Some(from)) => {
+                fields.push((from, line.get(from..at).unwrap_or_default()));
+                start = None;
+            }
+            _ => {}
+        }
+    }
+    fields
+}
+
+fn ascii_fields(line: &[u8]) -> Vec<(usize, &[u8])> {
+    let mut fields = Vec::with_capacity(4);
+    let mut at = 0;
+    while let Some(length) = line.get(at..).and_then(|rest| rest.iter().position(|b| !is_python_space(char::from(*b))))
+    {
+        let start = at + length;
+        let rest = line.get(start..).unwrap_or_default();
+        let width = rest.iter().position(|b| is_python_space(char::from(*b))).unwrap_or(rest.len());
+        fields.push((start, rest.get(..width).unwrap_or_default()));
+        at = start + width;
+    }
+    fields
+}
+
+fn is_python_space(character: char) -> bool {
+    character.is_whitespace() || matches!(character, '\u{1c}'..='\u{1f}')
+}

@@ -1,0 +1,63 @@
+//! What every JSON format has in common: the text as a tree, or why there is none.
+
+use std::ops::Range;
+
+use serde::Serialize;
+
+use crate::json::{self, Document, SyntaxFault};
+use crate::source::Encoding;
+
+/// Why an application cannot read a JSON file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum JsonFault {
+    /// Nothing in it.
+    Empty,
+    /// A byte order mark, which Python's reader refuses.
+    ByteOrderMark,
+    /// Bytes that are no UTF-8.
+    NotUtf8,
+    /// A Git LFS pointer.
+    LfsPointer,
+    /// No JSON.
+    Syntax(SyntaxFault),
+}
+
+/// Facts on a JSON text, whatever its format.
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
+pub struct JsonFacts {
+    /// Keys given twice: pointer, span of the lost key, span of the winning one.
+    pub duplicates: Vec<(String, Range<usize>, Range<usize>)>,
+    /// `NaN` and infinities, which only Python accepts.
+    pub specials: Vec<Range<usize>>,
+    /// Python would take the whole for false: empty object, array, string, 0, null.
+    pub falsy: bool,
+}
+
+/// Reads a JSON text as the applications do.
+pub fn parse(text: &[u8], encoding: &Encoding) -> Result<Document, JsonFault> {
+    if encoding.lfs_pointer {
+        Err(JsonFault::LfsPointer)
+    } else if encoding.blank {
+        Err(JsonFault::Empty)
+    } else if encoding.invalid_utf8_at.is_some() {
+        Err(JsonFault::NotUtf8)
+    } else if encoding.byte_order_mark {
+        Err(JsonFault::ByteOrderMark)
+    } else {
+        json::parse(text).map_err(JsonFault::Syntax)
+    }
+}
+
+impl JsonFacts {
+    /// Facts of a tree.
+    pub fn of(document: &Document) -> Self {
+        let duplicates = document.duplicates.iter();
+        Self {
+            duplicates: duplicates
+                .map(|duplicate| (duplicate.pointer.clone(), duplicate.lost.clone(), duplicate.kept.clone()))
+                .collect(),
+            specials: document.specials.clone(),
+            falsy: document.root.is_falsy(),
+        }
+    }
+}

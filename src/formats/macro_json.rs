@@ -1,0 +1,166 @@
+//! `macro.json`: components, macro definitions, and the table from combination names to target files.
+//!
+//! The loader checks nothing (formats/makehuman2.md §3.1); members of a wrong type are left out here
+//! and reported by the schema.
+
+use serde::Serialize;
+
+use crate::json::{Document, Node, Value};
+
+/// The file.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct MacroFile {
+    /// Components in file order.
+    pub components: Vec<Component>,
+    /// Macro definitions in file order.
+    pub macrodefs: Vec<Macrodef>,
+}
+
+/// A component: a dimension of the cross product.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct Component {
+    /// Its key.
+    pub name: String,
+    /// Pattern of the slider that drives it; the beginning of three patterns with `sum`.
+    pub pattern: Option<String>,
+    /// Names of its values.
+    pub values: Vec<String>,
+    /// Slider positions of the values. Presence alone decides for the stepped branch.
+    pub steps: Option<Vec<f64>>,
+    /// Ends of the patterns of a barycentric set.
+    pub sum: Option<Vec<String>>,
+}
+
+/// A macro definition.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct Macrodef {
+    /// Position in the file; `macro_influence` counts by it.
+    pub index: usize,
+    /// Display name; no application reads it.
+    pub name: Option<String>,
+    /// Names of the components in order.
+    pub components: Vec<String>,
+    /// Folder as written.
+    pub folder: Option<String>,
+    /// Folder that is used: of the previous definition if there is none.
+    pub effective_folder: Option<String>,
+    /// Entries with `name` and `t`; others are skipped by the loader.
+    pub links: Vec<Link>,
+    /// Positions of entries without `name` or without `t`.
+    pub incomplete: Vec<usize>,
+}
+
+/// An entry of `targets`.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Link {
+    /// Position in `targets`.
+    pub index: usize,
+    /// Name of the combination.
+    pub name: String,
+    /// File below the folder without suffix, `None` for a deliberate "no morph".
+    pub target: Option<String>,
+}
+
+impl Macrodef {
+    /// Pointer to a link's member.
+    pub fn link_pointer(&self, link: &Link, member: &str) -> String {
+        format!("/macrodef/{}/targets/{}/{member}", self.index, link.index)
+    }
+}
+
+/// Takes what the loader would take.
+pub fn read(document: &Document) -> MacroFile {
+    let root = &document.root;
+    MacroFile {
+        components: root.get("components").map(components).unwrap_or_default(),
+        macrodefs: root.get("macrodef").map(macrodefs).unwrap_or_default(),
+    }
+}
+
+fn components(node: &Node) -> Vec<Component> {
+    let members = node.effective_members().into_iter();
+    members
+        .map(|member| Component {
+            name: member.key.clone(),
+            pattern: text(&member.node, "pattern"),
+            values: member.node.get("values").and_then(texts).unwrap_or_default(),
+            steps: member.node.get("steps").map(numbers),
+            sum: member.node.get("sum").and_then(texts),
+        })
+        .collect()
+}
+
+fn macrodefs(node: &Node) -> Vec<Macrodef> {
+    let mut folder = None;
+    let mut all = Vec::new();
+    for (index, node) in node.elements().iter().enumerate() {
+        let own = text(node, "folder");
+        folder = own.clone().or(folder);
+        let mut macrodef = Macrodef {
+            index,
+            name: text(node, "name"),
+            components: node.get("comp").and_then(texts).unwrap_or_default(),
+            folder: own,
+            effective_folder: folder.clone(),
+            ..Macrodef::default()
+        };
+        read_links(node, &mut macrodef);
+        all.push(macrodef);
+    }
+    all
+}
+
+fn read_links(node: &Node, macrodef: &mut Macrodef) {
+    let entries = node.get("targets").map(Node::elements).unwrap_or_default();
+    for (index, entry) in entries.iter().enumerate() {
+        match (text(entry, "name"), entry.get("t").map(|t| &t.value)) {
+            (Some(name), Some(Value::Null)) => macrodef.links.push(Link { index, name, target: None }),
+            (Some(name), Some(Value::String(target))) => {
+                macrodef.links.push(Link { index, name, target: Some(target.clone()) })
+            }
+            (None, _) | (_, None) => macrodef.incomplete.push(index),
+            // `t` of another type stops the program; the schema says so.
+            (Some(_), Some(_)) => {}
+        }
+    }
+}
+
+/// Text member of an object.
+pub(super) fn text(node: &Node, key: &str) -> Option<String> {
+    node.get(key).and_then(Node::as_str).map(str::to_owned)
+}
+
+/// An array of texts; elements of other types are left out.
+pub(super) fn texts(node: &Node) -> Option<Vec<String>> {
+    let elements = node.is_array().then(|| node.elements())?;
+    Some(elements.iter().filter_map(Node::as_str).map(str::to_owned).collect())
+}
+
+/// An array of numbers; elements of other types are left out.
+pub(super) fn numbers(node: &Node) -> Vec<f64> {
+    node.elements().iter().filter_map(Node::as_f64).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::json::parse;
+
+    #[test]
+    fn a_missing_folder_is_inherited() {
+        let text = br#"{"components": {}, "macrodef": [
+            {"folder": "a", "comp": ["x"], "targets": [{"name": "n", "t": null}, {"name": "m"}]},
+            {"comp": [], "targets": [{"name": "n", "t": "f"}]}]}"#;
+        let file = read(&parse(text).unwrap());
+        let [first, second] = file.macrodefs.as_slice() else { panic!("two") };
+        assert_eq!((first.incomplete.as_slice(), first.links[0].target.as_deref()), ([1].as_slice(), None));
+        assert_eq!((second.folder.as_deref(), second.effective_folder.as_deref()), (None, Some("a")));
+        assert_eq!(second.link_pointer(&second.links[0], "t"), "/macrodef/1/targets/0/t");
+    }
+
+    #[test]
+    fn wrong_types_are_left_out() {
+        let file = read(&parse(br#"{"components": [1], "macrodef": {"a": 1}}"#).unwrap());
+        assert_eq!(file, MacroFile::default());
+    }
+}

@@ -1,0 +1,20 @@
+//! Bytes to models and facts, one format a file.
+//!
+//! A parser never fails as a whole: it returns what the application would see, and counts in the same
+//! pass everything rules ask about. Judgement is not made here; other files are not known here.
+#![warn(clippy::indexing_slicing)]
+
+pub mod base_json;
+mod fields;
+pub mod geometry;
+pub mod json_file;
+pub mod macro_json;
+pub mod mhskel;
+pub mod mhw;
+pub mod modelling;
+mod number;
+pub mod obj;
+pub mod target;
+pub mod target_cat;
+
+pub use number::{python_float, python_int};

@@ -1,0 +1,325 @@
+//! A JSON text as a tree in which every value knows its bytes.
+
+use std::ops::Range;
+
+use super::reader::{Reader, SyntaxFault};
+
+/// A parsed text.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Document {
+    /// The top level value.
+    pub root: Node,
+    /// Keys that occur more than once in one object.
+    pub duplicates: Vec<Duplicate>,
+    /// Spans of `NaN` and the infinities.
+    pub specials: Vec<Range<usize>>,
+}
+
+/// A key given twice; the earlier value is lost.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Duplicate {
+    /// Pointer to the member.
+    pub pointer: String,
+    /// Span of the key whose value is lost.
+    pub lost: Range<usize>,
+    /// Span of the key that wins.
+    pub kept: Range<usize>,
+}
+
+/// A value and where it stands.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Node {
+    /// Its bytes in the text.
+    pub span: Range<usize>,
+    /// The value.
+    pub value: Value,
+}
+
+/// A JSON value.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Value {
+    /// `null`.
+    Null,
+    /// `true` or `false`.
+    Bool(bool),
+    /// Any number; the flag tells one that is written as an integer.
+    Number(f64, bool),
+    /// A string.
+    String(String),
+    /// An array.
+    Array(Vec<Node>),
+    /// An object, members in order of the text, duplicates included.
+    Object(Vec<Member>),
+}
+
+/// A member of an object.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Member {
+    /// The key.
+    pub key: String,
+    /// Bytes of the key with its quotes.
+    pub key_span: Range<usize>,
+    /// The value.
+    pub node: Node,
+}
+
+/// Parses a whole text.
+pub fn parse(text: &[u8]) -> Result<Document, SyntaxFault> {
+    let mut builder = Builder { reader: Reader::new(text), duplicates: Vec::new(), pointer: String::new() };
+    let root = builder.value()?;
+    builder.reader.finish()?;
+    Ok(Document { root, duplicates: builder.duplicates, specials: builder.reader.specials })
+}
+
+impl Document {
+    /// The value a pointer leads to; of equal keys the last, as the applications see it.
+    pub fn at(&self, pointer: &str) -> Option<&Node> {
+        steps(pointer).try_fold(&self.root, |node, step| node.step(&step))
+    }
+
+    /// Span of the key a pointer leads to.
+    pub fn key_at(&self, pointer: &str) -> Option<Range<usize>> {
+        let (parent, _) = pointer.rsplit_once('/')?;
+        let key = steps(pointer).last()?;
+        self.at(parent)?.member(&key).map(|member| member.key_span.clone())
+    }
+}
+
+fn steps(pointer: &str) -> impl Iterator<Item = String> {
+    let body = pointer.strip_prefix('/');
+    body.into_iter().flat_map(|body| body.split('/')).map(|step| step.replace("~1", "/").replace("~0", "~"))
+}
+
+impl Node {
+    /// Member of an object by key; the last of equal ones.
+    pub fn member(&self, key: &str) -> Option<&Member> {
+        self.members().iter().rev().find(|member| member.key == key)
+    }
+
+    /// Value of a member by key; the last of equal ones.
+    pub fn get(&self, key: &str) -> Option<&Self> {
+        self.member(key).map(|member| &member.node)
+    }
+
+    /// Members of an object; empty for anything else.
+    pub fn members(&self) -> &[Member] {
+        if let Value::Object(members) = &self.value { members } else { &[] }
+    }
+
+    /// Members as the applications see them: of equal keys the value of the last at the place of the first.
+    pub fn effective_members(&self) -> Vec<&Member> {
+        let mut effective: Vec<&Member> = Vec::with_capacity(self.members().len());
+        let mut seen = std::collections::BTreeMap::new();
+        for member in self.members() {
+            match seen.entry(member.key.as_str()) {
+                std::collections::btree_map::Entry::Vacant(slot) => {
+                    slot.insert(effective.len());
+                    effective.push(member);
+                }
+                std::collections::btree_map::Entry::Occupied(slot) => {
+                    if let Some(place) = effective.get_mut(*slot.get()) {
+                        *place = member;
+                    }
+                }
+            }
+        }
+        effective
+    }
+
+    /// Elements of an array; empty for anything else.
+    pub fn elements(&self) -> &[Self] {
+        if let Value::Array(elements) = &self.value { elements } else { &[] }
+    }
+
+    /// The text of a string.
+    pub fn as_str(&self) -> Option<&str> {
+        if let Value::String(text) = &self.value { Some(text) } else { None }
+    }
+
+    /// The value of a number.
+    pub fn as_f64(&self) -> Option<f64> {
+        if let Value::Number(number, _) = self.value { Some(number) } else { None }
+    }
+
+    /// The value of a number that is written as an integer and fits.
+    pub fn as_i64(&self) -> Option<i64> {
+        match self.value {
+            #[expect(clippy::cast_possible_truncation, reason = "bounded to the exactly representable integers")]
+            Value::Number(number, true) if number.abs() < 9e15 => Some(number as i64),
+            _ => None,
+        }
+    }
+
+    /// Whether this is an object.
+    pub fn is_object(&self) -> bool {
+        matches!(self.value, Value::Object(_))
+    }
+
+    /// Whether this is an array.
+    pub fn is_array(&self) -> bool {
+        matches!(self.value, Value::Array(_))
+    }
+
+    /// Whether Python would treat the value as false: `null`, `false`, 0, empty.
+    pub fn is_falsy(&self) -> bool {
+        match &self.value {
+            Value::Null => true,
+            Value::Bool(value) => !value,
+            Value::Number(number, _) => *number == 0.0,
+            Value::String(text) => text.is_empty(),
+            Value::Array(elements) => elements.is_empty(),
+            Value::Object(members) => members.is_empty(),
+        }
+    }
+
+    fn step(&self, step: &str) -> Option<&Self> {
+        match &self.value {
+            Value::Object(_) => self.get(step),
+            Value::Array(elements) => elements.get(step.parse::<usize>().ok()?),
+            _ => None,
+        }
+    }
+}
+
+struct Builder<'a> {
+    reader: Reader<'a>,
+    duplicates: Vec<Duplicate>,
+    pointer: String,
+}
+
+impl Builder<'_> {
+    fn value(&mut self) -> Result<Node, SyntaxFault> {
+        let first = self.reader.peek();
+        let start = self.reader.offset();
+        let value = match first {
+            Some(b'{') => self.object()?,
+            Some(b'[') => self.array()?,
+            Some(b'"') => Value::String(self.reader.string()?.into_owned()),
+            _ => self.scalar()?,
+        };
+        Ok(Node { span: start..self.reader.offset(), value })
+    }
+
+    fn scalar(&mut self) -> Result<Value, SyntaxFault> {
+        if let Some((number, integer)) = self.reader.number()? {
+            return Ok(Value::Number(number, integer));
+        }
+        for (word, value) in [("null", Value::Null), ("true", Value::Bool(true)), ("false", Value::Bool(false))] {
+            if self.reader.literal(word) {
+                return Ok(value);
+            }
+        }
+        Err(self.reader.expected("a value"))
+    }
+
+    fn array(&mut self) -> Result<Value, SyntaxFault> {
+        self.reader.open()?;
+        let mut elements = Vec::new();
+        while self.reader.more(elements.is_empty(), b']')? {
+            let length = self.descend(&elements.len().to_string());
+            elements.push(self.value()?);
+            self.pointer.truncate(length);
+        }
+        Ok(Value::Array(elements))
+    }
+
+    fn object(&mut self) -> Result<Value, SyntaxFault> {
+        self.reader.open()?;
+        let mut members: Vec<Member> = Vec::new();
+        while self.reader.more(members.is_empty(), b'}')? {
+            let (key, key_span) = self.reader.key()?;
+            let length = self.descend(&key.replace('~', "~0").replace('/', "~1"));
+            let node = self.value()?;
+            self.pointer.truncate(length);
+            members.push(Member { key: key.into_owned(), key_span, node });
+        }
+        self.note_duplicates(&members);
+        Ok(Value::Object(members))
+    }
+
+    fn descend(&mut self, step: &str) -> usize {
+        let length = self.pointer.len();
+        self.pointer.push('/');
+        self.pointer.push_str(step);
+        length
+    }
+
+    fn note_duplicates(&mut self, members: &[Member]) {
+        let mut last = std::collections::BTreeMap::new();
+        for member in members {
+            if let Some(lost) = last.insert(member.key.as_str(), member) {
+                let length = self.descend(&member.key.replace('~', "~0").replace('/', "~1"));
+                self.duplicates.push(Duplicate {
+                    pointer: self.pointer.clone(),
+                    lost: lost.key_span.clone(),
+                    kept: member.key_span.clone(),
+                });
+                self.pointer.truncate(length);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::SyntaxKind;
+    use super::*;
+
+    fn kind(text: &str) -> SyntaxKind {
+        parse(text.as_bytes()).unwrap_err().kind
+    }
+
+    #[test]
+    fn values_keep_their_spans() {
+        let document = parse(br#" {"a": [1, 2.5, "x/y"], "a~/b": null} "#).unwrap();
+        assert_eq!(document.at("/a/1").unwrap().as_f64(), Some(2.5));
+        assert_eq!(document.at("/a/2").unwrap().span, 16..21);
+        assert_eq!(document.key_at("/a~0~1b").unwrap(), 24..30);
+        assert_eq!(document.at("/a/0").unwrap().as_i64(), Some(1));
+        assert_eq!(document.at("/a/1").unwrap().as_i64(), None);
+    }
+
+    #[test]
+    fn the_last_of_equal_keys_wins_and_is_noted() {
+        let document = parse(br#"{"a": {"b": 1, "c": 2, "b": 3}}"#).unwrap();
+        assert_eq!(document.at("/a/b").unwrap().as_i64(), Some(3));
+        assert_eq!(document.duplicates.len(), 1);
+        assert_eq!(document.duplicates[0].pointer, "/a/b");
+        let keys: Vec<_> = document.root.get("a").unwrap().effective_members().iter().map(|m| &m.key).collect();
+        assert_eq!(keys, ["b", "c"]);
+    }
+
+    #[test]
+    fn python_numbers_are_read_and_noted() {
+        let document = parse(b"[NaN, -Infinity, 1e400, 007]").unwrap_err();
+        assert!(matches!(document.kind, SyntaxKind::Expected { .. }));
+        let document = parse(b"[NaN, -Infinity, 1e400]").unwrap();
+        assert_eq!(document.specials, [1..4, 6..15]);
+        assert_eq!(document.root.elements()[2].as_f64(), Some(f64::INFINITY));
+    }
+
+    #[test]
+    fn faults_are_named() {
+        assert_eq!(kind("[1, 2,]"), SyntaxKind::TrailingComma);
+        assert_eq!(kind("[1, // x\n2]"), SyntaxKind::Comment);
+        assert_eq!(kind("{} x"), SyntaxKind::TrailingText);
+        assert!(matches!(kind("[1"), SyntaxKind::UnexpectedEnd(_)));
+        assert!(matches!(kind("[\"a\nb\"]"), SyntaxKind::BadString(_)));
+        assert!(matches!(kind("[-]"), SyntaxKind::Expected { .. }));
+        assert_eq!(kind(&"[".repeat(1_000_000)), SyntaxKind::TooDeep);
+    }
+
+    #[test]
+    fn escapes_become_characters() {
+        let document = parse(br#""a\u00e9\ud83d\ude00\n\ud800""#).unwrap();
+        assert_eq!(document.root.as_str(), Some("aé😀\n\u{fffd}"));
+    }
+
+    #[test]
+    fn truncation_at_any_byte_is_a_fault() {
+        let text = br#"{"a": [1, -2.5e3, "x\u0041", true, null], "b": {}}"#;
+        for length in 0..text.len() {
+            assert!(parse(&text[..length]).is_err(), "{length}");
+        }
+    }
+}

@@ -1,0 +1,12 @@
+//! JSON as the applications read it, with positions.
+//!
+//! Python's dialect (`NaN`, `Infinity`, duplicate keys with the last one winning) plus byte spans of
+//! every value, which `serde_json` does not keep. No asset knowledge here.
+
+mod document;
+mod reader;
+mod schema;
+
+pub use document::{Document, Duplicate, Member, Node, Value, parse};
+pub use reader::{Reader, SyntaxFault, SyntaxKind};
+pub use schema::{SchemaFault, SchemaFaults, UnknownKey, check};

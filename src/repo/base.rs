@@ -1,0 +1,185 @@
+//! One base mesh with everything the application would load for it.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::{BoundSlider, Candidate, Content, FileFacts, Layer, Overlaid, Pattern, TargetFolder};
+use crate::discover::Kind;
+use crate::formats::base_json::BaseJson;
+use crate::formats::macro_json::MacroFile;
+use crate::formats::modelling::Modelling;
+use crate::formats::obj::Mesh;
+use crate::formats::target_cat::TargetCategories;
+
+/// A base mesh over all layers.
+#[derive(Debug)]
+pub struct Base<'a> {
+    /// Name of its folders.
+    pub name: &'a str,
+    /// `base.json`, user before system; the model only if it could be read.
+    pub base_json: Option<(&'a FileFacts, Option<&'a BaseJson>)>,
+    /// `base.obj`, user before system.
+    pub mesh: Option<(&'a FileFacts, &'a Mesh)>,
+    /// `macro.json`.
+    pub macros: Overlaid<'a, MacroFile>,
+    /// `modelling.json` without the user's additions.
+    pub modelling: Overlaid<'a, Modelling>,
+    /// `target_cat.json` without the user's additions.
+    pub categories: Overlaid<'a, TargetCategories>,
+    /// `target/<base>/modelling.json` of the user, merged on top key by key.
+    pub user_modelling: Candidate<'a, Modelling>,
+    /// `target/<base>/target_cat.json` of the user.
+    pub user_categories: Candidate<'a, TargetCategories>,
+    /// Where targets and their icons come from: the layer whose `macro.json` won. `None` when that would
+    /// be the system's folder and no system data was given.
+    pub targets: Option<TargetFolder<'a>>,
+    /// Where entries with a `user` key come from.
+    pub user_targets: Option<TargetFolder<'a>>,
+    /// The folder that lost, if there is one.
+    pub other_targets: Option<TargetFolder<'a>>,
+    /// All sliders as the application sees them.
+    pub sliders: Vec<BoundSlider<'a>>,
+    /// Skeletons in `rigs/<base>/` of all layers, strongest first.
+    pub skeletons: Vec<&'a FileFacts>,
+    /// Weights in `rigs/<base>/` of all layers, strongest first.
+    pub weights: Vec<&'a FileFacts>,
+}
+
+/// The layers to resolve over. With one root playing both parts, `user` is that root and `user_target`
+/// is `None`: its `target/` folder is the system's.
+#[derive(Clone, Copy)]
+pub(super) struct Layers<'a> {
+    pub(super) system: Option<&'a Layer>,
+    pub(super) user: Option<&'a Layer>,
+    pub(super) user_target: Option<&'a Layer>,
+}
+
+/// Names of all bases in the layers.
+pub(super) fn base_names<'a>(layers: Layers<'a>) -> BTreeSet<&'a str> {
+    let files = [layers.system, layers.user].into_iter().flatten().flat_map(|layer| layer.files.values());
+    files
+        .filter(|file| ["base/", "target/", "contarget/", "rigs/"].iter().any(|folder| file.rel.starts_with(folder)))
+        .filter_map(|file| file.base.as_deref())
+        .collect()
+}
+
+/// Resolves one base.
+pub(super) fn resolve<'a>(name: &'a str, layers: Layers<'a>) -> Base<'a> {
+    let Layers { system, user, user_target } = layers;
+    let first = |rel: String| [user, system].into_iter().flatten().find_map(|layer| layer.file(&rel));
+    let base_json = first(format!("base/{name}/base.json")).map(|file| (file, model_of_base(file)));
+    let macros = overlaid(layers, name, "macro.json", |content| match content {
+        Content::Macro(model) => Some(model.as_ref()),
+        _ => None,
+    });
+    let modelling = overlaid(layers, name, "modelling.json", model_of_modelling);
+    let categories = overlaid(layers, name, "target_cat.json", model_of_categories);
+    let user_modelling = Candidate::find(user_target, &format!("target/{name}/modelling.json"), model_of_modelling);
+    let user_categories = Candidate::find(user_target, &format!("target/{name}/target_cat.json"), model_of_categories);
+    let system_folder = system.map(|layer| TargetFolder { layer, folder: "target", base: name });
+    let contarget = user.map(|layer| TargetFolder { layer, folder: "contarget", base: name });
+    let (targets, other_targets) = if macros.is_overridden() {
+        (contarget, system_folder.filter(TargetFolder::exists))
+    } else {
+        (system_folder, contarget.filter(TargetFolder::exists))
+    };
+    let opposites = base_json.and_then(|(_, model)| model).map(|model| model.opposites.as_slice());
+    let sliders = bind_sliders(&modelling, &user_modelling, opposites.unwrap_or_default());
+    let rigs = |kind: Kind| {
+        let files = [user, if is_same(user, system) { None } else { system }];
+        let below = files.into_iter().flatten().flat_map(|layer| layer.below(&format!("rigs/{name}")));
+        below.filter(|file| file.kind == kind).collect()
+    };
+    Base {
+        name,
+        base_json,
+        mesh: first(format!("base/{name}/base.obj")).and_then(|file| Some((file, file.mesh()?))),
+        macros,
+        modelling,
+        categories,
+        user_modelling,
+        user_categories,
+        targets,
+        user_targets: user_target.map(|layer| TargetFolder { layer, folder: "target", base: name }),
+        other_targets,
+        sliders,
+        skeletons: rigs(Kind::Skeleton),
+        weights: rigs(Kind::Weights),
+    }
+}
+
+fn is_same(a: Option<&Layer>, b: Option<&Layer>) -> bool {
+    matches!((a, b), (Some(a), Some(b)) if std::ptr::eq(a, b))
+}
+
+fn overlaid<'a, T>(
+    layers: Layers<'a>,
+    base: &str,
+    file: &str,
+    model: impl Fn(&'a Content) -> Option<&'a T>,
+) -> Overlaid<'a, T> {
+    Overlaid {
+        contarget: Candidate::find(layers.user, &format!("contarget/{base}/{file}"), &model),
+        system: Candidate::find(layers.system, &format!("target/{base}/{file}"), &model),
+    }
+}
+
+fn model_of_base(file: &FileFacts) -> Option<&BaseJson> {
+    match &file.content {
+        Content::BaseJson(model) if !file.json.falsy => Some(model),
+        _ => None,
+    }
+}
+
+fn model_of_modelling(content: &Content) -> Option<&Modelling> {
+    if let Content::Modelling(model) = content { Some(model) } else { None }
+}
+
+fn model_of_categories(content: &Content) -> Option<&TargetCategories> {
+    if let Content::Categories(model) = content { Some(model) } else { None }
+}
+
+/// The winner's sliders with the user's merged on top: an equal key replaces in place, others follow.
+fn bind_sliders<'a>(
+    modelling: &Overlaid<'a, Modelling>,
+    user: &Candidate<'a, Modelling>,
+    opposites: &[(String, String)],
+) -> Vec<BoundSlider<'a>> {
+    let mut sliders: Vec<BoundSlider<'a>> = Vec::new();
+    let mut by_key: BTreeMap<&str, usize> = BTreeMap::new();
+    for (file, model) in modelling.winner().into_iter().chain(user.accepted()) {
+        for (index, slider) in model.sliders.iter().enumerate() {
+            let bound = BoundSlider { slider, file, pattern: Pattern::of(slider, opposites), index };
+            match by_key.get(slider.key.as_str()).and_then(|at| sliders.get_mut(*at)) {
+                Some(place) => *place = bound,
+                None => {
+                    by_key.insert(&slider.key, sliders.len());
+                    sliders.push(bound);
+                }
+            }
+        }
+    }
+    sliders
+}
+
+impl<'a> Base<'a> {
+    /// The slider registered under a pattern; of several the last.
+    pub fn slider(&self, pattern: &str) -> Option<&BoundSlider<'a>> {
+        let registers = |slider: &&BoundSlider<'a>| slider.pattern.names().iter().any(|name| name == pattern);
+        self.sliders.iter().rev().find(registers)
+    }
+
+    /// The folder a slider's targets come from.
+    pub fn folder_of(&self, slider: &BoundSlider<'_>) -> Option<TargetFolder<'a>> {
+        if slider.slider.user { self.user_targets } else { self.targets }
+    }
+
+    /// The macro file in use.
+    pub fn macro_file(&self) -> Option<(&'a FileFacts, &'a MacroFile)> {
+        self.macros.winner()
+    }
+
+    /// `base.json`, if it could be read.
+    pub fn settings(&self) -> Option<(&'a FileFacts, &'a BaseJson)> {
+        self.base_json.and_then(|(file, model)| Some((file, model?)))
+    }
+}

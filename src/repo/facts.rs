@@ -1,0 +1,106 @@
+//! What is kept of a file when its bytes are gone.
+
+use crate::discover::Kind;
+use crate::formats::base_json::BaseJson;
+use crate::formats::geometry::Geometry;
+use crate::formats::json_file::{JsonFacts, JsonFault};
+use crate::formats::macro_json::MacroFile;
+use crate::formats::mhskel::Skeleton;
+use crate::formats::mhw::Weights;
+use crate::formats::modelling::Modelling;
+use crate::formats::obj::Mesh;
+use crate::formats::target::TargetFacts;
+use crate::formats::target_cat::TargetCategories;
+use crate::json::SchemaFaults;
+use crate::source::{Encoding, GzipFault, ReadFault};
+
+/// Facts of one file.
+#[derive(Debug, Clone)]
+pub struct FileFacts {
+    /// Path as reports print it: relative to the working directory.
+    pub path: String,
+    /// Path relative to the data root.
+    pub rel: String,
+    /// What it is for.
+    pub kind: Kind,
+    /// Base mesh it belongs to.
+    pub base: Option<String>,
+    /// Size in bytes as stored.
+    pub size: u64,
+    /// Why its bytes could not be had.
+    pub unreadable: Option<ReadFault>,
+    /// Why it could not be unpacked.
+    pub gzip_fault: Option<GzipFault>,
+    /// Encoding of the text.
+    pub encoding: Encoding,
+    /// Facts on the text of a JSON.
+    pub json: JsonFacts,
+    /// What the schema of its format says.
+    pub schema: SchemaFaults,
+    /// Hash of the decoded content where equal content matters.
+    pub content_hash: Option<u64>,
+    /// What was in it.
+    pub content: Content,
+}
+
+/// Content of a file as rules need it.
+#[derive(Debug, Clone)]
+pub enum Content {
+    /// Not read: of no interest, or unreadable.
+    Unread,
+    /// A JSON that the application cannot read.
+    Broken(JsonFault),
+    /// A JSON without a model of its own.
+    Json,
+    /// `base.json`.
+    BaseJson(Box<BaseJson>),
+    /// `geometry.json`.
+    Geometry(Box<Geometry>),
+    /// `macro.json`.
+    Macro(Box<MacroFile>),
+    /// `modelling.json`.
+    Modelling(Box<Modelling>),
+    /// `target_cat.json`.
+    Categories(Box<TargetCategories>),
+    /// `.mhskel`.
+    Skeleton(Box<Skeleton>),
+    /// `.mhw`.
+    Weights(Box<Weights>),
+    /// `.obj` of a base mesh.
+    Mesh(Box<Mesh>),
+    /// `.target`.
+    Target(Box<TargetFacts>),
+}
+
+impl FileFacts {
+    /// File name without folders.
+    pub fn file_name(&self) -> &str {
+        self.rel.rsplit('/').next().unwrap_or(&self.rel)
+    }
+
+    /// File name without folders and extension.
+    pub fn stem(&self) -> &str {
+        let name = self.file_name();
+        name.rsplit_once('.').map_or(name, |(stem, _)| stem)
+    }
+
+    /// The target facts, if it is a target that could be read.
+    pub fn target(&self) -> Option<&TargetFacts> {
+        if let Content::Target(facts) = &self.content { Some(facts) } else { None }
+    }
+
+    /// The weights, if it is a weights file that could be read.
+    pub fn weights(&self) -> Option<&Weights> {
+        if let Content::Weights(weights) = &self.content { Some(weights) } else { None }
+    }
+
+    /// The skeleton, if it is one that could be read.
+    pub fn skeleton(&self) -> Option<&Skeleton> {
+        if let Content::Skeleton(skeleton) = &self.content { Some(skeleton) } else { None }
+    }
+
+    /// The mesh, if it is one that could be read.
+    pub fn mesh(&self) -> Option<&Mesh> {
+        if let Content::Mesh(mesh) = &self.content { Some(mesh) } else { None }
+    }
+}

@@ -1,0 +1,137 @@
+//! Layers of a data tree, weakest first, and the lookups over them.
+
+use std::collections::BTreeMap;
+
+use super::{Base, FileFacts, Reference};
+use crate::diag::Application;
+use crate::discover::Kind;
+use crate::source::WalkFault;
+
+/// One data root with the facts of its files.
+#[derive(Debug)]
+pub struct Layer {
+    /// Path of the root as reports print it, empty for the working directory.
+    pub path: String,
+    /// Files by their path relative to the root.
+    pub files: BTreeMap<String, FileFacts>,
+    /// Folders, relative to the root.
+    pub folders: Vec<String>,
+    /// What the walk could not list, relative to the root.
+    pub walk_faults: Vec<WalkFault>,
+}
+
+/// The layers that an application sees together; the top one is judged.
+#[derive(Debug)]
+pub struct Repository<'a> {
+    /// Whose data it is.
+    pub application: Application,
+    /// System data (`data/` beside the program).
+    pub system: Option<&'a Layer>,
+    /// User data. May be the same root as the system data when one root holds base meshes and `contarget/`.
+    pub user: Option<&'a Layer>,
+    /// The layer that findings are reported for.
+    pub judged: &'a Layer,
+    /// The base meshes of all layers, resolved.
+    pub bases: Vec<Base<'a>>,
+    /// Everything that names a file, and what it leads to.
+    pub references: Vec<Reference<'a>>,
+}
+
+/// A folder that targets are loaded from.
+#[derive(Debug, Clone, Copy)]
+pub struct TargetFolder<'a> {
+    /// Its layer.
+    pub layer: &'a Layer,
+    /// `target` or `contarget`.
+    pub folder: &'static str,
+    /// Base mesh.
+    pub base: &'a str,
+}
+
+impl Layer {
+    /// The file at a path relative to the root.
+    pub fn file(&self, rel: &str) -> Option<&FileFacts> {
+        self.files.get(rel)
+    }
+
+    /// All files below a folder (no trailing slash), in order.
+    pub fn below<'s>(&'s self, folder: &str) -> impl Iterator<Item = &'s FileFacts> + use<'s> {
+        let prefix = format!("{folder}/");
+        let from = self.files.range(prefix.clone()..);
+        from.take_while(move |(rel, _)| rel.starts_with(&prefix)).map(|(_, file)| file)
+    }
+
+    /// The file whose path differs from `rel` in nothing but case.
+    pub fn file_ignoring_case(&self, rel: &str) -> Option<&FileFacts> {
+        let folded = rel.to_lowercase();
+        self.files.values().find(|file| file.rel.to_lowercase() == folded)
+    }
+
+    /// Path of something in this layer as reports print it.
+    pub fn display(&self, rel: &str) -> String {
+        if self.path.is_empty() { rel.to_owned() } else { format!("{}/{rel}", self.path) }
+    }
+
+    /// Whether a path as reports print it lies in this layer.
+    pub fn holds(&self, path: &str) -> bool {
+        self.relative(path).is_some()
+    }
+
+    /// The part of a printed path below this root.
+    pub fn relative<'p>(&self, path: &'p str) -> Option<&'p str> {
+        if self.path.is_empty() {
+            return Some(path);
+        }
+        path.strip_prefix(self.path.as_str())?.strip_prefix('/')
+    }
+}
+
+impl<'a> Repository<'a> {
+    /// Whether one root plays both parts.
+    pub fn is_one_root(&self) -> bool {
+        matches!((self.system, self.user), (Some(system), Some(user)) if std::ptr::eq(system, user))
+    }
+
+    /// The layers, strongest first.
+    pub fn strongest_first(&self) -> impl Iterator<Item = &'a Layer> + use<'a> {
+        let system = if self.is_one_root() { None } else { self.system };
+        self.user.into_iter().chain(system)
+    }
+
+    /// The first existing file, user before system.
+    pub fn first_existing(&self, rel: &str) -> Option<&'a FileFacts> {
+        self.strongest_first().find_map(|layer| layer.file(rel))
+    }
+
+    /// Whether a file belongs to the judged layer.
+    pub fn is_judged(&self, file: &FileFacts) -> bool {
+        self.judged.file(&file.rel).is_some_and(|own| std::ptr::eq(own, file))
+    }
+}
+
+impl<'a> TargetFolder<'a> {
+    /// Path relative to its root, without trailing slash.
+    pub fn rel(&self) -> String {
+        format!("{}/{}", self.folder, self.base)
+    }
+
+    /// The target `name` (path without suffix).
+    pub fn target(&self, name: &str) -> Option<&'a FileFacts> {
+        self.layer.file(&format!("{}/{}/{name}.target", self.folder, self.base))
+    }
+
+    /// All targets in the folder.
+    pub fn targets(&self) -> impl Iterator<Item = &'a FileFacts> + use<'a> {
+        self.layer.below(&self.rel()).filter(|file| file.kind == Kind::Target)
+    }
+
+    /// Name of a target of this folder as files refer to it: path without suffix.
+    pub fn name_of<'f>(&self, file: &'f FileFacts) -> Option<&'f str> {
+        file.rel.strip_prefix(&self.rel())?.strip_prefix('/')?.strip_suffix(".target")
+    }
+
+    /// Whether anything is in it.
+    pub fn exists(&self) -> bool {
+        self.layer.below(&self.rel()).next().is_some()
+    }
+}

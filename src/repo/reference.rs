@@ -1,0 +1,276 @@
+//! Everything in a repository that names a file, and what the application would find there.
+
+use super::{Base, BoundSlider, FileFacts, Layer, Repository, TargetFolder};
+use crate::diag::Place;
+
+/// A name of a file in a file.
+#[derive(Debug)]
+pub struct Reference<'a> {
+    /// What names it.
+    pub kind: ReferenceKind,
+    /// Base mesh it is for.
+    pub base: &'a str,
+    /// File in which the name stands.
+    pub from: &'a FileFacts,
+    /// Place of the name.
+    pub place: Place,
+    /// The name as written.
+    pub text: &'a str,
+    /// What the name belongs to: a combination, a slider, a skeleton.
+    pub owner: &'a str,
+    /// Path relative to the data root that the application would open.
+    pub rel: String,
+    /// What is there.
+    pub resolution: Resolution<'a>,
+}
+
+/// What names a file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum ReferenceKind {
+    /// `t` in `macro.json`.
+    MacroTarget,
+    /// `incr` in `modelling.json`.
+    Incr,
+    /// `decr` in `modelling.json`.
+    Decr,
+    /// `icon` in `modelling.json`.
+    Icon,
+    /// `weights_file` in a skeleton (or its default).
+    WeightsFile,
+    /// `pose-skeleton` in `base.json`.
+    PoseSkeleton,
+    /// `mhm` in `base.json`.
+    Model,
+}
+
+/// What a reference leads to.
+#[derive(Debug, Clone, Copy)]
+pub enum Resolution<'a> {
+    /// The file.
+    Found(&'a FileFacts),
+    /// A file whose path differs in case only.
+    CaseOnly(&'a FileFacts),
+    /// A file that only a system which takes `\` for a separator finds.
+    Backslash(Option<&'a FileFacts>),
+    /// Begins with `/` or a drive letter.
+    Absolute,
+    /// Leaves the data root.
+    Escapes,
+    /// Nothing in the folder in use, but the file exists in the layer that lost.
+    OtherLayer(&'a FileFacts),
+    /// Nothing.
+    Missing,
+    /// Only system data that was not given could tell.
+    NeedsSystem,
+}
+
+impl ReferenceKind {
+    /// Whether it is a morph target.
+    pub const fn is_target(self) -> bool {
+        matches!(self, Self::MacroTarget | Self::Incr | Self::Decr)
+    }
+}
+
+/// All references of a base.
+pub(super) fn collect<'a>(repository: &Repository<'a>, base: &Base<'a>) -> Vec<Reference<'a>> {
+    let mut references = Vec::new();
+    macro_references(base, &mut references);
+    for slider in &base.sliders {
+        slider_references(base, slider, &mut references);
+    }
+    skeleton_references(repository, base, &mut references);
+    base_references(repository, base, &mut references);
+    references
+}
+
+fn macro_references<'a>(base: &Base<'a>, out: &mut Vec<Reference<'a>>) {
+    let Some((from, file)) = base.macro_file() else { return };
+    for macrodef in &file.macrodefs {
+        let folder = macrodef.effective_folder.as_deref().unwrap_or_default();
+        for link in &macrodef.links {
+            // An empty name is a finding of its own, not a missing file.
+            let Some(text) = link.target.as_deref().filter(|text| !text.is_empty()) else { continue };
+            let name = format!("{folder}/{text}");
+            let (rel, resolution) = resolve_target(base, base.targets, &name);
+            out.push(Reference {
+                kind: ReferenceKind::MacroTarget,
+                base: base.name,
+                from,
+                place: Place::Pointer(macrodef.link_pointer(link, "t")),
+                text,
+                owner: &link.name,
+                rel,
+                resolution,
+            });
+        }
+    }
+}
+
+fn slider_references<'a>(base: &Base<'a>, bound: &BoundSlider<'a>, out: &mut Vec<Reference<'a>>) {
+    let slider = bound.slider;
+    let folder = base.folder_of(bound);
+    let named = [
+        (ReferenceKind::Incr, "incr", slider.incr.as_deref()),
+        (ReferenceKind::Decr, "decr", slider.decr.as_deref()),
+        (ReferenceKind::Icon, "icon", slider.icon.as_deref()),
+    ];
+    for (kind, member, text) in named {
+        let Some(text) = text else { continue };
+        let (rel, resolution) =
+            if kind == ReferenceKind::Icon { resolve_icon(folder, text) } else { resolve_target(base, folder, text) };
+        out.push(Reference {
+            kind,
+            base: base.name,
+            from: bound.file,
+            place: Place::pointer([&slider.key, member]),
+            text,
+            owner: &slider.key,
+            rel,
+            resolution,
+        });
+    }
+}
+
+fn resolve_target<'a>(base: &Base<'a>, folder: Option<TargetFolder<'a>>, name: &str) -> (String, Resolution<'a>) {
+    let Some(folder) = folder else {
+        return (format!("{name}.target"), Resolution::NeedsSystem);
+    };
+    let rel = format!("{}/{name}.target", folder.rel());
+    let found = resolve(&[folder.layer], name, &rel);
+    let other = || base.other_targets.and_then(|other| other.target(name));
+    match (found, other()) {
+        (Resolution::Missing, Some(file)) => (rel, Resolution::OtherLayer(file)),
+        (found, _) => (rel, found),
+    }
+}
+
+fn resolve_icon<'a>(folder: Option<TargetFolder<'a>>, name: &str) -> (String, Resolution<'a>) {
+    let Some(folder) = folder else {
+        return (format!("icons/{name}"), Resolution::NeedsSystem);
+    };
+    let rel = format!("{}/icons/{name}", folder.rel());
+    let resolution = resolve(&[folder.layer], name, &rel);
+    (rel, resolution)
+}
+
+/// Weights are searched as `rigs/<base>/<weights_file>`, never beside the skeleton.
+fn skeleton_references<'a>(repository: &Repository<'a>, base: &Base<'a>, out: &mut Vec<Reference<'a>>) {
+    for from in &base.skeletons {
+        let Some(skeleton) = from.skeleton() else { continue };
+        let text = skeleton.weights_file.as_deref().unwrap_or("default_weights.mhw");
+        out.push(Reference {
+            kind: ReferenceKind::WeightsFile,
+            base: base.name,
+            from,
+            place: match skeleton.weights_file {
+                Some(_) => Place::pointer(["weights_file"]),
+                None => Place::File,
+            },
+            text,
+            owner: from.stem(),
+            rel: format!("rigs/{}/{text}", base.name),
+            resolution: resolve_layered(repository, text, &format!("rigs/{}/{text}", base.name)),
+        });
+    }
+}
+
+fn base_references<'a>(repository: &Repository<'a>, base: &Base<'a>, out: &mut Vec<Reference<'a>>) {
+    let Some((from, settings)) = base.settings() else { return };
+    let named = [
+        (ReferenceKind::PoseSkeleton, "pose-skeleton", "rigs", settings.pose_skeleton.as_deref()),
+        (ReferenceKind::Model, "mhm", "base", settings.mhm.as_deref()),
+    ];
+    for (kind, member, folder, text) in named {
+        let Some(text) = text else { continue };
+        let rel = format!("{folder}/{}/{text}", base.name);
+        out.push(Reference {
+            kind,
+            base: base.name,
+            from,
+            place: Place::pointer([member]),
+            text,
+            owner: member,
+            resolution: resolve_layered(repository, text, &rel),
+            rel,
+        });
+    }
+}
+
+fn resolve_layered<'a>(repository: &Repository<'a>, text: &str, rel: &str) -> Resolution<'a> {
+    let layers: Vec<&Layer> = repository.strongest_first().collect();
+    match resolve(&layers, text, rel) {
+        Resolution::Missing if repository.system.is_none() => Resolution::NeedsSystem,
+        found => found,
+    }
+}
+
+fn resolve<'a>(layers: &[&'a Layer], text: &str, rel: &str) -> Resolution<'a> {
+    if text.starts_with(['/', '\\']) || text.get(1..2) == Some(":") {
+        return Resolution::Absolute;
+    }
+    let Some(normal) = normalized(rel) else {
+        return Resolution::Escapes;
+    };
+    if let Some(file) = layers.iter().find_map(|layer| layer.file(&normal)) {
+        return Resolution::Found(file);
+    }
+    if text.contains('\\') {
+        let slashed = normalized(&rel.replace('\\', "/"));
+        let file = slashed.and_then(|rel| layers.iter().find_map(|layer| layer.file(&rel)));
+        return Resolution::Backslash(file);
+    }
+    match layers.iter().find_map(|layer| layer.file_ignoring_case(&normal)) {
+        Some(file) => Resolution::CaseOnly(file),
+        None => Resolution::Missing,
+    }
+}
+
+/// The path without `.` and `..`, or nothing if it leaves the root.
+fn normalized(rel: &str) -> Option<String> {
+    let mut parts: Vec<&str> = Vec::new();
+    for part in rel.split('/') {
+        match part {
+            "" | "." => {}
+            ".." => {
+                parts.pop()?;
+            }
+            other => parts.push(other),
+        }
+    }
+    Some(parts.join("/"))
+}
+
+impl<'a> Repository<'a> {
+    /// Connects the layers. `judged` must be one of them.
+    pub fn connect(
+        application: crate::diag::Application,
+        system: Option<&'a Layer>,
+        user: Option<&'a Layer>,
+        judged: &'a Layer,
+    ) -> Self {
+        let mut repository = Self { application, system, user, judged, bases: Vec::new(), references: Vec::new() };
+        let user_target = if repository.is_one_root() { None } else { user };
+        let layers = super::base::Layers { system, user, user_target };
+        let names = super::base::base_names(layers);
+        let bases: Vec<Base<'a>> = names.into_iter().map(|name| super::base::resolve(name, layers)).collect();
+        repository.references = bases.iter().flat_map(|base| collect(&repository, base)).collect();
+        repository.bases = bases;
+        repository
+    }
+
+    /// References of a base.
+    pub fn references_of<'s>(&'s self, base: &'s Base<'a>) -> impl Iterator<Item = &'s Reference<'a>> {
+        self.references.iter().filter(|reference| reference.base == base.name)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn paths_are_normalized_inside_the_root_only() {
+        assert_eq!(normalized("target/b/a/../c.target").as_deref(), Some("target/b/c.target"));
+        assert_eq!(normalized("target/../../x"), None);
+    }
+}

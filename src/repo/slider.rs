@@ -1,0 +1,86 @@
+//! Sliders bound to a base: their identity ("pattern") and where their files come from
+//! (formats/makehuman2.md §4.2).
+
+use super::FileFacts;
+use crate::formats::modelling::Slider;
+
+/// A slider of a base.
+#[derive(Debug)]
+pub struct BoundSlider<'a> {
+    /// The entry.
+    pub slider: &'a Slider,
+    /// File it stands in.
+    pub file: &'a FileFacts,
+    /// Its identity.
+    pub pattern: Pattern,
+    /// Position in its file.
+    pub index: usize,
+}
+
+/// Identity of a slider in models, presets, symmetry and macros.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Pattern {
+    /// A barycentric set registers each of its texts.
+    Barycentric(Vec<String>),
+    /// Read by `macro.json`.
+    Macro(String),
+    /// Two-sided: `<decr>|<ending of incr>`.
+    Pair(String),
+    /// One-sided: the `incr` path.
+    Single(String),
+    /// No `incr`: cannot be set, is never saved.
+    None,
+}
+
+impl Pattern {
+    /// Pattern of a slider, given `target-opposites` of `base.json` in file order.
+    pub fn of(slider: &Slider, opposites: &[(String, String)]) -> Self {
+        if let Some(patterns) = &slider.barycentric {
+            return Self::Barycentric(patterns.clone());
+        }
+        if let Some(pattern) = &slider.macro_pattern {
+            return Self::Macro(pattern.clone());
+        }
+        let Some(incr) = &slider.incr else {
+            return Self::None;
+        };
+        let prefix = if slider.user { "custom/" } else { "" };
+        let pair = slider.decr.as_ref().and_then(|decr| {
+            let covers = |(d, i): &&(String, String)| ends_with(decr, d) && ends_with(incr, i);
+            opposites.iter().find(covers).map(|(_, i)| format!("{prefix}{decr}|{i}"))
+        });
+        pair.map_or_else(|| Self::Single(format!("{prefix}{incr}")), Self::Pair)
+    }
+
+    /// The names it registers.
+    pub fn names(&self) -> &[String] {
+        match self {
+            Self::Barycentric(names) => names,
+            Self::Macro(name) | Self::Pair(name) | Self::Single(name) => std::slice::from_ref(name),
+            Self::None => &[],
+        }
+    }
+}
+
+/// Whether a path ends in `-suffix`.
+fn ends_with(path: &str, suffix: &str) -> bool {
+    path.strip_suffix(suffix).is_some_and(|rest| rest.ends_with('-'))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn pattern(incr: Option<&str>, decr: Option<&str>, user: bool) -> Pattern {
+        let slider = Slider { incr: incr.map(str::to_owned), decr: decr.map(str::to_owned), user, ..Slider::default() };
+        Pattern::of(&slider, &[("decr".to_owned(), "incr".to_owned())])
+    }
+
+    #[test]
+    fn pairs_need_a_declared_opposite() {
+        assert_eq!(pattern(Some("a/b-incr"), Some("a/b-decr"), false), Pattern::Pair("a/b-decr|incr".to_owned()));
+        assert_eq!(pattern(Some("a/b-up"), Some("a/b-down"), false), Pattern::Single("a/b-up".to_owned()));
+        assert_eq!(pattern(None, Some("a/b-decr"), false), Pattern::None);
+        assert_eq!(pattern(Some("f/x"), None, true), Pattern::Single("custom/f/x".to_owned()));
+    }
+}

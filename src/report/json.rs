@@ -1,0 +1,86 @@
+//! `mhlint-report/1`: everything, for programs. Its schema is `schemas/report.schema.json`.
+
+use std::io::{self, Write};
+
+use serde::Serialize;
+
+use super::View;
+use crate::diag::{Break, Confidence, Evidence, Level, Location};
+use crate::engine::{Outcome, RootSummary, Summary};
+
+#[derive(Serialize)]
+struct Report<'a> {
+    format: &'static str,
+    tool: Tool,
+    verdict: &'static str,
+    roots: &'a [RootSummary],
+    summary: &'a Summary,
+    findings: Vec<Item<'a>>,
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    notes: &'a [String],
+}
+
+#[derive(Serialize)]
+struct Tool {
+    name: &'static str,
+    version: &'static str,
+}
+
+#[derive(Serialize)]
+struct Item<'a> {
+    rule: &'static str,
+    level: Level,
+    confidence: Confidence,
+    path: &'a str,
+    place: &'a Location,
+    message: &'a str,
+    help: Option<&'a str>,
+    breaks: &'a [Break],
+    evidence: Option<&'a Evidence>,
+    related: Vec<RelatedItem<'a>>,
+    fix: Option<()>,
+    fingerprint: &'a str,
+}
+
+#[derive(Serialize)]
+struct RelatedItem<'a> {
+    path: &'a str,
+    place: &'a Location,
+    message: &'a str,
+}
+
+/// Writes the report, indented, with a newline at the end.
+pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> io::Result<()> {
+    let report = Report {
+        format: "mhlint-report/1",
+        tool: Tool { name: env!("CARGO_PKG_NAME"), version: env!("CARGO_PKG_VERSION") },
+        verdict: if view.pass { "pass" } else { "fail" },
+        roots: &outcome.roots,
+        summary: &outcome.summary,
+        findings: outcome.findings.iter().map(item).collect(),
+        notes: &outcome.notes,
+    };
+    serde_json::to_writer_pretty(&mut *out, &report)?;
+    writeln!(out)
+}
+
+fn item(finding: &crate::diag::Finding) -> Item<'_> {
+    Item {
+        rule: finding.rule,
+        level: finding.level,
+        confidence: finding.confidence,
+        path: &finding.path,
+        place: &finding.location,
+        message: &finding.message,
+        help: finding.help.as_deref(),
+        breaks: &finding.breaks,
+        evidence: finding.evidence.as_ref(),
+        related: finding
+            .related
+            .iter()
+            .map(|related| RelatedItem { path: &related.path, place: &related.location, message: &related.message })
+            .collect(),
+        fix: None,
+        fingerprint: &finding.fingerprint,
+    }
+}

@@ -1,0 +1,39 @@
+//! `steps` and `values` of a component must have the same length.
+
+use super::super::{Check, Rule, RuleCx};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::repo::{Base, Repository};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(
+            Application::Makehuman2,
+            "stops with an IndexError when the slider reaches the step without a value; values without a step are never reached",
+        )],
+        docs: "Each value of a stepped component stands for one position of its slider, given by the entry of `steps` \
+            at the same place.\n\nThe loader does not compare the lengths. With fewer values than steps it reads beyond the \
+            list as soon as the slider comes to the interval that has no value; with more values than steps the \
+            surplus values and every target named after them are dead.\n\nGive every value exactly one step.",
+        ..RuleInfo::new("macro-steps-length", Level::Error, "`steps` and `values` of a component differ in length")
+    },
+    check: Check::Base(run),
+};
+
+fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some((file, macros)) = base.macro_file() else { return };
+    for component in &macros.components {
+        let Some(steps) = &component.steps else { continue };
+        let values = component.values.len();
+        if steps.len() == values {
+            continue;
+        }
+        let message = format!("component `{}` has {values} values but {} steps", component.name, steps.len());
+        let help = if steps.len() > values {
+            "name a value for every step, or remove the surplus steps"
+        } else {
+            "give every value a step; the last values cannot be reached now"
+        };
+        let place = Place::pointer(["components", &component.name, "steps"]);
+        out.push(RULE.at(file, place, message).key(&component.name).help(help));
+    }
+}

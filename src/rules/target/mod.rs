@@ -1,0 +1,3 @@
+//! Rules on `.target` files and their archives.
+
+pub(super) mod syntax;

@@ -1,0 +1,21 @@
+//! Bounds on what is read. Assets come from strangers: nothing in them is trusted as a size.
+
+/// Bounds of one run.
+#[derive(Debug, Clone, Copy)]
+pub struct Limits {
+    /// Largest file that is read at all, in bytes.
+    pub file_bytes: u64,
+    /// Largest unpacked size of a packed file, in bytes.
+    pub unpacked_bytes: u64,
+    /// Largest ratio of unpacked to packed size once [`Limits::ratio_free_bytes`] are passed.
+    pub unpacked_ratio: u64,
+    /// Unpacked bytes up to which the ratio does not matter.
+    pub ratio_free_bytes: u64,
+}
+
+impl Default for Limits {
+    /// The largest known asset (a mesh with 30 MB) fits many times; text packs 3 to 10 fold.
+    fn default() -> Self {
+        Self { file_bytes: 512 << 20, unpacked_bytes: 512 << 20, unpacked_ratio: 200, ratio_free_bytes: 16 << 20 }
+    }
+}

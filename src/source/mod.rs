@@ -1,0 +1,17 @@
+//! Where bytes come from: a tree of files on disk or in memory behind one type.
+//!
+//! The only reader of assets. Gives listings, bytes, unpacked bytes and lines; knows no format and
+//! writes nothing. Everything read is bounded, because assets come from strangers.
+
+mod gunzip;
+mod limits;
+mod lines;
+mod text;
+mod tree;
+mod walk;
+
+pub use gunzip::{GzipFault, gunzip};
+pub use limits::Limits;
+pub use lines::{Position, excerpt, line_span, position};
+pub use text::Encoding;
+pub use tree::{Entry, EntryKind, ReadFault, Tree, WalkFault, WalkFaultKind};

@@ -1,0 +1,214 @@
+//! A tree of files, from disk or from memory; callers cannot tell which.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::io::{self, Read};
+use std::path::{Path, PathBuf};
+
+use super::{Limits, walk};
+
+/// A listed tree. Paths are relative to its top, with forward slashes.
+#[derive(Debug)]
+pub struct Tree {
+    label: String,
+    backend: Backend,
+    entries: Vec<Entry>,
+    faults: Vec<WalkFault>,
+}
+
+#[derive(Debug)]
+enum Backend {
+    Disk(PathBuf),
+    Memory(BTreeMap<String, Vec<u8>>),
+}
+
+/// One thing in a tree.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Entry {
+    /// Path from the top of the tree, forward slashes; lossy where a name is not Unicode.
+    pub path: String,
+    /// File, folder or something that cannot be read as either.
+    pub kind: EntryKind,
+    /// Size in bytes, 0 for folders.
+    pub size: u64,
+    /// The path as the operating system has it.
+    pub native: PathBuf,
+}
+
+/// What an entry is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum EntryKind {
+    /// A regular file (or a link to one inside the tree).
+    File,
+    /// A folder.
+    Folder,
+    /// A pipe, socket or device: never opened.
+    Special,
+}
+
+/// Something the walk met that is no entry.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct WalkFault {
+    /// Path from the top of the tree.
+    pub path: String,
+    /// What.
+    pub kind: WalkFaultKind,
+}
+
+/// The kinds of [`WalkFault`].
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum WalkFaultKind {
+    /// A link that leads back to a folder above it.
+    LinkLoop {
+        /// That folder.
+        back_to: String,
+    },
+    /// A link out of the tree; not followed.
+    LinkLeavesRoot,
+    /// Cannot be listed or resolved.
+    Unreadable {
+        /// What the operating system says.
+        reason: String,
+    },
+}
+
+/// Why bytes could not be had.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum ReadFault {
+    /// Nothing there, a folder, a pipe, no permission, I/O error.
+    Unreadable(String),
+    /// Larger than [`Limits::file_bytes`].
+    TooLarge {
+        /// Size in bytes.
+        size: u64,
+        /// The limit in bytes.
+        limit: u64,
+    },
+}
+
+impl Tree {
+    /// Lists the folder `root`. `label` is what reports put before the paths.
+    pub fn on_disk(label: impl Into<String>, root: impl Into<PathBuf>) -> Self {
+        Self::on_disk_to_depth(label, root, usize::MAX)
+    }
+
+    /// The same, not deeper than `depth` levels.
+    pub fn on_disk_to_depth(label: impl Into<String>, root: impl Into<PathBuf>, depth: usize) -> Self {
+        let root = root.into();
+        let (entries, faults) = walk::walk(&root, depth);
+        Self { label: label.into(), backend: Backend::Disk(root), entries, faults }
+    }
+
+    /// A tree of files held in memory.
+    pub fn in_memory(label: impl Into<String>, files: impl IntoIterator<Item = (String, Vec<u8>)>) -> Self {
+        let files: BTreeMap<_, _> = files.into_iter().collect();
+        Self {
+            label: label.into(),
+            entries: memory_entries(&files),
+            backend: Backend::Memory(files),
+            faults: Vec::new(),
+        }
+    }
+
+    /// What reports put before the paths; empty for the working directory.
+    pub fn label(&self) -> &str {
+        &self.label
+    }
+
+    /// Everything listed, sorted by path.
+    pub fn entries(&self) -> &[Entry] {
+        &self.entries
+    }
+
+    /// What the walk could not list.
+    pub fn faults(&self) -> &[WalkFault] {
+        &self.faults
+    }
+
+    /// The listed entry at `path`.
+    pub fn entry(&self, path: &str) -> Option<&Entry> {
+        let at = self.entries.binary_search_by(|entry| entry.path.as_str().cmp(path)).ok()?;
+        self.entries.get(at)
+    }
+
+    /// The bytes of a listed file, as they are.
+    pub fn read(&self, entry: &Entry, limits: &Limits) -> Result<Vec<u8>, ReadFault> {
+        match entry.kind {
+            EntryKind::Folder => return Err(ReadFault::Unreadable("is a folder".to_owned())),
+            EntryKind::Special => return Err(ReadFault::Unreadable("is no regular file".to_owned())),
+            EntryKind::File => {}
+        }
+        if entry.size > limits.file_bytes {
+            return Err(too_large(entry.size, limits));
+        }
+        match &self.backend {
+            Backend::Disk(root) => read_bounded(&root.join(&entry.native), entry.size, limits),
+            Backend::Memory(files) => {
+                files.get(&entry.path).cloned().ok_or_else(|| ReadFault::Unreadable("is gone".to_owned()))
+            }
+        }
+    }
+}
+
+fn read_bounded(path: &Path, expected: u64, limits: &Limits) -> Result<Vec<u8>, ReadFault> {
+    let unreadable = |error: io::Error| ReadFault::Unreadable(error.to_string());
+    let file = fs::File::open(path).map_err(unreadable)?;
+    let mut bytes = Vec::with_capacity(usize::try_from(expected).unwrap_or(0).saturating_add(1));
+    // A file may grow while it is read; the limit holds all the same.
+    file.take(limits.file_bytes.saturating_add(1)).read_to_end(&mut bytes).map_err(unreadable)?;
+    if bytes.len() as u64 > limits.file_bytes {
+        return Err(too_large(bytes.len() as u64, limits));
+    }
+    Ok(bytes)
+}
+
+fn too_large(size: u64, limits: &Limits) -> ReadFault {
+    ReadFault::TooLarge { size, limit: limits.file_bytes }
+}
+
+fn memory_entries(files: &BTreeMap<String, Vec<u8>>) -> Vec<Entry> {
+    let mut entries: BTreeMap<String, Entry> = BTreeMap::new();
+    for (path, bytes) in files {
+        for (at, _) in path.match_indices('/') {
+            let folder = path.get(..at).unwrap_or_default();
+            entries.entry(folder.to_owned()).or_insert_with(|| memory_entry(folder, EntryKind::Folder, 0));
+        }
+        entries.insert(path.clone(), memory_entry(path, EntryKind::File, bytes.len() as u64));
+    }
+    entries.into_values().collect()
+}
+
+fn memory_entry(path: &str, kind: EntryKind, size: u64) -> Entry {
+    Entry { path: path.to_owned(), kind, size, native: PathBuf::from(path) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn disk_and_memory_look_alike() {
+        let folder = tempfile::tempdir().unwrap();
+        fs::create_dir(folder.path().join("b")).unwrap();
+        fs::write(folder.path().join("b/c.txt"), "hello").unwrap();
+        fs::write(folder.path().join("a.txt"), "").unwrap();
+        let disk = Tree::on_disk("x", folder.path());
+        let memory =
+            Tree::in_memory("x", [("b/c.txt".to_owned(), b"hello".to_vec()), ("a.txt".to_owned(), Vec::new())]);
+        let seen = |tree: &Tree| -> Vec<_> {
+            let limits = Limits::default();
+            let line = |e: &Entry| (e.path.clone(), e.kind, tree.read(e, &limits).ok());
+            tree.entries().iter().map(line).collect()
+        };
+        assert_eq!(seen(&disk), seen(&memory));
+    }
+
+    #[test]
+    fn a_folder_is_unreadable_and_a_large_file_is_refused() {
+        let tree = Tree::in_memory("", [("a/b".to_owned(), vec![0; 9])]);
+        let limits = Limits { file_bytes: 8, ..Limits::default() };
+        let read = |path| tree.read(tree.entry(path).unwrap(), &limits);
+        assert!(matches!(read("a"), Err(ReadFault::Unreadable(_))));
+        assert_eq!(read("a/b"), Err(ReadFault::TooLarge { size: 9, limit: 8 }));
+    }
+}

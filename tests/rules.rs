@@ -1,0 +1,107 @@
+//! Every rule on its fixtures through the real binary: the whole set of findings is compared.
+//!
+//! `fixtures/rules/<id>/<case>/` holds `case.toml` (edits over the example repository) and, where
+//! something is found, `expected.txt`. Cases named `good…` must be silent, cases named `bad…` must show
+//! the rule. `UPDATE=1 cargo test --test rules` rewrites the expectations; read the diff before you commit.
+
+mod scratch;
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use rayon::prelude::*;
+use scratch::{Case, example, findings, mhlint, project};
+
+/// A folder below `fixtures/rules`.
+struct Fixture {
+    rule: String,
+    name: String,
+    folder: PathBuf,
+}
+
+#[test]
+fn every_case_gives_exactly_its_findings() {
+    let only = std::env::var("CASE").unwrap_or_default();
+    let all = fixtures();
+    let chosen: Vec<&Fixture> = all.iter().filter(|f| format!("{}/{}", f.rule, f.name).contains(&only)).collect();
+    assert!(!chosen.is_empty(), "no case fits CASE={only}");
+    let faults: Vec<String> = chosen.par_iter().filter_map(|fixture| check(fixture)).collect();
+    assert!(faults.is_empty(), "\n{}\n{} of {} cases", faults.join("\n"), faults.len(), chosen.len());
+}
+
+#[test]
+fn every_rule_has_cases_and_every_folder_a_rule() {
+    let output = mhlint(&project("."), &["rules", "--format", "json"]);
+    let rules: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let ids = rules.as_array().unwrap().iter().map(|rule| rule["id"].as_str().unwrap().to_owned());
+    let ids: BTreeSet<String> = ids.collect();
+    let folders: BTreeSet<String> = fixtures().into_iter().map(|fixture| fixture.rule).collect();
+    assert_eq!(folders, ids);
+    for id in &ids {
+        let names: Vec<String> = fixtures().into_iter().filter(|f| f.rule == *id).map(|f| f.name).collect();
+        assert!(names.iter().any(|name| name == "bad"), "{id} has no case `bad`");
+        assert!(names.iter().any(|name| name.starts_with("good")), "{id} has no good case");
+    }
+}
+
+#[test]
+fn the_example_repository_is_silent() {
+    let output = mhlint(&project("fixtures"), &["makehuman2", "--report", "concise"]);
+    assert_eq!(findings(&output), Vec::<String>::new());
+    assert_eq!(output.status.code(), Some(0));
+}
+
+fn fixtures() -> Vec<Fixture> {
+    let mut all = Vec::new();
+    for rule in folders(&project("fixtures/rules")) {
+        for folder in folders(&rule) {
+            let name = |path: &Path| path.file_name().unwrap().to_str().unwrap().to_owned();
+            all.push(Fixture { rule: name(&rule), name: name(&folder), folder });
+        }
+    }
+    all
+}
+
+fn folders(path: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(path).unwrap().map(|entry| entry.unwrap().path());
+    let mut folders: Vec<PathBuf> = entries.filter(|path| path.is_dir()).collect();
+    folders.sort();
+    folders
+}
+
+/// Runs a case; gives what is wrong with it.
+fn check(fixture: &Fixture) -> Option<String> {
+    let case = Case::read(&fixture.folder);
+    let repository = example();
+    case.apply(repository.path());
+    let mut args: Vec<&str> = case.args.iter().map(String::as_str).collect();
+    if args.is_empty() {
+        args.extend(["check", "."]);
+    }
+    args.extend(["--report", "concise"]);
+    let output = mhlint(repository.path(), &args);
+    let found = findings(&output);
+    let title = format!("{}/{}", fixture.rule, fixture.name);
+    if !matches!(output.status.code(), Some(0 | 1)) {
+        return Some(format!("{title}: {:?} {}", output.status, String::from_utf8_lossy(&output.stderr)));
+    }
+    let shows_rule = found.iter().any(|line| line.contains(&format!("[{}]", fixture.rule)));
+    if fixture.name.starts_with("bad") != shows_rule {
+        return Some(format!("{title}: `bad` means that the rule fires, `good` that it does not\n  {}", found.join("\n  ")));
+    }
+    compare(&title, &fixture.folder.join("expected.txt"), &found)
+}
+
+fn compare(title: &str, path: &Path, found: &[String]) -> Option<String> {
+    let text: String = found.iter().map(|line| format!("{line}\n")).collect();
+    let expected = fs::read_to_string(path).unwrap_or_default();
+    if text == expected {
+        return None;
+    }
+    if std::env::var_os("UPDATE").is_some() {
+        if text.is_empty() { fs::remove_file(path) } else { fs::write(path, &text) }.unwrap();
+        return None;
+    }
+    Some(format!("{title}:\n--- expected\n{expected}--- found\n{text}"))
+}

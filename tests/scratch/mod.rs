@@ -1,0 +1,185 @@
+//! Throw-away copies of the example repository, damaged as a `case.toml` says, and the real binary on them.
+#![allow(dead_code, reason = "each test binary uses its part")]
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use serde::Deserialize;
+
+/// A case: edits over `fixtures/makehuman2`. Paths are relative to it.
+#[derive(Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Case {
+    /// One sentence: what the case shows.
+    pub why: String,
+    /// Arguments in place of `check .`.
+    #[serde(default)]
+    pub args: Vec<String>,
+    /// Replacements in text files.
+    #[serde(default)]
+    pub edit: Vec<Edit>,
+    /// Files or folders to remove.
+    #[serde(default)]
+    pub remove: Vec<String>,
+    /// Files or folders to move.
+    #[serde(default)]
+    pub rename: Vec<[String; 2]>,
+    /// Files to copy.
+    #[serde(default)]
+    pub copy: Vec<[String; 2]>,
+    /// Files to write.
+    #[serde(default)]
+    pub write: Vec<Write>,
+    /// Symbolic links: path, then what it points to.
+    #[serde(default)]
+    pub link: Vec<[String; 2]>,
+    /// Folders to make.
+    #[serde(default)]
+    pub folder: Vec<String>,
+}
+
+/// A replacement; `find` must occur exactly once unless `all` is set.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Edit {
+    pub file: String,
+    pub find: String,
+    pub replace: String,
+    #[serde(default)]
+    pub all: bool,
+}
+
+/// A file to write: as text, or as bytes in hexadecimal.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Write {
+    pub file: String,
+    #[serde(default)]
+    pub text: String,
+    #[serde(default)]
+    pub hex: String,
+    /// Put before the text: how often the text is repeated.
+    #[serde(default)]
+    pub times: Option<usize>,
+}
+
+impl Case {
+    /// Reads `case.toml` of a fixture folder.
+    pub fn read(folder: &Path) -> Self {
+        let path = folder.join("case.toml");
+        let text = fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+        toml::from_str(&text).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+    }
+
+    /// Applies the case to a copy of the example repository.
+    pub fn apply(&self, root: &Path) {
+        for [from, to] in &self.rename {
+            make_parent(&root.join(to));
+            fs::rename(root.join(from), root.join(to)).unwrap_or_else(|e| panic!("rename {from}: {e}"));
+        }
+        for [from, to] in &self.copy {
+            make_parent(&root.join(to));
+            fs::copy(root.join(from), root.join(to)).unwrap_or_else(|e| panic!("copy {from}: {e}"));
+        }
+        for path in &self.remove {
+            remove(&root.join(path));
+        }
+        for write in &self.write {
+            write.apply(root);
+        }
+        for edit in &self.edit {
+            edit.apply(root);
+        }
+        for folder in &self.folder {
+            fs::create_dir_all(root.join(folder)).unwrap();
+        }
+        for [path, target] in &self.link {
+            make_parent(&root.join(path));
+            std::os::unix::fs::symlink(target, root.join(path)).unwrap();
+        }
+    }
+}
+
+impl Edit {
+    fn apply(&self, root: &Path) {
+        let path = root.join(&self.file);
+        let text = fs::read_to_string(&path).unwrap_or_else(|e| panic!("edit {}: {e}", self.file));
+        let count = text.matches(&self.find).count();
+        assert!(
+            count == 1 || (self.all && count > 1),
+            "{}: `{}` occurs {count} times",
+            self.file,
+            self.find
+        );
+        fs::write(&path, text.replace(&self.find, &self.replace)).unwrap();
+    }
+}
+
+impl Write {
+    fn apply(&self, root: &Path) {
+        let path = root.join(&self.file);
+        make_parent(&path);
+        let mut bytes = self.text.repeat(self.times.unwrap_or(1)).into_bytes();
+        let digits: Vec<u8> = self.hex.bytes().filter(|byte| !byte.is_ascii_whitespace()).collect();
+        for pair in digits.chunks(2) {
+            let text = std::str::from_utf8(pair).unwrap();
+            bytes.push(u8::from_str_radix(text, 16).unwrap_or_else(|e| panic!("hex {text}: {e}")));
+        }
+        fs::write(path, bytes).unwrap();
+    }
+}
+
+fn make_parent(path: &Path) {
+    fs::create_dir_all(path.parent().unwrap()).unwrap();
+}
+
+fn remove(path: &Path) {
+    if path.is_dir() {
+        fs::remove_dir_all(path).unwrap();
+    } else {
+        fs::remove_file(path).unwrap_or_else(|e| panic!("remove {}: {e}", path.display()));
+    }
+}
+
+/// A folder of the project.
+pub fn project(path: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
+}
+
+/// Copies a folder with everything in it.
+pub fn copy_folder(from: &Path, to: &Path) {
+    fs::create_dir_all(to).unwrap();
+    for entry in fs::read_dir(from).unwrap() {
+        let entry = entry.unwrap();
+        let target = to.join(entry.file_name());
+        if entry.file_type().unwrap().is_dir() {
+            copy_folder(&entry.path(), &target);
+        } else {
+            fs::copy(entry.path(), target).unwrap();
+        }
+    }
+}
+
+/// A copy of the example repository in a folder that goes away.
+pub fn example() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    copy_folder(&project("fixtures/makehuman2"), folder.path());
+    folder
+}
+
+/// The real binary in `folder`, with an environment that says nothing about terminals or CI.
+pub fn mhlint(folder: &Path, args: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_mhlint"));
+    for name in ["CI", "NO_COLOR", "CLICOLOR_FORCE", "COLUMNS", "GITHUB_ACTIONS", "GITHUB_STEP_SUMMARY", "TERM"] {
+        command.env_remove(name);
+    }
+    command.current_dir(folder).args(args).output().unwrap()
+}
+
+/// Lines of a concise report without its last line of counts.
+pub fn findings(output: &Output) -> Vec<String> {
+    let text = String::from_utf8_lossy(&output.stdout);
+    let lines = text.lines().map(str::to_owned);
+    lines.filter(|line| !line.starts_with("pass: ") && !line.starts_with("fail: ")).collect()
+}
