@@ -4,6 +4,8 @@ use std::fmt;
 use std::io;
 use std::process::ExitCode;
 
+use crate::engine;
+
 /// How the command ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Exit {
@@ -32,7 +34,9 @@ impl Exit {
 #[derive(Debug)]
 pub(super) enum Failure {
     /// The run could not be done.
-    Run(crate::engine::Error),
+    Run(engine::Error),
+    /// The arguments cannot be meant so; the text names the remedy.
+    Usage(String),
     /// Writing failed.
     Io(io::Error),
 }
@@ -44,8 +48,8 @@ impl Failure {
     }
 }
 
-impl From<crate::engine::Error> for Failure {
-    fn from(error: crate::engine::Error) -> Self {
+impl From<engine::Error> for Failure {
+    fn from(error: engine::Error) -> Self {
         Self::Run(error)
     }
 }
@@ -60,6 +64,7 @@ impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Run(error) => error.fmt(f),
+            Self::Usage(text) => f.write_str(text),
             Self::Io(error) => write!(f, "cannot write: {error}"),
         }
     }

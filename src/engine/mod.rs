@@ -2,6 +2,7 @@
 //!
 //! The only place with threads. Prints nothing and judges nothing.
 
+mod catalogue;
 mod input;
 mod load;
 mod locate;
@@ -11,5 +12,6 @@ mod run;
 mod select;
 mod stack;
 
+pub use catalogue::rule_infos;
 pub use outcome::{Error, Outcome, RootSummary, Summary, Timing};
 pub use run::{Options, lint, lint_trees};
