@@ -79,11 +79,7 @@ fn max_warnings_bounds_the_warnings() {
 #[test]
 fn only_skip_and_level_off_silence_a_rule() {
     let repository = broken();
-    for args in [
-        ["--only", "target-syntax"],
-        ["--skip", "macro-*"],
-        ["--level", "macro-steps-length=off"],
-    ] {
+    for args in [["--only", "target-syntax"], ["--skip", "macro-*"], ["--level", "macro-steps-length=off"]] {
         let output = mhlint(repository.path(), &[&args[..], &["--report", "concise"]].concat());
         assert!(!stdout(&output).contains("macro-steps-length"), "{args:?}: {}", stdout(&output));
     }
@@ -179,7 +175,10 @@ fn reports_that_would_collide_are_refused() {
 #[test]
 fn a_report_that_cannot_be_written_is_refused_before_the_run() {
     let repository = example();
-    assert_refused(&mhlint(repository.path(), &["--report", "json=no/such/r.json"]), &["no folder `no/such`", "make it"]);
+    assert_refused(
+        &mhlint(repository.path(), &["--report", "json=no/such/r.json"]),
+        &["no folder `no/such`", "make it"],
+    );
     assert_refused(&mhlint(repository.path(), &["--report", "json=data"]), &["is a folder", "name a file in it"]);
     assert_refused(&mhlint(repository.path(), &["--report", "json="]), &["json=report.txt"]);
 }

@@ -111,12 +111,7 @@ fn names_in_assets_cannot_steer_the_terminal() {
     let macros = "data/target/figure/macro.json";
     edit(repository.path(), macros, "\"steps\": [0.0, 0.25, 0.5, 1.0]", "\"steps\": [0.0, 0.5, 1.0]");
     edit(repository.path(), macros, "\"age\"", &format!("\"{hostile}\""));
-    edit(
-        repository.path(),
-        "data/target/figure/head/head-oval.target",
-        "339 0 .001 .001",
-        "339 0 \u{1b}[31mred .001",
-    );
+    edit(repository.path(), "data/target/figure/head/head-oval.target", "339 0 .001 .001", "339 0 \u{1b}[31mred .001");
     for format in ["human", "concise"] {
         let text = run(repository.path(), &["--report", format]);
         assert!(text.contains("owned") && text.contains("red"), "{format} must show the name:\n{text}");

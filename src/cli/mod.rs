@@ -34,12 +34,13 @@ pub fn main() -> ExitCode {
         Ok(Err(failure)) => Err(failure.to_string()),
         Err(_) => Err(check::own_fault(&panics.noted())),
     };
-    result.unwrap_or_else(|text| {
-        // Nothing is left to do when standard error is closed as well.
-        let _ = writeln!(err, "mhlint: {text}");
-        Exit::CannotWork
-    })
-    .code()
+    result
+        .unwrap_or_else(|text| {
+            // Nothing is left to do when standard error is closed as well.
+            let _ = writeln!(err, "mhlint: {text}");
+            Exit::CannotWork
+        })
+        .code()
 }
 
 fn run(args: &Args, panics: &Panics, err: &mut dyn Write) -> Result<Exit, Failure> {

@@ -45,6 +45,7 @@ struct Written {
     text: String,
     hex: String,
     times: Option<usize>,
+    gzip: bool,
 }
 
 /// The cases of a rule, sorted by name.
@@ -108,7 +109,8 @@ impl Written {
             (None, 0) => String::new(),
             (None, _) => format!(", {bytes} bytes that are no text"),
         };
-        lines.push(format!("  {} (written{what})", self.file));
+        let packed = if self.gzip { ", packed as gzip" } else { "" };
+        lines.push(format!("  {} (written{what}{packed})", self.file));
         let all: Vec<&str> = self.text.lines().collect();
         lines.extend(all.iter().take(SHOWN_LINES).map(|line| format!("    + {}", shorten(line))));
         if all.len() > SHOWN_LINES {

@@ -30,8 +30,8 @@ pub(super) fn run(name: &str, paint: Paint, width: usize, out: &mut dyn Write) -
 
 fn unknown(name: &str, rules: &[&RuleInfo]) -> Failure {
     let guess = nearest(name, rules.iter().map(|rule| rule.id));
-    let hint = guess.map_or_else(String::new, |id| format!("; did you mean `{id}`?"));
-    Failure::Usage(format!("there is no rule `{name}`{hint} `mhlint rules` lists all").replace("` `", "`; `"))
+    let hint = guess.map_or_else(|| "`mhlint rules` lists all".to_owned(), |id| format!("did you mean `{id}`?"));
+    Failure::Usage(format!("there is no rule `{name}`; {hint}"))
 }
 
 /// How the page is written.

@@ -49,8 +49,7 @@ fn words(outcome: &Outcome, view: &View<'_>) -> String {
         return format!("Nothing found: {who} loads all of it as it was written.");
     }
     let harm = if summary.error > 0 {
-        let files = if summary.error == 1 { "this" } else { "these" };
-        format!("{}: {who} would crash on {files}, refuse or lose something.", count(summary.error, "error"))
+        format!("{}: {who} would crash, or refuse or lose something.", count(summary.error, "error"))
     } else if summary.warning > 0 {
         let warnings = count(summary.warning, "warning");
         format!("{warnings}: {who} loads it, but does something else than was written.")
