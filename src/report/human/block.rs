@@ -233,3 +233,62 @@ impl SourceCode for Source<'_> {
         Ok(Box::new(contents))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diag::{Element, Place, RuleInfo};
+
+    const VIEW: View<'_> = View {
+        pass: false,
+        fail_on: Some(Level::Error),
+        max_warnings: None,
+        color: false,
+        unicode: false,
+        width: 80,
+        quiet: false,
+        rules: &[],
+    };
+
+    fn finding() -> Finding {
+        Finding::new(&RuleInfo::new("a-rule", Level::Warning, ""), "data/a.target", Place::File, "it is so")
+    }
+
+    #[test]
+    fn evidence_other_places_and_help_follow_the_message() {
+        let mut finding = finding().confidence(Confidence::Medium).help("mend it");
+        finding.evidence = Some(Evidence::of_cases(["x"; 7]).out_of(9).with_worst(0.123_456, "vertex 3"));
+        finding = finding.related("data/b.target", Place::File, "the other one");
+        finding.location.line = Some(4);
+        finding.location.element = Some(Element { kind: "vertex", index: 17 });
+        let expected = "  warning[a-rule] (likely) it is so\n  at: line 4, vertex 17\n  \
+            seen: 7 of 9: x, x, x, x, x and 2 more; worst 0.1235 at vertex 3\n  \
+            see: data/b.target: the other one\n  help: mend it\n";
+        assert_eq!(render(&finding, false, &VIEW), expected);
+    }
+
+    #[test]
+    fn each_application_has_its_line_and_repetitions_have_none() {
+        let finding = finding().breaks(crate::diag::Application::Makehuman2, "stops");
+        let finding = finding.breaks(crate::diag::Application::Mpfb, "ignores it");
+        let expected = "  warning[a-rule] it is so\n  |-> MakeHuman 2: stops\n  `-> MPFB: ignores it\n";
+        assert_eq!(render(&finding, false, &VIEW), expected);
+        assert_eq!(render(&finding, true, &VIEW), "  warning[a-rule] it is so\n");
+    }
+
+    #[test]
+    fn a_mark_without_length_is_drawn() {
+        let mut finding = finding();
+        let excerpt = crate::diag::Excerpt { text: "{\n}".to_owned(), first_line: 1, mark: 3..3 };
+        (finding.location.line, finding.location.column) = (Some(2), Some(2));
+        finding.location.excerpt = Some(excerpt);
+        let text = render(&finding, false, &VIEW);
+        assert!(text.contains("[data/a.target:2:2]") && text.contains(" 2 | }"), "{text}");
+    }
+
+    #[test]
+    fn numbers_keep_the_digits_that_matter() {
+        let shown = [2.0, 0.25, 1.0 / 3.0, 1e-7, f64::NAN, -12.5].map(number);
+        assert_eq!(shown, ["2", "0.25", "0.3333", "1.000e-7", "NaN", "-12.5"]);
+    }
+}

@@ -46,7 +46,7 @@ fn words(outcome: &Outcome, view: &View<'_>) -> String {
         return "No verdict: mhlint itself failed on these data.".to_owned();
     }
     if outcome.findings.is_empty() {
-        return format!("Nothing found: {who} loads all of it as it was written.");
+        return format!("Nothing found: as far as the rules reach, {who} loads all of it as it was written.");
     }
     let harm = if summary.error > 0 {
         format!("{}: {who} would crash, or refuse or lose something.", count(summary.error, "error"))
@@ -54,7 +54,7 @@ fn words(outcome: &Outcome, view: &View<'_>) -> String {
         let warnings = count(summary.warning, "warning");
         format!("{warnings}: {who} loads it, but does something else than was written.")
     } else {
-        format!("{who} loads all of it as it was written.")
+        format!("{}: harmless in {who} today.", count(summary.info, "info"))
     };
     if !view.pass {
         return format!("Failed. {harm}{}", too_many(outcome, view));
