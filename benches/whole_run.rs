@@ -1,6 +1,7 @@
 //! A whole run without a disk, against the plain read of the same bytes: `cargo bench --bench whole_run`.
 //!
 //! On the example repository; with `MHLINT_CORPORA` set, on the data of MakeHuman 2 as well.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may stop where it fails")]
 
 mod data;
 

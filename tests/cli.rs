@@ -1,4 +1,5 @@
 //! What the command promises: exit codes, streams, arguments. One function a promise, on the real binary.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may stop where it fails")]
 
 mod scratch;
 

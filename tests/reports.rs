@@ -1,4 +1,5 @@
 //! The reports: JSON against its published schema, the human one as a reader sees it.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may stop where it fails")]
 
 mod scratch;
 

@@ -16,6 +16,7 @@ pub(crate) use wrap::{count, hang, paragraphs};
 
 /// What a report writer may know besides the outcome.
 #[derive(Debug, Clone, Copy)]
+#[expect(clippy::struct_excessive_bools, reason = "switches that have nothing to do with each other")]
 pub struct View<'a> {
     /// Whether the run passes at the level it was asked to fail on.
     pub pass: bool,

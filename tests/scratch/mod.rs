@@ -1,5 +1,5 @@
 //! Throw-away copies of the example repository, damaged as a `case.toml` says, and the real binary on them.
-#![allow(dead_code, reason = "each test binary uses its part")]
+#![allow(dead_code, unreachable_pub, clippy::unwrap_used, clippy::panic, reason = "each test binary uses its part")]
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -86,21 +86,16 @@ fn evidence_line(evidence: &Evidence) -> Option<String> {
     if evidence.count < 2 && evidence.worst.is_none() {
         return None;
     }
-    let mut line = evidence.count.to_string();
-    if let Some(of) = evidence.of {
-        line.push_str(&format!(" of {of}"));
-    }
-    if !evidence.examples.is_empty() {
-        line.push_str(&format!(": {}", evidence.examples.join(", ")));
-        let left = evidence.count.saturating_sub(evidence.examples.len() as u64);
-        if left > 0 {
-            line.push_str(&format!(" and {left} more"));
-        }
-    }
-    if let Some(worst) = &evidence.worst {
-        line.push_str(&format!("; worst {} at {}", number(worst.value), worst.place));
-    }
-    Some(line)
+    let of = evidence.of.map_or_else(String::new, |of| format!(" of {of}"));
+    let left = evidence.count.saturating_sub(evidence.examples.len() as u64);
+    let examples = match (evidence.examples.is_empty(), left) {
+        (true, _) => String::new(),
+        (false, 0) => format!(": {}", evidence.examples.join(", ")),
+        (false, left) => format!(": {} and {left} more", evidence.examples.join(", ")),
+    };
+    let worst = evidence.worst.as_ref();
+    let worst = worst.map_or_else(String::new, |worst| format!("; worst {} at {}", number(worst.value), worst.place));
+    Some(format!("{}{of}{examples}{worst}", evidence.count))
 }
 
 /// A number with about four digits that matter.

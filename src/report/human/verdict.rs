@@ -7,17 +7,15 @@ use crate::report::{Paint, View, count, hang, printable};
 /// What was judged, and how many findings of each level there are.
 pub(super) fn counts(outcome: &Outcome, view: &View<'_>) -> String {
     let summary = &outcome.summary;
-    let mut line = format!(
-        "{}, {}, {} in {} ({})",
+    let muted = if summary.suppressed > 0 { format!(", {} muted", summary.suppressed) } else { String::new() };
+    let line = format!(
+        "{}, {}, {}{muted} in {} ({})",
         count(summary.error, "error"),
         count(summary.warning, "warning"),
         count(summary.info, "info"),
         count(summary.files, "file"),
         size(summary.bytes)
     );
-    if summary.suppressed > 0 {
-        line.push_str(&format!(", {} muted", summary.suppressed));
-    }
     let judged = outcome.roots.iter().filter(|root| root.judged);
     let roots: Vec<String> = judged
         .map(|root| {
