@@ -5,7 +5,7 @@ use xxhash_rust::xxh3::xxh3_64;
 use crate::discover::{Kind, kind_of};
 use crate::formats::json_file::{self, JsonFacts, JsonFault};
 use crate::formats::target::MeshSize;
-use crate::formats::{base_json, geometry, macro_json, mhskel, mhw, modelling, obj, target, target_cat};
+use crate::formats::{base_json, geometry, macro_json, mhskel, mhw, modelling, npz, obj, target, target_cat};
 use crate::json::{self, Document, SchemaFaults};
 use crate::repo::{Content, FileFacts};
 use crate::source::{Encoding, Entry, Limits, Tree, gunzip};
@@ -51,7 +51,7 @@ fn empty(tree: &Tree, entry: &Entry, rel: &str) -> FileFacts {
 }
 
 fn is_read(facts: &FileFacts) -> bool {
-    facts.kind.is_text() || facts.kind == Kind::PackedTarget || facts.size < STAND_IN_BYTES
+    facts.kind.is_text() || matches!(facts.kind, Kind::PackedTarget | Kind::TargetArchive) || facts.size < STAND_IN_BYTES
 }
 
 fn fill(facts: &mut FileFacts, bytes: &[u8], limits: &Limits, mesh: Option<MeshSize>) {
@@ -59,8 +59,15 @@ fn fill(facts: &mut FileFacts, bytes: &[u8], limits: &Limits, mesh: Option<MeshS
         facts.gzip_fault = gunzip(bytes, limits).err();
         return;
     }
+    if facts.kind == Kind::TargetArchive && (bytes.is_empty() || bytes.len() as u64 >= STAND_IN_BYTES) {
+        facts.content = Content::Archive(Box::new(npz::parse(bytes, limits)));
+        return;
+    }
     facts.encoding = Encoding::of(bytes);
     match facts.kind {
+        Kind::TargetArchive if !facts.encoding.lfs_pointer => {
+            facts.content = Content::Archive(Box::new(npz::parse(bytes, limits)));
+        }
         Kind::Target if !facts.encoding.lfs_pointer => {
             let parsed = target::parse(bytes, mesh);
             facts.content_hash = Some(parsed.facts.content);

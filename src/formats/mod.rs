@@ -13,8 +13,12 @@ pub mod mhskel;
 pub mod mhw;
 pub mod modelling;
 mod number;
+mod npy;
+mod npy_header;
+pub mod npz;
 pub mod obj;
 pub mod target;
 pub mod target_cat;
+mod target_row;
 
 pub use number::{python_float, python_int};
