@@ -51,7 +51,9 @@ fn empty(tree: &Tree, entry: &Entry, rel: &str) -> FileFacts {
 }
 
 fn is_read(facts: &FileFacts) -> bool {
-    facts.kind.is_text() || matches!(facts.kind, Kind::PackedTarget | Kind::TargetArchive) || facts.size < STAND_IN_BYTES
+    facts.kind.is_text()
+        || matches!(facts.kind, Kind::PackedTarget | Kind::TargetArchive)
+        || facts.size < STAND_IN_BYTES
 }
 
 fn fill(facts: &mut FileFacts, bytes: &[u8], limits: &Limits, mesh: Option<MeshSize>) {

@@ -117,9 +117,9 @@ fn layout(header: &Literal) -> Result<Layout, NpyFault> {
     for field in descr.items() {
         let [name, kind, shape @ ..] = field.items() else { return Err(NpyFault::Header) };
         let (Some(name), Some(kind)) = (name.text(), kind.text()) else { return Err(NpyFault::Header) };
-        let values = shape.first().map_or(Some(1), |shape| {
-            shape.items().iter().try_fold(1_u64, |all, part| all.checked_mul(part.number()?))
-        });
+        let values = shape
+            .first()
+            .map_or(Some(1), |shape| shape.items().iter().try_fold(1_u64, |all, part| all.checked_mul(part.number()?)));
         let values = values.and_then(|values| usize::try_from(values).ok()).ok_or(NpyFault::Header)?;
         let scalar = Field::of(kind, row_bytes).ok_or(NpyFault::Header)?;
         match name {
@@ -127,7 +127,8 @@ fn layout(header: &Literal) -> Result<Layout, NpyFault> {
             "vector" => vector = Some((scalar.number(values), kind)),
             _ => {}
         }
-        row_bytes = values.checked_mul(scalar.bytes).and_then(|bytes| bytes.checked_add(row_bytes)).unwrap_or(usize::MAX);
+        row_bytes =
+            values.checked_mul(scalar.bytes).and_then(|bytes| bytes.checked_add(row_bytes)).unwrap_or(usize::MAX);
     }
     let usable = |name: &'static str, found: Option<(Option<Field>, &str)>| {
         let (field, kind) = found.ok_or(NpyFault::MissingField(name))?;

@@ -50,7 +50,9 @@ impl Literal {
     pub(super) fn any_text(&self, test: &dyn Fn(&str) -> bool) -> bool {
         match self {
             Self::Text(text) => test(text),
-            Self::Items(fields) => fields.iter().filter_map(|field| field.items().get(1)).any(|kind| kind.any_text(test)),
+            Self::Items(fields) => {
+                fields.iter().filter_map(|field| field.items().get(1)).any(|kind| kind.any_text(test))
+            }
             _ => false,
         }
     }
@@ -141,7 +143,8 @@ mod tests {
 
     #[test]
     fn a_header_of_numpy_is_read() {
-        let text = b"{'descr': [('index', '<u4'), ('vector', '<f4', (3,))], 'fortran_order': False, 'shape': (7,), }  \n";
+        let text =
+            b"{'descr': [('index', '<u4'), ('vector', '<f4', (3,))], 'fortran_order': False, 'shape': (7,), }  \n";
         let header = parse_header(text).unwrap();
         let fields = header.get("descr").unwrap().items();
         assert_eq!(fields[1].items()[0].text(), Some("vector"));

@@ -42,6 +42,11 @@ pub enum ArchiveFault {
 }
 
 impl Archive {
+    /// Whether the application can load all of it.
+    pub fn is_sound(&self) -> bool {
+        self.fault.is_none() && self.bomb.is_none() && self.members.iter().all(|member| member.rows.is_ok())
+    }
+
     /// The member of a target. Of equal names the last one counts.
     pub fn member(&self, name: &str) -> Option<&Member> {
         self.members.iter().rev().find(|member| member.name == name)
@@ -124,7 +129,9 @@ mod tests {
 
     fn two_rows() -> Vec<u8> {
         let rows: [(u32, [f32; 3]); 2] = [(3, [0.119, -10.205, 0.0]), (70000, [1.0, 2.0, 3.0])];
-        rows.iter().flat_map(|(i, d)| i.to_le_bytes().into_iter().chain(d.iter().flat_map(|v| v.to_le_bytes()))).collect()
+        rows.iter()
+            .flat_map(|(i, d)| i.to_le_bytes().into_iter().chain(d.iter().flat_map(|v| v.to_le_bytes())))
+            .collect()
     }
 
     fn only(bytes: Vec<u8>) -> Result<Rows, NpyFault> {

@@ -425,7 +425,8 @@ mod tests {
 
     #[test]
     fn every_truncation_agrees_on_both_paths() {
-        let text = b"# basemesh hm08\n0 .119 -10.205 -.775\r\n1 1 2 3\r9 0 0 0\n\n11 -.5 7. 123456789\n4 1 2\n3 1e3 nan _\n";
+        let text =
+            b"# basemesh hm08\n0 .119 -10.205 -.775\r\n1 1 2 3\r9 0 0 0\n\n11 -.5 7. 123456789\n4 1 2\n3 1e3 nan _\n";
         let mesh = Some(MeshSize { vertices: 10, with_seams: 12 });
         for length in 0..=text.len() {
             let text = &text[..length];
