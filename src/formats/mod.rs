@@ -5,6 +5,7 @@
 #![warn(clippy::indexing_slicing)]
 
 pub mod base_json;
+mod content_hash;
 mod fields;
 pub mod geometry;
 pub mod json_file;
@@ -19,6 +20,7 @@ mod number;
 pub mod obj;
 pub mod target;
 pub mod target_cat;
+mod target_facts;
 mod target_row;
 
 pub use number::{python_float, python_int};

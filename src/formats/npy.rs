@@ -1,4 +1,4 @@
-//! `.npy`: one array of target rows as NumPy stores it, read without NumPy's dangers.
+//! `.npy`: one array of target rows as `NumPy` stores it, read without `NumPy`'s dangers.
 //!
 //! Gets the bytes of a stream, returns the number of rows and the hash of their content, or why the
 //! application could not use them (formats/makehuman2.md §6.2). Object arrays are refused by their
@@ -8,17 +8,17 @@ use std::io::{ErrorKind, Read};
 
 use serde::Serialize;
 
+use super::content_hash::ContentHash;
 use super::npy_header::{Literal, parse_header};
-use super::target::ContentHash;
 
 /// Why an array cannot be used as a target.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub enum NpyFault {
-    /// No array of NumPy.
+    /// No array of `NumPy`.
     NotNpy,
-    /// A header that NumPy refuses.
+    /// A header that `NumPy` refuses.
     Header,
-    /// Holds Python objects; NumPy refuses to unpickle them.
+    /// Holds Python objects; `NumPy` refuses to unpickle them.
     Object,
     /// No field of this name.
     MissingField(&'static str),
@@ -42,7 +42,7 @@ pub struct Rows {
 }
 
 const MAGIC: &[u8] = b"\x93NUMPY";
-/// NumPy's own bound on the text of a header.
+/// `NumPy`'s own bound on the text of a header.
 const HEADER_BYTES: usize = 10_000;
 /// A row of a target has 16 bytes, 32 in the widest types; a stranger's row may hold more fields.
 const ROW_BYTES: usize = 4096;

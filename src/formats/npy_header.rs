@@ -47,11 +47,11 @@ impl Literal {
     }
 
     /// Whether the type texts hold one that fits: the value itself, or the second part of a field.
-    pub(super) fn any_text(&self, test: &dyn Fn(&str) -> bool) -> bool {
+    pub(super) fn any_text(&self, fits: &dyn Fn(&str) -> bool) -> bool {
         match self {
-            Self::Text(text) => test(text),
+            Self::Text(text) => fits(text),
             Self::Items(fields) => {
-                fields.iter().filter_map(|field| field.items().get(1)).any(|kind| kind.any_text(test))
+                fields.iter().filter_map(|field| field.items().get(1)).any(|kind| kind.any_text(fits))
             }
             _ => false,
         }

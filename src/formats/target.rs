@@ -4,13 +4,11 @@
 //! data if there are exactly four fields; everything else is dropped silently. Numbers go through
 //! `int()` and `float()`; a failure there stops the program at start (formats/makehuman2.md §6.1).
 
-use serde::Serialize;
-use xxhash_rust::xxh3::Xxh3;
-
+use super::content_hash::ContentHash;
 use super::fields::fields;
+pub use super::target_facts::{Largest, TargetFacts, UnreadableField};
 use super::target_row::fast_row;
 use super::{python_float, python_int};
-use crate::diag::Tally;
 
 /// A parsed target.
 #[derive(Debug, Clone, Default)]
@@ -30,70 +28,6 @@ pub struct Row {
     pub delta: [f32; 3],
 }
 
-/// Facts on one target, counted while parsing.
-#[derive(Debug, Clone, Default, PartialEq, Serialize)]
-pub struct TargetFacts {
-    /// Data rows (four fields), readable or not.
-    pub rows: usize,
-    /// Rows with a field that is no number: line and column of the field, and the field.
-    pub unreadable: Vec<UnreadableField>,
-    /// How many rows have such a field.
-    pub unreadable_rows: u64,
-    /// Lines that are neither comment nor four fields (line, number of fields).
-    pub field_count: Tally,
-    /// Negative indices.
-    pub negative: Tally,
-    /// Indices at or beyond the vertex count of the mesh, seam duplicates included.
-    pub out_of_range: Tally,
-    /// Indices beyond 32 bits, which the application cannot hold; also counted as out of range where the
-    /// mesh is known.
-    pub overflow: Tally,
-    /// Indices that name a seam duplicate: accepted and without effect.
-    pub seam: Tally,
-    /// Indices that occurred before in the file.
-    pub duplicate: Tally,
-    /// Rows with NaN or infinity.
-    pub non_finite: Tally,
-    /// Rows that move nothing.
-    pub zero: Tally,
-    /// Rows that move something.
-    pub moving: usize,
-    /// Largest displacement: length in decimetres, line, index.
-    pub largest: Option<Largest>,
-    /// Median length of the displacements that move something, in decimetres.
-    pub median_length: f32,
-    /// Length that all but the longest two percent (at least one row) stay below or reach, in decimetres.
-    pub tail_length: f32,
-    /// Largest index.
-    pub max_index: Option<i64>,
-    /// Base mesh that the header names (`# basemesh NAME`), with its line.
-    pub basemesh: Option<(u32, String)>,
-    /// Hash over the decoded rows: equal displacement, equal hash.
-    pub content: u64,
-}
-
-/// A field that is no number.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-pub struct UnreadableField {
-    /// Line from 1.
-    pub line: u32,
-    /// First byte of the field in the file.
-    pub start: usize,
-    /// The field as written.
-    pub field: String,
-}
-
-/// The largest displacement of a target.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct Largest {
-    /// Length in decimetres.
-    pub length: f32,
-    /// Line from 1.
-    pub line: u32,
-    /// Vertex.
-    pub index: i64,
-}
-
 /// Size of the mesh a target is for, where it is known.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct MeshSize {
@@ -107,22 +41,6 @@ pub struct MeshSize {
 const UNREADABLE_KEPT: usize = 5;
 /// Of this many rows the longest one is left out of [`TargetFacts::tail_length`].
 const ROWS_PER_OUTLIER: usize = 50;
-
-/// Hash over rows in their order: equal displacement, equal hash. Zeros of either sign are equal.
-#[derive(Default)]
-pub(super) struct ContentHash(Xxh3);
-
-impl ContentHash {
-    pub(super) fn add(&mut self, index: u32, delta: [f32; 3]) {
-        let [a, b, c, d] = index.to_le_bytes();
-        let [[e, f, g, h], [i, j, k, l], [m, n, o, p]] = delta.map(|part| (part + 0.0).to_le_bytes());
-        self.0.update(&[a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p]);
-    }
-
-    pub(super) fn finish(&self) -> u64 {
-        self.0.digest()
-    }
-}
 
 /// Parses a target. `mesh` is the size of the mesh it is for.
 pub fn parse(text: &[u8], mesh: Option<MeshSize>) -> Target {
@@ -290,15 +208,15 @@ impl Parser {
     fn measure_lengths(&mut self) {
         let facts = &mut self.target.facts;
         let count = self.lengths.len();
-        let Some(tail) = count.checked_sub(1 + (count / ROWS_PER_OUTLIER).max(1)) else {
-            facts.median_length = self.lengths.first().copied().unwrap_or_default();
-            facts.tail_length = facts.median_length;
+        let middle = count.saturating_sub(1) / 2;
+        if middle >= count {
             return;
-        };
-        facts.tail_length = *self.lengths.select_nth_unstable_by(tail, f32::total_cmp).1;
-        let below = self.lengths.get_mut(..=tail).unwrap_or_default();
-        let middle = (count / 2).min(tail);
-        facts.median_length = *below.select_nth_unstable_by(middle, f32::total_cmp).1;
+        }
+        let (_, median, above) = self.lengths.select_nth_unstable_by(middle, f32::total_cmp);
+        facts.median_length = *median;
+        let outliers = (count / ROWS_PER_OUTLIER).max(1);
+        let tail = above.len().checked_sub(1 + outliers);
+        facts.tail_length = tail.map_or(*median, |tail| *above.select_nth_unstable_by(tail, f32::total_cmp).1);
     }
 
     /// Shipped targets are sorted, which needs no table.
@@ -399,6 +317,8 @@ mod tests {
         let rows: String = (0..9).map(|at| format!("{at} 0 0 {}\n", if at == 4 { 100 } else { 1 + at })).collect();
         let facts = facts(&rows);
         assert_eq!((facts.median_length, facts.tail_length), (6.0, 9.0));
+        let pair = parse(b"1 0 0 .01\n2 0 0 100\n", None).facts;
+        assert_eq!((pair.median_length, pair.tail_length), (0.01, 0.01));
         assert_eq!(facts.largest.map(|largest| (largest.length, largest.line)), Some((100.0, 5)));
     }
 

@@ -42,15 +42,12 @@ fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 
 fn finding(layer: &Layer, folder: &str, named: &str, files: &[(&FileFacts, u32)]) -> Option<Finding> {
     let base = files.first()?.0.base.as_deref()?;
-    let finding = match files {
-        [(file, line)] => {
-            let message = format!("made for base mesh `{named}`, but lies in the folder of `{base}`");
-            RULE.at(file, Place::Line(*line), message)
-        }
-        _ => {
-            let message = format!("{} targets made for base mesh `{named}` lie in the folder of `{base}`", files.len());
-            RULE.in_layer(layer, folder, message)
-        }
+    let finding = if let [(file, line)] = files {
+        let message = format!("made for base mesh `{named}`, but lies in the folder of `{base}`");
+        RULE.at(file, Place::Line(*line), message)
+    } else {
+        let message = format!("{} targets made for base mesh `{named}` lie in the folder of `{base}`", files.len());
+        RULE.in_layer(layer, folder, message)
     };
     let evidence = Evidence::of_cases(files.iter().map(|(file, _)| &file.rel));
     let help = format!("move it to the targets of `{named}`, or correct the header if it fits `{base}`");

@@ -3,6 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use super::{decoded, syntax, usage};
 use crate::diag::{Application, Finding, Level, RuleInfo};
+use crate::formats::npz::Archive;
 use crate::repo::{Base, FileFacts, Repository};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -38,5 +39,5 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
 fn has_sound_archive(base: &Base<'_>, file: &FileFacts) -> bool {
     let folders = [base.targets, base.user_targets].into_iter().flatten();
     let mut own = folders.filter(|folder| folder.layer.file(&file.rel).is_some_and(|own| std::ptr::eq(own, file)));
-    own.any(|folder| folder.archive().and_then(FileFacts::archive).is_some_and(|archive| archive.is_sound()))
+    own.any(|folder| folder.archive().and_then(FileFacts::archive).is_some_and(Archive::is_sound))
 }

@@ -55,7 +55,11 @@ fn breaks_start(file: &FileFacts) -> bool {
 fn meant_by_missing<'a>(repository: &Repository<'_>, base: &Base<'_>, unused: &[&'a FileFacts]) -> BTreeSet<&'a str> {
     let references = repository.references_of(base).filter(|reference| reference.kind.is_target());
     let missing = references.filter(|reference| matches!(reference.resolution, Resolution::Missing));
-    missing.filter_map(|reference| nearest(&reference.rel, unused.iter().map(|file| file.rel.as_str()))).collect()
+    let meant = missing.filter_map(|reference| {
+        let beside = unused.iter().copied().filter(|file| parent(&file.rel) == parent(&reference.rel));
+        nearest(&reference.rel, beside.map(|file| file.rel.as_str()))
+    });
+    meant.collect()
 }
 
 fn whole_folder(layer: &Layer, path: &str, files: &[&FileFacts]) -> Finding {
