@@ -161,9 +161,6 @@ pub(super) fn panicked(tree: &Tree, entry: &Entry, rel: &str) -> FileFacts {
     let mut facts = empty(tree, entry, rel);
     let reason = "mhlint itself failed on this file; please report it with the file".to_owned();
     facts.unreadable = Some(crate::source::ReadFault::Unreadable(reason));
-    facts.content = match facts.kind.is_json() {
-        true => Content::Broken(JsonFault::Empty),
-        false => Content::Unread,
-    };
+    facts.content = if facts.kind.is_json() { Content::Broken(JsonFault::Empty) } else { Content::Unread };
     facts
 }

@@ -29,6 +29,9 @@ const MAGIC: [u8; 2] = [0x1f, 0x8b];
 const CHUNK: usize = 64 << 10;
 
 /// Unpacks `packed` within `limits`.
+///
+/// # Errors
+/// Why it cannot be unpacked, or that it would not fit the limits.
 pub fn gunzip(packed: &[u8], limits: &Limits) -> Result<Vec<u8>, GzipFault> {
     let mut out = Vec::with_capacity((packed.len() * 4).min(CHUNK * 16));
     unpack(packed, limits, &mut out)?;
@@ -37,6 +40,9 @@ pub fn gunzip(packed: &[u8], limits: &Limits) -> Result<Vec<u8>, GzipFault> {
 
 /// Unpacks `packed` within `limits`, keeps nothing and gives the number of bytes: for files of which only
 /// their soundness matters.
+///
+/// # Errors
+/// As [`gunzip`].
 pub fn try_gunzip(packed: &[u8], limits: &Limits) -> Result<u64, GzipFault> {
     unpack(packed, limits, &mut io::sink())
 }

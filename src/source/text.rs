@@ -7,6 +7,7 @@ const LFS_POINTER: &[u8] = b"version https://git-lfs.github.com/spec/";
 const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 
 /// Facts on the bytes of a file.
+#[expect(clippy::struct_excessive_bools, reason = "independent facts on one text, not states of something")]
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
 pub struct Encoding {
     /// Starts with a UTF-8 byte order mark.

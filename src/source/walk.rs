@@ -1,7 +1,7 @@
 //! Lists a folder on disk: sorted, links followed inside the root only, loops and refusals reported.
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 use walkdir::{DirEntry, WalkDir};
 
@@ -94,11 +94,29 @@ fn walk_fault(root: &Path, error: &walkdir::Error) -> WalkFault {
 /// Where links that lead to each other (or to themselves) close the circle.
 fn circle(link: &Path) -> Option<PathBuf> {
     let mut at = link.to_owned();
-    for _ in 0..LONGEST_CHAIN {
+    let mut seen = Vec::new();
+    for _ in 0..2 * LONGEST_CHAIN {
         let target = fs::read_link(&at).ok()?;
-        at = at.parent().unwrap_or(Path::new("")).join(target);
+        at = plain(&at.parent().unwrap_or(Path::new("")).join(target));
+        seen.push(at.clone());
     }
-    Some(at)
+    // The second half goes round and round; its first name stands for the whole circle.
+    seen.into_iter().skip(LONGEST_CHAIN).min()
+}
+
+/// The path without `.` and `..`.
+fn plain(path: &Path) -> PathBuf {
+    let mut plain = PathBuf::new();
+    for part in path.components() {
+        match part {
+            Component::CurDir => {}
+            Component::ParentDir if plain.file_name().is_some() => {
+                plain.pop();
+            }
+            other => plain.push(other),
+        }
+    }
+    plain
 }
 
 fn reason(path: &Path, error: &walkdir::Error) -> String {

@@ -21,16 +21,16 @@ pub(in crate::rules) static RULE: Rule = Rule {
 fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for cause in causes(repository, |reference| found(reference).map(|found| differing(&reference.rel, found).0)) {
         let Some(first) = cause.references.first() else { continue };
-        let Some(rel) = found(first) else { continue };
-        let (written, real) = differing(&first.rel, rel);
-        let shared = repository.strongest_first().find(|layer| layer.file(rel).is_some());
-        let finding = cause.finding(&RULE, |_| format!("`{written}` is called `{real}` on disk"));
+        let Some(target) = found(first) else { continue };
+        let (written, on_disk) = differing(&first.rel, target);
+        let holder = repository.strongest_first().find(|layer| layer.file(target).is_some());
+        let finding = cause.finding(&RULE, |_| format!("`{written}` is called `{on_disk}` on disk"));
         let Some(mut finding) = finding else { continue };
         finding = finding.breaks(Application::Makehuman2, format!("on Linux: {}", effect(first.kind)));
-        if let Some(layer) = shared {
-            finding = finding.related(layer.display(rel), Place::File, "the file that is meant");
+        if let Some(layer) = holder {
+            finding = finding.related(layer.display(target), Place::File, "the file that is meant");
         }
-        out.push(finding.help(format!("write `{real}`, or rename the file")));
+        out.push(finding.help(format!("write `{on_disk}`, or rename the file")));
     }
 }
 

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx};
-use super::loader::{Moment, extension, is_unread, moment, refused_json};
+use super::loader::{extension, is_unread, opens, refused_json};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
 use crate::repo::{FileFacts, ReferenceKind, Repository, Resolution};
@@ -23,13 +23,13 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let macros = targets_of_macros(repository);
-    for file in repository.judged.files.values().filter(|file| !is_unread(file) && moment(file) != Moment::Never) {
+    for file in repository.judged.files.values().filter(|file| !is_unread(file) && opens(&file.rel)) {
         let Some(what) = emptiness(file) else { continue };
         if macros.contains(file.rel.as_str()) {
             continue;
         }
         let Some((level, effect)) = consequence(file) else { continue };
-        let message = format!("the {} is empty{what}", file.kind.title());
+        let message = format!("`{}` is empty{what}", file.file_name());
         let help = match file.kind {
             Kind::TargetArchive => "delete it: MakeHuman 2 makes a new one from the targets",
             _ => "restore the content, or remove the file and what refers to it",

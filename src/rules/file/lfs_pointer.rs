@@ -30,12 +30,10 @@ fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for ((folder, parsed), files) in folders {
         let level = if parsed { Level::Error } else { Level::Warning };
         let finding = match files.as_slice() {
-            [file] => {
-                RULE.in_layer(layer, &file.rel, format!("a Git LFS pointer instead of the {}", file.kind.title()))
-            }
+            [file] => RULE.in_layer(layer, &file.rel, format!("`{}` is a Git LFS pointer", file.file_name())),
             several => {
-                let what = if parsed { "files that must be parsed" } else { "files" };
-                let message = format!("Git LFS pointers in the place of {} {what} of this folder", several.len());
+                let what = if parsed { "files of this folder that must be parsed" } else { "files of this folder" };
+                let message = format!("{} {what} are Git LFS pointers", several.len());
                 RULE.in_layer(layer, folder, message)
             }
         };

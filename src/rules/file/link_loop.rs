@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Finding, Level, RuleInfo};
 use crate::repo::Layer;
-use crate::source::WalkFaultKind;
+use crate::source::{WalkFault, WalkFaultKind};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -20,8 +20,16 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let is_loop = |path: &str| {
+        let same = |fault: &&WalkFault| fault.path == path && matches!(fault.kind, WalkFaultKind::LinkLoop { .. });
+        layer.walk_faults.iter().any(|fault| same(&fault))
+    };
     for fault in &layer.walk_faults {
         let WalkFaultKind::LinkLoop { back_to } = &fault.kind else { continue };
+        // Links that point to each other are one circle, told at one of them.
+        if *back_to != fault.path && is_loop(back_to) {
+            continue;
+        }
         let message = if *back_to == fault.path || back_to.is_empty() {
             "the link leads back to where it started".to_owned()
         } else {

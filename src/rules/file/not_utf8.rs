@@ -1,7 +1,7 @@
 //! Text must be UTF-8.
 
 use super::super::{Check, Rule, RuleCx};
-use super::loader::{Moment, is_unread, moment};
+use super::loader::{Moment, is_unread, moment, opens};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
 use crate::repo::{FileFacts, Layer};
@@ -21,10 +21,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for file in layer.files.values().filter(|file| file.kind.is_text() && !is_unread(file)) {
+    for file in layer.files.values().filter(|file| file.kind.is_text() && opens(&file.rel) && !is_unread(file)) {
         let Some(at) = file.encoding.invalid_utf8_at else { continue };
         let guess = file.encoding.guess.unwrap_or("another encoding");
-        let message = format!("the {} is not UTF-8 (probably {guess})", file.kind.title());
+        let message = format!("`{}` is not UTF-8 (probably {guess})", file.file_name());
         let (level, effect) = consequence(file);
         out.push(
             RULE.at(file, Place::Span(at..at + 1), message)

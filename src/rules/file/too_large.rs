@@ -1,6 +1,7 @@
 //! Files far beyond the size of their kind.
 
 use super::super::{Check, Rule, RuleCx};
+use super::loader::extension;
 use crate::diag::{Application, Finding, Level, OptionInfo, Place, RuleInfo};
 use crate::discover::Kind;
 use crate::repo::{FileFacts, Layer};
@@ -64,7 +65,7 @@ fn option(file: &FileFacts) -> &'static str {
         Kind::Target | Kind::PackedTarget => "target",
         Kind::BaseMesh => "mesh",
         Kind::Image | Kind::TargetIcon => "picture",
-        Kind::Text if file.rel.ends_with(".obj") => "mesh",
+        Kind::Text if extension(&file.rel) == "obj" => "mesh",
         _ => "other",
     }
 }

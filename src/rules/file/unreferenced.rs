@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx};
-use super::loader::opens;
+use super::loader::{extension, opens};
 use crate::diag::{Application, Evidence, Finding, Level, RuleInfo};
 use crate::discover::Kind;
 use crate::repo::{Base, FileFacts, ReferenceKind, Repository, Resolution, TargetFolder};
@@ -37,10 +37,12 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             [file] => {
                 RULE.in_layer(repository.judged, &file.rel, format!("`{}` is not used: {reason}", file.file_name()))
             }
-            several => {
-                let message = format!("{} files here are not used: {reason}", several.len());
+            [first, .., last] => {
+                let (count, first, last) = (files.len(), first.file_name(), last.file_name());
+                let message = format!("{count} files here (`{first}` to `{last}`) are not used: {reason}");
                 RULE.in_layer(repository.judged, folder, message)
             }
+            [] => continue,
         };
         let help = "give it the name that is looked for, refer to it, or remove it";
         out.push(finding.key(reason).evidence(Evidence::of_cases(names)).help(help));
@@ -50,7 +52,8 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 /// Why nothing uses the file, if nothing does.
 fn reason(repository: &Repository<'_>, file: &FileFacts, used: &BTreeSet<String>) -> Option<String> {
     let name = file.file_name();
-    if file.encoding.lfs_pointer || file.gzip_fault.is_some() || is_note(name) {
+    // A file called `icons` stands in the place of a folder: unreadable.
+    if file.encoding.lfs_pointer || file.gzip_fault.is_some() || name == "icons" || is_note(name) {
         return None;
     }
     if file.kind == Kind::TargetIcon {
@@ -83,8 +86,8 @@ fn is_judged_folder(rel: &str) -> bool {
 fn is_note(name: &str) -> bool {
     let lower = name.to_lowercase();
     let words = ["readme", "licen", "copying", "authors", "changelog", "changes", "credits", "notice", "copyright"];
-    let endings = [".txt", ".md", ".rst", ".html", ".pdf"];
-    words.iter().any(|word| lower.starts_with(word)) || endings.iter().any(|ending| lower.ends_with(ending))
+    let endings = ["txt", "md", "rst", "html", "pdf"];
+    words.iter().any(|word| lower.starts_with(word)) || endings.contains(&extension(&lower))
 }
 
 /// Icons count as unused only where the sliders that could name them are known: in the folder in use.
