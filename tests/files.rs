@@ -77,3 +77,28 @@ fn a_bomb_is_given_up_at_the_ratio() {
     assert_eq!(check(root.path(), &["."]), [expected.as_str()]);
     assert_eq!(check(root.path(), &[".", "--skip", "*"]), [expected.as_str()]);
 }
+
+#[test]
+fn an_archive_is_judged_by_the_sizes_in_its_directory() {
+    let root = example();
+    let path = "data/hair/figure/curls/curls.mhbin";
+    fs::create_dir_all(root.path().join(path).parent().unwrap()).unwrap();
+    let mut zip = zip::ZipWriter::new(fs::File::create(root.path().join(path)).unwrap());
+    zip.start_file("coord.npy", zip::write::SimpleFileOptions::default()).unwrap();
+    zip.write_all(&vec![0; 17 << 20]).unwrap();
+    zip.finish().unwrap();
+    let packed = fs::metadata(root.path().join(path)).unwrap().len();
+    let expected =
+        format!("{path}: error[file-decompression-bomb] {packed} bytes unpack to {} bytes or more", 17 << 20);
+    assert_eq!(check(root.path(), &["."]), [expected]);
+}
+
+#[test]
+fn an_endless_file_is_read_up_to_the_limit_only() {
+    let root = example();
+    let file = fs::File::create(root.path().join("data/target/figure/head/huge.target")).unwrap();
+    file.set_len(2 << 30).unwrap();
+    let path = "data/target/figure/head/huge.target";
+    let expected = format!("{path}: warning[file-too-large] target with 2147.5 MB: too large to be judged");
+    assert_eq!(check(root.path(), &["."]), [expected]);
+}

@@ -22,7 +22,7 @@ impl Default for Limits {
 
 impl Limits {
     /// Unpacked bytes that a file of `packed` bytes may have.
-    pub(super) fn unpacked_limit(&self, packed: u64) -> u64 {
+    pub fn unpacked_limit(&self, packed: u64) -> u64 {
         let by_ratio = packed.saturating_mul(self.unpacked_ratio).max(self.ratio_free_bytes);
         by_ratio.min(self.unpacked_bytes)
     }

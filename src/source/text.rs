@@ -54,7 +54,7 @@ fn lines(bytes: &[u8]) -> impl Iterator<Item = &[u8]> {
 
 /// UTF-16 shows by its mark or by the zeros between Latin letters; the rest is some single-byte code.
 fn guess(bytes: &[u8]) -> &'static str {
-    let zeros = bytes.iter().filter(|byte| **byte == 0).count();
+    let zeros: usize = bytes.iter().map(|byte| usize::from(*byte == 0)).sum();
     if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") || zeros > bytes.len() / 4 {
         "UTF-16"
     } else if zeros > 0 {

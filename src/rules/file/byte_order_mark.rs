@@ -1,7 +1,7 @@
 //! A byte order mark becomes part of the first word.
 
 use super::super::{Check, Rule, RuleCx};
-use super::loader::{is_unread, opens, refused_json};
+use super::loader::{is_override, is_unread, opens, refused_json};
 use crate::diag::{Application, Finding, FixKind, Level, Place, RuleInfo};
 use crate::discover::Kind;
 use crate::repo::{FileFacts, Layer};
@@ -25,7 +25,10 @@ const ROW_FIELDS: usize = 4;
 
 fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let marked = |file: &&FileFacts| {
-        opens(&file.rel) && file.encoding.byte_order_mark && file.encoding.invalid_utf8_at.is_none()
+        opens(&file.rel)
+            && !is_override(file)
+            && file.encoding.byte_order_mark
+            && file.encoding.invalid_utf8_at.is_none()
     };
     for file in layer.files.values().filter(|file| file.kind.is_text() && !is_unread(file)).filter(marked) {
         let (level, effect) = consequence(file);

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx};
-use super::loader::{extension, is_unread, opens, refused_json};
+use super::loader::{extension, is_override, is_unread, opens, refused_json};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
 use crate::repo::{FileFacts, ReferenceKind, Repository, Resolution};
@@ -13,7 +13,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
         breaks: &[(Application::Makehuman2, "loads nothing, or stops")],
         docs: "The file has no bytes, or nothing but blanks and comments. Often a download or an export was interrupted.\n\nHow bad that is \
             depends on the file. An empty `.mhskel`, `.mhpose` or `.mhbin` stops MakeHuman 2 while it scans the assets, an empty \
-            `compressedtargets.npz` stops every start until it is deleted, and an empty JSON counts as missing. A target \
+            `compressedtargets.npz` stops every start until it is deleted, and an empty JSON counts as missing (an override in `contarget/` is the business of `overlay-broken-override`). A target \
             without a row loads and moves nothing; where a macro names it, `macro-empty-target` speaks instead.\n\nRestore the \
             content, or remove the file and what refers to it.",
         ..RuleInfo::new("file-empty", Level::Warning, "an empty file where content is needed")
@@ -23,7 +23,9 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let macros = targets_of_macros(repository);
-    for file in repository.judged.files.values().filter(|file| !is_unread(file) && opens(&file.rel)) {
+    for file in
+        repository.judged.files.values().filter(|file| !is_unread(file) && opens(&file.rel) && !is_override(file))
+    {
         let Some(what) = emptiness(file) else { continue };
         if macros.contains(file.rel.as_str()) {
             continue;

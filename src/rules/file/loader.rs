@@ -74,12 +74,10 @@ fn is_scanned(rel: &str) -> bool {
 pub(super) fn opens(rel: &str) -> bool {
     let parts: Vec<&str> = rel.split('/').collect();
     match parts.as_slice() {
-        ["target" | "contarget", _, "macro.json" | "modelling.json" | "target_cat.json" | "compressedtargets.npz"] => {
-            true
-        }
         ["target" | "contarget", _, "icons", .., icon] => extension(icon) == "png",
+        ["target" | "contarget", _, "macro.json" | "modelling.json" | "target_cat.json" | "compressedtargets.npz"]
+        | ["rigs", _, "icons", ..] => true,
         ["target" | "contarget", _, .., target] => extension(target) == "target",
-        ["rigs", _, "icons", ..] => true,
         ["rigs", _, .., file] => {
             *file == "selection_filter.json" || matches!(extension(file), "mhskel" | "mhw" | "thumb")
         }
@@ -105,6 +103,13 @@ pub(super) fn extension(rel: &str) -> &str {
 /// Whether something else in the file speaks before its content does: it was not read, or is a stand-in.
 pub(super) fn is_unread(file: &FileFacts) -> bool {
     file.unreadable.is_some() || file.encoding.lfs_pointer || file.gzip_fault.is_some()
+}
+
+/// Whether the file is an override that counts as missing when it cannot be read: `overlay-broken-override`
+/// names its fault, because the fallback is the worse news.
+pub(super) fn is_override(file: &FileFacts) -> bool {
+    file.rel.starts_with("contarget/")
+        && matches!(file.kind, Kind::MacroJson | Kind::ModellingJson | Kind::TargetCategories)
 }
 
 /// What happens with a JSON that Python's reader refuses, and how bad that is.

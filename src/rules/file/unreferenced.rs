@@ -79,7 +79,7 @@ fn folder_of(rel: &str) -> &str {
 
 fn is_judged_folder(rel: &str) -> bool {
     let parts: Vec<&str> = rel.split('/').collect();
-    matches!(parts.as_slice(), ["target" | "contarget" | "rigs" | "base", _, _, ..]) && !rel.ends_with(".thumb")
+    matches!(parts.as_slice(), ["target" | "contarget" | "rigs" | "base", _, _, ..]) && extension(rel) != "thumb"
 }
 
 /// Texts for people.
