@@ -1,10 +1,10 @@
 //! A byte order mark becomes part of the first word.
 
 use super::super::{Check, Rule, RuleCx};
-use super::loader::{is_override, is_unread, opens, refused_json};
+use super::loader::{is_met, is_override, refused_json};
 use crate::diag::{Application, Finding, FixKind, Level, Place, RuleInfo};
 use crate::discover::Kind;
-use crate::repo::{FileFacts, Layer};
+use crate::repo::{FileFacts, Repository};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -17,21 +17,17 @@ pub(in crate::rules) static RULE: Rule = Rule {
             info.\n\nSave the file as UTF-8 without byte order mark.",
         ..RuleInfo::new("file-byte-order-mark", Level::Error, "a byte order mark at the beginning of a text file")
     },
-    check: Check::Layer(run),
+    check: Check::Repository(run),
 };
 
 /// Fields of a line that a target's reader takes for data.
 const ROW_FIELDS: usize = 4;
 
-fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let marked = |file: &&FileFacts| {
-        opens(&file.rel)
-            && !is_override(file)
-            && file.encoding.byte_order_mark
-            && file.encoding.invalid_utf8_at.is_none()
-    };
-    for file in layer.files.values().filter(|file| file.kind.is_text() && !is_unread(file)).filter(marked) {
-        let (level, effect) = consequence(file);
+fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let marked = |file: &&FileFacts| file.encoding.byte_order_mark && file.encoding.invalid_utf8_at.is_none();
+    let texts = repository.judged.files.values().filter(|file| file.kind.is_text() && !is_override(file));
+    for file in texts.filter(|file| is_met(repository, file)).filter(marked) {
+        let (level, effect) = consequence(repository, file);
         let message = format!("`{}` begins with a byte order mark", file.file_name());
         out.push(
             RULE.at(file, Place::Span(0..3), message)
@@ -42,11 +38,11 @@ fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
 }
 
-fn consequence(file: &FileFacts) -> (Level, &'static str) {
+fn consequence(repository: &Repository<'_>, file: &FileFacts) -> (Level, &'static str) {
     let words = &file.encoding.marked_words;
     let is_comment = words.first().is_none_or(|word| word.starts_with('#'));
     match file.kind {
-        kind if kind.is_json() => refused_json(file),
+        kind if kind.is_json() => refused_json(repository, file),
         Kind::Target if words.len() == ROW_FIELDS => {
             (Level::Error, "takes the first line for a row and stops at start with a ValueError")
         }

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx};
-use super::loader::{extension, is_override, is_unread, opens, refused_json};
+use super::loader::{extension, is_met, is_override, refused_json};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
 use crate::repo::{FileFacts, ReferenceKind, Repository, Resolution};
@@ -23,14 +23,13 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let macros = targets_of_macros(repository);
-    for file in
-        repository.judged.files.values().filter(|file| !is_unread(file) && opens(&file.rel) && !is_override(file))
-    {
+    let needed = |file: &&FileFacts| is_met(repository, file) && !is_override(file);
+    for file in repository.judged.files.values().filter(needed) {
         let Some(what) = emptiness(file) else { continue };
         if macros.contains(file.rel.as_str()) {
             continue;
         }
-        let Some((level, effect)) = consequence(file) else { continue };
+        let Some((level, effect)) = consequence(repository, file) else { continue };
         let message = format!("`{}` is empty{what}", file.file_name());
         let help = match file.kind {
             Kind::TargetArchive => "delete it: MakeHuman 2 makes a new one from the targets",
@@ -64,9 +63,9 @@ fn emptiness(file: &FileFacts) -> Option<&'static str> {
 }
 
 /// Level and consequence, or nothing where nobody needs content.
-fn consequence(file: &FileFacts) -> Option<(Level, &'static str)> {
+fn consequence(repository: &Repository<'_>, file: &FileFacts) -> Option<(Level, &'static str)> {
     Some(match (file.kind, extension(&file.rel)) {
-        (kind, _) if kind.is_json() => refused_json(file),
+        (kind, _) if kind.is_json() => refused_json(repository, file),
         (Kind::Target, _) => (Level::Warning, "loads it; nothing moves"),
         (Kind::TargetArchive, _) => (Level::Error, "stops at every start with an EOFError until the file is deleted"),
         (Kind::BaseMesh, _) => (Level::Error, "stops at start: there is no base mesh"),

@@ -2,7 +2,7 @@
 
 use crate::diag::Level;
 use crate::discover::Kind;
-use crate::repo::FileFacts;
+use crate::repo::{FileFacts, Repository};
 
 /// When a file is opened.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -101,7 +101,7 @@ pub(super) fn extension(rel: &str) -> &str {
 }
 
 /// Whether something else in the file speaks before its content does: it was not read, or is a stand-in.
-pub(super) fn is_unread(file: &FileFacts) -> bool {
+fn is_unread(file: &FileFacts) -> bool {
     file.unreadable.is_some() || file.encoding.lfs_pointer || file.gzip_fault.is_some()
 }
 
@@ -112,21 +112,41 @@ pub(super) fn is_override(file: &FileFacts) -> bool {
         && matches!(file.kind, Kind::MacroJson | Kind::ModellingJson | Kind::TargetCategories)
 }
 
-/// What happens with a JSON that Python's reader refuses, and how bad that is.
-pub(super) fn refused_json(file: &FileFacts) -> (Level, &'static str) {
+/// Whether the text of the file is somebody's to read, and nothing else speaks before it: it was read, a loader
+/// opens its name, and it is not the `macro.json` of a user's target folder (`overlay-shadowed` tells that it is
+/// never read).
+pub(super) fn is_met(repository: &Repository<'_>, file: &FileFacts) -> bool {
+    let ignored = file.kind == Kind::MacroJson && is_generated(repository, file);
+    opens(&file.rel) && !is_unread(file) && !ignored
+}
+
+/// Whether the file lies in the target folder of a user, whose JSON MakeHuman 2 writes itself.
+fn is_generated(repository: &Repository<'_>, file: &FileFacts) -> bool {
+    let user = repository.user.is_some_and(|user| std::ptr::eq(user, repository.judged));
+    user && !repository.is_one_root() && file.rel.starts_with("target/")
+}
+
+/// What happens with a JSON that Python's reader refuses, and how bad that is (formats/makehuman2.md §1.2, §5.2,
+/// §7, §9, §11, §12, §19, §20).
+pub(super) fn refused_json(repository: &Repository<'_>, file: &FileFacts) -> (Level, &'static str) {
+    let name = file.file_name();
     match (moment(file), file.kind) {
         (Moment::Never, _) => (Level::Warning, "does not read it; tools that do stop"),
         (Moment::Scan, _) => (Level::Error, "stops at start while it scans the assets"),
         (_, Kind::BaseJson) => (Level::Error, "does not load the base mesh"),
-        (_, Kind::MacroJson) => (Level::Error, "takes it as missing without a word: the macros of the system, or none"),
-        (_, Kind::ModellingJson) => {
-            (Level::Error, "takes it as missing without a word: the sliders of the system, or none")
+        (_, Kind::MacroJson) => (Level::Error, "takes it as missing without a word: the base has no macros"),
+        (_, Kind::ModellingJson) => (Level::Error, "takes it as missing without a word: its sliders are gone"),
+        (_, Kind::TargetCategories) if is_generated(repository, file) => {
+            (Level::Error, "stops at start with a TypeError")
         }
-        (_, Kind::TargetCategories) => {
-            (Level::Error, "takes it as missing without a word: no slider of its own is shown")
-        }
+        (_, Kind::TargetCategories) => (Level::Error, "takes it as missing without a word: no slider can be reached"),
         (_, Kind::Weights) => (Level::Error, "has no weights: the mesh collapses as soon as it is posed"),
-        _ => (Level::Error, "takes it as missing"),
+        _ if name == "face-poses.json" => (Level::Error, "offers no expressions for the base"),
+        _ if name == "body-poses.json" => (Level::Error, "offers no pose editor for the base"),
+        _ if matches!(file.rel.as_str(), "makehuman2_version.json" | "shaders/shader.json") => {
+            (Level::Error, "does not start")
+        }
+        _ => (Level::Warning, "takes it as missing, if it reads it at all"),
     }
 }
 

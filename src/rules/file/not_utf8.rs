@@ -1,10 +1,10 @@
 //! Text must be UTF-8.
 
 use super::super::{Check, Rule, RuleCx};
-use super::loader::{Moment, is_unread, moment, opens};
+use super::loader::{Moment, is_met, moment};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
-use crate::repo::{FileFacts, Layer};
+use crate::repo::{FileFacts, Repository};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -17,11 +17,12 @@ pub(in crate::rules) static RULE: Rule = Rule {
             and save it as UTF-8 without byte order mark.",
         ..RuleInfo::new("file-not-utf8", Level::Error, "a text file that is not UTF-8")
     },
-    check: Check::Layer(run),
+    check: Check::Repository(run),
 };
 
-fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for file in layer.files.values().filter(|file| file.kind.is_text() && opens(&file.rel) && !is_unread(file)) {
+fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let texts = repository.judged.files.values().filter(|file| file.kind.is_text());
+    for file in texts.filter(|file| is_met(repository, file)) {
         let Some(at) = file.encoding.invalid_utf8_at else { continue };
         let guess = file.encoding.guess.unwrap_or("another encoding");
         let message = format!("`{}` is not UTF-8 (probably {guess})", file.file_name());
