@@ -217,9 +217,10 @@ fn resolve<'a>(layers: &[&'a Layer], text: &str, rel: &str) -> Resolution<'a> {
         return Resolution::Found(file);
     }
     if text.contains('\\') {
-        let slashed = normalized(&rel.replace('\\', "/"));
-        let file = slashed.and_then(|rel| layers.iter().find_map(|layer| layer.file(&rel)));
-        return Resolution::Backslash(file);
+        let Some(slashed) = normalized(&rel.replace('\\', "/")) else {
+            return Resolution::Escapes;
+        };
+        return Resolution::Backslash(layers.iter().find_map(|layer| layer.file(&slashed)));
     }
     match layers.iter().find_map(|layer| layer.file_ignoring_case(&normal)) {
         Some(file) => Resolution::CaseOnly(file),

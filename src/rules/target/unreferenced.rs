@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::super::{Check, Rule, RuleCx};
 use super::{decoded, parent, usage};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, nearest};
-use crate::repo::{Base, FileFacts, Layer, Repository, Resolution};
+use crate::repo::{Base, FileFacts, Layer, Repository};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -51,15 +51,22 @@ fn breaks_start(file: &FileFacts) -> bool {
     decoded(file).is_some_and(|(_, facts)| facts.unreadable_rows > 0)
 }
 
-/// Unused files that a name without file nearly fits: the missing file is the fault to name.
+/// Unused files that a name without file nearly fits, or would fit but for its path: that name is the
+/// fault to report.
 fn meant_by_missing<'a>(repository: &Repository<'_>, base: &Base<'_>, unused: &[&'a FileFacts]) -> BTreeSet<&'a str> {
-    let references = repository.references_of(base).filter(|reference| reference.kind.is_target());
-    let missing = references.filter(|reference| matches!(reference.resolution, Resolution::Missing));
-    let meant = missing.filter_map(|reference| {
-        let beside = unused.iter().copied().filter(|file| parent(&file.rel) == parent(&reference.rel));
-        nearest(&reference.rel, beside.map(|file| file.rel.as_str()))
-    });
-    meant.collect()
+    let mut meant = BTreeSet::new();
+    for reference in repository.references_of(base).filter(|reference| reference.kind.is_target()) {
+        if usage::target_of(&reference.resolution).is_some() {
+            continue;
+        }
+        let stem = reference.text.rsplit(['/', '\\']).next();
+        let namesakes = unused.iter().filter(|file| Some(file.stem()) == stem);
+        meant.extend(namesakes.map(|file| file.rel.as_str()));
+        let rel = reference.rel.replace('\\', "/");
+        let beside = unused.iter().copied().filter(|file| parent(&file.rel) == parent(&rel));
+        meant.extend(nearest(&rel, beside.map(|file| file.rel.as_str())));
+    }
+    meant
 }
 
 fn whole_folder(layer: &Layer, path: &str, files: &[&FileFacts]) -> Finding {

@@ -20,7 +20,7 @@ pub(super) fn users<'a>(repository: &'a Repository<'_>) -> BTreeMap<&'a str, Ref
 }
 
 /// The file meant, also where the name is not quite right: that is a finding of its own.
-fn target_of<'a>(resolution: &Resolution<'a>) -> Option<&'a FileFacts> {
+pub(super) fn target_of<'a>(resolution: &Resolution<'a>) -> Option<&'a FileFacts> {
     match resolution {
         Resolution::Found(file) | Resolution::CaseOnly(file) | Resolution::Backslash(Some(file)) => Some(file),
         _ => None,
