@@ -5,6 +5,7 @@
 #![warn(clippy::indexing_slicing)]
 
 pub mod base_json;
+mod content_hash;
 mod fields;
 pub mod geometry;
 pub mod json_file;
@@ -12,9 +13,14 @@ pub mod macro_json;
 pub mod mhskel;
 pub mod mhw;
 pub mod modelling;
+mod npy;
+mod npy_header;
+pub mod npz;
 mod number;
 pub mod obj;
 pub mod target;
 pub mod target_cat;
+mod target_facts;
+mod target_row;
 
 pub use number::{python_float, python_int};

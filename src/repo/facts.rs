@@ -8,6 +8,7 @@ use crate::formats::macro_json::MacroFile;
 use crate::formats::mhskel::Skeleton;
 use crate::formats::mhw::Weights;
 use crate::formats::modelling::Modelling;
+use crate::formats::npz::Archive;
 use crate::formats::obj::Mesh;
 use crate::formats::target::TargetFacts;
 use crate::formats::target_cat::TargetCategories;
@@ -70,6 +71,8 @@ pub enum Content {
     Mesh(Box<Mesh>),
     /// `.target`.
     Target(Box<TargetFacts>),
+    /// `compressedtargets.npz`.
+    Archive(Box<Archive>),
 }
 
 impl FileFacts {
@@ -87,6 +90,11 @@ impl FileFacts {
     /// The target facts, if it is a target that could be read.
     pub fn target(&self) -> Option<&TargetFacts> {
         if let Content::Target(facts) = &self.content { Some(facts) } else { None }
+    }
+
+    /// The archive, if it is one that was read.
+    pub fn archive(&self) -> Option<&Archive> {
+        if let Content::Archive(archive) = &self.content { Some(archive) } else { None }
     }
 
     /// The weights, if it is a weights file that could be read.

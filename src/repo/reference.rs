@@ -46,7 +46,7 @@ pub enum ReferenceKind {
 /// What a reference leads to.
 #[derive(Debug, Clone, Copy)]
 pub enum Resolution<'a> {
-    /// The file.
+    /// The file; the archive for a target that only the archive holds.
     Found(&'a FileFacts),
     /// A file whose path differs in case only.
     CaseOnly(&'a FileFacts),
@@ -137,11 +137,13 @@ fn resolve_target<'a>(base: &Base<'a>, folder: Option<TargetFolder<'a>>, name: &
     };
     let rel = format!("{}/{name}.target", folder.rel());
     let found = resolve(&[folder.layer], name, &rel);
-    let other = || base.other_targets.and_then(|other| other.target(name));
-    match (found, other()) {
-        (Resolution::Missing, Some(file)) => (rel, Resolution::OtherLayer(file)),
-        (found, _) => (rel, found),
+    if !matches!(found, Resolution::Missing) {
+        return (rel, found);
     }
+    // The archive is asked by the name as written (formats/makehuman2.md §6.2).
+    let archive = folder.archive().filter(|file| file.archive().is_some_and(|archive| archive.member(name).is_some()));
+    let other = || base.other_targets.and_then(|other| other.target(name)).map(Resolution::OtherLayer);
+    (rel, archive.map(Resolution::Found).or_else(other).unwrap_or(found))
 }
 
 fn resolve_icon<'a>(folder: Option<TargetFolder<'a>>, name: &str) -> (String, Resolution<'a>) {
@@ -215,9 +217,10 @@ fn resolve<'a>(layers: &[&'a Layer], text: &str, rel: &str) -> Resolution<'a> {
         return Resolution::Found(file);
     }
     if text.contains('\\') {
-        let slashed = normalized(&rel.replace('\\', "/"));
-        let file = slashed.and_then(|rel| layers.iter().find_map(|layer| layer.file(&rel)));
-        return Resolution::Backslash(file);
+        let Some(slashed) = normalized(&rel.replace('\\', "/")) else {
+            return Resolution::Escapes;
+        };
+        return Resolution::Backslash(layers.iter().find_map(|layer| layer.file(&slashed)));
     }
     match layers.iter().find_map(|layer| layer.file_ignoring_case(&normal)) {
         Some(file) => Resolution::CaseOnly(file),

@@ -2,6 +2,8 @@
 //!
 //! A rule reads facts and says what would happen. It reads no files, knows no report and no other rule.
 
+mod archive;
+mod file;
 mod macros;
 mod rule;
 mod target;
@@ -9,4 +11,39 @@ mod target;
 pub(crate) use rule::{Check, Rule, RuleCx};
 
 /// Every rule, sorted by id. A rule that is not listed here does not exist.
-pub(crate) static RULES: &[&Rule] = &[&macros::steps_length::RULE, &target::syntax::RULE];
+pub(crate) static RULES: &[&Rule] = &[
+    &archive::malformed::RULE,
+    &file::absolute_path::RULE,
+    &file::backslash_path::RULE,
+    &file::byte_order_mark::RULE,
+    &file::case_conflict::RULE,
+    &file::case_mismatch::RULE,
+    &file::decompression_bomb::RULE,
+    &file::duplicate_content::RULE,
+    &file::empty::RULE,
+    &file::gzip_corrupt::RULE,
+    &file::lfs_pointer::RULE,
+    &file::link_loop::RULE,
+    &file::not_utf8::RULE,
+    &file::path_escape::RULE,
+    &file::too_large::RULE,
+    &file::unportable_name::RULE,
+    &file::unreadable::RULE,
+    &file::unreferenced::RULE,
+    &macros::steps_length::RULE,
+    &target::basemesh_mismatch::RULE,
+    &target::breaks_start::RULE,
+    &target::duplicate_vertex::RULE,
+    &target::field_count::RULE,
+    &target::missing_opposite::RULE,
+    &target::missing_side::RULE,
+    &target::negative_index::RULE,
+    &target::non_finite::RULE,
+    &target::oversized_delta::RULE,
+    &target::stale_binary::RULE,
+    &target::syntax::RULE,
+    &target::unreferenced::RULE,
+    &target::vertex_out_of_range::RULE,
+    &target::without_effect::RULE,
+    &target::zero_delta::RULE,
+];
