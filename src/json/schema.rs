@@ -39,7 +39,7 @@ pub struct UnknownKey {
     pub pointer: String,
     /// The key.
     pub key: String,
-    /// What the object is called in the schema: `Slider`, `Bone`.
+    /// What the object is called in the schema: `Slider`, `Bone`; nothing for the file as a whole.
     pub object: Option<String>,
     /// The known key most like it.
     pub nearest: Option<String>,

@@ -75,7 +75,7 @@ impl<'s> Walk<'s> {
         self.found.push(UnknownKey {
             pointer: self.pointer.clone(),
             key: key.to_owned(),
-            object: schema.title.map(str::to_owned),
+            object: schema.title.filter(|_| self.pointer.matches('/').count() > 1).map(str::to_owned),
             nearest: meant(key, &known).map(Cow::into_owned),
         });
     }

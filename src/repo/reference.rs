@@ -169,7 +169,7 @@ fn skeleton_references<'a>(repository: &Repository<'a>, base: &Base<'a>, out: &m
             text,
             owner: from.stem(),
             rel: format!("rigs/{}/{text}", base.name),
-            resolution: resolve_layered(repository, text, &format!("rigs/{}/{text}", base.name)),
+            resolution: resolve_layered(repository, base, text, &format!("rigs/{}/{text}", base.name)),
         });
     }
 }
@@ -190,16 +190,16 @@ fn base_references<'a>(repository: &Repository<'a>, base: &Base<'a>, out: &mut V
             place: Place::pointer([member]),
             text,
             owner: member,
-            resolution: resolve_layered(repository, text, &rel),
+            resolution: resolve_layered(repository, base, text, &rel),
             rel,
         });
     }
 }
 
-fn resolve_layered<'a>(repository: &Repository<'a>, text: &str, rel: &str) -> Resolution<'a> {
+fn resolve_layered<'a>(repository: &Repository<'a>, base: &Base<'a>, text: &str, rel: &str) -> Resolution<'a> {
     let layers: Vec<&Layer> = repository.strongest_first().collect();
     match resolve(&layers, text, rel) {
-        Resolution::Missing if repository.system.is_none() => Resolution::NeedsSystem,
+        Resolution::Missing if !base.has_system => Resolution::NeedsSystem,
         found => found,
     }
 }

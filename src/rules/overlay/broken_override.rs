@@ -1,7 +1,7 @@
 //! An override that the application ignores without a word.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{Override, overrides};
+use super::{Override, SystemFolder, overrides, system_folder};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::formats::json_file::JsonFault;
 use crate::repo::{Base, Content, FileFacts, Repository};
@@ -21,13 +21,13 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Base(run),
 };
 
-fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for each in overrides(base) {
         let Some(file) = each.file.filter(|file| file.is_ignored_override()) else { continue };
         let (place, fault, help) = fault(file);
         let message = format!("the override `{}` is ignored: {fault}", file.rel);
         let finding = RULE.at(file, place, message).key(each.name).help(help);
-        let finding = finding.breaks(Application::Makehuman2, effect(base, &each));
+        let finding = finding.breaks(Application::Makehuman2, effect(repository, base, &each));
         out.push(match each.system {
             Some(system) => finding.related(system.path.clone(), Place::File, "this file is used instead"),
             None => finding,
@@ -54,14 +54,19 @@ fn fault(file: &FileFacts) -> (Place, String, &'static str) {
     }
 }
 
-fn effect(base: &Base<'_>, broken: &Override<'_>) -> String {
-    let instead = match (broken.system.is_some(), base.targets.is_some()) {
+fn effect(repository: &Repository<'_>, base: &Base<'_>, broken: &Override<'_>) -> String {
+    let folder = system_folder(repository, base);
+    let instead = match (broken.system.is_some(), folder) {
         (true, _) => "takes the system's file instead, without a word",
-        (false, true) => "goes on without such a file, without a word",
-        (false, false) => "takes the system's file instead if there is one, without a word",
+        (false, SystemFolder::Unknown) => "takes the system's file instead if there is one, without a word",
+        (false, _) => "goes on without such a file, without a word",
     };
-    match broken.name {
-        "macro.json" => format!("{instead}, and searches all targets of the base in the system's folder"),
+    match (broken.name, folder) {
+        ("macro.json", SystemFolder::Absent) => format!(
+            "{instead}, then stops (FileNotFoundError): it looks for the targets in `target/{}` of the system",
+            base.name
+        ),
+        ("macro.json", _) => format!("{instead}, and searches all targets of the base in the system's folder"),
         _ => instead.to_owned(),
     }
 }

@@ -16,7 +16,8 @@ struct Override<'a> {
     name: &'static str,
     /// The file in contarget.
     file: Option<&'a FileFacts>,
-    /// Whether the file in contarget is in use.
+    /// Whether the file in contarget is in use. One that is no object is taken, too, but stops the
+    /// application; nothing can be said about what it would do.
     active: bool,
     /// The system's file, if the application would accept it.
     system: Option<&'a FileFacts>,
@@ -26,7 +27,11 @@ struct Override<'a> {
 fn overrides<'a>(base: &Base<'a>) -> [Override<'a>; 3] {
     fn of<'a, T>(name: &'static str, both: &Overlaid<'a, T>) -> Override<'a> {
         let system = both.system.accepted().map(|(file, _)| file);
-        Override { name, file: both.contarget.file(), active: both.is_overridden(), system }
+        let file = both.contarget.file();
+        let wrong_root = |file: &FileFacts| {
+            file.schema.faults.iter().any(|fault| fault.pointer.is_empty() && fault.keyword == "/type")
+        };
+        Override { name, file, active: both.is_overridden() && !file.is_some_and(wrong_root), system }
     }
     [of("macro.json", &base.macros), of("modelling.json", &base.modelling), of("target_cat.json", &base.categories)]
 }
@@ -58,15 +63,9 @@ enum SystemFolder {
 
 fn system_folder(repository: &Repository<'_>, base: &Base<'_>) -> SystemFolder {
     let rel = format!("target/{}", base.name);
-    let Some(system) = repository.system else { return SystemFolder::Unknown };
+    let Some(system) = repository.system.filter(|_| base.has_system) else { return SystemFolder::Unknown };
     let exists = system.folders.contains(&rel) || system.below(&rel).next().is_some();
-    // A single root that does not hold the base itself is a user's folder: the system's is elsewhere.
-    let elsewhere = repository.is_one_root() && base.base_json.is_none() && base.mesh.is_none();
-    match (exists, elsewhere) {
-        (true, _) => SystemFolder::Exists,
-        (false, true) => SystemFolder::Unknown,
-        (false, false) => SystemFolder::Absent,
-    }
+    if exists { SystemFolder::Exists } else { SystemFolder::Absent }
 }
 
 /// Number of sliders in the user's generated `modelling.json`.

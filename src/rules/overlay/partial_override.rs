@@ -28,11 +28,12 @@ type Gap = (Level, String, &'static str, &'static str);
 
 fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     // What follows from a broken file, or shows as targets in the wrong layer, is said by those rules.
-    if has_broken_override(base) || in_other_layer(repository, base).next().is_some() {
-        return;
-    }
     let system = system_folder(repository, base);
     let [macros, sliders, categories] = overrides(base);
+    let stops = !macros.active && system == SystemFolder::Absent;
+    if has_broken_override(base) || !stops && in_other_layer(repository, base).next().is_some() {
+        return;
+    }
     let found = match (macros.active, sliders.active, categories.active) {
         (true, false, _) => macros.file.zip(without_sliders(base, system)),
         (false, true, _) => sliders.file.zip(without_macros(base, system)),
@@ -85,10 +86,8 @@ fn without_macros(base: &Base<'_>, system: SystemFolder) -> Option<Gap> {
             let message = format!("no macro.json beside it: targets and icons come from `{folder}` of the system");
             Some((Level::Info, message, "uses these sliders with the system's targets", help))
         }
-        SystemFolder::Unknown => {
-            let message = format!("no macro.json beside it: targets must be in `{folder}` of the system (`--system`)");
-            Some((Level::Info, message, "uses these sliders with the system's targets", help))
-        }
+        // Its references are those that `overlay-needs-system` counts.
+        SystemFolder::Unknown => None,
     }
 }
 

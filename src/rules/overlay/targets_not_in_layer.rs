@@ -1,7 +1,7 @@
 //! Targets that exist only in the layer that lost.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{counted, in_other_layer};
+use super::{SystemFolder, counted, in_other_layer, system_folder};
 use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::{Base, Reference, ReferenceKind, Repository};
 
@@ -29,12 +29,17 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    // A macro.json that is refused is the cause, and `overlay-broken-override` says so.
-    if base.macros.contarget.is_refused() {
+    // A macro.json that is refused is the cause, and `overlay-broken-override` says so; without any folder
+    // to load from the program does not get as far as the targets (`overlay-partial-override`).
+    let no_folder = !base.macros.is_overridden() && system_folder(repository, base) == SystemFolder::Absent;
+    if base.macros.contarget.is_refused() || no_folder {
         return;
     }
     let lost: Vec<&Reference<'_>> = in_other_layer(repository, base).collect();
-    let (Some(first), Some(used), Some(other)) = (lost.first(), base.targets, base.other_targets) else { return };
+    let (Some(used), Some(other)) = (base.targets, base.other_targets) else { return };
+    if lost.is_empty() {
+        return;
+    }
     let message = format!(
         "{} ({}) not in `{}`, the folder in use, but only in `{}`",
         counted(lost.len(), "target"),
@@ -42,7 +47,7 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
         used.layer.display(&used.rel()),
         other.layer.display(&other.rel()),
     );
-    let mut finding = finding_where_to_act(repository, base, first, message).key(base.name);
+    let mut finding = finding_where_to_act(repository, base, &lost, message).key(base.name);
     for reference in lost.iter().take(EXAMPLES) {
         let text = format!("needs `{}`", reference.rel);
         finding = finding.related(reference.from.path.clone(), reference.place.clone(), text);
@@ -63,7 +68,7 @@ fn by_source(lost: &[&Reference<'_>]) -> String {
 fn finding_where_to_act(
     repository: &Repository<'_>,
     base: &Base<'_>,
-    first: &Reference<'_>,
+    lost: &[&Reference<'_>],
     message: String,
 ) -> Finding {
     if let Some((file, _)) = base.macros.contarget.accepted() {
@@ -71,7 +76,7 @@ fn finding_where_to_act(
         return RULE.at(file, Place::File, message).help(help);
     }
     let help = "contarget has no macro.json, so its targets are not read: add one (it may be that of the system)";
-    if repository.is_judged(first.from) {
+    if let Some(first) = lost.iter().find(|reference| repository.is_judged(reference.from)) {
         return RULE.at(first.from, first.place.clone(), message).help(help);
     }
     let folder = base.other_targets.or(base.targets);
