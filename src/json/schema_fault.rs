@@ -18,11 +18,12 @@ pub(super) fn describe(error: &ValidationError<'_>, schema: &Value) -> SchemaFau
     let pointer = closest.instance_path().to_string();
     let keyword = closest.schema_path().to_string();
     let wanted = alternatives(error).unwrap_or_else(|| allowed(closest, schema));
-    let mut message = format!("{} {wanted}", subject(&pointer));
-    if hidden > 0 && alternatives(error).is_none() {
-        let forms = if hidden == 1 { "form is" } else { "forms are" };
-        message.push_str(&format!(" ({hidden} other {forms} allowed)"));
-    }
+    let others = match hidden {
+        _ if hidden == 0 || alternatives(error).is_some() => String::new(),
+        1 => " (1 other form is allowed)".to_owned(),
+        count => format!(" ({count} other forms are allowed)"),
+    };
+    let message = format!("{} {wanted}{others}", subject(&pointer));
     SchemaFault { pointer, description: text_at(schema, &keyword, "description"), keyword, message }
 }
 
@@ -154,7 +155,7 @@ fn subject(pointer: &str) -> String {
     for step in pointer.split('/').skip(1) {
         let step = step.replace("~1", "/").replace("~0", "~");
         match names.last_mut() {
-            Some(name) if step.bytes().all(|byte| byte.is_ascii_digit()) => name.push_str(&format!("[{step}]")),
+            Some(name) if step.bytes().all(|byte| byte.is_ascii_digit()) => *name = format!("{name}[{step}]"),
             _ => names.push(step),
         }
     }

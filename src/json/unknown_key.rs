@@ -31,7 +31,7 @@ impl<'s> Walk<'s> {
         let schema = self.resolved(schema);
         for member in node.effective_members() {
             let step = member.key.replace('~', "~0").replace('/', "~1");
-            self.below(&step, |walk| match walk.member_schema(&schema, &member.key) {
+            self.below(&step, |walk| match member_schema(&schema, &member.key) {
                 Some(below) => walk.value(&member.node, below),
                 None => walk.note(&schema, &member.key),
             });
@@ -64,11 +64,6 @@ impl<'s> Walk<'s> {
         all
     }
 
-    fn member_schema(&self, schema: &Keywords<'s>, key: &str) -> Option<&'s Value> {
-        let named = schema.properties.iter().find_map(|properties| properties.get(key));
-        named.or(schema.others).or((schema.properties.is_empty() || schema.has_patterns).then_some(&Value::Null))
-    }
-
     fn note(&mut self, schema: &Keywords<'s>, key: &str) {
         let known = schema.properties.iter().flat_map(|properties| properties.keys()).map(String::as_str);
         let known: Vec<&str> = known.collect();
@@ -88,6 +83,12 @@ fn meant<'k>(key: &str, known: &[&'k str]) -> Option<Cow<'k, str>> {
         Some((_, [left, right])) => Some(Cow::Owned(format!("{left}` or `{right}"))),
         None => nearest(key, known.iter().copied()).map(Cow::Borrowed),
     }
+}
+
+/// The schema of a member; one that fits anything where the object leaves room, none for an unknown key.
+fn member_schema<'s>(schema: &Keywords<'s>, key: &str) -> Option<&'s Value> {
+    let named = schema.properties.iter().find_map(|properties| properties.get(key));
+    named.or(schema.others).or((schema.properties.is_empty() || schema.has_patterns).then_some(&Value::Null))
 }
 
 fn element_schema<'s>(schema: &Keywords<'s>, index: usize) -> Option<&'s Value> {
