@@ -37,7 +37,7 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
     let found = match (macros.active, sliders.active, categories.active) {
         (true, false, _) => macros.file.zip(without_sliders(base, system)),
         (false, true, _) => sliders.file.zip(without_macros(base, system)),
-        (false, false, true) => categories.file.zip(categories_alone(base, system)),
+        (false, false, true) => categories.file.map(|file| (file, categories_alone(base, system))),
         (false, false, false) => user_targets_alone(base, system),
         (true, true, _) => None,
     };
@@ -91,22 +91,18 @@ fn without_macros(base: &Base<'_>, system: SystemFolder) -> Option<Gap> {
     }
 }
 
-fn categories_alone(base: &Base<'_>, system: SystemFolder) -> Option<Gap> {
+fn categories_alone(base: &Base<'_>, system: SystemFolder) -> Gap {
     let help = "add the modelling.json that these categories are for";
-    match (base.modelling.winner(), system) {
-        (Some(_), _) => {
-            let message = "only the categories are overridden; sliders and targets are the system's".to_owned();
-            Some((Level::Info, message, "shows the system's sliders under these categories", help))
-        }
-        (None, SystemFolder::Unknown) => {
-            let message =
-                "only the categories are overridden; they must fit the system's sliders (`--system`)".to_owned();
-            Some((Level::Info, message, "shows the system's sliders under these categories", help))
-        }
-        (None, _) => {
-            let message = "no modelling.json beside it nor in the system data: nothing to categorise".to_owned();
-            Some((Level::Warning, message, "offers no sliders for the base", help))
-        }
+    let shown = "shows the system's sliders under these categories";
+    if base.modelling.winner().is_some() {
+        let message = "only the categories are overridden; sliders and targets are the system's".to_owned();
+        (Level::Info, message, shown, help)
+    } else if system == SystemFolder::Unknown {
+        let message = "only the categories are overridden; they must fit the system's sliders (`--system`)".to_owned();
+        (Level::Info, message, shown, help)
+    } else {
+        let message = "no modelling.json beside it nor in the system data: nothing to categorise".to_owned();
+        (Level::Warning, message, "offers no sliders for the base", help)
     }
 }
 
