@@ -116,8 +116,11 @@ fn slider_references<'a>(base: &Base<'a>, bound: &BoundSlider<'a>, out: &mut Vec
     ];
     for (kind, member, text) in named {
         let Some(text) = text else { continue };
-        let (rel, resolution) =
-            if kind == ReferenceKind::Icon { resolve_icon(folder, text) } else { resolve_target(base, folder, text) };
+        let (rel, resolution) = if kind == ReferenceKind::Icon {
+            resolve_icon(base, folder, text)
+        } else {
+            resolve_target(base, folder, text)
+        };
         out.push(Reference {
             kind,
             base: base.name,
@@ -144,13 +147,16 @@ fn resolve_target<'a>(base: &Base<'a>, folder: Option<TargetFolder<'a>>, name: &
     }
 }
 
-fn resolve_icon<'a>(folder: Option<TargetFolder<'a>>, name: &str) -> (String, Resolution<'a>) {
+fn resolve_icon<'a>(base: &Base<'a>, folder: Option<TargetFolder<'a>>, name: &str) -> (String, Resolution<'a>) {
     let Some(folder) = folder else {
         return (format!("icons/{name}"), Resolution::NeedsSystem);
     };
     let rel = format!("{}/icons/{name}", folder.rel());
-    let resolution = resolve(&[folder.layer], name, &rel);
-    (rel, resolution)
+    let other = base.other_targets.and_then(|other| other.layer.file(&format!("{}/icons/{name}", other.rel())));
+    match (resolve(&[folder.layer], name, &rel), other) {
+        (Resolution::Missing, Some(file)) => (rel, Resolution::OtherLayer(file)),
+        (found, _) => (rel, found),
+    }
 }
 
 /// Weights are searched as `rigs/<base>/<weights_file>`, never beside the skeleton.

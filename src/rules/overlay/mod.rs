@@ -47,7 +47,8 @@ fn in_other_layer<'s, 'a>(
     base: &'s Base<'a>,
 ) -> impl Iterator<Item = &'s Reference<'a>> {
     let references = repository.references_of(base);
-    references.filter(|reference| matches!(reference.resolution, Resolution::OtherLayer(_)))
+    references
+        .filter(|reference| reference.kind.is_target() && matches!(reference.resolution, Resolution::OtherLayer(_)))
 }
 
 /// What is known of the system's target folder of a base.

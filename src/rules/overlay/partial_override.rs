@@ -1,9 +1,7 @@
 //! An override that lacks the files it needs beside it.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{
-    Override, SystemFolder, counted, has_broken_override, in_other_layer, overrides, system_folder, user_sliders,
-};
+use super::{SystemFolder, counted, has_broken_override, in_other_layer, overrides, system_folder, user_sliders};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::repo::{Base, FileFacts, Repository};
 
@@ -15,8 +13,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
             sliders load the system's targets, and targets beside them are never read; if the system has no such base, \
             the program stops at start, because it wants to write an archive into a folder that is not there. Such a base \
             needs a macro.json even without macros: `{\"components\": {}, \"macrodef\": []}`. Without modelling.json the \
-            system's sliders look for their targets in contarget. Without target_cat.json (and none of the system) no \
-            slider can be reached.\n\nAdd the missing files. Where all names resolve in spite of the gap nothing is wrong \
+            system's sliders look for their targets in contarget.\n\nAdd the missing files. Where all names resolve in spite of the gap nothing is wrong \
             today, so that is an info.",
         ..RuleInfo::new("overlay-partial-override", Level::Warning, "an override without the files it needs beside it")
     },
@@ -41,7 +38,6 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
         (false, false, false) => user_targets_alone(base, system),
         (true, true, _) => None,
     };
-    let found = found.or_else(|| sliders.file.zip(without_categories(base, &sliders, system)));
     if let Some((file, (level, message, effect, help))) = found {
         let finding = RULE.at(file, Place::File, message).key(base.name).level(level);
         out.push(finding.breaks(Application::Makehuman2, effect).help(help));
@@ -115,16 +111,4 @@ fn user_targets_alone<'a>(base: &Base<'a>, system: SystemFolder) -> Option<(&'a 
     let effect = "stops at start (FileNotFoundError): it wants to write an archive into the system's folder";
     let help = "add a macro.json to contarget; without macros write `{\"components\": {}, \"macrodef\": []}`";
     dead.then_some((file, (Level::Error, message, effect, help)))
-}
-
-fn without_categories(base: &Base<'_>, sliders: &Override<'_>, system: SystemFolder) -> Option<Gap> {
-    let none = sliders.active && base.categories.winner().is_none() && !base.categories.is_broken();
-    let message = "no target_cat.json beside it nor in the system data: its sliders belong to no category".to_owned();
-    let help = "add a target_cat.json with the groups of the sliders";
-    (none && system != SystemFolder::Unknown).then_some((
-        Level::Warning,
-        message,
-        "shows no category but `User`; the sliders cannot be reached",
-        help,
-    ))
 }
