@@ -9,7 +9,7 @@ use serde::Serialize;
 
 use super::json_file::JsonFault;
 use crate::diag::Evidence;
-use crate::json::{Reader, SyntaxFault};
+use crate::json::{Duplicate, Reader, SyntaxFault};
 use crate::source::Encoding;
 
 /// Entries whose normalised weight is not above this are dropped by the loaders.
@@ -255,7 +255,8 @@ fn keep_last_of_equal_bones(weights: &mut Weights) {
     for (index, bone) in weights.bones.iter().enumerate() {
         if let Some(lost) = last.insert(bone.name.clone(), index) {
             let pointer = format!("/weights/{}", bone.name.replace('~', "~0").replace('/', "~1"));
-            weights.facts.json.duplicates.push((pointer, lost..lost, index..index));
+            let duplicate = Duplicate { pointer, lost: lost..lost, kept: index..index, equal: false };
+            weights.facts.json.duplicates.push(duplicate);
         }
     }
     if last.len() < weights.bones.len() {

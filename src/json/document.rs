@@ -2,6 +2,8 @@
 
 use std::ops::Range;
 
+use serde::Serialize;
+
 use super::reader::{Reader, SyntaxFault};
 
 /// A parsed text.
@@ -16,7 +18,7 @@ pub struct Document {
 }
 
 /// A key given twice; the earlier value is lost.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Duplicate {
     /// Pointer to the member.
     pub pointer: String,
@@ -24,6 +26,8 @@ pub struct Duplicate {
     pub lost: Range<usize>,
     /// Span of the key that wins.
     pub kept: Range<usize>,
+    /// Whether both values are the same, so that nothing is lost.
+    pub equal: bool,
 }
 
 /// A value and where it stands.
@@ -172,6 +176,18 @@ impl Node {
         }
     }
 
+    /// Whether both hold the same, wherever they stand.
+    fn is_same(&self, other: &Self) -> bool {
+        match (&self.value, &other.value) {
+            (Value::Array(a), Value::Array(b)) => a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.is_same(b)),
+            (Value::Object(a), Value::Object(b)) => {
+                let same = |(a, b): (&Member, &Member)| a.key == b.key && a.node.is_same(&b.node);
+                a.len() == b.len() && a.iter().zip(b).all(same)
+            }
+            (a, b) => a == b,
+        }
+    }
+
     fn step(&self, step: &str) -> Option<&Self> {
         match &self.value {
             Value::Object(_) => self.get(step),
@@ -253,6 +269,7 @@ impl Builder<'_> {
                     pointer: self.pointer.clone(),
                     lost: lost.key_span.clone(),
                     kept: member.key_span.clone(),
+                    equal: lost.node.is_same(&member.node),
                 });
                 self.pointer.truncate(length);
             }
@@ -284,7 +301,9 @@ mod tests {
         let document = parse(br#"{"a": {"b": 1, "c": 2, "b": 3}}"#).unwrap();
         assert_eq!(document.at("/a/b").unwrap().as_i64(), Some(3));
         assert_eq!(document.duplicates.len(), 1);
-        assert_eq!(document.duplicates[0].pointer, "/a/b");
+        assert_eq!((document.duplicates[0].pointer.as_str(), document.duplicates[0].equal), ("/a/b", false));
+        let twins = parse(br#"{"a": [{"b": 1}], "a":[{"b":1}]}"#).unwrap();
+        assert!(twins.duplicates[0].equal);
         let keys: Vec<_> = document.root.get("a").unwrap().effective_members().iter().map(|m| &m.key).collect();
         assert_eq!(keys, ["b", "c"]);
     }

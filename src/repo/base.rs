@@ -15,6 +15,8 @@ use crate::formats::target_cat::TargetCategories;
 pub struct Base<'a> {
     /// Name of its folders.
     pub name: &'a str,
+    /// Whether system data is at hand; without, names may lead to files that only it has.
+    pub has_system: bool,
     /// `base.json`, user before system; the model only if it could be read.
     pub base_json: Option<(&'a FileFacts, Option<&'a BaseJson>)>,
     /// `base.obj`, user before system.
@@ -32,8 +34,10 @@ pub struct Base<'a> {
     /// Where targets and their icons come from: the layer whose `macro.json` won. `None` when that would
     /// be the system's folder and no system data was given.
     pub targets: Option<TargetFolder<'a>>,
-    /// Where entries with a `user` key come from.
+    /// The user's additional targets. `None` if one root plays both parts: its targets are the system's.
     pub user_targets: Option<TargetFolder<'a>>,
+    /// Where entries with a `user` key come from, in one root as well.
+    entry_targets: Option<TargetFolder<'a>>,
     /// The folder that lost, if there is one.
     pub other_targets: Option<TargetFolder<'a>>,
     /// All sliders as the application sees them.
@@ -53,6 +57,16 @@ pub(super) struct Layers<'a> {
     pub(super) user_target: Option<&'a Layer>,
 }
 
+impl Layers<'_> {
+    /// A single root that does not hold a base is a user's folder as far as that base goes: the system's
+    /// part of it is elsewhere.
+    fn of_base(self, name: &str) -> Self {
+        let one_root = is_same(self.user, self.system) && self.user_target.is_none();
+        let elsewhere = self.user.is_some_and(|root| root.below(&format!("base/{name}")).next().is_none());
+        if one_root && elsewhere { Self { system: None, user_target: self.user, ..self } } else { self }
+    }
+}
+
 /// Names of all bases in the layers.
 pub(super) fn base_names<'a>(layers: Layers<'a>) -> BTreeSet<&'a str> {
     let files = [layers.system, layers.user].into_iter().flatten().flat_map(|layer| layer.files.values());
@@ -64,6 +78,7 @@ pub(super) fn base_names<'a>(layers: Layers<'a>) -> BTreeSet<&'a str> {
 
 /// Resolves one base.
 pub(super) fn resolve<'a>(name: &'a str, layers: Layers<'a>) -> Base<'a> {
+    let layers = layers.of_base(name);
     let Layers { system, user, user_target } = layers;
     let first = |rel: String| [user, system].into_iter().flatten().find_map(|layer| layer.file(&rel));
     let base_json = first(format!("base/{name}/base.json")).map(|file| (file, model_of_base(file)));
@@ -91,6 +106,7 @@ pub(super) fn resolve<'a>(name: &'a str, layers: Layers<'a>) -> Base<'a> {
     };
     Base {
         name,
+        has_system: system.is_some(),
         base_json,
         mesh: first(format!("base/{name}/base.obj")).and_then(|file| Some((file, file.mesh()?))),
         macros,
@@ -100,6 +116,7 @@ pub(super) fn resolve<'a>(name: &'a str, layers: Layers<'a>) -> Base<'a> {
         user_categories,
         targets,
         user_targets: user_target.map(|layer| TargetFolder { layer, folder: "target", base: name }),
+        entry_targets: user.map(|layer| TargetFolder { layer, folder: "target", base: name }),
         other_targets,
         sliders,
         skeletons: rigs(Kind::Skeleton),
@@ -170,7 +187,7 @@ impl<'a> Base<'a> {
 
     /// The folder a slider's targets come from.
     pub fn folder_of(&self, slider: &BoundSlider<'_>) -> Option<TargetFolder<'a>> {
-        if slider.slider.user { self.user_targets } else { self.targets }
+        if slider.slider.user { self.entry_targets } else { self.targets }
     }
 
     /// The macro file in use.

@@ -116,8 +116,11 @@ fn slider_references<'a>(base: &Base<'a>, bound: &BoundSlider<'a>, out: &mut Vec
     ];
     for (kind, member, text) in named {
         let Some(text) = text else { continue };
-        let (rel, resolution) =
-            if kind == ReferenceKind::Icon { resolve_icon(folder, text) } else { resolve_target(base, folder, text) };
+        let (rel, resolution) = if kind == ReferenceKind::Icon {
+            resolve_icon(base, folder, text)
+        } else {
+            resolve_target(base, folder, text)
+        };
         out.push(Reference {
             kind,
             base: base.name,
@@ -146,13 +149,16 @@ fn resolve_target<'a>(base: &Base<'a>, folder: Option<TargetFolder<'a>>, name: &
     (rel, archive.map(Resolution::Found).or_else(other).unwrap_or(found))
 }
 
-fn resolve_icon<'a>(folder: Option<TargetFolder<'a>>, name: &str) -> (String, Resolution<'a>) {
+fn resolve_icon<'a>(base: &Base<'a>, folder: Option<TargetFolder<'a>>, name: &str) -> (String, Resolution<'a>) {
     let Some(folder) = folder else {
         return (format!("icons/{name}"), Resolution::NeedsSystem);
     };
     let rel = format!("{}/icons/{name}", folder.rel());
-    let resolution = resolve(&[folder.layer], name, &rel);
-    (rel, resolution)
+    let other = base.other_targets.and_then(|other| other.layer.file(&format!("{}/icons/{name}", other.rel())));
+    match (resolve(&[folder.layer], name, &rel), other) {
+        (Resolution::Missing, Some(file)) => (rel, Resolution::OtherLayer(file)),
+        (found, _) => (rel, found),
+    }
 }
 
 /// Weights are searched as `rigs/<base>/<weights_file>`, never beside the skeleton.
@@ -171,7 +177,7 @@ fn skeleton_references<'a>(repository: &Repository<'a>, base: &Base<'a>, out: &m
             text,
             owner: from.stem(),
             rel: format!("rigs/{}/{text}", base.name),
-            resolution: resolve_layered(repository, text, &format!("rigs/{}/{text}", base.name)),
+            resolution: resolve_layered(repository, base, text, &format!("rigs/{}/{text}", base.name)),
         });
     }
 }
@@ -192,16 +198,16 @@ fn base_references<'a>(repository: &Repository<'a>, base: &Base<'a>, out: &mut V
             place: Place::pointer([member]),
             text,
             owner: member,
-            resolution: resolve_layered(repository, text, &rel),
+            resolution: resolve_layered(repository, base, text, &rel),
             rel,
         });
     }
 }
 
-fn resolve_layered<'a>(repository: &Repository<'a>, text: &str, rel: &str) -> Resolution<'a> {
+fn resolve_layered<'a>(repository: &Repository<'a>, base: &Base<'a>, text: &str, rel: &str) -> Resolution<'a> {
     let layers: Vec<&Layer> = repository.strongest_first().collect();
     match resolve(&layers, text, rel) {
-        Resolution::Missing if repository.system.is_none() => Resolution::NeedsSystem,
+        Resolution::Missing if !base.has_system => Resolution::NeedsSystem,
         found => found,
     }
 }

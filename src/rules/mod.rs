@@ -4,7 +4,9 @@
 
 mod archive;
 mod file;
+mod json;
 mod macros;
+mod overlay;
 mod rule;
 mod target;
 
@@ -30,7 +32,19 @@ pub(crate) static RULES: &[&Rule] = &[
     &file::unportable_name::RULE,
     &file::unreadable::RULE,
     &file::unreferenced::RULE,
+    &json::duplicate_key::RULE,
+    &json::schema::RULE,
+    &json::syntax::RULE,
+    &json::too_deep::RULE,
+    &json::unknown_key::RULE,
     &macros::steps_length::RULE,
+    &overlay::broken_override::RULE,
+    &overlay::needs_system::RULE,
+    &overlay::partial_override::RULE,
+    &overlay::shadowed::RULE,
+    &overlay::targets_not_in_layer::RULE,
+    &overlay::user_key_clash::RULE,
+    &overlay::user_target_too_deep::RULE,
     &target::basemesh_mismatch::RULE,
     &target::breaks_start::RULE,
     &target::duplicate_vertex::RULE,
