@@ -71,7 +71,8 @@ fn reads(macros: &MacroFile, macrodef: &Macrodef, names: &[String]) -> bool {
 fn is_unsure(base: &Base<'_>, macros: &MacroFile, macrodef: &Macrodef) -> bool {
     macrodef.components.iter().any(|name| {
         let component = macros.components.iter().find(|component| component.name == *name);
-        component.is_none_or(|component| !unknown_patterns(base, component).is_empty())
+        component
+            .is_none_or(|component| patterns(component).is_empty() || !unknown_patterns(base, component).is_empty())
     })
 }
 

@@ -47,6 +47,9 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
         if space.axes.iter().any(|axis| !unknown_patterns(base, axis).is_empty()) {
             continue;
         }
+        if macrodef.links.iter().any(|link| space.spellings(&link.name) > 1) {
+            continue; // Which combinations are listed is open: `macro-ambiguous-value`.
+        }
         let listing = Listing::of(&space, macrodef);
         let lost = listing.strangers.iter().filter(|stranger| stranger.intended.is_none()).count();
         if lost > listing.found.len() {
@@ -55,22 +58,27 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
         if is_walkable(&space.sizes()) {
             let [system, holes] = absences(base, &space, &listing);
             let is_hole = holes.count <= listing.found.len();
-            out.extend(finding(file, macrodef, &space, &holes, is_hole));
-            out.extend(finding(file, macrodef, &space, &system, false));
+            out.extend(finding(file, macrodef, &space, &holes, if is_hole { Kind::Hole } else { Kind::Sparse }));
+            out.extend(finding(file, macrodef, &space, &system, Kind::System));
         } else {
             out.extend(uncounted(file, macrodef, &space, listing.found.len()));
         }
     }
 }
 
+/// How combinations are absent.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    /// In a block that is listed otherwise.
+    Hole,
+    /// In a table that lists fewer than half of its block.
+    Sparse,
+    /// By a system.
+    System,
+}
+
 /// A finding on absent combinations of one kind, if there are any.
-fn finding(
-    file: &FileFacts,
-    macrodef: &Macrodef,
-    space: &Space<'_>,
-    absence: &Absence,
-    is_hole: bool,
-) -> Option<Finding> {
+fn finding(file: &FileFacts, macrodef: &Macrodef, space: &Space<'_>, absence: &Absence, kind: Kind) -> Option<Finding> {
     let total = space.size()?;
     let count = absence.count;
     let (first, size) = absence.patterns.first()?;
@@ -82,16 +90,23 @@ fn finding(
     if absence.patterns.len() > SHOWN {
         shown = format!("{shown} and {} patterns more", absence.patterns.len() - SHOWN);
     }
-    let message = match (is_hole, *size, count) {
-        (true, 1, 1) => format!("`{first}` is not listed, a hole in a block that is listed otherwise"),
-        (true, ..) => format!("{count} of {total} combinations are holes in a block that is listed otherwise: {shown}"),
-        (false, ..) => format!("{count} of {total} combinations are left out systematically: {shown}"),
+    let message = match (kind, *size, count) {
+        (Kind::Hole, 1, 1) => format!("`{first}` is not listed, a hole in a block that is listed otherwise"),
+        (Kind::Hole, ..) => {
+            format!("{count} of {total} combinations are holes in a block that is listed otherwise: {shown}")
+        }
+        (Kind::System, ..) => format!("{count} of {total} combinations are left out systematically: {shown}"),
+        (Kind::Sparse, ..) => format!("{count} of {total} combinations are left out, more than are listed: {shown}"),
     };
     let mut evidence = Evidence { count: count as u64, ..Evidence::default() }.out_of(total);
     evidence.examples = absence.patterns.iter().take(SHOWN).map(|(text, _)| text.clone()).collect();
-    let kind = if is_hole { "holes" } else { "system" };
-    let finding = RULE.at(file, place(macrodef), message).key(format!("{}/{kind}", macrodef.components.join("-")));
-    let finding = if is_hole {
+    let word = match kind {
+        Kind::Hole => "holes",
+        Kind::Sparse => "sparse",
+        Kind::System => "system",
+    };
+    let finding = RULE.at(file, place(macrodef), message).key(format!("{}/{word}", macrodef.components.join("-")));
+    let finding = if kind == Kind::Hole {
         finding.help("add the entries; write `null` for a combination that should change nothing")
     } else {
         let effect = "nothing: these combinations are meant to have no shape of their own";

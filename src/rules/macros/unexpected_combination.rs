@@ -5,7 +5,7 @@ use super::listing::{Listing, Slip, Stranger};
 use super::space::Space;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::macro_json::{MacroFile, Macrodef};
-use crate::repo::{Base, Repository};
+use crate::repo::{Base, FileFacts, Repository};
 use std::collections::BTreeMap;
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -31,6 +31,9 @@ pub(in crate::rules) static RULE: Rule = Rule {
 fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };
     for macrodef in &macros.macrodefs {
+        if macrodef.components.is_empty() {
+            out.extend(without_components(file, macrodef));
+        }
         let Some(space) = Space::of(macros, macrodef) else { continue };
         let listing = Listing::of(&space, macrodef);
         let mut groups: BTreeMap<(Option<usize>, Slip), Vec<&Stranger<'_>>> = BTreeMap::new();
@@ -57,6 +60,16 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
             out.push(finding.evidence(Evidence::of_cases(names).out_of(macrodef.links.len())));
         }
     }
+}
+
+/// Without components a definition generates the empty name alone.
+fn without_components(file: &FileFacts, macrodef: &Macrodef) -> Option<Finding> {
+    let names = || macrodef.links.iter().map(|link| &link.name).filter(|name| !name.is_empty());
+    let first = names().next().filter(|_| file.schema.faults.is_empty())?;
+    let place = Place::pointer(["macrodef", &macrodef.index.to_string()]);
+    let message = format!("`comp` is empty: `{first}` can never be reached ({} names)", names().count());
+    let finding = RULE.at(file, place, message).key(macrodef.effective_folder.clone().unwrap_or_default());
+    Some(finding.help("list the components of the names in `comp`").evidence(Evidence::of_cases(names())))
 }
 
 /// Another definition that generates the name.
