@@ -46,6 +46,7 @@ impl<'s> MacroLink<'s> {
 }
 
 /// Whether `t` ends in a suffix that the loader adds itself, or never reads.
+#[expect(clippy::case_sensitive_file_extension_comparisons, reason = "the application compares so")]
 pub(super) fn has_suffix(text: &str) -> bool {
     text.is_empty() || text.ends_with(".target") || text.ends_with(".gz")
 }

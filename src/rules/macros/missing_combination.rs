@@ -50,7 +50,10 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
         if macrodef.links.iter().any(|link| space.spellings(&link.name) > 1) {
             continue; // Which combinations are listed is open: `macro-ambiguous-value`.
         }
-        let listing = Listing::of(&space, macrodef);
+        let mut listing = Listing::of(&space, macrodef);
+        // One table holds all names: what another definition lists is found for this one too.
+        let elsewhere = macros.macrodefs.iter().filter(|other| other.index != macrodef.index);
+        listing.claimed.extend(elsewhere.flat_map(|other| &other.links).filter_map(|link| space.parse(&link.name)));
         let lost = listing.strangers.iter().filter(|stranger| stranger.intended.is_none()).count();
         if lost > listing.found.len() {
             continue; // The names are for other components: `macro-unexpected-combination`.
@@ -94,6 +97,11 @@ fn finding(file: &FileFacts, macrodef: &Macrodef, space: &Space<'_>, absence: &A
         (Kind::Hole, 1, 1) => format!("`{first}` is not listed, a hole in a block that is listed otherwise"),
         (Kind::Hole, ..) => {
             format!("{count} of {total} combinations are holes in a block that is listed otherwise: {shown}")
+        }
+        (Kind::System, 1, 1) => {
+            format!(
+                "`{first}` is not listed, a hole without effect: the state is neutral, or all its siblings are null"
+            )
         }
         (Kind::System, ..) => format!("{count} of {total} combinations are left out systematically: {shown}"),
         (Kind::Sparse, ..) => format!("{count} of {total} combinations are left out, more than are listed: {shown}"),

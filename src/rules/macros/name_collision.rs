@@ -33,7 +33,7 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
     let tables: Vec<Table<'_>> = macros.macrodefs.iter().filter_map(table).collect();
     for (at, a) in tables.iter().enumerate() {
         for b in tables.iter().skip(at + 1).filter(|b| may_share(a, b)) {
-            let both: Vec<&Link> = a.links.iter().filter_map(|(name, _)| b.links.get(name).copied()).collect();
+            let both: Vec<&Link> = a.links.keys().filter_map(|name| b.links.get(name).copied()).collect();
             let differ =
                 both.iter().any(|link| path(a, a.links.get(link.name.as_str()).copied()) != path(b, Some(link)));
             report(file, (a, b), &both, if differ { Level::Error } else { Level::Warning }, out);

@@ -37,8 +37,8 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
         let (message, help) = if text.is_empty() {
             (format!("`t` of `{}` is empty{more}", first.name), "write `null` where nothing should change".to_owned())
         } else {
-            let bare = text.trim_end_matches(".gz").trim_end_matches(".target");
-            (format!("`{text}` ends in a suffix{more}"), format!("write `{bare}`"))
+            let without = text.trim_end_matches(".gz").trim_end_matches(".target");
+            (format!("`{text}` ends in a suffix{more}"), format!("write `{without}`"))
         };
         let finding = RULE.at(file, Place::Pointer(macrodef.link_pointer(first, "t")), message).help(help);
         let evidence = Evidence::of_cases(wrong.iter().map(|link| &link.name)).out_of(macrodef.links.len());

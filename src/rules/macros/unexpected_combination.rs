@@ -45,7 +45,11 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
             let Some(first) = strangers.first() else { continue };
             let more =
                 if strangers.len() > 1 { format!(" ({} names like it)", strangers.len()) } else { String::new() };
-            let message = format!("`{}` {}{more}", first.link.name, reason(&space, &slip));
+            let reason = match home.and_then(|home| macros.macrodefs.get(home)) {
+                Some(home) => format!("is a combination of macrodef `{}`", home.components.join("-")),
+                None => reason(&space, &slip),
+            };
+            let message = format!("`{}` {reason}{more}", first.link.name);
             let place = Place::Pointer(macrodef.link_pointer(first.link, "name"));
             let mut finding = RULE.at(file, place, message).key(format!("{}/{slip:?}", macrodef.components.join("-")));
             finding = finding.help(match &first.intended {
@@ -54,6 +58,7 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
             });
             if home.is_some() {
                 let effect = "finds the name for another macrodef, in the folder of this one";
+                finding.help = Some("move the entry there, and check its folder".to_owned());
                 finding = finding.level(Level::Info).breaks(Application::Makehuman2, effect);
             }
             let names = strangers.iter().map(|stranger| &stranger.link.name);

@@ -22,6 +22,9 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
     // An unknown component that is a slip of the pen for this one is the cause, and `macro-unknown-component` names it.
     let misspelt =
         |name: &str| used().any(|other| !known().any(|k| k == other) && nearest(other, known()) == Some(name));
+    if macros.macrodefs.iter().any(|macrodef| macrodef.components.is_empty()) {
+        return; // `macro-unexpected-combination`: what belongs into the empty `comp` is open.
+    }
     for component in &macros.components {
         let name = component.name.as_str();
         if !used().any(|other| other == name) && !misspelt(name) {
