@@ -190,6 +190,15 @@ impl<'a> Base<'a> {
         if slider.slider.user { self.entry_targets } else { self.targets }
     }
 
+    /// Whether a target lies in a folder that a macro definition names.
+    pub fn is_in_macro_folder(&self, file: &FileFacts) -> bool {
+        let Some(name) = self.targets.as_ref().and_then(|folder| folder.name_of(file)) else { return false };
+        let macrodefs = self.macro_file().map(|(_, macros)| macros.macrodefs.as_slice()).unwrap_or_default();
+        let folders = macrodefs.iter().filter_map(|macrodef| macrodef.effective_folder.as_deref());
+        let mut folders = folders.map(|folder| folder.trim_matches('/')).filter(|folder| !folder.is_empty());
+        folders.any(|folder| name.strip_prefix(folder).is_some_and(|rest| rest.starts_with('/')))
+    }
+
     /// The macro file in use.
     pub fn macro_file(&self) -> Option<(&'a FileFacts, &'a MacroFile)> {
         self.macros.winner()
