@@ -5,7 +5,9 @@
 #![warn(clippy::indexing_slicing)]
 
 pub mod base_json;
+pub mod expression;
 mod fields;
+pub mod format_text;
 pub mod geometry;
 pub mod json_file;
 pub mod macro_json;
