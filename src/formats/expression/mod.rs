@@ -69,7 +69,7 @@ mod tests {
             "round(1 + val / (0.5 /24)) if val < .5 else round(25 + (val-0.5) / (0.5 /65))",
             "round(val*100, 2)",
             "  - val ** 2 // 1_000 % 0x1f\n",
-            "r'\\' 'b' \"\"\"c\n\"\"\" + u'\\x41'",
+            "r'\\d' 'b' \"\"\"c\n\"\"\" + u'\\x41'",
             "not val < 1 and True or 2 ** val > 1",
             "(val # comment\n + 1)",
             "1if val else 2.",

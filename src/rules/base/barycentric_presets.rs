@@ -26,7 +26,8 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
         let Pattern::Barycentric(corners) = &bound.pattern else { continue };
         let value = |corner: &String| settings.presets.iter().find(|(name, _)| name == corner)?.1;
         let values: Option<Vec<f64>> = corners.iter().map(value).collect();
-        let Some(values) = values.filter(|values| !values.is_empty()) else { continue };
+        // Another number of corners is a finding of its own.
+        let Some(values) = values.filter(|values| values.len() == 3) else { continue };
         let sum: f64 = values.iter().sum();
         // Written so that a sum that is no number is reported.
         if (sum - 1.0).abs() <= TOLERANCE {

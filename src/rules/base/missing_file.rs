@@ -75,7 +75,8 @@ fn unnamed(repository: &Repository<'_>, base: &Base<'_>) -> Option<Finding> {
             let finding = RULE.in_layer(judged, &format!("{folder}/base.json"), message).key("base.json");
             Some(finding.help(near_miss(judged, &folder, "base.json")))
         }
-        (false, false) => orphan(judged, base),
+        // One root with `contarget/` may be a user's folder whose system data was not given.
+        (false, false) if !repository.is_one_root() => orphan(judged, base),
         _ => None,
     }
 }

@@ -3,6 +3,7 @@
 pub(super) mod barycentric_presets;
 pub(super) mod geometry_range;
 pub(super) mod missing_file;
+mod names;
 pub(super) mod unknown_equipment;
 pub(super) mod unknown_preset;
 pub(super) mod unsafe_rule;

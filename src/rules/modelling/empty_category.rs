@@ -21,11 +21,14 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Base(run),
 };
 
-fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let (Some((file, model)), Some(groups)) = (base.categories.winner(), groups::of(base)) else { return };
     for category in &model.categories {
         if category.name == USER_CATEGORY {
-            out.push(replaced(file, base, &groups));
+            // One root may be a user's folder; the file is then the generated one.
+            if !repository.is_one_root() {
+                out.push(replaced(file, base, &groups));
+            }
         } else if category.items.is_empty() {
             let message = format!("category `{}` has no items", category.name);
             let help = "add items, or remove the category";
@@ -44,10 +47,9 @@ fn empty_items(
     out: &mut Vec<Finding>,
 ) {
     let used: BTreeSet<&str> = base.sliders.iter().filter_map(|slider| slider.slider.group.as_deref()).collect();
-    let meant: BTreeSet<&str> = groups.unknown.keys().filter_map(|group| groups.meant(group)).collect();
     for (index, item) in category.items.iter().enumerate() {
         let Some(group) = category.group_of(item) else { continue };
-        if used.contains(group.as_str()) || meant.contains(group.as_str()) {
+        if used.contains(group.as_str()) || groups.is_excused(&group) {
             continue;
         }
         let message = format!("no slider has the group `{group}`");

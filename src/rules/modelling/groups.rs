@@ -52,4 +52,12 @@ impl Groups<'_, '_> {
     pub(super) fn meant(&self, group: &str) -> Option<&str> {
         nearest(group, self.offered.iter().map(String::as_str))
     }
+
+    /// Whether an empty item was probably meant for a slider whose group is reported.
+    pub(super) fn is_excused(&self, offered: &str) -> bool {
+        let category = |group: &str| group.split('|').next().unwrap_or_default().to_owned();
+        let mut unknown = self.unknown.keys();
+        unknown
+            .any(|group| self.meant(group) == Some(offered) || group.is_empty() || category(group) == category(offered))
+    }
 }

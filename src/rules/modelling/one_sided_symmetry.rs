@@ -71,8 +71,11 @@ fn judge(
         return Some((format!("`{own}` has the partner `{other}`, which has none"), help));
     };
     if !names.iter().any(|name| name == back.partner) {
-        // A name that leads nowhere is reported with the partner.
-        base.slider(back.partner)?;
+        // A name that leads nowhere, or to a third slider that does not point back, is the partner's finding.
+        let third = base.slider(back.partner).and_then(Link::of)?;
+        if !partner.pattern.names().iter().any(|name| name == third.partner) {
+            return None;
+        }
         let help = format!("write `\"{}\": \"{pattern}\"` in `{other}`, or correct the partner here", link.back());
         return Some((format!("`{own}` has the partner `{other}`, whose partner is `{}`", back.partner), help));
     }

@@ -85,7 +85,7 @@ fn no_categories(repository: &Repository<'_>, base: &Base<'_>, out: &mut Vec<Fin
     let absent = [base.categories.contarget.file(), base.categories.system.file()].iter().all(Option::is_none);
     let Some((file, modelling)) = base.modelling.winner() else { return };
     // Only system data can prove that there is none.
-    if !absent || repository.system.is_none() || modelling.sliders.is_empty() {
+    if !absent || repository.system.is_none() || repository.is_one_root() || modelling.sliders.is_empty() {
         return;
     }
     let message = format!("there is no target_cat.json: none of {} sliders is shown", modelling.sliders.len());
