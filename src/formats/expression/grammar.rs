@@ -23,6 +23,7 @@ const KEYWORDS: [&str; 30] = [
 
 /// What is known of a part of the expression.
 #[derive(Debug, Clone, Copy, Default)]
+#[expect(clippy::struct_excessive_bools, reason = "independent facts of one operand")]
 struct Operand {
     /// Can be a number.
     number: bool,

@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Finding, Level, RuleInfo, nearest};
-use crate::repo::{Base, Layer, Reference, ReferenceKind, Repository, Resolution};
+use crate::repo::{Base, FileFacts, Layer, Reference, ReferenceKind, Repository, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -42,7 +42,7 @@ fn named(repository: &Repository<'_>, base: &Base<'_>, reference: &Reference<'_>
     let folder = format!("{folder}/{}", base.name);
     let layers: Vec<&Layer> = repository.strongest_first().collect();
     let files = layers.iter().flat_map(|layer| layer.below(&folder));
-    let names: Vec<&str> = files.map(|file| file.file_name()).filter(|name| name.ends_with(extension)).collect();
+    let names: Vec<&str> = files.map(FileFacts::file_name).filter(|name| name.ends_with(extension)).collect();
     let help = match nearest(reference.text, names.iter().copied()).or_else(|| names.first().copied()) {
         Some(near) => format!("did you mean `{near}`?"),
         None => format!("add the file to `{folder}`, or remove the key"),
@@ -64,7 +64,6 @@ fn unnamed(repository: &Repository<'_>, base: &Base<'_>) -> Option<Finding> {
     let (settings, mesh) = (exists("base.json"), exists("base.obj") || exists("base.mhbin"));
     let has_base = judged.below(&folder).next().is_some();
     match (settings, mesh) {
-        (true, true) => None,
         (true, false) if has_base => {
             let message = format!("the base `{}` has no mesh: neither base.obj nor base.mhbin", base.name);
             let finding = RULE.in_layer(judged, &format!("{folder}/base.json"), message).key("mesh");

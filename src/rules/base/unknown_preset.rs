@@ -91,8 +91,9 @@ fn randomizer(file: &FileFacts, names: &Names<'_, '_>, random: &Random, out: &mu
     }
     for (at, (group, selected)) in random.groups.iter().enumerate() {
         let earlier = random.groups.iter().take(at);
-        let whole = earlier.filter(|(other, _)| group.split_once('|').is_some_and(|(category, _)| category == other));
-        match whole.last() {
+        let mut whole =
+            earlier.filter(|(other, _)| group.split_once('|').is_some_and(|(category, _)| category == other));
+        match whole.next_back() {
             Some((category, also)) => out.push(nested(file, group, category, *selected && *also)),
             None => out.extend(random_group(file, names, group)),
         }

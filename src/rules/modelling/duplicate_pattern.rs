@@ -30,8 +30,8 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
         }
     }
     for (pattern, sliders) in by_pattern {
-        let [lost @ .., last] = sliders.as_slice() else { continue };
-        let Some(first) = lost.first() else { continue };
+        let [hidden @ .., last] = sliders.as_slice() else { continue };
+        let Some(first) = hidden.first() else { continue };
         let (key, winner) = (first.slider.key.as_str(), last.slider.key.as_str());
         let message = if std::ptr::eq(*first, *last) {
             format!("`{key}` has the pattern `{pattern}` twice")
@@ -42,7 +42,7 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
             .at(last.file, Place::key([winner]), message)
             .key(pattern)
             .help("remove one of the entries, or give it targets of its own");
-        for other in lost.iter().filter(|other| !std::ptr::eq(**other, *last)) {
+        for other in hidden.iter().filter(|other| !std::ptr::eq(**other, *last)) {
             let place = Place::key([&other.slider.key]);
             finding = finding.related(other.file.path.clone(), place, "cannot be saved or loaded");
         }

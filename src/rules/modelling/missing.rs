@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::diag::nearest;
-use crate::repo::{Base, Reference, ReferenceKind, Repository, Resolution};
+use crate::repo::{Base, FileFacts, Reference, ReferenceKind, Repository, Resolution};
 
 /// Missing files that have one cause.
 pub(super) struct Group<'r, 'a> {
@@ -58,6 +58,6 @@ pub(super) fn neighbour(repository: &Repository<'_>, reference: &Reference<'_>) 
     let wanted = reference.rel.rsplit('/').next().unwrap_or_default();
     let layers: Vec<_> = repository.strongest_first().collect();
     let files = layers.iter().flat_map(|layer| layer.below(&folder));
-    let names = files.map(|file| file.file_name()).filter(|name| !name.ends_with(".json"));
+    let names = files.filter(|file| !file.kind.is_json()).map(FileFacts::file_name);
     nearest(wanted, names).map(str::to_owned)
 }

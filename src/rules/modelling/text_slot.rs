@@ -38,12 +38,14 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
         }
     }
     for (slot, sliders) in by_slot {
-        let [.., lost, last] = sliders.as_slice() else { continue };
-        let (key, winner) = (lost.slider.key.as_str(), last.slider.key.as_str());
+        let [.., hidden, last] = sliders.as_slice() else { continue };
+        let (key, winner) = (hidden.slider.key.as_str(), last.slider.key.as_str());
         let message = format!("`{key}` and `{winner}` both write to line {slot} of the status area");
         let finding = RULE.at(last.file, place(last), message).key(format!("slot {slot}"));
         out.push(
-            finding.related(lost.file.path.clone(), place(lost), "is not shown").help("give each a line of its own"),
+            finding
+                .related(hidden.file.path.clone(), place(hidden), "is not shown")
+                .help("give each a line of its own"),
         );
     }
 }
