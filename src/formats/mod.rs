@@ -6,7 +6,9 @@
 
 pub mod base_json;
 mod content_hash;
+pub mod expression;
 mod fields;
+pub mod format_text;
 pub mod geometry;
 pub mod json_file;
 pub mod macro_json;

@@ -54,6 +54,8 @@ pub struct Group {
     pub line: u32,
     /// Faces the application puts into it.
     pub faces: usize,
+    /// First and last vertex of these faces.
+    pub vertices: Option<(u32, u32)>,
 }
 
 /// Facts on a mesh file.
@@ -189,7 +191,7 @@ impl Parser {
     fn open(&mut self, name: String, line: u32) -> u32 {
         let index = u32::try_from(self.mesh.groups.len()).unwrap_or(u32::MAX);
         self.by_name.insert(name.clone(), index);
-        self.mesh.groups.push(Group { name, line, faces: 0 });
+        self.mesh.groups.push(Group { name, line, faces: 0, vertices: None });
         self.current = Some(index);
         index
     }
@@ -259,6 +261,9 @@ impl Parser {
             let run = face.start as usize..(face.start + face.len) as usize;
             let corners = self.mesh.corners.get(run.clone()).unwrap_or_default();
             let corner_uvs = self.corner_uvs.get(run).unwrap_or_default();
+            if let Some(group) = self.mesh.groups.get_mut(face.group as usize) {
+                group.vertices = widened(group.vertices, corners);
+            }
             let bad_vertex = corners.iter().find(|vertex| **vertex as usize >= vertices);
             let bad_uv = corner_uvs.iter().find(|uv| **uv != u32::MAX && **uv as usize >= uvs);
             if let Some(bad) = bad_vertex.or(bad_uv) {
@@ -317,6 +322,12 @@ impl Parser {
             _ => a == b,
         }
     }
+}
+
+fn widened(range: Option<(u32, u32)>, corners: &[u32]) -> Option<(u32, u32)> {
+    corners.iter().fold(range, |range, vertex| {
+        Some(range.map_or((*vertex, *vertex), |(first, last)| (first.min(*vertex), last.max(*vertex))))
+    })
 }
 
 fn floats<'a, const N: usize>(words: impl Iterator<Item = &'a [u8]>) -> Option<[f32; N]> {

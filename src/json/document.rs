@@ -140,6 +140,16 @@ impl Node {
         if let Value::String(text) = &self.value { Some(text) } else { None }
     }
 
+    /// Bytes in the file of a part of a string's text: exact where nothing is escaped, else the whole value.
+    pub fn span_of_text(&self, part: Range<usize>) -> Range<usize> {
+        match self.as_str() {
+            Some(text) if text.len() + 2 == self.span.len() && part.end <= text.len() => {
+                self.span.start + 1 + part.start..self.span.start + 1 + part.end
+            }
+            _ => self.span.clone(),
+        }
+    }
+
     /// The value of a number.
     pub fn as_f64(&self) -> Option<f64> {
         if let Value::Number(number, _) = self.value { Some(number) } else { None }
@@ -332,6 +342,13 @@ mod tests {
     fn escapes_become_characters() {
         let document = parse(br#""a\u00e9\ud83d\ude00\n\ud800""#).unwrap();
         assert_eq!(document.root.as_str(), Some("aé😀\n\u{fffd}"));
+    }
+
+    #[test]
+    fn a_part_of_a_text_has_its_bytes_unless_something_is_escaped() {
+        let document = parse(br#"["abc", "a\nc"]"#).unwrap();
+        let spans = document.root.elements().iter().map(|node| node.span_of_text(1..2));
+        assert_eq!(spans.collect::<Vec<_>>(), [3..4, 8..14]);
     }
 
     #[test]

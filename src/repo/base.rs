@@ -185,6 +185,11 @@ impl<'a> Base<'a> {
         self.sliders.iter().rev().find(registers)
     }
 
+    /// Whether a pattern is missing only because `target-opposites` does not declare its pair.
+    pub fn names_undeclared_pair(&self, pattern: &str) -> bool {
+        self.sliders.iter().any(|slider| slider.would_register(pattern))
+    }
+
     /// The folder a slider's targets come from.
     pub fn folder_of(&self, slider: &BoundSlider<'_>) -> Option<TargetFolder<'a>> {
         if slider.slider.user { self.entry_targets } else { self.targets }

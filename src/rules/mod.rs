@@ -3,9 +3,11 @@
 //! A rule reads facts and says what would happen. It reads no files, knows no report and no other rule.
 
 mod archive;
+mod base;
 mod file;
 mod json;
 mod macros;
+mod modelling;
 mod overlay;
 mod rule;
 mod target;
@@ -15,6 +17,13 @@ pub(crate) use rule::{Check, Rule, RuleCx};
 /// Every rule, sorted by id. A rule that is not listed here does not exist.
 pub(crate) static RULES: &[&Rule] = &[
     &archive::malformed::RULE,
+    &base::barycentric_presets::RULE,
+    &base::geometry_range::RULE,
+    &base::missing_file::RULE,
+    &base::unknown_equipment::RULE,
+    &base::unknown_preset::RULE,
+    &base::unsafe_rule::RULE,
+    &base::vertex_count::RULE,
     &file::absolute_path::RULE,
     &file::backslash_path::RULE,
     &file::byte_order_mark::RULE,
@@ -62,6 +71,24 @@ pub(crate) static RULES: &[&Rule] = &[
     &macros::unknown_pattern::RULE,
     &macros::unreferenced_target::RULE,
     &macros::unused_component::RULE,
+    &modelling::barycentric_arity::RULE,
+    &modelling::blank_in_name::RULE,
+    &modelling::decr_only::RULE,
+    &modelling::default_range::RULE,
+    &modelling::duplicate_pattern::RULE,
+    &modelling::empty_category::RULE,
+    &modelling::macro_without_influence::RULE,
+    &modelling::measure::RULE,
+    &modelling::missing_icon::RULE,
+    &modelling::missing_target::RULE,
+    &modelling::no_effect::RULE,
+    &modelling::one_sided_symmetry::RULE,
+    &modelling::opposites::RULE,
+    &modelling::text_slot::RULE,
+    &modelling::unknown_group::RULE,
+    &modelling::unknown_symmetry::RULE,
+    &modelling::unsafe_formula::RULE,
+    &modelling::user_key_collision::RULE,
     &overlay::broken_override::RULE,
     &overlay::needs_system::RULE,
     &overlay::partial_override::RULE,
