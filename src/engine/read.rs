@@ -66,7 +66,7 @@ fn fill(facts: &mut FileFacts, bytes: &[u8], limits: &Limits, mesh: Option<MeshS
             facts.content_hash = Some(parsed.facts.content);
             facts.content = Content::Target(Box::new(parsed.facts));
         }
-        Kind::BaseMesh => facts.content = Content::Mesh(Box::new(obj::parse(bytes))),
+        Kind::BaseMesh if !facts.encoding.lfs_pointer => facts.content = Content::Mesh(Box::new(obj::parse(bytes))),
         Kind::Weights => fill_weights(facts, bytes, mesh),
         kind if kind.is_json() => fill_json(facts, bytes),
         _ => facts.content_hash = Some(xxh3_64(bytes)),
@@ -116,7 +116,8 @@ pub(super) fn schema_of(kind: Kind) -> Option<&'static str> {
 fn fill_weights(facts: &mut FileFacts, bytes: &[u8], mesh: Option<MeshSize>) {
     match mhw::parse(bytes, &facts.encoding, mesh.map(|mesh| mesh.vertices)) {
         Ok(weights) => {
-            let needs_explaining = !weights.has_weights || !weights.facts.json.duplicates.is_empty();
+            let needs_explaining =
+                !weights.has_weights || weights.has_shapeless_bone || !weights.facts.json.duplicates.is_empty();
             facts.content = Content::Weights(Box::new(weights));
             if needs_explaining && let Ok(document) = json_file::parse(bytes, &facts.encoding) {
                 facts.json = JsonFacts::of(&document);

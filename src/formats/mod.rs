@@ -11,9 +11,11 @@ pub mod json_file;
 pub mod macro_json;
 pub mod mhskel;
 pub mod mhw;
+mod mhw_facts;
 pub mod modelling;
 mod number;
 pub mod obj;
+mod obj_facts;
 pub mod target;
 pub mod target_cat;
 
