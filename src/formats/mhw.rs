@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 
 use super::json_file::JsonFault;
-pub use super::mhw_facts::{PairTally, SumFacts, THRESHOLD, WeightsFacts};
+pub use super::mhw_facts::{FAR_SUMS, PairTally, SumFacts, THRESHOLD, WeightsFacts};
 use crate::json::{Reader, SyntaxFault};
 use crate::source::Encoding;
 
@@ -32,6 +32,8 @@ pub struct BoneWeights {
     pub name: String,
     /// Well-formed pairs in file order: position in the list, vertex, weight.
     pub pairs: Vec<Pair>,
+    /// Whether its value is a list.
+    pub is_list: bool,
     /// Length of the list, malformed pairs included.
     pub listed: usize,
     /// Positions of the first pairs that are not `[integer, number]`.
@@ -104,6 +106,7 @@ fn read_bones(reader: &mut Reader<'_>, weights: &mut Weights) -> Step<()> {
         let (name, _) = reader.key()?;
         let mut bone = BoneWeights { name: name.into_owned(), ..BoneWeights::default() };
         if reader.peek() == Some(b'[') {
+            bone.is_list = true;
             read_pairs(reader, &mut bone)?;
         } else {
             weights.has_shapeless_bone = true;

@@ -315,7 +315,8 @@ mod tests {
 
     #[test]
     fn second_uvs_of_a_vertex_make_seam_duplicates() {
-        let text = format!("{SQUARE}vt 0 0\nvt 0.0005 0\nvt 0.5 0\nvt 0.5 0\nf 1/1 2/1 3/1\nf 1/2 3/3 4/1\nf 1/1 3/4 4/1\n");
+        let text =
+            format!("{SQUARE}vt 0 0\nvt 0.0005 0\nvt 0.5 0\nvt 0.5 0\nf 1/1 2/1 3/1\nf 1/2 3/3 4/1\nf 1/1 3/4 4/1\n");
         assert_eq!(parse(text.as_bytes()).facts.seam_duplicates, 2);
     }
 

@@ -40,7 +40,8 @@ enum State {
 /// Follows all parents.
 pub(super) fn hierarchy(skeleton: &Skeleton) -> Hierarchy<'_> {
     let mut hierarchy = Hierarchy::default();
-    let index: BTreeMap<&str, usize> = (skeleton.bones.iter().enumerate()).map(|(at, bone)| (bone.name.as_str(), at)).collect();
+    let index: BTreeMap<&str, usize> =
+        (skeleton.bones.iter().enumerate()).map(|(at, bone)| (bone.name.as_str(), at)).collect();
     for bone in &skeleton.bones {
         match bone.parent.as_deref() {
             None if bone.is_root() => hierarchy.roots.push(&bone.name),
@@ -117,7 +118,15 @@ mod tests {
 
     #[test]
     fn rings_and_what_hangs_below_are_told_apart() {
-        let file = skeleton(&[("x", "\"a\""), ("root", "null"), ("a", "\"b\""), ("b", "\"a\""), ("y", "\"x\""), ("c", "\"root\""), ("self", "\"self\"")]);
+        let file = skeleton(&[
+            ("x", "\"a\""),
+            ("root", "null"),
+            ("a", "\"b\""),
+            ("b", "\"a\""),
+            ("y", "\"x\""),
+            ("c", "\"root\""),
+            ("self", "\"self\""),
+        ]);
         let hierarchy = hierarchy(&file);
         let rings: Vec<_> = hierarchy.rings.iter().map(|ring| (ring.bones.clone(), ring.below.clone())).collect();
         assert_eq!(rings, [(vec!["a", "b"], vec!["x", "y"]), (vec!["self"], vec![])]);

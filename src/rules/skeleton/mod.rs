@@ -92,12 +92,17 @@ impl<'a> Rig<'a> {
     /// Planes that a bone names.
     fn asked_planes(&self) -> BTreeSet<&'a str> {
         let bones = self.skeleton.bones.iter();
-        bones.filter_map(|bone| if let RotationPlane::Named(plane) = &bone.rotation_plane { Some(plane.as_str()) } else { None }).collect()
+        bones
+            .filter_map(|bone| {
+                if let RotationPlane::Named(plane) = &bone.rotation_plane { Some(plane.as_str()) } else { None }
+            })
+            .collect()
     }
 
-    /// Whether pose mode will look for the bone because the weights mention it.
-    fn is_weighted(&self, bone: &str) -> bool {
-        let mentions = |weights: &Weights| weights.bones.iter().any(|entry| entry.name == bone && entry.listed > 0);
-        self.is_pose && self.weights.is_some_and(mentions)
+    /// Bones that pose mode will look for because the weights mention them.
+    fn weighted_bones(&self) -> BTreeSet<&'a str> {
+        let bones = self.weights.filter(|_| self.is_pose).map(|weights| weights.bones.as_slice());
+        let weighted = bones.unwrap_or_default().iter().filter(|bone| bone.listed > 0);
+        weighted.map(|bone| bone.name.as_str()).collect()
     }
 }
