@@ -82,7 +82,9 @@ struct Parser {
     /// Names that were open, with their place in [`MeshFacts::reopened`].
     known: BTreeMap<String, Option<usize>>,
     current: Option<u32>,
-    reopened: Option<usize>,
+    /// Name of the last `g`, and its place in [`MeshFacts::reopened`] with 1 if faces now stray.
+    named: String,
+    reopened: Option<(usize, usize)>,
     side: Side,
 }
 
@@ -152,18 +154,20 @@ impl Parser {
 
     fn group(&mut self, name: &[u8]) {
         let name = String::from_utf8_lossy(name).into_owned();
+        if name == self.named {
+            return;
+        }
         self.reopened = None;
-        let Some(reopened) = self.known.get_mut(&name) else {
+        self.named.clone_from(&name);
+        let Some(known) = self.known.get_mut(&name) else {
             self.open(name, self.line);
             return;
         };
         let current = self.current.and_then(|group| self.mesh.groups.get(group as usize));
         let lands_in = current.map_or(DEFAULT_GROUP, |group| group.name.as_str());
-        if lands_in != name {
-            let at = self.mesh.facts.reopen(*reopened, &name, self.line, lands_in);
-            *reopened = Some(at);
-            self.reopened = Some(at);
-        }
+        let at = self.mesh.facts.reopen(*known, &name, self.line, lands_in);
+        *known = Some(at);
+        self.reopened = Some((at, usize::from(lands_in != name)));
     }
 
     fn open(&mut self, name: String, line: u32) -> u32 {
@@ -208,8 +212,11 @@ impl Parser {
         if let Some(group) = self.mesh.groups.get_mut(group as usize) {
             group.faces += 1;
         }
-        if let Some(reopened) = self.reopened.and_then(|at| self.mesh.facts.reopened.get_mut(at)) {
+        if let Some((at, strays)) = self.reopened
+            && let Some(reopened) = self.mesh.facts.reopened.get_mut(at)
+        {
             reopened.faces += 1;
+            reopened.strayed += strays;
         }
         let bounded = |value: usize| u32::try_from(value).unwrap_or(u32::MAX);
         self.side.lines.push(self.line);
@@ -287,7 +294,15 @@ mod tests {
         assert_eq!(groups, [("body", 1), ("helper", 4)]);
         let [reopened] = mesh.facts.reopened.as_slice() else { panic!("one group") };
         assert_eq!((reopened.name.as_str(), reopened.faces, reopened.line), ("body", 3, 9));
-        assert_eq!((reopened.openings, reopened.lands_in.as_slice()), (2, ["helper".to_owned()].as_slice()));
+        assert_eq!((reopened.strayed, reopened.lands_in.as_slice()), (3, ["helper".to_owned()].as_slice()));
+    }
+
+    #[test]
+    fn a_group_opened_again_may_still_be_the_current_one() {
+        let text = format!("{SQUARE}g a\nf 1 2 3\ng b\nf 1 2 3\ng a\nf 1 2 3\ng b\nf 1 2 3\n");
+        let facts = parse(text.as_bytes()).facts;
+        let reopened: Vec<_> = facts.reopened.iter().map(|r| (r.name.as_str(), r.faces, r.strayed)).collect();
+        assert_eq!(reopened, [("a", 1, 1), ("b", 1, 0)]);
     }
 
     #[test]

@@ -37,19 +37,19 @@ pub struct MeshFacts {
     pub partial_uv: Vec<PartialUv>,
 }
 
-/// A group name that was opened again while another group was open.
+/// A group name that was opened again after another one.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Reopened {
     /// The name.
     pub name: String,
     /// Line of the first such opening.
     pub line: u32,
-    /// How often it was opened again.
-    pub openings: usize,
-    /// Groups the following faces end up in, the first few.
-    pub lands_in: Vec<String>,
-    /// How many faces end up there.
+    /// Faces behind these openings.
     pub faces: usize,
+    /// How many of them end up in another group.
+    pub strayed: usize,
+    /// The other groups, the first few.
+    pub lands_in: Vec<String>,
 }
 
 /// A group of which some faces have texture coordinates.
@@ -81,11 +81,9 @@ impl MeshFacts {
     pub(super) fn reopen(&mut self, known: Option<usize>, name: &str, line: u32, lands_in: &str) -> usize {
         let at = known.unwrap_or(self.reopened.len());
         if known.is_none() {
-            let name = name.to_owned();
-            self.reopened.push(Reopened { name, line, openings: 0, lands_in: Vec::new(), faces: 0 });
+            self.reopened.push(Reopened { name: name.to_owned(), line, faces: 0, strayed: 0, lands_in: Vec::new() });
         }
-        if let Some(reopened) = self.reopened.get_mut(at) {
-            reopened.openings += 1;
+        if let Some(reopened) = self.reopened.get_mut(at).filter(|_| lands_in != name) {
             if reopened.lands_in.len() < LANDINGS_KEPT && !reopened.lands_in.iter().any(|name| name == lands_in) {
                 reopened.lands_in.push(lands_in.to_owned());
             }
