@@ -52,7 +52,7 @@ pub struct Joint {
     pub vertices: Option<Vec<i64>>,
     /// Number of its entries, whatever they are; 0 if it is no list. The loader drops joints without.
     pub listed: usize,
-    /// Positions of whole numbers written with a point or exponent, which the schema accepts and NumPy
+    /// Positions of whole numbers written with a point or exponent, which the schema accepts and `NumPy`
     /// does not take for an index.
     pub floats: Vec<usize>,
 }

@@ -83,10 +83,12 @@ impl MeshFacts {
         if known.is_none() {
             self.reopened.push(Reopened { name: name.to_owned(), line, faces: 0, strayed: 0, lands_in: Vec::new() });
         }
-        if let Some(reopened) = self.reopened.get_mut(at).filter(|_| lands_in != name) {
-            if reopened.lands_in.len() < LANDINGS_KEPT && !reopened.lands_in.iter().any(|name| name == lands_in) {
-                reopened.lands_in.push(lands_in.to_owned());
-            }
+        if let Some(Reopened { lands_in: groups, .. }) = self.reopened.get_mut(at)
+            && lands_in != name
+            && groups.len() < LANDINGS_KEPT
+            && !groups.iter().any(|group| group == lands_in)
+        {
+            groups.push(lands_in.to_owned());
         }
         at
     }
@@ -169,9 +171,9 @@ fn count_seams(mesh: &Mesh, side: &Side) -> usize {
     others.len()
 }
 
-fn is_near(mesh: &Mesh, a: u32, b: u32) -> bool {
-    match (mesh.uvs.get(a as usize), mesh.uvs.get(b as usize)) {
-        (Some([u, v]), Some([s, t])) => (u - s).abs() <= SEAM_DISTANCE && (v - t).abs() <= SEAM_DISTANCE,
+fn is_near(mesh: &Mesh, one: u32, other: u32) -> bool {
+    match (mesh.uvs.get(one as usize), mesh.uvs.get(other as usize)) {
+        (Some(one), Some(other)) => one.iter().zip(other).all(|(one, other)| (one - other).abs() <= SEAM_DISTANCE),
         _ => true,
     }
 }

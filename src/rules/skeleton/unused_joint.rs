@@ -1,5 +1,7 @@
 //! Joints that nothing uses.
 
+use std::collections::BTreeSet;
+
 use super::super::{Check, Rule, RuleCx};
 use super::rigs;
 use crate::diag::{Evidence, Finding, Level, Place, RuleInfo};
@@ -18,13 +20,15 @@ pub(in crate::rules) static RULE: Rule = Rule {
 fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for rig in rigs(repository, base).iter().filter(|rig| rig.skeleton.bones_section == Section::Present) {
         let mut used = rig.asked_joints();
-        used.extend(
-            rig.skeleton.planes.iter().flat_map(|plane| plane.joints.iter().flatten()).filter_map(Option::as_deref),
-        );
-        let joints = &rig.skeleton.joints;
-        let unused = joints.iter().map(|joint| joint.name.as_str()).filter(|name| !used.contains(name));
-        let unused: Vec<&str> =
-            unused.filter(|name| joints.iter().all(|joint| joint.name != *name || joint.listed > 0)).collect();
+        let joints: BTreeSet<&str> = rig.skeleton.joints.iter().map(|joint| joint.name.as_str()).collect();
+        // A joint that is asked for under a name that does not exist may be the one that seems unused.
+        if rig.skeleton.bones.is_empty() || !used.is_subset(&joints) {
+            continue;
+        }
+        let corners = rig.skeleton.planes.iter().flat_map(|plane| plane.joints.iter().flatten());
+        used.extend(corners.filter_map(Option::as_deref));
+        let filled = rig.skeleton.joints.iter().filter(|joint| joint.listed > 0).map(|joint| joint.name.as_str());
+        let unused: Vec<&str> = filled.filter(|name| !used.contains(name)).collect();
         let Some(first) = unused.first() else { continue };
         let message = match unused.len() {
             1 => format!("no bone or plane uses joint `{first}`"),

@@ -69,7 +69,7 @@ fn binding<'a>(repository: &Repository<'a>, base: &Base<'a>, file: &FileFacts) -
     let is_pose = |user: &&&'a FileFacts| pose.is_some_and(|pose| std::ptr::eq(pose, **user));
     let (chosen, level) = match users.iter().find(is_pose) {
         Some(user) => (vec![*user], Level::Error),
-        None => (users, if pose.is_some() { Level::Warning } else { Level::Error }),
+        None => (users, Level::Warning),
     };
     let mut known = BTreeSet::new();
     for user in chosen {

@@ -20,21 +20,26 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some((_, mesh)) = base.mesh else { return };
+    let Some((_, mesh)) = base.mesh.filter(|(_, mesh)| mesh.facts.unreadable_lines == 0) else { return };
     let visible = base.settings().and_then(|(_, settings)| settings.visible_groups.as_ref());
     for file in &base.weights {
-        // Without any usable entry the fault is not that of single vertices.
-        let Some(weights) = file.weights().filter(|weights| weights.facts.pairs > 0) else { continue };
-        let vertices = &weights.facts.sum.unweighted;
-        let Some(first) = vertices.first() else { continue };
-        let groups = mesh.groups_of(vertices);
+        let Some(weights) = file.weights() else { continue };
+        // Entries that cannot be read may be the missing ones.
+        if weights.facts.pairs == 0 || weights.facts.malformed.count > 0 {
+            continue;
+        }
+        // Vertices without a face are not seen.
+        let groups = mesh.groups_of(&weights.facts.sum.unweighted);
+        let vertices = weights.facts.sum.unweighted.iter();
+        let count: usize = groups.values().sum();
+        let Some(first) = vertices.clone().next().filter(|_| count > 0) else { continue };
         let is_visible = |group: &str| visible.is_none_or(|visible| visible.iter().any(|name| name == group));
         let named: Vec<String> =
             groups.iter().take(GROUPS_NAMED).map(|(group, count)| format!("{count} in `{group}`")).collect();
-        let groups_text = if named.is_empty() { "no face uses them".to_owned() } else { named.join(", ") };
-        let message = match vertices.len() {
-            1 => format!("vertex {first} has no weight ({groups_text})"),
-            count => format!("{count} of {} vertices have no weight ({groups_text})", weights.facts.sums.len()),
+        let named = named.join(", ");
+        let message = match count {
+            1 => format!("vertex {first} has no weight ({named})"),
+            _ => format!("{count} of {} vertices have no weight ({named})", weights.facts.sums.len()),
         };
         let level = if groups.keys().any(|group| is_visible(group)) { Level::Warning } else { Level::Info };
         out.push(
