@@ -89,20 +89,21 @@ struct Parser {
 }
 
 impl Mesh {
-    /// Names of the groups that hold the vertices, with how many of them; a vertex counts for the first
-    /// group that uses it, one without a face for none. For findings: walks all faces.
-    pub fn groups_of(&self, vertices: &[u32]) -> BTreeMap<&str, usize> {
+    /// Names of the groups that hold the vertices, with these vertices; a vertex counts for the first group
+    /// that uses it, one without a face for none. For findings: walks all faces.
+    pub fn groups_of(&self, vertices: &[u32]) -> BTreeMap<&str, Vec<u32>> {
         let mut left: BTreeSet<u32> = vertices.iter().copied().collect();
-        let mut counts = BTreeMap::new();
+        let mut groups: BTreeMap<&str, Vec<u32>> = BTreeMap::new();
         for face in &self.faces {
             let Some(group) = self.groups.get(face.group as usize) else { continue };
             let run = face.start as usize..(face.start as usize).saturating_add(face.len as usize);
-            let taken = self.corners.get(run).unwrap_or_default().iter().filter(|vertex| left.remove(vertex)).count();
-            if taken > 0 {
-                *counts.entry(group.name.as_str()).or_default() += taken;
+            for vertex in self.corners.get(run).unwrap_or_default() {
+                if left.remove(vertex) {
+                    groups.entry(&group.name).or_default().push(*vertex);
+                }
             }
         }
-        counts
+        groups
     }
 }
 

@@ -1,5 +1,7 @@
 //! Every vertex should have a weight.
 
+use std::collections::BTreeSet;
+
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::{Base, Repository};
@@ -13,7 +15,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
         docs: "Every vertex of the base mesh should follow some bone.\n\nMakeHuman 2 gives vertices without \
             weights, and such with zeros only, to the root bone. Part of a limb then stays at the hip when the \
             limb moves. Where no visible group of the mesh is concerned (helpers, joints) it is a remark \
-            (`info`): clothes that are fitted to a helper follow it.\n\nPaint the vertices.",
+            (`info`): clothes that are fitted to a helper follow it.\n\nVertices that no face uses are not counted.\n\nPaint the vertices.",
         ..RuleInfo::new("weights-unweighted-vertex", Level::Warning, "a vertex has no weight at all")
     },
     check: Check::Base(run),
@@ -30,23 +32,25 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
         }
         // Vertices without a face are not seen.
         let groups = mesh.groups_of(&weights.facts.sum.unweighted);
-        let vertices = weights.facts.sum.unweighted.iter();
-        let count: usize = groups.values().sum();
-        let Some(first) = vertices.clone().next().filter(|_| count > 0) else { continue };
+        let vertices: BTreeSet<u32> = groups.values().flatten().copied().collect();
+        let Some(first) = vertices.first() else { continue };
         let is_visible = |group: &str| visible.is_none_or(|visible| visible.iter().any(|name| name == group));
-        let named: Vec<String> =
-            groups.iter().take(GROUPS_NAMED).map(|(group, count)| format!("{count} in `{group}`")).collect();
+        let named: Vec<String> = groups
+            .iter()
+            .take(GROUPS_NAMED)
+            .map(|(group, vertices)| format!("{} in `{group}`", vertices.len()))
+            .collect();
         let named = named.join(", ");
-        let message = match count {
+        let message = match vertices.len() {
             1 => format!("vertex {first} has no weight ({named})"),
-            _ => format!("{count} of {} vertices have no weight ({named})", weights.facts.sums.len()),
+            count => format!("{count} of {} vertices have no weight ({named})", weights.facts.sums.len()),
         };
         let level = if groups.keys().any(|group| is_visible(group)) { Level::Warning } else { Level::Info };
         out.push(
             RULE.at(file, Place::pointer(["weights"]), message)
                 .level(level)
                 .help("paint the vertices for the bones that should move them")
-                .evidence(Evidence::of_cases(vertices).out_of(weights.facts.sums.len())),
+                .evidence(Evidence::of_cases(&vertices).out_of(weights.facts.sums.len())),
         );
     }
 }
