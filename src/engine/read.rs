@@ -149,7 +149,8 @@ pub(super) fn schema_of(kind: Kind) -> Option<&'static str> {
 fn fill_weights(facts: &mut FileFacts, bytes: &[u8], mesh: Option<MeshSize>) {
     match mhw::parse(bytes, &facts.encoding, mesh.map(|mesh| mesh.vertices)) {
         Ok(weights) => {
-            let needs_explaining = !weights.has_weights || !weights.facts.json.duplicates.is_empty();
+            let needs_explaining =
+                !weights.has_weights || weights.has_shapeless_bone || !weights.facts.json.duplicates.is_empty();
             facts.content = Content::Weights(Box::new(weights));
             if needs_explaining && let Ok(document) = json_file::parse(bytes, &facts.encoding) {
                 facts.json = JsonFacts::of(&document);

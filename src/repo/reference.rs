@@ -164,7 +164,8 @@ fn resolve_icon<'a>(base: &Base<'a>, folder: Option<TargetFolder<'a>>, name: &st
 /// Weights are searched as `rigs/<base>/<weights_file>`, never beside the skeleton.
 fn skeleton_references<'a>(repository: &Repository<'a>, base: &Base<'a>, out: &mut Vec<Reference<'a>>) {
     for from in &base.skeletons {
-        let Some(skeleton) = from.skeleton() else { continue };
+        // Anything but a text is refused by the schema; what it would lead to is not known.
+        let Some(skeleton) = from.skeleton().filter(|skeleton| !skeleton.weights_file_misshapen) else { continue };
         let text = skeleton.weights_file.as_deref().unwrap_or("default_weights.mhw");
         out.push(Reference {
             kind: ReferenceKind::WeightsFile,

@@ -7,10 +7,13 @@ mod base;
 mod file;
 mod json;
 mod macros;
+mod mesh;
 mod modelling;
 mod overlay;
 mod rule;
+mod skeleton;
 mod target;
+mod weights;
 
 pub(crate) use rule::{Check, Rule, RuleCx};
 
@@ -71,6 +74,13 @@ pub(crate) static RULES: &[&Rule] = &[
     &macros::unknown_pattern::RULE,
     &macros::unreferenced_target::RULE,
     &macros::unused_component::RULE,
+    &mesh::face_out_of_range::RULE,
+    &mesh::group_name::RULE,
+    &mesh::non_finite::RULE,
+    &mesh::partial_uv::RULE,
+    &mesh::reopened_group::RULE,
+    &mesh::syntax::RULE,
+    &mesh::unused_vertex::RULE,
     &modelling::barycentric_arity::RULE,
     &modelling::blank_in_name::RULE,
     &modelling::decr_only::RULE,
@@ -96,6 +106,21 @@ pub(crate) static RULES: &[&Rule] = &[
     &overlay::targets_not_in_layer::RULE,
     &overlay::user_key_clash::RULE,
     &overlay::user_target_too_deep::RULE,
+    &skeleton::cycle::RULE,
+    &skeleton::empty_joint::RULE,
+    &skeleton::joint_out_of_range::RULE,
+    &skeleton::malformed_plane::RULE,
+    &skeleton::missing_section::RULE,
+    &skeleton::missing_weights::RULE,
+    &skeleton::multiple_roots::RULE,
+    &skeleton::name_asymmetry::RULE,
+    &skeleton::no_root::RULE,
+    &skeleton::unknown_joint::RULE,
+    &skeleton::unknown_parent::RULE,
+    &skeleton::unknown_plane::RULE,
+    &skeleton::unknown_reference::RULE,
+    &skeleton::unreachable_bone::RULE,
+    &skeleton::unused_joint::RULE,
     &target::basemesh_mismatch::RULE,
     &target::breaks_start::RULE,
     &target::duplicate_vertex::RULE,
@@ -111,4 +136,17 @@ pub(crate) static RULES: &[&Rule] = &[
     &target::vertex_out_of_range::RULE,
     &target::without_effect::RULE,
     &target::zero_delta::RULE,
+    &weights::above_one::RULE,
+    &weights::below_threshold::RULE,
+    &weights::duplicate_vertex::RULE,
+    &weights::empty_bone::RULE,
+    &weights::malformed_pair::RULE,
+    &weights::metadata::RULE,
+    &weights::negative::RULE,
+    &weights::non_finite::RULE,
+    &weights::not_normalized::RULE,
+    &weights::unbound::RULE,
+    &weights::unknown_bone::RULE,
+    &weights::unweighted_vertex::RULE,
+    &weights::vertex_out_of_range::RULE,
 ];
