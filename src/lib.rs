@@ -5,6 +5,7 @@
 pub mod cli;
 pub mod diag;
 pub mod discover;
+pub mod eval;
 pub mod engine;
 pub mod formats;
 pub mod json;

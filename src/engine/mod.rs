@@ -2,6 +2,7 @@
 //!
 //! The only place with threads. Prints nothing and judges nothing.
 
+mod compose;
 mod input;
 mod load;
 mod locate;

@@ -4,7 +4,7 @@ use xxhash_rust::xxh3::xxh3_64;
 
 use crate::discover::{Kind, kind_of};
 use crate::formats::json_file::{self, JsonFacts, JsonFault};
-use crate::formats::target::MeshSize;
+use crate::formats::target::{MeshSize, Row};
 use crate::formats::{base_json, geometry, macro_json, mhskel, mhw, modelling, obj, target, target_cat};
 use crate::json::{self, Document, SchemaFaults};
 use crate::repo::{Content, FileFacts};
@@ -13,17 +13,23 @@ use crate::source::{Encoding, Entry, Limits, Tree, gunzip};
 /// Smaller files are read even when only their size would matter: they may be stand-ins for the content.
 const STAND_IN_BYTES: u64 = 512;
 
+/// A file read: its facts, and its rows if it is a target.
+pub(super) struct Reading {
+    pub(super) facts: FileFacts,
+    pub(super) rows: Vec<Row>,
+}
+
 /// Reads one file. `rel` is its path below the data root; `mesh` the size of the mesh it is for.
-pub(super) fn read(tree: &Tree, entry: &Entry, rel: &str, limits: &Limits, mesh: Option<MeshSize>) -> FileFacts {
-    let mut facts = empty(tree, entry, rel);
-    if !is_read(&facts) {
-        return facts;
+pub(super) fn read(tree: &Tree, entry: &Entry, rel: &str, limits: &Limits, mesh: Option<MeshSize>) -> Reading {
+    let mut reading = Reading { facts: empty(tree, entry, rel), rows: Vec::new() };
+    if !is_read(&reading.facts) {
+        return reading;
     }
     match tree.read(entry, limits) {
-        Ok(bytes) => fill(&mut facts, &bytes, limits, mesh),
-        Err(fault) => facts.unreadable = Some(fault),
+        Ok(bytes) => reading.fill(&bytes, limits, mesh),
+        Err(fault) => reading.facts.unreadable = Some(fault),
     }
-    facts
+    reading
 }
 
 /// Hash of a file's bytes, for files that only their content matters of.
@@ -54,22 +60,26 @@ fn is_read(facts: &FileFacts) -> bool {
     facts.kind.is_text() || facts.kind == Kind::PackedTarget || facts.size < STAND_IN_BYTES
 }
 
-fn fill(facts: &mut FileFacts, bytes: &[u8], limits: &Limits, mesh: Option<MeshSize>) {
-    if facts.kind == Kind::PackedTarget {
-        facts.gzip_fault = gunzip(bytes, limits).err();
-        return;
-    }
-    facts.encoding = Encoding::of(bytes);
-    match facts.kind {
-        Kind::Target if !facts.encoding.lfs_pointer => {
-            let parsed = target::parse(bytes, mesh);
-            facts.content_hash = Some(parsed.facts.content);
-            facts.content = Content::Target(Box::new(parsed.facts));
+impl Reading {
+    fn fill(&mut self, bytes: &[u8], limits: &Limits, mesh: Option<MeshSize>) {
+        let facts = &mut self.facts;
+        if facts.kind == Kind::PackedTarget {
+            facts.gzip_fault = gunzip(bytes, limits).err();
+            return;
         }
-        Kind::BaseMesh => facts.content = Content::Mesh(Box::new(obj::parse(bytes))),
-        Kind::Weights => fill_weights(facts, bytes, mesh),
-        kind if kind.is_json() => fill_json(facts, bytes),
-        _ => facts.content_hash = Some(xxh3_64(bytes)),
+        facts.encoding = Encoding::of(bytes);
+        match facts.kind {
+            Kind::Target if !facts.encoding.lfs_pointer => {
+                let parsed = target::parse(bytes, mesh);
+                facts.content_hash = Some(parsed.facts.content);
+                facts.content = Content::Target(Box::new(parsed.facts));
+                self.rows = parsed.rows;
+            }
+            Kind::BaseMesh => facts.content = Content::Mesh(Box::new(obj::parse(bytes))),
+            Kind::Weights => fill_weights(facts, bytes, mesh),
+            kind if kind.is_json() => fill_json(facts, bytes),
+            _ => facts.content_hash = Some(xxh3_64(bytes)),
+        }
     }
 }
 
@@ -128,7 +138,7 @@ fn fill_weights(facts: &mut FileFacts, bytes: &[u8], mesh: Option<MeshSize>) {
 }
 
 /// A stand-in for a file on which a parser of ours panicked.
-pub(super) fn panicked(tree: &Tree, entry: &Entry, rel: &str) -> FileFacts {
+pub(super) fn panicked(tree: &Tree, entry: &Entry, rel: &str) -> Reading {
     let mut facts = empty(tree, entry, rel);
     let reason = "mhlint itself failed on this file; please report it with the file".to_owned();
     facts.unreadable = Some(crate::source::ReadFault::Unreadable(reason));
@@ -136,5 +146,5 @@ pub(super) fn panicked(tree: &Tree, entry: &Entry, rel: &str) -> FileFacts {
         true => Content::Broken(JsonFault::Empty),
         false => Content::Unread,
     };
-    facts
+    Reading { facts, rows: Vec::new() }
 }
