@@ -5,8 +5,8 @@
 pub mod cli;
 pub mod diag;
 pub mod discover;
-pub mod eval;
 pub mod engine;
+pub mod eval;
 pub mod formats;
 pub mod json;
 pub mod repo;

@@ -88,7 +88,10 @@ fn check(fixture: &Fixture) -> Option<String> {
     }
     let shows_rule = found.iter().any(|line| line.contains(&format!("[{}]", fixture.rule)));
     if fixture.name.starts_with("bad") != shows_rule {
-        return Some(format!("{title}: `bad` means that the rule fires, `good` that it does not\n  {}", found.join("\n  ")));
+        return Some(format!(
+            "{title}: `bad` means that the rule fires, `good` that it does not\n  {}",
+            found.join("\n  ")
+        ));
     }
     compare(&title, &fixture.folder.join("expected.txt"), &found)
 }

@@ -109,11 +109,7 @@ impl Composer<'_, '_> {
     fn setting(&mut self, pattern: &str, default: f64) -> usize {
         let place = self.scene.macro_defaults.len();
         self.scene.macro_defaults.push(default);
-        self.scene.sliders.push(SceneSlider {
-            pattern: pattern.to_owned(),
-            kind: SliderKind::Macro(place),
-            default,
-        });
+        self.scene.sliders.push(SceneSlider { pattern: pattern.to_owned(), kind: SliderKind::Macro(place), default });
         place
     }
 
@@ -152,15 +148,11 @@ impl Composer<'_, '_> {
                 });
                 links.push((link.name.as_str(), number));
             }
-            macrodefs.push(Macrodef {
-                components: macrodef.components.iter().map(String::as_str).collect(),
-                links,
-            });
+            macrodefs.push(Macrodef { components: macrodef.components.iter().map(String::as_str).collect(), links });
         }
         let components: Vec<Component<'_>> = file.components.iter().filter_map(component).collect();
         // Too many combinations to tabulate is a limit of ours, reported where combinations are judged.
-        self.scene.macros =
-            MacroTable::new(&components, &macrodefs, |pattern| registered.get(pattern).copied()).ok();
+        self.scene.macros = MacroTable::new(&components, &macrodefs, |pattern| registered.get(pattern).copied()).ok();
     }
 }
 
@@ -180,9 +172,8 @@ fn component(component: &crate::formats::macro_json::Component) -> Option<Compon
 
 /// Whether the application could load and apply a target.
 fn is_usable(file: &FileFacts) -> bool {
-    file.target().is_some_and(|facts| {
-        facts.unreadable_rows == 0 && facts.negative.count == 0 && facts.out_of_range.count == 0
-    })
+    file.target()
+        .is_some_and(|facts| facts.unreadable_rows == 0 && facts.negative.count == 0 && facts.out_of_range.count == 0)
 }
 
 /// The skeleton that `base.json` names, searched in `rigs/<base>/`, user before system.

@@ -37,7 +37,7 @@ pub(super) fn load(place: Place<'_>, limits: &Limits, system: Option<&MeshSizes>
     hash_equal_sizes(place.tree, &place.prefix(), &mut files, limits);
     let folders = place.below().filter(|(entry, _)| entry.kind == EntryKind::Folder);
     let layer = Layer {
-        path: join(place.tree.label(), place.root),
+        path: place.path(),
         files,
         folders: folders.map(|(_, rel)| rel.to_owned()).collect(),
         walk_faults: faults_below(place.tree, &place.prefix()),
@@ -65,12 +65,17 @@ pub(super) fn load_targets(
 }
 
 impl<'t> Place<'t> {
+    /// Path of the root as reports print it.
+    pub(super) fn path(self) -> String {
+        join(self.tree.label(), self.root)
+    }
+
     fn prefix(self) -> String {
         if self.root.is_empty() { String::new() } else { format!("{}/", self.root) }
     }
 
     /// Entries below the root with their path relative to it.
-    fn below(self) -> impl Iterator<Item = (&'t Entry, &'t str)> {
+    pub(super) fn below(self) -> impl Iterator<Item = (&'t Entry, &'t str)> {
         let prefix = self.prefix();
         self.tree.entries().iter().filter_map(move |entry| Some((entry, entry.path.strip_prefix(&prefix)?)))
     }
@@ -86,8 +91,11 @@ impl<'t> Place<'t> {
     }
 }
 
+/// Size of the mesh that a file is for. Weights beside an asset are for the asset's own mesh.
 fn size_of(rel: &str, sizes: &MeshSizes) -> Option<MeshSize> {
-    kind_of(rel).1.and_then(|base| sizes.get(base).copied())
+    let (kind, base) = kind_of(rel);
+    let own_mesh = kind == Kind::Weights && !rel.starts_with("rigs/");
+    if own_mesh { None } else { sizes.get(base?).copied() }
 }
 
 /// Weights are measured against their mesh, which is read first.
@@ -177,7 +185,7 @@ fn faults_below(tree: &Tree, prefix: &str) -> Vec<crate::source::WalkFault> {
         .collect()
 }
 
-pub(super) fn join(label: &str, path: &str) -> String {
+fn join(label: &str, path: &str) -> String {
     match (label.is_empty(), path.is_empty()) {
         (true, _) => path.to_owned(),
         (_, true) => label.to_owned(),

@@ -3,9 +3,11 @@
 //! The only place with threads. Prints nothing and judges nothing.
 
 mod compose;
+mod data;
 mod input;
 mod load;
 mod locate;
+mod measure;
 mod outcome;
 mod read;
 mod run;

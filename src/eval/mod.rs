@@ -29,6 +29,7 @@ pub mod macro_def;
 pub mod macro_eval;
 pub mod macros;
 pub mod measure;
+pub mod measures;
 pub mod morph;
 pub mod scene;
 pub mod skeleton;

@@ -53,6 +53,13 @@ pub(super) struct Layers<'a> {
     pub(super) user_target: Option<&'a Layer>,
 }
 
+impl<'a> Layers<'a> {
+    pub(super) fn new(system: Option<&'a Layer>, user: Option<&'a Layer>) -> Self {
+        let user_target = if is_same(system, user) { None } else { user };
+        Self { system, user, user_target }
+    }
+}
+
 /// Names of all bases in the layers.
 pub(super) fn base_names<'a>(layers: Layers<'a>) -> BTreeSet<&'a str> {
     let files = [layers.system, layers.user].into_iter().flatten().flat_map(|layer| layer.files.values());
@@ -162,6 +169,11 @@ fn bind_sliders<'a>(
 }
 
 impl<'a> Base<'a> {
+    /// Resolves one base over its layers.
+    pub fn resolve(name: &'a str, system: Option<&'a Layer>, user: Option<&'a Layer>) -> Self {
+        resolve(name, Layers::new(system, user))
+    }
+
     /// The slider registered under a pattern; of several the last.
     pub fn slider(&self, pattern: &str) -> Option<&BoundSlider<'a>> {
         let registers = |slider: &&BoundSlider<'a>| slider.pattern.names().iter().any(|name| name == pattern);

@@ -106,12 +106,7 @@ impl Edit {
         let path = root.join(&self.file);
         let text = fs::read_to_string(&path).unwrap_or_else(|e| panic!("edit {}: {e}", self.file));
         let count = text.matches(&self.find).count();
-        assert!(
-            count == 1 || (self.all && count > 1),
-            "{}: `{}` occurs {count} times",
-            self.file,
-            self.find
-        );
+        assert!(count == 1 || (self.all && count > 1), "{}: `{}` occurs {count} times", self.file, self.find);
         fs::write(&path, text.replace(&self.find, &self.replace)).unwrap();
     }
 }
