@@ -4,6 +4,7 @@
 
 mod compose;
 mod data;
+mod gauge;
 mod input;
 mod load;
 mod locate;
