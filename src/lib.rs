@@ -29,6 +29,7 @@ pub mod cli;
 pub mod diag;
 pub mod discover;
 pub mod engine;
+pub mod eval;
 pub mod formats;
 pub mod json;
 pub mod repo;

@@ -1,10 +1,14 @@
 //! A data root: listing to a layer of facts, in parallel, meshes before what is measured against them.
+//!
+//! Targets come last and one base at a time, so that only the rows of one base are in memory.
 
-use std::collections::BTreeMap;
+use std::cmp::Reverse;
+use std::collections::{BTreeMap, BTreeSet};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use rayon::prelude::*;
 
+use super::compose::Rows;
 use super::read;
 use crate::discover::{Kind, kind_of};
 use crate::formats::target::MeshSize;
@@ -14,38 +18,89 @@ use crate::source::{Entry, EntryKind, Limits, Tree, WalkFault, WalkFaultKind};
 /// Sizes of base meshes by name.
 pub(super) type MeshSizes = BTreeMap<String, MeshSize>;
 
-/// Reads the data root at `root` of `tree`. Sizes of meshes that only `system` has are taken from there.
-pub(super) fn load(tree: &Tree, root: &str, limits: &Limits, system: Option<&MeshSizes>) -> (Layer, MeshSizes) {
-    let prefix = if root.is_empty() { String::new() } else { format!("{root}/") };
-    let mut early = Vec::new();
-    let mut late = Vec::new();
-    let mut folders = Vec::new();
-    for entry in tree.entries() {
-        let Some(rel) = entry.path.strip_prefix(&prefix) else { continue };
-        if entry.kind == EntryKind::Folder {
-            folders.push(rel.to_owned());
-        } else if needs_mesh(rel) {
-            late.push((entry, rel));
-        } else {
-            early.push((entry, rel));
-        }
-    }
-    let no_size = |_: &str| None;
-    let mut files = read_all(tree, early, limits, &no_size);
+/// A data root in its tree.
+#[derive(Clone, Copy)]
+pub(super) struct Place<'t> {
+    pub(super) tree: &'t Tree,
+    /// Path from the top of the tree.
+    pub(super) root: &'t str,
+}
+
+/// Reads everything in a data root but its targets. Sizes of meshes that only `system` has are taken from there.
+pub(super) fn load(place: Place<'_>, limits: &Limits, system: Option<&MeshSizes>) -> (Layer, MeshSizes) {
+    let others = || place.files().filter(|(_, rel)| kind_of(rel).0 != Kind::Target);
+    let of = |late: bool| others().filter(move |(_, rel)| waits_for_mesh(rel) == late).collect();
+    let (mut files, _) = read_all(place.tree, of(false), limits, &|_| None, false);
     let mut sizes = system.cloned().unwrap_or_default();
     sizes.extend(own_sizes(&files));
-    files.append(&mut read_all(tree, late, limits, &|rel| kind_of(rel).1.and_then(|base| sizes.get(base).copied())));
-    hash_equal_sizes(tree, &prefix, &mut files, limits);
-    let layer = Layer { path: join(tree.label(), root), files, folders, walk_faults: faults_below(tree, &prefix) };
+    files.append(&mut read_all(place.tree, of(true), limits, &|rel| size_of(rel, &sizes), false).0);
+    hash_equal_sizes(place.tree, &place.prefix(), &mut files, limits);
+    let folders = place.below().filter(|(entry, _)| entry.kind == EntryKind::Folder);
+    let layer = Layer {
+        path: place.path(),
+        files,
+        folders: folders.map(|(_, rel)| rel.to_owned()).collect(),
+        walk_faults: faults_below(place.tree, &place.prefix()),
+    };
     (layer, sizes)
 }
 
-fn needs_mesh(rel: &str) -> bool {
-    match kind_of(rel).0 {
-        Kind::Target => true,
-        Kind::Weights => rel.starts_with("rigs/"),
-        _ => false,
+/// Reads the targets of one base (`None`: of no base) into `layer`; gives their rows by printed path if they are to be kept.
+pub(super) fn load_targets(
+    place: Place<'_>,
+    layer: &mut Layer,
+    base: Option<&str>,
+    sizes: &MeshSizes,
+    limits: &Limits,
+    keep_rows: bool,
+) -> Rows {
+    let wanted = |(_, rel): &(&Entry, &str)| {
+        let (kind, of) = kind_of(rel);
+        kind == Kind::Target && of == base
+    };
+    let entries = place.files().filter(wanted).collect();
+    let (mut files, rows) = read_all(place.tree, entries, limits, &|rel| size_of(rel, sizes), keep_rows);
+    layer.files.append(&mut files);
+    rows
+}
+
+impl<'t> Place<'t> {
+    /// Path of the root as reports print it.
+    pub(super) fn path(self) -> String {
+        join(self.tree.label(), self.root)
     }
+
+    fn prefix(self) -> String {
+        if self.root.is_empty() { String::new() } else { format!("{}/", self.root) }
+    }
+
+    /// Entries below the root with their path relative to it.
+    pub(super) fn below(self) -> impl Iterator<Item = (&'t Entry, &'t str)> {
+        let prefix = self.prefix();
+        self.tree.entries().iter().filter_map(move |entry| Some((entry, entry.path.strip_prefix(&prefix)?)))
+    }
+
+    fn files(self) -> impl Iterator<Item = (&'t Entry, &'t str)> {
+        self.below().filter(|(entry, _)| entry.kind != EntryKind::Folder)
+    }
+
+    /// Names of the bases that have targets here.
+    pub(super) fn target_bases(self) -> BTreeSet<Option<&'t str>> {
+        let kinds = self.files().map(|(_, rel)| kind_of(rel));
+        kinds.filter(|(kind, _)| *kind == Kind::Target).map(|(_, base)| base).collect()
+    }
+}
+
+/// Size of the mesh that a file is for. Weights beside an asset are for the asset's own mesh.
+fn size_of(rel: &str, sizes: &MeshSizes) -> Option<MeshSize> {
+    let (kind, base) = kind_of(rel);
+    let own_mesh = kind == Kind::Weights && !rel.starts_with("rigs/");
+    if own_mesh { None } else { sizes.get(base?).copied() }
+}
+
+/// Weights are measured against their mesh, which is read first.
+fn waits_for_mesh(rel: &str) -> bool {
+    kind_of(rel).0 == Kind::Weights
 }
 
 type ByRel = BTreeMap<String, FileFacts>;
@@ -55,18 +110,32 @@ fn read_all(
     mut entries: Vec<(&Entry, &str)>,
     limits: &Limits,
     size_of: &(dyn Fn(&str) -> Option<MeshSize> + Sync),
-) -> ByRel {
+    keep_rows: bool,
+) -> (ByRel, Rows) {
     // The biggest first, so that no thread starts on a large file when the others are done.
-    entries.sort_by_key(|(entry, _)| std::cmp::Reverse(entry.size));
-    entries
+    entries.sort_by_key(|(entry, _)| Reverse(entry.size));
+    let readings: Vec<read::Reading> = entries
         .into_par_iter()
         .with_max_len(1)
         .map(|(entry, rel)| {
             let read = || read::read(tree, entry, rel, limits, size_of(rel));
-            let facts = catch_unwind(AssertUnwindSafe(read)).unwrap_or_else(|_| read::panicked(tree, entry, rel));
-            (rel.to_owned(), facts)
+            let mut reading = catch_unwind(AssertUnwindSafe(read)).unwrap_or_else(|_| read::panicked(tree, entry, rel));
+            if !keep_rows {
+                reading.rows = Vec::new();
+            }
+            reading.rows.shrink_to_fit();
+            reading
         })
-        .collect()
+        .collect();
+    let mut files = ByRel::new();
+    let mut rows = Rows::new();
+    for reading in readings {
+        if keep_rows && !reading.rows.is_empty() {
+            rows.insert(reading.facts.path.clone(), reading.rows);
+        }
+        files.insert(reading.facts.rel.clone(), reading.facts);
+    }
+    (files, rows)
 }
 
 fn own_sizes(files: &ByRel) -> MeshSizes {
@@ -122,7 +191,7 @@ fn faults_below(tree: &Tree, prefix: &str) -> Vec<WalkFault> {
         .collect()
 }
 
-pub(super) fn join(label: &str, path: &str) -> String {
+fn join(label: &str, path: &str) -> String {
     match (label.is_empty(), path.is_empty()) {
         (true, _) => path.to_owned(),
         (_, true) => label.to_owned(),

@@ -3,9 +3,13 @@
 //! The only place with threads. Prints nothing and judges nothing.
 
 mod catalogue;
+mod compose;
+mod data;
+mod gauge;
 mod input;
 mod load;
 mod locate;
+mod measure;
 mod outcome;
 mod read;
 mod run;

@@ -4,7 +4,7 @@ use xxhash_rust::xxh3::xxh3_64;
 
 use crate::discover::{Kind, kind_of};
 use crate::formats::json_file::{self, JsonFacts, JsonFault};
-use crate::formats::target::MeshSize;
+use crate::formats::target::{MeshSize, Row};
 use crate::formats::{base_json, geometry, macro_json, mhskel, mhw, modelling, npz, obj, target, target_cat};
 use crate::json::{self, Document, SchemaFaults};
 use crate::repo::{Content, FileFacts};
@@ -13,17 +13,23 @@ use crate::source::{Encoding, Entry, Limits, Tree, try_gunzip, zip_bomb};
 /// Smaller files are read even when only their size would matter: they may be stand-ins for the content.
 const STAND_IN_BYTES: u64 = 512;
 
+/// A file read: its facts, and its rows if it is a target.
+pub(super) struct Reading {
+    pub(super) facts: FileFacts,
+    pub(super) rows: Vec<Row>,
+}
+
 /// Reads one file. `rel` is its path below the data root; `mesh` the size of the mesh it is for.
-pub(super) fn read(tree: &Tree, entry: &Entry, rel: &str, limits: &Limits, mesh: Option<MeshSize>) -> FileFacts {
-    let mut facts = empty(tree, entry, rel);
-    if !is_read(&facts) {
-        return facts;
+pub(super) fn read(tree: &Tree, entry: &Entry, rel: &str, limits: &Limits, mesh: Option<MeshSize>) -> Reading {
+    let mut reading = Reading { facts: empty(tree, entry, rel), rows: Vec::new() };
+    if !is_read(&reading.facts) {
+        return reading;
     }
     match tree.read(entry, limits) {
-        Ok(bytes) => fill(&mut facts, &bytes, limits, mesh),
-        Err(fault) => facts.unreadable = Some(fault),
+        Ok(bytes) => reading.fill(&bytes, limits, mesh),
+        Err(fault) => reading.facts.unreadable = Some(fault),
     }
-    facts
+    reading
 }
 
 /// Hash of a file's bytes, for files that only their content matters of.
@@ -58,26 +64,29 @@ fn is_zip(rel: &str) -> bool {
     [".npz", ".mhbin", ".mhpxy", ".zip"].iter().any(|ending| rel.ends_with(ending))
 }
 
-fn fill(facts: &mut FileFacts, bytes: &[u8], limits: &Limits, mesh: Option<MeshSize>) {
-    facts.encoding = Encoding::of(bytes);
-    if facts.encoding.lfs_pointer {
-        facts.content = stand_in(facts.kind);
-        return;
-    }
-    match facts.kind {
-        Kind::PackedTarget => facts.gzip_fault = try_gunzip(bytes, limits).err(),
-        // The application decodes the whole file before it uses a row, so nothing of it counts.
-        Kind::Target if facts.encoding.invalid_utf8_at.is_none() => fill_target(facts, bytes, mesh),
-        Kind::BaseMesh => fill_mesh(facts, bytes),
-        Kind::Weights => fill_weights(facts, bytes, mesh),
-        Kind::Target => {}
-        kind if kind.is_json() => fill_json(facts, bytes),
-        Kind::TargetArchive => {
-            facts.gzip_fault = zip_bomb(bytes, limits);
-            facts.content = Content::Archive(Box::new(npz::parse(bytes, limits)));
+impl Reading {
+    fn fill(&mut self, bytes: &[u8], limits: &Limits, mesh: Option<MeshSize>) {
+        let facts = &mut self.facts;
+        facts.encoding = Encoding::of(bytes);
+        if facts.encoding.lfs_pointer {
+            facts.content = stand_in(facts.kind);
+            return;
         }
-        _ if is_zip(&facts.rel) => facts.gzip_fault = zip_bomb(bytes, limits),
-        _ => facts.content_hash = Some(xxh3_64(bytes)),
+        match facts.kind {
+            Kind::PackedTarget => facts.gzip_fault = try_gunzip(bytes, limits).err(),
+            // The application decodes the whole file before it uses a row, so nothing of it counts.
+            Kind::Target if facts.encoding.invalid_utf8_at.is_none() => self.rows = fill_target(facts, bytes, mesh),
+            Kind::BaseMesh => fill_mesh(facts, bytes),
+            Kind::Weights => fill_weights(facts, bytes, mesh),
+            Kind::Target => {}
+            kind if kind.is_json() => fill_json(facts, bytes),
+            Kind::TargetArchive => {
+                facts.gzip_fault = zip_bomb(bytes, limits);
+                facts.content = Content::Archive(Box::new(npz::parse(bytes, limits)));
+            }
+            _ if is_zip(&facts.rel) => facts.gzip_fault = zip_bomb(bytes, limits),
+            _ => facts.content_hash = Some(xxh3_64(bytes)),
+        }
     }
 }
 
@@ -85,7 +94,7 @@ fn stand_in(kind: Kind) -> Content {
     if kind.is_json() { Content::Broken(JsonFault::LfsPointer) } else { Content::Unread }
 }
 
-fn fill_target(facts: &mut FileFacts, bytes: &[u8], mesh: Option<MeshSize>) {
+fn fill_target(facts: &mut FileFacts, bytes: &[u8], mesh: Option<MeshSize>) -> Vec<Row> {
     let parsed = if facts.encoding.byte_order_mark {
         // The mark is a fault of its own; blanks in its place keep it out of the first row and all offsets right.
         let mut unmarked = bytes.to_vec();
@@ -96,6 +105,7 @@ fn fill_target(facts: &mut FileFacts, bytes: &[u8], mesh: Option<MeshSize>) {
     };
     facts.content_hash = Some(parsed.facts.content);
     facts.content = Content::Target(Box::new(parsed.facts));
+    parsed.rows
 }
 
 /// A file without anything in it gives no mesh: everything measured against none would be out of range.
@@ -162,10 +172,10 @@ fn fill_weights(facts: &mut FileFacts, bytes: &[u8], mesh: Option<MeshSize>) {
 }
 
 /// A stand-in for a file on which a parser of ours panicked.
-pub(super) fn panicked(tree: &Tree, entry: &Entry, rel: &str) -> FileFacts {
+pub(super) fn panicked(tree: &Tree, entry: &Entry, rel: &str) -> Reading {
     let mut facts = empty(tree, entry, rel);
     let reason = "mhlint itself failed on this file; please report it with the file".to_owned();
     facts.unreadable = Some(crate::source::ReadFault::Unreadable(reason));
     facts.content = if facts.kind.is_json() { Content::Broken(JsonFault::Empty) } else { Content::Unread };
-    facts
+    Reading { facts, rows: Vec::new() }
 }

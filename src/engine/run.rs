@@ -7,14 +7,17 @@ use std::time::{Duration, Instant};
 
 use rayon::prelude::*;
 
+use super::data::Data;
 use super::input::{Input, open};
-use super::load::{MeshSizes, join, load};
+use super::load::Place;
 use super::locate::locate;
+use super::measure::measure_bases;
 use super::outcome::{Error, Outcome, RootSummary, Timing};
 use super::select::Selection;
-use super::stack::{Role, stacks};
+use super::stack::Role;
 use crate::diag::{Application, Finding, Level, fingerprint};
 use crate::discover::{DataRoot, find_roots};
+use crate::eval::measures::Measures;
 use crate::repo::{Layer, Repository};
 use crate::rules::{Check, RULES, Rule, RuleCx};
 use crate::source::{EntryKind, Limits, Tree};
@@ -36,6 +39,12 @@ pub struct Options {
     pub levels: Vec<(String, Option<Level>)>,
     /// Options of rules, by rule and name.
     pub rule_options: BTreeMap<(String, String), f64>,
+    /// Leave out everything that needs evaluation.
+    pub no_eval: bool,
+    /// Random settings of the sliders to look at besides the deliberate ones; `None` for the default.
+    pub samples: Option<usize>,
+    /// Visit every corner of the slider space.
+    pub exhaustive: bool,
     /// Bounds on what is read.
     pub limits: Limits,
 }
@@ -60,7 +69,8 @@ pub fn lint_trees(trees: Vec<Tree>, system: Option<Tree>, options: &Options) -> 
 }
 
 /// A data root with its facts.
-pub(super) struct Loaded {
+pub(super) struct Loaded<'t> {
+    pub(super) place: Place<'t>,
     pub(super) layer: Layer,
     pub(super) role: Role,
     narrow: Vec<String>,
@@ -70,15 +80,22 @@ fn lint_inputs(inputs: &[Input], system: Option<&Tree>, options: &Options) -> Re
     let selection = Selection::new(options)?;
     let mut outcome = Outcome::default();
     let started = Instant::now();
-    let system_layer = system.map(|tree| load_system(tree, &options.limits)).transpose()?;
-    let loaded = load_roots(inputs, system_layer.as_ref(), options, &mut outcome);
+    let system_roots = system.map(roots_of).unwrap_or_default();
+    let system_place = system.map(|tree| system_place(tree, &system_roots)).transpose()?;
+    let roots: Vec<Vec<DataRoot>> = inputs.iter().map(|input| roots_of(&input.tree)).collect();
+    let places = places(inputs, &roots, system_place, options, &mut outcome);
+    let mut data = Data::load(places, system_place, &options.limits);
     outcome.timings.push(timing("read", started));
     let started = Instant::now();
-    let system_layer = system_layer.as_ref().map(|(layer, _)| layer);
-    for (system, user, judged) in stacks(&loaded, system_layer) {
+    let measures = measure_bases(&mut data, options);
+    outcome.timings.push(timing("targets and evaluation", started));
+    let started = Instant::now();
+    for (number, (system, user, judged)) in data.stacks().into_iter().enumerate() {
+        outcome.summary.files += judged.layer.files.len();
+        outcome.summary.bytes += judged.layer.files.values().map(|file| file.size).sum::<u64>();
         let repository = Repository::connect(Application::Makehuman2, system, user, &judged.layer);
         summarise(&repository, &mut outcome);
-        let findings = judge(&repository, &selection, options, &mut outcome);
+        let findings = judge(&repository, measures.get(number), &selection, options, &mut outcome);
         outcome.findings.extend(report(&repository, findings, judged, &selection, options));
     }
     check_bases(options, &outcome)?;
@@ -94,14 +111,13 @@ fn timing(what: &str, started: Instant) -> Timing {
     Timing { what: what.to_owned(), time: started.elapsed() }
 }
 
-fn load_system(tree: &Tree, limits: &Limits) -> Result<(Layer, MeshSizes), Error> {
-    let roots = roots_of(tree);
+fn system_place<'t>(tree: &'t Tree, roots: &'t [DataRoot]) -> Result<Place<'t>, Error> {
     let root = roots.iter().find(|root| root.application == Application::Makehuman2);
     let root = root.ok_or_else(|| Error::Path {
         path: tree.label().to_owned(),
         reason: "holds no MakeHuman 2 data (a folder with base/<name>/base.json in it is wanted)".to_owned(),
     })?;
-    Ok(load(tree, &root.path, limits, None))
+    Ok(Place { tree, root: &root.path })
 }
 
 pub(super) fn roots_of(tree: &Tree) -> Vec<DataRoot> {
@@ -109,41 +125,30 @@ pub(super) fn roots_of(tree: &Tree) -> Vec<DataRoot> {
     find_roots(files.map(|entry| entry.path.as_str()))
 }
 
-fn load_roots(
-    inputs: &[Input],
-    system: Option<&(Layer, MeshSizes)>,
+/// The data roots to judge, with what to report of each.
+fn places<'t>(
+    inputs: &'t [Input],
+    roots: &'t [Vec<DataRoot>],
+    system: Option<Place<'_>>,
     options: &Options,
     outcome: &mut Outcome,
-) -> Vec<Loaded> {
+) -> Vec<(Place<'t>, Vec<String>)> {
+    let system = system.map(Place::path);
     let mut wanted = Vec::new();
-    for input in inputs {
-        for root in roots_of(&input.tree) {
-            let path = join(input.tree.label(), &root.path);
-            let is_system = system.is_some_and(|(layer, _)| layer.path == path);
-            if is_system || !is_asked_for(root.application, options) {
+    for (input, roots) in inputs.iter().zip(roots) {
+        for root in roots {
+            let place = Place { tree: &input.tree, root: &root.path };
+            if system == Some(place.path()) || !is_asked_for(root.application, options) {
                 continue;
             }
             if root.application == Application::Makehuman2 {
-                wanted.push((input, root.path.clone(), Role::of(&input.tree, &root.path)));
+                wanted.push((place, input.narrow.clone()));
             } else {
-                note_unjudged(&path, root.application, outcome);
+                note_unjudged(&place.path(), root.application, outcome);
             }
         }
     }
-    // System data first: a user root may lack the meshes that its targets are for.
-    wanted.sort_by_key(|(_, _, role)| *role != Role::System);
-    let mut sizes = system.map(|(_, sizes)| sizes.clone()).unwrap_or_default();
-    let mut loaded = Vec::new();
-    for (input, root, role) in wanted {
-        let (layer, own) = load(&input.tree, &root, &options.limits, Some(&sizes));
-        if role == Role::System && system.is_none() {
-            sizes.extend(own);
-        }
-        outcome.summary.files += layer.files.len();
-        outcome.summary.bytes += layer.files.values().map(|file| file.size).sum::<u64>();
-        loaded.push(Loaded { layer, role, narrow: input.narrow.clone() });
-    }
-    loaded
+    wanted
 }
 
 fn is_asked_for(application: Application, options: &Options) -> bool {
@@ -177,14 +182,20 @@ fn check_bases(options: &Options, outcome: &Outcome) -> Result<(), Error> {
     })
 }
 
-fn judge(repository: &Repository<'_>, selection: &Selection, options: &Options, outcome: &mut Outcome) -> Vec<Finding> {
+fn judge(
+    repository: &Repository<'_>,
+    measures: Option<&BTreeMap<String, Measures>>,
+    selection: &Selection,
+    options: &Options,
+    outcome: &mut Outcome,
+) -> Vec<Finding> {
     let cx = RuleCx { options: &options.rule_options };
     let results: Vec<(&str, Duration, Option<Vec<Finding>>)> = RULES
         .par_iter()
         .filter(|rule| selection.runs(rule.info.id))
         .map(|rule| {
             let started = Instant::now();
-            let found = catch_unwind(AssertUnwindSafe(|| run_rule(rule, repository, &cx, options))).ok();
+            let found = catch_unwind(AssertUnwindSafe(|| run_rule(rule, repository, measures, &cx, options))).ok();
             (rule.info.id, started.elapsed(), found)
         })
         .collect();
@@ -199,15 +210,25 @@ fn judge(repository: &Repository<'_>, selection: &Selection, options: &Options, 
     findings
 }
 
-fn run_rule(rule: &Rule, repository: &Repository<'_>, cx: &RuleCx<'_>, options: &Options) -> Vec<Finding> {
+fn run_rule(
+    rule: &Rule,
+    repository: &Repository<'_>,
+    measures: Option<&BTreeMap<String, Measures>>,
+    cx: &RuleCx<'_>,
+    options: &Options,
+) -> Vec<Finding> {
     let mut findings = Vec::new();
+    let asked = |name: &str| options.bases.is_empty() || options.bases.iter().any(|base| base == name);
+    let bases = || repository.bases.iter().filter(|base| asked(base.name));
     match rule.check {
         Check::Layer(run) => run(repository.judged, cx, &mut findings),
         Check::Repository(run) => run(repository, cx, &mut findings),
-        Check::Base(run) => {
-            let asked = |name: &str| options.bases.is_empty() || options.bases.iter().any(|base| base == name);
-            for base in repository.bases.iter().filter(|base| asked(base.name)) {
-                run(repository, base, cx, &mut findings);
+        Check::Base(run) => bases().for_each(|base| run(repository, base, cx, &mut findings)),
+        Check::Numeric(run) => {
+            for base in bases() {
+                if let Some(measures) = measures.and_then(|all| all.get(base.name)) {
+                    run(repository, base, measures, cx, &mut findings);
+                }
             }
         }
     }
@@ -218,7 +239,7 @@ fn run_rule(rule: &Rule, repository: &Repository<'_>, cx: &RuleCx<'_>, options: 
 fn report(
     repository: &Repository<'_>,
     findings: Vec<Finding>,
-    judged: &Loaded,
+    judged: &Loaded<'_>,
     selection: &Selection,
     options: &Options,
 ) -> Vec<Finding> {
@@ -253,7 +274,11 @@ fn own_path<'p>(repository: &Repository<'_>, path: &'p str) -> Option<&'p str> {
     if foreign { None } else { judged.relative(path) }
 }
 
-impl Loaded {
+impl<'t> Loaded<'t> {
+    pub(super) fn new(place: Place<'t>, layer: Layer, role: Role, narrow: Vec<String>) -> Self {
+        Self { place, layer, role, narrow }
+    }
+
     fn is_asked_for(&self, path: &str) -> bool {
         let inside = |narrow: &String| {
             path == narrow || path.strip_prefix(narrow.as_str()).is_some_and(|rest| rest.starts_with('/'))

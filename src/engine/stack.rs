@@ -1,8 +1,8 @@
 //! Which data roots lie over which: system data below, user data on top.
 
+use super::load::Place;
 use super::run::Loaded;
 use crate::repo::Layer;
-use crate::source::Tree;
 
 /// The part a data root plays.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -16,12 +16,11 @@ pub(super) enum Role {
 }
 
 impl Role {
-    /// The role of the data root at `root` of `tree`.
-    pub(super) fn of(tree: &Tree, root: &str) -> Self {
-        let prefix = if root.is_empty() { String::new() } else { format!("{root}/") };
+    /// The role of a data root.
+    pub(super) fn of(place: Place<'_>) -> Self {
         let has = |test: fn(&[&str]) -> bool| {
-            let below = tree.entries().iter().filter_map(|entry| entry.path.strip_prefix(&prefix));
-            below.map(|rel| rel.split('/').collect::<Vec<_>>()).any(|parts| test(&parts))
+            let mut below = place.below().map(|(_, rel)| rel.split('/').collect::<Vec<_>>());
+            below.any(|parts| test(&parts))
         };
         let meshes = has(|parts| matches!(parts, ["base", _, "base.json" | "base.obj"]));
         let contarget = has(|parts| matches!(parts, ["contarget", _, _, ..]));
@@ -34,11 +33,11 @@ impl Role {
 }
 
 /// System layer, user layer and judged root of every repository to judge.
-type Stack<'a> = (Option<&'a Layer>, Option<&'a Layer>, &'a Loaded);
+pub(super) type Stack<'a, 't> = (Option<&'a Layer>, Option<&'a Layer>, &'a Loaded<'t>);
 
 /// The repositories that `loaded` makes. With `system` given, every root lies over it.
-pub(super) fn stacks<'a>(loaded: &'a [Loaded], system: Option<&'a Layer>) -> Vec<Stack<'a>> {
-    let stack = |root: &'a Loaded| -> Stack<'a> {
+pub(super) fn stacks<'a, 't>(loaded: &'a [Loaded<'t>], system: Option<&'a Layer>) -> Vec<Stack<'a, 't>> {
+    let stack = |root: &'a Loaded<'t>| -> Stack<'a, 't> {
         if let Some(system) = system {
             return (Some(system), Some(&root.layer), root);
         }
@@ -54,8 +53,8 @@ pub(super) fn stacks<'a>(loaded: &'a [Loaded], system: Option<&'a Layer>) -> Vec
 }
 
 /// Of several system roots the one that shares most of the path.
-fn nearest_system<'a>(loaded: &'a [Loaded], root: &Loaded) -> Option<&'a Layer> {
-    let shared = |other: &Loaded| {
+fn nearest_system<'a>(loaded: &'a [Loaded<'_>], root: &Loaded<'_>) -> Option<&'a Layer> {
+    let shared = |other: &Loaded<'_>| {
         let pairs = other.layer.path.split('/').zip(root.layer.path.split('/'));
         pairs.take_while(|(a, b)| a == b).count()
     };

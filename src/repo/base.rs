@@ -57,7 +57,12 @@ pub(super) struct Layers<'a> {
     pub(super) user_target: Option<&'a Layer>,
 }
 
-impl Layers<'_> {
+impl<'a> Layers<'a> {
+    pub(super) fn new(system: Option<&'a Layer>, user: Option<&'a Layer>) -> Self {
+        let user_target = if is_same(system, user) { None } else { user };
+        Self { system, user, user_target }
+    }
+
     /// A single root that does not hold a base is a user's folder as far as that base goes: the system's
     /// part of it is elsewhere.
     fn of_base(self, name: &str) -> Self {
@@ -179,6 +184,11 @@ fn bind_sliders<'a>(
 }
 
 impl<'a> Base<'a> {
+    /// Resolves one base over its layers.
+    pub fn resolve(name: &'a str, system: Option<&'a Layer>, user: Option<&'a Layer>) -> Self {
+        resolve(name, Layers::new(system, user))
+    }
+
     /// The slider registered under a pattern; of several the last.
     pub fn slider(&self, pattern: &str) -> Option<&BoundSlider<'a>> {
         let registers = |slider: &&BoundSlider<'a>| slider.pattern.names().iter().any(|name| name == pattern);

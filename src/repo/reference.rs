@@ -259,8 +259,7 @@ impl<'a> Repository<'a> {
         judged: &'a Layer,
     ) -> Self {
         let mut repository = Self { application, system, user, judged, bases: Vec::new(), references: Vec::new() };
-        let user_target = if repository.is_one_root() { None } else { user };
-        let layers = super::base::Layers { system, user, user_target };
+        let layers = super::base::Layers::new(system, user);
         let names = super::base::base_names(layers);
         let bases: Vec<Base<'a>> = names.into_iter().map(|name| super::base::resolve(name, layers)).collect();
         repository.references = bases.iter().flat_map(|base| collect(&repository, base)).collect();

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::diag::{Finding, Place, RuleInfo};
+use crate::eval::measures::Measures;
 use crate::repo::{Base, FileFacts, Layer, Repository};
 
 /// A rule.
@@ -19,6 +20,8 @@ pub(crate) enum Check {
     Layer(fn(&Layer, &RuleCx<'_>, &mut Vec<Finding>)),
     /// One base mesh over all layers.
     Base(fn(&Repository<'_>, &Base<'_>, &RuleCx<'_>, &mut Vec<Finding>)),
+    /// One base mesh with what evaluation measured on it.
+    Numeric(fn(&Repository<'_>, &Base<'_>, &Measures, &RuleCx<'_>, &mut Vec<Finding>)),
     /// All layers.
     Repository(fn(&Repository<'_>, &RuleCx<'_>, &mut Vec<Finding>)),
 }

@@ -77,5 +77,8 @@ fn unlike(file: &FileFacts, section: &str, range: &Range, mesh: &Mesh, group: Op
 
 /// Whether the application puts faces of another group into this one, or the reverse.
 fn is_mixed(mesh: &Mesh, group: &str) -> bool {
-    mesh.facts.reopened.iter().any(|reopened| reopened.name == group || reopened.lands_in.iter().any(|name| name == group))
+    mesh.facts
+        .reopened
+        .iter()
+        .any(|reopened| reopened.name == group || reopened.lands_in.iter().any(|name| name == group))
 }

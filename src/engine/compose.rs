@@ -1,0 +1,351 @@
+//! A base mesh with the rows of its targets to a scene of plain arrays.
+//!
+//! Takes what the application would take; what cannot be used (missing file, damaged rows) is left out
+//! and named by rules of its own.
+
+use std::collections::BTreeMap;
+
+use crate::eval::macro_def::{Blend, Component, Macrodef, Slider};
+use crate::eval::macros::MacroTable;
+use crate::eval::scene::{MorphTarget, Scene, SceneSkeleton, SceneSlider, SliderKind};
+use crate::eval::settings::Dimension;
+use crate::eval::skeleton::{Bone, hierarchy};
+use crate::eval::transfer::{TransferBone, transfer};
+use crate::eval::weights::{self, Entry, LoadedWeights};
+use crate::formats::macro_json::MacroFile;
+use crate::formats::mhskel::{RotationPlane, Skeleton};
+use crate::formats::mhw::Weights;
+use crate::formats::obj::Mesh;
+use crate::formats::target::Row;
+use crate::repo::{Base, FileFacts, Pattern, TargetFolder};
+
+/// Rows of targets by printed path.
+pub(super) type Rows = BTreeMap<String, Vec<Row>>;
+
+/// Barycentric sets after a reset, whatever `default` says.
+const BARYCENTRIC_DEFAULTS: [f64; 3] = [0.33, 0.33, 0.34];
+
+/// A base mesh made ready for evaluation.
+pub(super) struct Composed {
+    pub(super) scene: Scene,
+    /// Every skeleton of the base.
+    pub(super) rigs: Vec<Rig>,
+}
+
+/// A skeleton of a base.
+pub(super) struct Rig {
+    /// Printed path of its file.
+    pub(super) path: String,
+    pub(super) skeleton: SceneSkeleton,
+    /// Bones that receive no weights through their references; empty for the pose skeleton.
+    pub(super) without_weights: Vec<String>,
+}
+
+/// The scene of a base, taking its rows out of `rows`. `None` without a mesh.
+pub(super) fn compose(base: &Base<'_>, rows: &mut Rows) -> Option<Composed> {
+    let (_, mesh) = base.mesh?;
+    let mut composer = Composer { rows, mesh, by_path: BTreeMap::new(), scene: Scene::default() };
+    composer.mesh(base);
+    let registered = composer.sliders(base);
+    if let Some((_, file)) = base.macro_file() {
+        composer.macros(base, file, &registered);
+    }
+    let mut scene = composer.scene;
+    let pose = pose_skeleton(base);
+    if let Some((file, skeleton)) = pose {
+        scene.skeleton = skeleton_of(skeleton, mesh.positions.len());
+        let weights = weights_of(base, file, skeleton);
+        scene.weights = scene.skeleton.as_ref().zip(weights).and_then(|(bones, weights)| bind(bones, weights, mesh));
+    }
+    let rigs = base.skeletons.iter().filter_map(|file| {
+        let model = file.skeleton()?;
+        let skeleton = skeleton_of(model, mesh.positions.len())?;
+        let is_pose = pose.is_some_and(|(pose, _)| std::ptr::eq(pose, *file));
+        let without_weights = if is_pose { Vec::new() } else { without_weights(&scene, model) };
+        Some(Rig { path: file.path.clone(), skeleton, without_weights })
+    });
+    let rigs = rigs.collect();
+    Some(Composed { scene, rigs })
+}
+
+/// Bones of another skeleton that get nothing of the default skeleton's weights.
+fn without_weights(scene: &Scene, skeleton: &Skeleton) -> Vec<String> {
+    let Some((default, weights)) = scene.skeleton.as_ref().zip(scene.weights.as_ref()) else { return Vec::new() };
+    let by_name = |name: &String| default.names.iter().position(|other| other == name);
+    let known = |names: &Option<Vec<String>>| -> Vec<usize> { names.iter().flatten().filter_map(by_name).collect() };
+    let lists: Vec<(Option<usize>, Vec<usize>, Vec<usize>)> = skeleton
+        .bones
+        .iter()
+        .map(|bone| (by_name(&bone.name), known(&bone.reference), known(&bone.weights_reference)))
+        .collect();
+    let bones: Vec<TransferBone<'_>> = lists
+        .iter()
+        .map(|(same_name, reference, weights_reference)| TransferBone {
+            same_name: *same_name,
+            reference,
+            weights_reference,
+        })
+        .collect();
+    let parents: Vec<Option<usize>> = default.bones.iter().map(|bone| bone.parent).collect();
+    let moved = transfer(&weights.bones, &parents, &bones);
+    let has = |number: usize| moved.bones.iter().any(|list| list.bone == number && !list.entries.is_empty());
+    let bare = skeleton.bones.iter().enumerate().filter(|(number, _)| !has(*number));
+    bare.map(|(_, bone)| bone.name.clone()).collect()
+}
+
+struct Composer<'r, 'm> {
+    rows: &'r mut Rows,
+    mesh: &'m Mesh,
+    by_path: BTreeMap<String, usize>,
+    scene: Scene,
+}
+
+impl Composer<'_, '_> {
+    fn mesh(&mut self, base: &Base<'_>) {
+        let scene = &mut self.scene;
+        scene.positions.clone_from(&self.mesh.positions);
+        let vertices = self.mesh.positions.len();
+        let visible = base.settings().and_then(|(_, settings)| settings.visible_groups.as_deref());
+        for group in &self.mesh.groups {
+            scene.groups.push(group.name.clone());
+            scene.visible.push(visible.is_some_and(|names| names.contains(&group.name)));
+        }
+        for face in &self.mesh.faces {
+            let run = face.start as usize..(face.start + face.len) as usize;
+            let corners = self.mesh.corners.get(run).unwrap_or_default();
+            if corners.iter().all(|corner| (*corner as usize) < vertices) {
+                scene.face_starts.push(u32::try_from(scene.corners.len()).unwrap_or(u32::MAX));
+                scene.corners.extend_from_slice(corners);
+                scene.face_groups.push(face.group);
+            }
+        }
+        scene.face_starts.push(u32::try_from(scene.corners.len()).unwrap_or(u32::MAX));
+    }
+
+    /// Binds all sliders; gives where each pattern is found in the macro settings.
+    fn sliders(&mut self, base: &Base<'_>) -> BTreeMap<String, Slider> {
+        let mut registered = BTreeMap::new();
+        for bound in &base.sliders {
+            let slider = bound.slider;
+            match &bound.pattern {
+                Pattern::Barycentric(patterns) => self.barycentric(patterns, &mut registered),
+                Pattern::Macro(pattern) => {
+                    let place = self.setting(pattern, slider.default.unwrap_or(0.0));
+                    registered.insert(pattern.clone(), Slider::Value(place));
+                }
+                Pattern::Pair(pattern) | Pattern::Single(pattern) => {
+                    let folder = base.folder_of(bound);
+                    let incr = slider.incr.as_ref().map(|name| self.target(folder, name));
+                    let decr = slider.decr.as_ref().map(|name| self.target(folder, name));
+                    let two_sided = matches!(bound.pattern, Pattern::Pair(_));
+                    self.scene.sliders.push(SceneSlider {
+                        pattern: pattern.clone(),
+                        kind: SliderKind::Detail { incr, decr, two_sided },
+                        default: slider.default.unwrap_or(0.0),
+                    });
+                }
+                Pattern::None => {}
+            }
+        }
+        registered
+    }
+
+    fn barycentric(&mut self, patterns: &[String], registered: &mut BTreeMap<String, Slider>) {
+        let first = self.scene.macro_defaults.len();
+        for (pattern, default) in patterns.iter().zip(BARYCENTRIC_DEFAULTS) {
+            self.setting(pattern, default);
+            registered.insert(pattern.clone(), Slider::Barycentric([first, first + 1, first + 2]));
+        }
+    }
+
+    fn setting(&mut self, pattern: &str, default: f64) -> usize {
+        let place = self.scene.macro_defaults.len();
+        self.scene.macro_defaults.push(default);
+        self.scene.sliders.push(SceneSlider { pattern: pattern.to_owned(), kind: SliderKind::Macro(place), default });
+        place
+    }
+
+    /// Place of a target among the scene's, taking its rows the first time.
+    fn target(&mut self, folder: Option<TargetFolder<'_>>, name: &str) -> usize {
+        let file = folder.and_then(|folder| folder.target(name));
+        let path = file.map_or_else(|| name.to_owned(), |file| file.path.clone());
+        if let Some(place) = self.by_path.get(&path) {
+            return *place;
+        }
+        let rows = file.filter(|file| is_usable(file)).and_then(|file| self.rows.remove(&file.path));
+        let vertices = self.mesh.positions.len();
+        // Rows for seam duplicates are accepted and overwritten by the application.
+        let in_mesh = |row: &Row| (row.index as usize) < vertices;
+        let rows = rows.map(|rows| rows.into_iter().filter(in_mesh).map(|row| (row.index, row.delta)).collect());
+        let place = self.scene.targets.len();
+        self.by_path.insert(path.clone(), place);
+        let suspect = file.is_some_and(is_suspect);
+        self.scene.targets.push(MorphTarget { name: name.to_owned(), path, rows, suspect });
+        place
+    }
+
+    fn macros(&mut self, base: &Base<'_>, file: &MacroFile, registered: &BTreeMap<String, Slider>) {
+        let mut numbers: BTreeMap<usize, u32> = BTreeMap::new();
+        let mut macrodefs = Vec::new();
+        for macrodef in &file.macrodefs {
+            let folder = macrodef.effective_folder.as_deref().unwrap_or_default();
+            let mut links = Vec::new();
+            for link in &macrodef.links {
+                let number = link.target.as_ref().map(|target| {
+                    let place = self.target(base.targets, &format!("{folder}/{target}"));
+                    let next = u32::try_from(numbers.len()).unwrap_or(u32::MAX);
+                    *numbers.entry(place).or_insert_with(|| {
+                        self.scene.macro_targets.push(place);
+                        next
+                    })
+                });
+                links.push((link.name.as_str(), number));
+            }
+            macrodefs.push(Macrodef { components: macrodef.components.iter().map(String::as_str).collect(), links });
+        }
+        for macrodef in &file.macrodefs {
+            let (dimensions, counts) = dimensions(file, &macrodef.components, registered);
+            self.scene.macrodefs.push(dimensions);
+            self.scene.value_counts.push(counts);
+        }
+        let components: Vec<Component<'_>> = file.components.iter().filter_map(component).collect();
+        // Too many combinations to tabulate is a limit of ours, reported where combinations are judged.
+        self.scene.macros = MacroTable::new(&components, &macrodefs, |pattern| registered.get(pattern).copied()).ok();
+    }
+}
+
+/// Sliders of the components of a macrodef; empty where one of them is undefined or unbound, which is reported for
+/// itself.
+fn dimensions(
+    file: &MacroFile,
+    names: &[String],
+    registered: &BTreeMap<String, Slider>,
+) -> (Vec<Dimension>, Vec<usize>) {
+    let one = |name: &String| {
+        let component = file.components.iter().rev().find(|component| component.name == *name)?;
+        let pattern = component.pattern.as_deref()?;
+        let dimension = match (&component.steps, &component.sum) {
+            (Some(steps), _) => match registered.get(pattern)? {
+                Slider::Value(place) => Dimension::Steps { place: *place, steps: steps.clone() },
+                Slider::Barycentric(_) => return None,
+            },
+            (None, Some(sum)) => {
+                let place = |(value, end): (usize, &String)| match registered.get(&format!("{pattern}{end}"))? {
+                    Slider::Barycentric(places) => places.get(value).copied(),
+                    Slider::Value(_) => None,
+                };
+                Dimension::Corners(sum.iter().enumerate().map(place).collect::<Option<_>>()?)
+            }
+            (None, None) => return None,
+        };
+        Some((dimension, component.values.len()))
+    };
+    names.iter().map(one).collect::<Option<Vec<_>>>().unwrap_or_default().into_iter().unzip()
+}
+
+/// Rows that rules report for themselves: looking at them again in every setting would say it many times.
+fn is_suspect(file: &FileFacts) -> bool {
+    file.target().is_some_and(|facts| facts.non_finite.count > 0)
+}
+
+fn component(component: &crate::formats::macro_json::Component) -> Option<Component<'_>> {
+    let blend = match (&component.steps, &component.sum) {
+        (Some(steps), _) => Blend::Steps(steps.clone()),
+        (None, Some(sum)) => Blend::Sum(sum.iter().map(String::as_str).collect()),
+        (None, None) => return None,
+    };
+    Some(Component {
+        name: &component.name,
+        pattern: component.pattern.as_deref()?,
+        values: component.values.iter().map(String::as_str).collect(),
+        blend,
+    })
+}
+
+/// Whether the application could load and apply a target.
+fn is_usable(file: &FileFacts) -> bool {
+    file.target()
+        .is_some_and(|facts| facts.unreadable_rows == 0 && facts.negative.count == 0 && facts.out_of_range.count == 0)
+}
+
+/// The skeleton that `base.json` names, searched in `rigs/<base>/`, user before system.
+pub(super) fn pose_skeleton<'a>(base: &Base<'a>) -> Option<(&'a FileFacts, &'a Skeleton)> {
+    let name = base.settings()?.1.pose_skeleton.as_deref()?;
+    let rel = format!("rigs/{}/{name}", base.name);
+    let file = base.skeletons.iter().find(|file| file.rel == rel)?;
+    Some((file, file.skeleton()?))
+}
+
+fn weights_of<'a>(base: &Base<'a>, file: &FileFacts, skeleton: &Skeleton) -> Option<&'a Weights> {
+    let name = skeleton.weights_file.as_deref().unwrap_or("default_weights.mhw");
+    let rel = format!("rigs/{}/{name}", base.name);
+    let found = base.weights.iter().find(|weights| weights.rel == rel && weights.path != file.path)?;
+    found.weights().filter(|weights| weights.has_weights)
+}
+
+/// Bones in an order with parents first. `None` if the application refuses the skeleton or would stop.
+pub(super) fn skeleton_of(skeleton: &Skeleton, vertices: usize) -> Option<SceneSkeleton> {
+    let mut out = SceneSkeleton::default();
+    for joint in &skeleton.joints {
+        let list = joint.vertices.as_deref().unwrap_or_default();
+        let resolve = |vertex: &i64| joint_vertex(*vertex, vertices);
+        out.joints.push(list.iter().map(resolve).collect::<Option<Vec<u32>>>().filter(|list| !list.is_empty())?);
+        out.joint_names.push(joint.name.clone());
+    }
+    let by_name = |name: &str| skeleton.bones.iter().position(|bone| bone.name == name);
+    let mut parents = Vec::new();
+    for bone in &skeleton.bones {
+        parents.push(match &bone.parent {
+            None => None,
+            Some(parent) => Some(by_name(parent)?),
+        });
+    }
+    let order = hierarchy(&parents).ok()?;
+    let joint = |name: &str| out.joint_names.iter().position(|joint| joint == name);
+    let mut bones = Vec::new();
+    for old in &order {
+        let bone = skeleton.bones.get(*old)?;
+        let plane = match &bone.rotation_plane {
+            RotationPlane::Absent => None,
+            RotationPlane::Malformed => return None,
+            RotationPlane::Named(name) => Some(plane_joints(skeleton, name, joint)?),
+        };
+        let parent = parents.get(*old).copied().flatten();
+        bones.push(Bone {
+            parent: parent.and_then(|parent| order.iter().position(|place| *place == parent)),
+            head: joint(bone.head.as_deref()?)?,
+            tail: joint(bone.tail.as_deref()?)?,
+            plane,
+        });
+        out.names.push(bone.name.clone());
+    }
+    out.bones = bones;
+    Some(out)
+}
+
+/// A negative index counts from the end of the mesh with its seam duplicates; only the plain ones are resolved here.
+fn joint_vertex(vertex: i64, vertices: usize) -> Option<u32> {
+    u32::try_from(vertex).ok().filter(|vertex| (*vertex as usize) < vertices)
+}
+
+fn plane_joints(skeleton: &Skeleton, name: &str, joint: impl Fn(&str) -> Option<usize>) -> Option<[usize; 3]> {
+    let plane = skeleton.planes.iter().find(|plane| plane.name == name)?;
+    match plane.joints.as_deref()? {
+        [Some(a), Some(b), Some(c), ..] => Some([joint(a)?, joint(b)?, joint(c)?]),
+        _ => None,
+    }
+}
+
+/// Weights with bones numbered as in the skeleton, loaded as the application does.
+fn bind(skeleton: &SceneSkeleton, weights: &Weights, mesh: &Mesh) -> Option<LoadedWeights> {
+    let vertices = mesh.positions.len();
+    let root = skeleton.bones.iter().position(|bone| bone.parent.is_none())?;
+    let mut lists: Vec<(usize, Vec<Entry>)> = Vec::new();
+    for bone in &weights.bones {
+        let Some(number) = skeleton.names.iter().position(|name| *name == bone.name) else { continue };
+        let entry = |pair: &crate::formats::mhw::Pair| Some((u32::try_from(pair.vertex).ok()?, pair.weight));
+        lists.push((number, bone.pairs.iter().map(entry).collect::<Option<Vec<Entry>>>()?));
+    }
+    let lists: Vec<(usize, &[Entry])> = lists.iter().map(|(bone, entries)| (*bone, entries.as_slice())).collect();
+    weights::load(&lists, root, vertices).ok()
+}

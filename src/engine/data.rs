@@ -1,0 +1,60 @@
+//! The data roots of a run with their layers, and which lies over which.
+
+use super::load::{MeshSizes, Place, load};
+use super::run::Loaded;
+use super::stack::{Role, Stack, stacks};
+use crate::source::Limits;
+
+/// All data of a run.
+pub(super) struct Data<'t> {
+    /// `--system`: read, not judged.
+    pub(super) system: Option<Loaded<'t>>,
+    /// The roots to judge.
+    pub(super) roots: Vec<Loaded<'t>>,
+    /// Sizes of meshes, of each root with those below it.
+    sizes: Vec<MeshSizes>,
+    system_sizes: MeshSizes,
+}
+
+impl<'t> Data<'t> {
+    /// Reads everything but targets.
+    pub(super) fn load(places: Vec<(Place<'t>, Vec<String>)>, system: Option<Place<'t>>, limits: &Limits) -> Self {
+        let (system, system_sizes) = match system {
+            Some(place) => {
+                let (layer, sizes) = load(place, limits, None);
+                (Some(Loaded::new(place, layer, Role::System, Vec::new())), sizes)
+            }
+            None => (None, MeshSizes::new()),
+        };
+        let mut places: Vec<_> = places.into_iter().map(|(place, narrow)| (place, narrow, Role::of(place))).collect();
+        // System data first: a user root may lack the meshes that its targets are for.
+        places.sort_by_key(|(_, _, role)| *role != Role::System);
+        let mut data = Self { system, roots: Vec::new(), sizes: Vec::new(), system_sizes };
+        let mut below = data.system_sizes.clone();
+        for (place, narrow, role) in places {
+            let (layer, sizes) = load(place, limits, Some(&below));
+            if role == Role::System && data.system.is_none() {
+                below.extend(sizes.clone());
+            }
+            data.sizes.push(sizes);
+            data.roots.push(Loaded::new(place, layer, role, narrow));
+        }
+        data
+    }
+
+    /// The repositories to judge, in order of the roots.
+    pub(super) fn stacks(&self) -> Vec<Stack<'_, 't>> {
+        stacks(&self.roots, self.system.as_ref().map(|system| &system.layer))
+    }
+
+    /// Every root, the system's first, with the sizes of its meshes.
+    pub(super) fn all_mut(&mut self) -> impl Iterator<Item = (&mut Loaded<'t>, &MeshSizes)> {
+        let system = self.system.iter_mut().map(|system| (system, &self.system_sizes));
+        system.chain(self.roots.iter_mut().zip(&self.sizes))
+    }
+
+    /// Every root, the system's first.
+    pub(super) fn all(&self) -> impl Iterator<Item = &Loaded<'t>> {
+        self.system.iter().chain(&self.roots)
+    }
+}

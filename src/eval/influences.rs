@@ -1,0 +1,177 @@
+//! Weights seen from the vertices: which bones move a vertex, and what is lost when only N of them may.
+//!
+//! Gets weights per bone, returns them per vertex. Source of the reduction: MakeHuman 2, glTF export
+//! (formats/makehuman2.md §10.2).
+
+use super::error::EvalError;
+use super::weights::BoneWeights;
+
+/// A bone (the caller's number) and its weight.
+pub type Influence = (usize, f32);
+
+/// Weights per vertex.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Influences {
+    starts: Vec<usize>,
+    entries: Vec<Influence>,
+}
+
+impl Influences {
+    /// Turns weights per bone around. Bones stay in their order; duplicates of a vertex within a bone stay apart, one
+    /// after the other.
+    ///
+    /// # Errors
+    /// A vertex at or beyond `vertex_count`.
+    pub fn new(bones: &[BoneWeights], vertex_count: usize) -> Result<Self, EvalError> {
+        let mut starts = vec![0; vertex_count + 1];
+        for (vertex, _) in bones.iter().flat_map(|b| &b.entries) {
+            *starts.get_mut(*vertex as usize + 1).ok_or_else(|| EvalError::vertex(*vertex, vertex_count))? += 1;
+        }
+        for i in 1..starts.len() {
+            starts[i] += starts[i - 1];
+        }
+        let mut next = starts.clone();
+        let mut entries = vec![(0, 0.0); starts[vertex_count]];
+        for bone in bones {
+            for (vertex, weight) in &bone.entries {
+                let place = &mut next[*vertex as usize];
+                entries[*place] = (bone.bone, *weight);
+                *place += 1;
+            }
+        }
+        Ok(Self { starts, entries })
+    }
+
+    /// Number of vertices.
+    pub fn len(&self) -> usize {
+        self.starts.len().saturating_sub(1)
+    }
+
+    /// True if there are no vertices.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// The bones of a vertex; empty outside the mesh.
+    pub fn of(&self, vertex: u32) -> &[Influence] {
+        let vertex = vertex as usize;
+        let range = self.starts.get(vertex).zip(self.starts.get(vertex + 1));
+        range.and_then(|(start, end)| self.entries.get(*start..*end)).unwrap_or_default()
+    }
+
+    /// All vertices in order.
+    pub fn iter(&self) -> impl Iterator<Item = &[Influence]> {
+        self.starts.windows(2).map(|w| self.entries.get(w[0]..w[1]).unwrap_or_default())
+    }
+
+    /// Keeps the `limit` largest weights of every vertex, largest first (equal ones in bone order), scaled to sum 1.
+    ///
+    /// Duplicates within a bone are added up first. Vertices whose kept weights sum to 0 are not scaled.
+    pub fn reduce(&self, limit: usize) -> Reduction {
+        let mut result =
+            Reduction { influences: Self { starts: vec![0], entries: Vec::new() }, ..Reduction::default() };
+        for (vertex, influences) in (0..).zip(self.iter()) {
+            let mut merged = merged(influences);
+            merged.sort_by(|a, b| b.1.total_cmp(&a.1));
+            result.most = result.most.max(merged.len());
+            let total = sum(&merged);
+            let lost = sum(merged.get(limit..).unwrap_or_default()) / total;
+            if merged.len() > limit {
+                result.reduced += 1;
+                merged.truncate(limit);
+                if result.worst.is_none_or(|(_, worst)| lost > worst) {
+                    result.worst = Some((vertex, lost));
+                }
+            }
+            let kept = sum(&merged);
+            let factor = if kept == 0.0 { 1.0 } else { 1.0 / kept };
+            result.influences.entries.extend(merged.iter().map(|(bone, weight)| (*bone, weight * factor)));
+            result.influences.starts.push(result.influences.entries.len());
+        }
+        result
+    }
+}
+
+/// Outcome of `Influences::reduce`.
+#[derive(Clone, Debug, Default)]
+pub struct Reduction {
+    /// The weights that are left.
+    pub influences: Influences,
+    /// Largest number of bones on a vertex before.
+    pub most: usize,
+    /// Vertices that lost bones.
+    pub reduced: usize,
+    /// Vertex that lost the largest share of its weight, and that share (0..1).
+    pub worst: Option<(u32, f32)>,
+}
+
+fn merged(influences: &[Influence]) -> Vec<Influence> {
+    let mut merged: Vec<Influence> = Vec::with_capacity(influences.len());
+    for (bone, weight) in influences {
+        match merged.last_mut() {
+            Some((last, sum)) if last == bone => *sum += weight,
+            _ => merged.push((*bone, *weight)),
+        }
+    }
+    merged
+}
+
+fn sum(influences: &[Influence]) -> f32 {
+    influences.iter().map(|i| i.1).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn bones(lists: &[&[(u32, f32)]]) -> Vec<BoneWeights> {
+        lists.iter().enumerate().map(|(bone, entries)| BoneWeights { bone, entries: entries.to_vec() }).collect()
+    }
+
+    #[test]
+    fn weights_turn_around() {
+        let found = Influences::new(&bones(&[&[(0, 0.5), (2, 1.0)], &[(0, 0.5)]]), 3).unwrap();
+        assert_eq!(found.of(0), [(0, 0.5), (1, 0.5)]);
+        assert!(found.of(1).is_empty() && found.of(7).is_empty());
+        assert_eq!(found.iter().map(<[_]>::len).collect::<Vec<_>>(), [2, 0, 1]);
+    }
+
+    #[test]
+    fn largest_weights_are_kept_and_scaled() {
+        let all = Influences::new(&bones(&[&[(0, 0.1)], &[(0, 0.6)], &[(0, 0.1)], &[(0, 0.2)]]), 1).unwrap();
+        let reduced = all.reduce(2);
+        let kept: Vec<usize> = reduced.influences.of(0).iter().map(|i| i.0).collect();
+        assert_eq!(kept, [1, 3]);
+        assert!((reduced.influences.of(0)[0].1 - 0.75).abs() < 1e-6);
+        assert_eq!((reduced.most, reduced.reduced), (4, 1));
+        assert!((reduced.worst.unwrap().1 - 0.2).abs() < 1e-6);
+    }
+
+    #[test]
+    fn equal_weights_keep_bone_order() {
+        let all = Influences::new(&bones(&[&[(0, 0.25)], &[(0, 0.25)], &[(0, 0.5)]]), 1).unwrap();
+        assert_eq!(all.reduce(2).influences.of(0).iter().map(|i| i.0).collect::<Vec<_>>(), [2, 0]);
+    }
+
+    #[test]
+    fn duplicates_count_as_one_influence() {
+        let all = Influences::new(&bones(&[&[(0, 0.25), (0, 0.25)], &[(0, 0.5)]]), 1).unwrap();
+        let reduced = all.reduce(4);
+        assert_eq!((reduced.most, reduced.reduced, reduced.worst), (2, 0, None));
+        assert_eq!(reduced.influences.of(0), [(0, 0.5), (1, 0.5)]);
+    }
+
+    #[test]
+    fn vertices_without_weight_stay_empty() {
+        let all = Influences::new(&bones(&[&[(1, 0.0)]]), 3).unwrap();
+        let reduced = all.reduce(4).influences;
+        assert_eq!(reduced.len(), 3);
+        assert_eq!(reduced.of(1), [(0, 0.0)]);
+        assert!(!reduced.is_empty());
+    }
+
+    #[test]
+    fn vertex_outside_the_mesh_is_an_error() {
+        assert_eq!(Influences::new(&bones(&[&[(3, 1.0)]]), 3), Err(EvalError::vertex(3, 3)));
+    }
+}

@@ -1,0 +1,46 @@
+//! The numbers that exist only once several files meet: macro factors, morphed meshes, joints, rest matrices,
+//! weights, fitted assets.
+//!
+//! Gets plain slices, returns plain numbers; imports nothing but `std`. No paths, no file formats, no diagnostics, no
+//! I/O. Points and deltas are `[f32; 3]` in mesh units (one unit is one decimetre), as the applications store them;
+//! sums and matrices are `f64`. Matrices are rows, points are columns. Data that would stop the application is an
+//! `Err`; data that the application skips is skipped, and the function says so. Non-finite numbers pass through: what
+//! the application would turn into NaN is NaN here.
+//!
+//! Formulas are those of MakeHuman 2 (formats/makehuman2.md) unless a function names another application.
+
+#![cfg_attr(
+    test,
+    allow(
+        clippy::float_cmp,
+        clippy::panic,
+        clippy::unwrap_used,
+        reason = "tests choose numbers without rounding and may stop"
+    )
+)]
+
+pub mod component;
+pub mod error;
+pub mod fit;
+mod grid;
+pub mod influences;
+pub mod joints;
+pub mod macro_def;
+pub mod macro_eval;
+pub mod macro_survey;
+pub mod macros;
+pub mod measure;
+pub mod measures;
+pub mod morph;
+pub mod rig_measure;
+pub mod scene;
+pub mod settings;
+pub mod skeleton;
+pub mod skin;
+pub mod surface;
+pub mod survey;
+pub mod symmetry;
+pub mod target_measure;
+pub mod transfer;
+pub mod vector;
+pub mod weights;

@@ -1,0 +1,268 @@
+//! Everything of one base mesh that evaluation needs, as plain arrays, and a setting of its sliders.
+//!
+//! Filled by the caller from files that could be read; what could not is absent here. Source of the order of
+//! application: MakeHuman 2, morph evaluation (formats/makehuman2.md §24).
+
+use super::error::EvalError;
+use super::macro_eval::MacroResult;
+use super::macros::{MacroError, MacroTable};
+use super::morph::{Side, apply, detail_factor};
+use super::settings::Dimension;
+use super::skeleton::Bone;
+use super::vector::Point;
+use super::weights::LoadedWeights;
+
+/// A base mesh with its targets, sliders, skeleton and weights.
+#[derive(Debug, Clone, Default)]
+pub struct Scene {
+    /// Vertices of the base mesh, without seam duplicates, in mesh units.
+    pub positions: Vec<Point>,
+    /// Vertices of all faces, one after the other.
+    pub corners: Vec<u32>,
+    /// Where each face begins in `corners`, and one entry for the end.
+    pub face_starts: Vec<u32>,
+    /// Number of the group of each face.
+    pub face_groups: Vec<u32>,
+    /// Names of the groups.
+    pub groups: Vec<String>,
+    /// Whether a group is drawn.
+    pub visible: Vec<bool>,
+    /// Targets that some slider or macro uses.
+    pub targets: Vec<MorphTarget>,
+    /// Sliders in the order in which the application applies them.
+    pub sliders: Vec<SceneSlider>,
+    /// The compiled macros; `None` without a macro system.
+    pub macros: Option<MacroTable>,
+    /// For each target number of the macros its place in `targets`.
+    pub macro_targets: Vec<usize>,
+    /// Macro settings after a reset.
+    pub macro_defaults: Vec<f64>,
+    /// Sliders of the components of each macrodef, in order of its `comp`.
+    pub macrodefs: Vec<Vec<Dimension>>,
+    /// Number of values of those components.
+    pub value_counts: Vec<Vec<usize>>,
+    /// The pose skeleton.
+    pub skeleton: Option<SceneSkeleton>,
+    /// Weights of the pose skeleton, bones numbered as in `skeleton`; bones the skeleton lacks are left out.
+    pub weights: Option<LoadedWeights>,
+}
+
+/// A morph target.
+#[derive(Debug, Clone, Default)]
+pub struct MorphTarget {
+    /// Path below the target folder without suffix.
+    pub name: String,
+    /// Where it came from, for messages of the caller.
+    pub path: String,
+    /// Vertex and displacement; `None` if there is no such file or it cannot be used.
+    pub rows: Option<Vec<(u32, Point)>>,
+    /// Reported for its own rows already (not finite, out of proportion): looked past when settings are surveyed.
+    pub suspect: bool,
+}
+
+/// A slider as a model file sets it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SceneSlider {
+    /// Its pattern.
+    pub pattern: String,
+    /// What it moves.
+    pub kind: SliderKind,
+    /// Value after a reset.
+    pub default: f64,
+}
+
+/// What a slider moves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SliderKind {
+    /// A number of the macro settings.
+    Macro(usize),
+    /// Targets of its sides, places in [`Scene::targets`].
+    Detail {
+        /// For positive values.
+        incr: Option<usize>,
+        /// For negative values.
+        decr: Option<usize>,
+        /// Whether the window offers negative values.
+        two_sided: bool,
+    },
+}
+
+/// The pose skeleton, parents before children.
+#[derive(Debug, Clone, Default)]
+pub struct SceneSkeleton {
+    /// Names of the bones.
+    pub names: Vec<String>,
+    /// The bones.
+    pub bones: Vec<Bone>,
+    /// Names of the joints.
+    pub joint_names: Vec<String>,
+    /// Vertices of the joints.
+    pub joints: Vec<Vec<u32>>,
+}
+
+/// Positions of all sliders.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Setting {
+    /// Macro settings.
+    pub macros: Vec<f64>,
+    /// Value of each slider of the scene (0 for macro sliders).
+    pub details: Vec<f64>,
+}
+
+/// Why a setting cannot be evaluated.
+#[derive(Debug, Clone, PartialEq)]
+pub enum SettingError {
+    /// A target with a factor has no usable file; the application stops.
+    Unusable {
+        /// Place in [`Scene::targets`].
+        target: usize,
+    },
+    /// The macros stop the application.
+    Macro(MacroError),
+    /// A target moves a vertex the mesh does not have.
+    Morph(EvalError),
+}
+
+impl Scene {
+    /// All sliders as a reset leaves them.
+    pub fn defaults(&self) -> Setting {
+        let details = self.sliders.iter().map(|slider| match slider.kind {
+            SliderKind::Macro(_) => 0.0,
+            SliderKind::Detail { .. } => slider.default,
+        });
+        Setting { macros: self.macro_defaults.clone(), details: details.collect() }
+    }
+
+    /// The slider registered under a pattern; of several the last.
+    pub fn slider(&self, pattern: &str) -> Option<usize> {
+        self.sliders.iter().rposition(|slider| slider.pattern == pattern)
+    }
+
+    /// Puts a slider to a value, as a model file does: not clamped.
+    pub fn set(&self, setting: &mut Setting, slider: usize, value: f64) {
+        let place = match self.sliders.get(slider).map(|slider| slider.kind) {
+            Some(SliderKind::Macro(place)) => setting.macros.get_mut(place),
+            Some(SliderKind::Detail { .. }) => setting.details.get_mut(slider),
+            None => None,
+        };
+        if let Some(place) = place {
+            *place = value;
+        }
+    }
+
+    /// Value of a slider.
+    pub fn value(&self, setting: &Setting, slider: usize) -> Option<f64> {
+        match self.sliders.get(slider)?.kind {
+            SliderKind::Macro(place) => setting.macros.get(place).copied(),
+            SliderKind::Detail { .. } => setting.details.get(slider).copied(),
+        }
+    }
+
+    /// The targets of a setting with their factors, in the order of application: details, then macros.
+    ///
+    /// # Errors
+    /// Where the macros stop the application.
+    pub fn factors(&self, setting: &Setting, macros: &mut MacroResult) -> Result<Vec<(usize, f64)>, SettingError> {
+        let mut factors = Vec::new();
+        for (slider, value) in self.sliders.iter().zip(&setting.details) {
+            let SliderKind::Detail { incr, decr, .. } = slider.kind else { continue };
+            let Some((side, factor)) = detail_factor(*value) else { continue };
+            let target = if side == Side::Incr { incr } else { decr };
+            factors.extend(target.map(|target| (target, factor)));
+        }
+        if let Some(table) = &self.macros {
+            table.evaluate(&setting.macros, macros).map_err(SettingError::Macro)?;
+            let named = macros.factors.iter();
+            factors.extend(named.filter_map(|(number, factor)| {
+                self.macro_targets.get(*number as usize).map(|target| (*target, *factor))
+            }));
+        }
+        Ok(factors)
+    }
+
+    /// Adds targets with their factors to positions.
+    ///
+    /// # Errors
+    /// A target without usable file, or one that moves a vertex outside the mesh.
+    pub fn add(&self, positions: &mut [Point], factors: &[(usize, f64)]) -> Result<(), SettingError> {
+        for (target, factor) in factors {
+            let rows = self.targets.get(*target).and_then(|found| found.rows.as_deref());
+            let rows = rows.ok_or(SettingError::Unusable { target: *target })?;
+            apply(positions, rows.iter().copied(), *factor).map_err(SettingError::Morph)?;
+        }
+        Ok(())
+    }
+
+    /// The mesh at a setting.
+    ///
+    /// # Errors
+    /// As [`Scene::factors`] and [`Scene::add`].
+    pub fn morphed(&self, setting: &Setting) -> Result<Vec<Point>, SettingError> {
+        let factors = self.factors(setting, &mut MacroResult::default())?;
+        let mut positions = self.positions.clone();
+        self.add(&mut positions, &factors)?;
+        Ok(positions)
+    }
+
+    /// Number of faces.
+    pub fn face_count(&self) -> usize {
+        self.face_starts.len().saturating_sub(1)
+    }
+
+    /// Vertices of a face.
+    pub fn face(&self, face: usize) -> &[u32] {
+        let ends = self.face_starts.get(face).zip(self.face_starts.get(face + 1));
+        ends.and_then(|(start, end)| self.corners.get(*start as usize..*end as usize)).unwrap_or_default()
+    }
+
+    /// All faces in order.
+    pub fn faces(&self) -> impl Iterator<Item = &[u32]> + Clone {
+        (0..self.face_count()).map(|face| self.face(face))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn scene() -> Scene {
+        let target = |name: &str, x: f32| MorphTarget {
+            name: name.to_owned(),
+            rows: Some(vec![(0, [x, 0.0, 0.0])]),
+            ..MorphTarget::default()
+        };
+        let kind = SliderKind::Detail { incr: Some(0), decr: Some(1), two_sided: true };
+        Scene {
+            positions: vec![[0.0; 3], [1.0; 3]],
+            targets: vec![target("a-incr", 1.0), target("a-decr", -2.0), MorphTarget::default()],
+            sliders: vec![
+                SceneSlider { pattern: "a-decr|incr".to_owned(), kind, default: 0.0 },
+                SceneSlider {
+                    pattern: "b".to_owned(),
+                    kind: SliderKind::Detail { incr: Some(2), decr: None, two_sided: false },
+                    default: 0.0,
+                },
+            ],
+            ..Scene::default()
+        }
+    }
+
+    #[test]
+    fn negative_values_use_the_other_target_with_the_absolute_value() {
+        let scene = scene();
+        let mut setting = scene.defaults();
+        scene.set(&mut setting, scene.slider("a-decr|incr").unwrap(), -0.5);
+        assert_eq!(scene.morphed(&setting).unwrap(), [[-1.0, 0.0, 0.0], [1.0; 3]]);
+    }
+
+    #[test]
+    fn an_unusable_target_stops_only_settings_that_need_it() {
+        let scene = scene();
+        let mut setting = scene.defaults();
+        assert!(scene.morphed(&setting).is_ok());
+        scene.set(&mut setting, 1, 0.1);
+        assert_eq!(scene.morphed(&setting), Err(SettingError::Unusable { target: 2 }));
+        scene.set(&mut setting, 1, -0.1);
+        assert!(scene.morphed(&setting).is_ok());
+    }
+}

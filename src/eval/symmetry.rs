@@ -1,0 +1,348 @@
+//! Mirror partners of the vertices of a mesh, found from its shape.
+//!
+//! Gets rest positions and faces; returns for every vertex the one on the other side of a plane x = constant, or that
+//! there is none or no telling which. Exact equality is not needed. Where several vertices share a place, the faces
+//! decide. `mirror_difference` compares targets by it.
+
+use super::grid::Grid;
+use super::surface::bounding_box;
+use super::vector::{Point, distance};
+
+/// Partner of a vertex.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mirror {
+    /// This vertex; itself in the middle plane.
+    Partner(u32),
+    /// Nothing lies at the mirrored place.
+    Unmatched,
+    /// Several vertices lie there and their neighbours do not tell which, or the choice is not mutual.
+    Ambiguous,
+}
+
+/// Mirror partners of all vertices: partners are always mutual.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MirrorMap {
+    plane: f32,
+    partners: Vec<Mirror>,
+}
+
+/// The second nearest vertex must be further away than the nearest by this part of the tolerance, otherwise both
+/// share a place.
+const SAME_PLACE: f64 = 0.1;
+/// Places with more candidates than this are not settled by their neighbours.
+const MOST_CANDIDATES: usize = 16;
+
+impl MirrorMap {
+    /// Finds the partners. `tolerance` in mesh units: how far from the exact mirror image a partner may be.
+    ///
+    /// The plane is x = 0, unless that leaves half of the mesh without partner and the middle of its bounding box
+    /// does better: not every base stands in the middle.
+    pub fn new<'a, F>(positions: &[Point], faces: F, tolerance: f32) -> Self
+    where
+        F: IntoIterator<Item = &'a [u32]> + Clone,
+    {
+        let centred = Self::with_plane(positions, faces.clone(), tolerance, 0.0);
+        if centred.unresolved().0 * 2 <= positions.len() {
+            return centred;
+        }
+        let middle = bounding_box(positions).map_or(0.0, |(low, high)| f32::midpoint(low[0], high[0]));
+        let shifted = Self::with_plane(positions, faces, tolerance, middle);
+        if shifted.unresolved().0 < centred.unresolved().0 { shifted } else { centred }
+    }
+
+    /// Finds the partners on the other side of x = `plane`.
+    pub fn with_plane<'a>(
+        positions: &[Point],
+        faces: impl IntoIterator<Item = &'a [u32]>,
+        tolerance: f32,
+        plane: f32,
+    ) -> Self {
+        let grid = Grid::new(positions, tolerance);
+        let mut partners = Vec::with_capacity(positions.len());
+        let mut open = vec![Vec::new(); positions.len()];
+        let mut found = Vec::new();
+        for (p, open) in positions.iter().zip(&mut open) {
+            let searched = grid.near([2.0 * plane - p[0], p[1], p[2]], &mut found);
+            let partner = if searched { nearest(&found, f64::from(tolerance)) } else { Mirror::Ambiguous };
+            if searched && partner == Mirror::Ambiguous && found.len() <= MOST_CANDIDATES {
+                open.extend(found.iter().map(|c| c.0));
+            }
+            partners.push(partner);
+        }
+        let mut map = Self { plane, partners };
+        if open.iter().any(|candidates| !candidates.is_empty()) {
+            map.settle(open, &Neighbours::new(positions.len(), faces));
+        }
+        map.keep_mutual();
+        map
+    }
+
+    /// The plane is x = this, in mesh units.
+    pub fn plane(&self) -> f32 {
+        self.plane
+    }
+
+    /// Partner of a vertex; `Unmatched` outside the mesh.
+    pub fn of(&self, vertex: u32) -> Mirror {
+        self.partners.get(vertex as usize).copied().unwrap_or(Mirror::Unmatched)
+    }
+
+    /// All vertices in order.
+    pub fn partners(&self) -> &[Mirror] {
+        &self.partners
+    }
+
+    /// Number of vertices without partner: (unmatched, ambiguous).
+    pub fn unresolved(&self) -> (usize, usize) {
+        let count = |kind| self.partners.iter().filter(|p| **p == kind).count();
+        (count(Mirror::Unmatched), count(Mirror::Ambiguous))
+    }
+
+    /// Vertices with several candidates (`open`, by vertex) take the one that is joined to the partners of most of
+    /// their neighbours.
+    fn settle(&mut self, mut open: Vec<Vec<u32>>, neighbours: &Neighbours) {
+        let mut pending: Vec<u32> =
+            (0..).zip(&open).filter(|(_, candidates)| !candidates.is_empty()).map(|c| c.0).collect();
+        while !pending.is_empty() {
+            // Choices of one round rest on the round before, so that the order of vertices does not matter.
+            let choice = |v: u32| Some((v, self.best(v, &open[v as usize], neighbours)?));
+            let chosen: Vec<(u32, u32)> = pending.iter().filter_map(|v| choice(*v)).collect();
+            for (vertex, partner) in &chosen {
+                self.partners[*vertex as usize] = Mirror::Partner(*partner);
+                open[*vertex as usize].clear();
+            }
+            pending = chosen.iter().flat_map(|(vertex, _)| neighbours.of(*vertex)).copied().collect();
+            pending.retain(|v| open.get(*v as usize).is_some_and(|candidates| !candidates.is_empty()));
+            pending.sort_unstable();
+            pending.dedup();
+        }
+    }
+
+    fn best(&self, vertex: u32, candidates: &[u32], neighbours: &Neighbours) -> Option<u32> {
+        let score = |candidate: u32| {
+            let joined = neighbours.of(candidate);
+            let mirrored = |n: &&u32| matches!(self.of(**n), Mirror::Partner(m) if joined.binary_search(&m).is_ok());
+            neighbours.of(vertex).iter().filter(mirrored).count()
+        };
+        let (mut best, mut most, mut tie) = (None, 0, false);
+        for candidate in candidates {
+            let score = score(*candidate);
+            if score > most {
+                (best, most, tie) = (Some(*candidate), score, false);
+            } else if score == most {
+                tie = true;
+            }
+        }
+        best.filter(|_| !tie)
+    }
+
+    fn keep_mutual(&mut self) {
+        let mutual = |vertex: u32, partner: &Mirror| match partner {
+            Mirror::Partner(other) => self.of(*other) == Mirror::Partner(vertex),
+            Mirror::Unmatched | Mirror::Ambiguous => true,
+        };
+        let lonely: Vec<bool> = (0..).zip(&self.partners).map(|(vertex, partner)| !mutual(vertex, partner)).collect();
+        for (partner, lonely) in self.partners.iter_mut().zip(lonely) {
+            if lonely {
+                *partner = Mirror::Ambiguous;
+            }
+        }
+    }
+}
+
+fn nearest(found: &[(u32, f64)], tolerance: f64) -> Mirror {
+    let Some(best) = found.iter().min_by(|a, b| a.1.total_cmp(&b.1)) else { return Mirror::Unmatched };
+    let alone = found.iter().all(|c| c.0 == best.0 || c.1 > best.1 + SAME_PLACE * tolerance);
+    if alone { Mirror::Partner(best.0) } else { Mirror::Ambiguous }
+}
+
+/// Vertices joined by an edge, per vertex, ascending.
+struct Neighbours {
+    lists: Vec<Vec<u32>>,
+}
+
+impl Neighbours {
+    fn new<'a>(count: usize, faces: impl IntoIterator<Item = &'a [u32]>) -> Self {
+        let mut lists: Vec<Vec<u32>> = vec![Vec::new(); count];
+        let mut join = |a: u32, b: u32| {
+            if let Some(list) = lists.get_mut(a as usize) {
+                list.push(b);
+            }
+        };
+        for face in faces {
+            for (a, b) in face.iter().zip(face.iter().cycle().skip(1)) {
+                join(*a, *b);
+                join(*b, *a);
+            }
+        }
+        for list in &mut lists {
+            list.sort_unstable();
+            list.dedup();
+        }
+        Self { lists }
+    }
+
+    fn of(&self, vertex: u32) -> &[u32] {
+        self.lists.get(vertex as usize).map(Vec::as_slice).unwrap_or_default()
+    }
+}
+
+/// How far a target is from being the mirror image of another.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct MirrorDifference {
+    /// Vertices moved by either target that were compared.
+    pub compared: usize,
+    /// Vertices moved by either target that have no partner.
+    pub without_partner: usize,
+    /// Compared vertices whose displacements differ by more than the tolerance.
+    pub different: usize,
+    /// Vertex (of the first target) and largest difference in mesh units.
+    pub worst: Option<(u32, f64)>,
+}
+
+/// Compares `one` with the mirror image of `other` (rows of vertex and displacement); pass the same target twice to
+/// test its own symmetry. Of several rows for a vertex the last counts. Rows outside the mesh are left out.
+/// `tolerance` in mesh units.
+pub fn mirror_difference(
+    map: &MirrorMap,
+    one: impl IntoIterator<Item = (u32, Point)>,
+    other: impl IntoIterator<Item = (u32, Point)>,
+    tolerance: f64,
+) -> MirrorDifference {
+    let count = map.partners.len();
+    let (left, right) = (dense(one, count), dense(other, count));
+    let mut result = MirrorDifference::default();
+    for (vertex, partner) in (0..).zip(&map.partners) {
+        let a = left[vertex as usize];
+        let Mirror::Partner(partner) = partner else {
+            result.without_partner += usize::from(moves(a) || moves(right[vertex as usize]));
+            continue;
+        };
+        let b = right[*partner as usize];
+        if !moves(a) && !moves(b) {
+            continue;
+        }
+        result.compared += 1;
+        let distance = distance(a, [-b[0], b[1], b[2]]);
+        result.different += usize::from(distance > tolerance || distance.is_nan());
+        if result.worst.is_none_or(|(_, worst)| distance > worst) {
+            result.worst = Some((vertex, distance));
+        }
+    }
+    result
+}
+
+fn moves(delta: Point) -> bool {
+    delta.iter().any(|d| *d != 0.0)
+}
+
+fn dense(rows: impl IntoIterator<Item = (u32, Point)>, count: usize) -> Vec<Point> {
+    let mut deltas = vec![[0.0; 3]; count];
+    for (vertex, delta) in rows {
+        if let Some(place) = deltas.get_mut(vertex as usize) {
+            *place = delta;
+        }
+    }
+    deltas
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const NO_FACES: [&[u32]; 0] = [];
+
+    fn partners<'a>(positions: &[Point], faces: impl IntoIterator<Item = &'a [u32]> + Clone) -> Vec<Mirror> {
+        MirrorMap::new(positions, faces, 1e-3).partners().to_vec()
+    }
+
+    #[test]
+    fn pairs_and_middle_vertices_are_found() {
+        let mesh = [[1.0, 2.0, 3.0], [0.0, 1.0, 0.0], [-1.0005, 2.0, 3.0], [4.0, 0.0, 0.0]];
+        let expected = [Mirror::Partner(2), Mirror::Partner(1), Mirror::Partner(0), Mirror::Unmatched];
+        assert_eq!(partners(&mesh, NO_FACES), expected);
+    }
+
+    #[test]
+    fn pair_close_to_the_plane_is_not_taken_for_the_middle() {
+        let mesh = [[4e-4, 0.0, 0.0], [-4e-4, 0.0, 0.0]];
+        assert_eq!(partners(&mesh, NO_FACES), [Mirror::Partner(1), Mirror::Partner(0)]);
+    }
+
+    #[test]
+    fn shared_place_without_faces_is_ambiguous() {
+        let mesh = [[1.0, 0.0, 0.0], [1.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [-1.0, 0.0, 0.0]];
+        assert_eq!(partners(&mesh, NO_FACES), [Mirror::Ambiguous; 4]);
+    }
+
+    /// Two strips of one quad on each side that share the places of their upper edge (vertices 2, 3 and 6, 7);
+    /// mirrored from 8 on.
+    fn strips() -> Vec<Point> {
+        let side = |x: f32| {
+            let strip = |z: f32| [[x, 0.0, z], [2.0 * x, 0.0, z], [2.0 * x, 1.0, 0.0], [x, 1.0, 0.0]];
+            [strip(0.5), strip(-0.5)].concat()
+        };
+        [side(1.0), side(-1.0)].concat()
+    }
+
+    #[test]
+    fn faces_tell_vertices_of_one_place_apart() {
+        let faces: Vec<u32> = (0..16).collect();
+        let mesh = strips();
+        let found = partners(&mesh, faces.chunks(4));
+        let expected: Vec<Mirror> = (0..16).map(|v| Mirror::Partner((v + 8) % 16)).collect();
+        assert_eq!(found, expected);
+    }
+
+    #[test]
+    fn order_of_vertices_does_not_matter() {
+        let mesh: Vec<Point> = strips().into_iter().rev().collect();
+        let faces: Vec<u32> = (0..16).rev().collect();
+        let found = partners(&mesh, faces.chunks(4));
+        assert!(found.iter().all(|p| matches!(p, Mirror::Partner(_))));
+    }
+
+    #[test]
+    fn partners_are_mutual() {
+        // Vertex 1 and 2 both lie near the mirror image of 0.
+        let mesh = [[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [-1.0, 0.0009, 0.0]];
+        let found = partners(&mesh, NO_FACES);
+        assert_eq!(found, [Mirror::Partner(1), Mirror::Partner(0), Mirror::Ambiguous]);
+    }
+
+    #[test]
+    fn non_finite_and_huge_positions_are_unmatched() {
+        let mesh = [[f32::NAN; 3], [f32::INFINITY, 0.0, 0.0], [f32::MAX, 0.0, 0.0]];
+        let map = MirrorMap::new(&mesh, NO_FACES, 1e-3);
+        assert_eq!(map.unresolved(), (3, 0));
+        assert_eq!(map.of(99), Mirror::Unmatched);
+    }
+
+    #[test]
+    fn mesh_beside_the_plane_is_mirrored_at_its_middle() {
+        let mesh = strips().iter().map(|p| [p[0] - 0.25, p[1], p[2]]).collect::<Vec<_>>();
+        let faces: Vec<u32> = (0..16).collect();
+        let map = MirrorMap::new(&mesh, faces.chunks(4), 1e-3);
+        assert_eq!(map.plane(), -0.25);
+        assert_eq!(map.unresolved(), (0, 0));
+        assert_eq!(MirrorMap::with_plane(&mesh, faces.chunks(4), 1e-3, 0.0).unresolved(), (16, 0));
+    }
+
+    #[test]
+    fn zero_tolerance_asks_for_exact_images() {
+        let map = MirrorMap::new(&[[1.0, 0.5, 0.0], [-1.0, 0.5, 0.0]], NO_FACES, 0.0);
+        assert_eq!(map.unresolved(), (0, 0));
+    }
+
+    #[test]
+    fn mirrored_targets_do_not_differ() {
+        let map = MirrorMap::new(&[[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [7.0, 0.0, 0.0]], NO_FACES, 1e-3);
+        let left = [(0, [0.5, 1.0, 0.0])];
+        let same = mirror_difference(&map, left, [(1, [-0.5, 1.0, 0.0])], 1e-6);
+        assert_eq!((same.compared, same.different, same.worst), (1, 0, Some((0, 0.0))));
+        let alone = mirror_difference(&map, left, left, 1e-6);
+        assert_eq!((alone.compared, alone.different), (2, 2));
+        let odd = [(2, [1.0; 3]), (9, [1.0; 3])];
+        assert_eq!(mirror_difference(&map, odd, odd, 1e-6).without_partner, 1);
+    }
+}
