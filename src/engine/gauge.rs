@@ -1,5 +1,7 @@
 //! A scene to its measures: the pure functions of `eval`, run in parallel and merged in order.
 
+use std::collections::BTreeSet;
+
 use rayon::prelude::*;
 
 use super::compose::Rig;
@@ -109,7 +111,10 @@ fn macro_measure(scene: &Scene, settings: &[Setting]) -> MacroMeasure {
 
 fn target_measures(scene: &Scene, mirror: &MirrorMap) -> (Vec<TargetMeasure>, Vec<String>) {
     let groups = scene.face_groups.iter().map(|group| scene.groups.get(*group as usize).map_or("", String::as_str));
-    let cubes = cubes_of(groups.zip(scene.faces()));
+    let mut cubes = cubes_of(groups.zip(scene.faces()));
+    // A cube that no joint of the skeleton uses (the ground) may be deformed at will.
+    let used: BTreeSet<u32> = scene.skeleton.iter().flat_map(|skeleton| &skeleton.joints).flatten().copied().collect();
+    cubes.retain(|(_, vertices)| vertices.iter().any(|vertex| used.contains(vertex)));
     let mut parts = Parts {
         body: vec![false; scene.positions.len()],
         cube_of: vec![None; scene.positions.len()],

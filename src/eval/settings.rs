@@ -6,7 +6,7 @@
 
 use std::collections::BTreeSet;
 
-use super::scene::{Scene, Setting, SliderKind};
+use super::scene::{Scene, SceneSlider, Setting, SliderKind};
 
 /// How far beside a step the two sides of it are looked at: well inside every interval, outside the 0.001 limits.
 const BESIDE: f64 = 0.004;
@@ -14,6 +14,8 @@ const BESIDE: f64 = 0.004;
 pub const MOST_CORNERS: usize = 1 << 16;
 /// Random settings when nobody asks for another number.
 pub const DEFAULT_SAMPLES: usize = 64;
+/// Detail sliders that a sampled setting moves: a person sets a few; all of them at once make no figure.
+const SAMPLED_DETAILS: usize = 3;
 /// Seed of the sample: any number, always the same.
 const SEED: u64 = 0x6d68_6c69_6e74;
 
@@ -146,20 +148,29 @@ impl Plan {
 
     fn sample(&mut self, scene: &Scene, dimensions: &[Dimension], samples: usize) {
         let mut random = Random(SEED);
+        let details = details_of(scene);
         for _ in 0..samples {
             let mut setting = scene.defaults();
             for dimension in dimensions {
                 random.macro_values(dimension, &mut setting);
             }
-            for (number, slider) in scene.sliders.iter().enumerate() {
-                if let SliderKind::Detail { two_sided, .. } = slider.kind {
-                    let value = random.next();
-                    scene.set(&mut setting, number, if two_sided { 2.0 * value - 1.0 } else { value });
-                }
+            for _ in 0..SAMPLED_DETAILS.min(details.len()) {
+                let Some((number, two_sided)) = details.get(random.below(details.len())) else { continue };
+                let value = random.next();
+                scene.set(&mut setting, *number, if *two_sided { 2.0 * value - 1.0 } else { value });
             }
             self.settings.push(setting);
         }
     }
+}
+
+/// Numbers of the detail sliders and whether they have two sides.
+fn details_of(scene: &Scene) -> Vec<(usize, bool)> {
+    let detail = |(number, slider): (usize, &SceneSlider)| match slider.kind {
+        SliderKind::Detail { two_sided, .. } => Some((number, two_sided)),
+        SliderKind::Macro(_) => None,
+    };
+    scene.sliders.iter().enumerate().filter_map(detail).collect()
 }
 
 /// `SplitMix64`: a few lines, the same numbers everywhere and for ever.
@@ -173,6 +184,14 @@ impl Random {
         bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
         bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
         (bits >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    /// A whole number below `count`.
+    fn below(&mut self, count: usize) -> usize {
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "not negative and below `count`")]
+        {
+            (self.next() * count as f64) as usize
+        }
     }
 
     fn macro_values(&mut self, dimension: &Dimension, setting: &mut Setting) {
@@ -222,7 +241,6 @@ fn short(value: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::eval::scene::SceneSlider;
 
     fn scene() -> Scene {
         let slider = |pattern: &str, place| SceneSlider {
