@@ -4,6 +4,7 @@
 
 mod compose;
 mod data;
+pub mod evaluate;
 mod input;
 mod load;
 mod locate;

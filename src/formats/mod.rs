@@ -9,6 +9,7 @@ mod fields;
 pub mod geometry;
 pub mod json_file;
 pub mod macro_json;
+pub mod mhclo;
 pub mod mhskel;
 pub mod mhw;
 pub mod modelling;

@@ -14,4 +14,4 @@ pub use gunzip::{GzipFault, gunzip};
 pub use limits::Limits;
 pub use lines::{Position, excerpt, line_span, position};
 pub use text::Encoding;
-pub use tree::{Entry, EntryKind, ReadFault, Tree, WalkFault, WalkFaultKind};
+pub use tree::{Entry, EntryKind, ReadFault, Tree, WalkFault, WalkFaultKind, read_file};
