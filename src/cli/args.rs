@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Parser, Subcommand, ValueEnum};
 
+use super::eval::EvalCommand;
 use crate::diag::{Application, Level};
 
 /// Judges asset repositories of the MakeHuman family before an application meets them.
@@ -21,6 +22,9 @@ pub(super) struct Args {
 pub(super) enum Command {
     /// Judge data roots (the default).
     Check(CheckArgs),
+    /// Compute what the application would show.
+    #[command(subcommand)]
+    Eval(EvalCommand),
 }
 
 /// Arguments of `check`.

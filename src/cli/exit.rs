@@ -33,6 +33,8 @@ impl Exit {
 pub(super) enum Failure {
     /// The run could not be done.
     Run(crate::engine::Error),
+    /// An evaluation could not be done.
+    Eval(crate::engine::evaluate::Error),
     /// Writing failed.
     Io(io::Error),
 }
@@ -50,6 +52,12 @@ impl From<crate::engine::Error> for Failure {
     }
 }
 
+impl From<crate::engine::evaluate::Error> for Failure {
+    fn from(error: crate::engine::evaluate::Error) -> Self {
+        Self::Eval(error)
+    }
+}
+
 impl From<io::Error> for Failure {
     fn from(error: io::Error) -> Self {
         Self::Io(error)
@@ -60,6 +68,7 @@ impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Run(error) => error.fmt(f),
+            Self::Eval(error) => error.fmt(f),
             Self::Io(error) => write!(f, "cannot write: {error}"),
         }
     }

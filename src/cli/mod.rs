@@ -2,6 +2,7 @@
 
 mod args;
 mod check;
+mod eval;
 mod exit;
 
 use std::io::{self, Write};
@@ -19,6 +20,7 @@ pub fn main() -> ExitCode {
     let mut err = io::stderr().lock();
     let result = match &args.command {
         Some(Command::Check(check)) => check::run(check, &mut out, &mut err),
+        Some(Command::Eval(command)) => eval::run(command, &mut out, &mut err),
         None => check::run(&args.check, &mut out, &mut err),
     };
     let exit = result.and_then(|exit| out.flush().map(|()| exit).map_err(exit::Failure::from));

@@ -124,8 +124,17 @@ struct Reader {
 }
 
 const TEXTS: [&str; 11] = [
-    "name", "uuid", "description", "author", "license", "homepage", "tag", "obj_file", "material",
-    "vertexboneweights_file", "version",
+    "name",
+    "uuid",
+    "description",
+    "author",
+    "license",
+    "homepage",
+    "tag",
+    "obj_file",
+    "material",
+    "vertexboneweights_file",
+    "version",
 ];
 const IGNORED: [&str; 4] = ["basemesh", "max_pole", "shapekey", "z_depth"];
 
@@ -165,7 +174,8 @@ impl Reader {
             return self.comment(first, rest);
         }
         let colon = first.ends_with(b":");
-        let keyword = String::from_utf8_lossy(if colon { first.get(..first.len() - 1).unwrap_or(first) } else { first });
+        let keyword =
+            String::from_utf8_lossy(if colon { first.get(..first.len() - 1).unwrap_or(first) } else { first });
         match (self.section, keyword.as_ref()) {
             (_, "verts") => self.section = Section::Vertices,
             (Section::Deleted, _) => self.delete(words),

@@ -72,7 +72,10 @@ pub fn with_positions(obj: &[u8], positions: &[Point]) -> Vec<u8> {
     let mut out = Vec::with_capacity(obj.len());
     let mut next = positions.iter();
     for line in obj.split_inclusive(|byte| *byte == b'\n') {
-        let is_vertex = line.trim_ascii_start().strip_prefix(b"v").is_some_and(|rest| rest.starts_with(b" ") || rest.starts_with(b"\t"));
+        let is_vertex = line
+            .trim_ascii_start()
+            .strip_prefix(b"v")
+            .is_some_and(|rest| rest.starts_with(b" ") || rest.starts_with(b"\t"));
         match if is_vertex { next.next() } else { None } {
             Some([x, y, z]) => out.extend_from_slice(format!("v {x} {y} {z}\n").as_bytes()),
             None => out.extend_from_slice(line),

@@ -102,7 +102,8 @@ impl Evaluation {
     /// The listed file at a printed path.
     pub(super) fn entry(&self, path: &str) -> Option<(&Tree, &crate::source::Entry)> {
         self.trees.iter().find_map(|tree| {
-            let rel = if tree.label().is_empty() { path } else { path.strip_prefix(tree.label())?.strip_prefix('/')? };
+            let rel =
+                if tree.label().is_empty() { path } else { path.strip_prefix(tree.label())?.strip_prefix('/')? };
             Some((tree, tree.entry(rel)?))
         })
     }

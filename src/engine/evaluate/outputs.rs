@@ -106,7 +106,8 @@ impl Evaluation {
             let sum = rounded(folders.get(&folder).copied().unwrap_or_default());
             (folder, sum)
         });
-        let targets = result.factors.iter().map(|(target, factor)| json!([self.macro_target(*target), rounded(*factor)]));
+        let targets =
+            result.factors.iter().map(|(target, factor)| json!([self.macro_target(*target), rounded(*factor)]));
         object([
             ("raw", kept().map(|c| json!([name(c), rounded(c.factor)])).collect()),
             ("dropped", dropped().map(name).collect()),

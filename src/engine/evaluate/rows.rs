@@ -5,13 +5,13 @@ use super::files::read_cause;
 use super::open::Evaluation;
 use crate::engine::compose::is_usable;
 use crate::engine::read;
+use crate::eval::component::ComponentFault;
 use crate::eval::macro_eval::MacroResult;
 use crate::eval::macros::{MacroError, MacroTable};
-use crate::eval::component::ComponentFault;
 use crate::eval::scene::{Setting, SettingError};
 use crate::eval::vector::Point;
-use crate::repo::FileFacts;
 use crate::formats::target::Row;
+use crate::repo::FileFacts;
 
 impl Evaluation {
     /// The targets of a setting with their factors: places in the scene's targets, details before macros.
@@ -43,10 +43,8 @@ impl Evaluation {
     pub fn macros(&self, setting: &Setting) -> Result<(&MacroTable, MacroResult), Error> {
         let base = self.base.clone();
         let table = self.scene.macros.as_ref().filter(|_| self.macros.is_ok());
-        let table = table.ok_or_else(|| Error::NoMacros {
-            base,
-            reason: self.macros.as_ref().err().cloned().unwrap_or_default(),
-        })?;
+        let table = table
+            .ok_or_else(|| Error::NoMacros { base, reason: self.macros.as_ref().err().cloned().unwrap_or_default() })?;
         let mut result = MacroResult::default();
         let evaluated = table.evaluate(&setting.macros, &mut result);
         evaluated.map_err(|error| self.setting_error(SettingError::Macro(error)))?;
@@ -96,7 +94,8 @@ impl Evaluation {
         };
         let name = self.macros.as_ref().ok().and_then(|macros| {
             // The table holds the components that have a pattern.
-            let used = macros.components.iter().filter(|c| c.pattern.is_some() && (c.steps.is_some() || c.sum.is_some()));
+            let used =
+                macros.components.iter().filter(|c| c.pattern.is_some() && (c.steps.is_some() || c.sum.is_some()));
             used.map(|c| c.name.as_str()).nth(component)
         });
         Error::Stops {

@@ -110,7 +110,9 @@ fn refusal(skeleton: &Skeleton, vertices: usize) -> String {
         for (end, joint) in [("head", &bone.head), ("tail", &bone.tail)] {
             match joint {
                 Some(joint) if has_joint(joint) => {}
-                Some(joint) => return format!("the {end} of bone `{}` is joint `{joint}`, which has no vertices", bone.name),
+                Some(joint) => {
+                    return format!("the {end} of bone `{}` is joint `{joint}`, which has no vertices", bone.name);
+                }
                 None => return format!("bone `{}` has no {end}", bone.name),
             }
         }

@@ -6,13 +6,14 @@ use std::path::Path;
 use super::error::Error;
 use super::files::{json_cause, read_text, shown};
 use super::skeleton::SkeletonFile;
+use crate::eval::influences::{Influences, Reduction};
 use crate::eval::transfer::{TransferBone, transfer};
 use crate::eval::weights::{BoneWeights, Entry, LoadedWeights, load};
 use crate::formats::mhw::{self, Pair, Weights};
 use crate::source::Encoding;
 
 /// More vertices than this are not believed; the largest base has 20 thousand.
-pub const MOST_VERTICES: usize = 1 << 24;
+pub(super) const MOST_VERTICES: usize = 1 << 24;
 
 /// The lists of a weights file.
 #[derive(Debug, Clone, Default)]
@@ -123,9 +124,8 @@ pub fn transferred(
         .iter()
         .filter_map(|list| Some(BoneWeights { bone: find(weights.names.get(list.bone)?)?, ..list.clone() }))
         .collect();
-    let numbers = |list: &Option<Vec<String>>| -> Vec<usize> {
-        list.iter().flatten().filter_map(|name| find(name)).collect()
-    };
+    let numbers =
+        |list: &Option<Vec<String>>| -> Vec<usize> { list.iter().flatten().filter_map(|name| find(name)).collect() };
     let lists: Vec<_> = other
         .model
         .bones
@@ -164,4 +164,32 @@ pub fn to_mhw(weights: &NamedWeights, name: &str) -> String {
     }
     out.push_str("\n}\n}\n");
     out
+}
+
+impl NamedWeights {
+    /// Keeps the strongest `limit` bones of every vertex.
+    ///
+    /// # Errors
+    /// Weights of vertices beyond `vertices`.
+    pub fn reduce(&mut self, limit: usize, vertices: usize) -> Result<Reduction, Error> {
+        let reduction = Influences::new(&self.loaded.bones, vertices)?.reduce(limit);
+        let mut lists: Vec<BoneWeights> =
+            self.loaded.bones.iter().map(|list| BoneWeights { bone: list.bone, entries: Vec::new() }).collect();
+        let mut places = vec![None; self.names.len()];
+        for (place, list) in lists.iter().enumerate() {
+            if let Some(slot) = places.get_mut(list.bone) {
+                *slot = Some(place);
+            }
+        }
+        for (vertex, influences) in (0..).zip(reduction.influences.iter()) {
+            for (bone, weight) in influences {
+                let place = places.get(*bone).copied().flatten();
+                if let Some(list) = place.and_then(|place| lists.get_mut(place)) {
+                    list.entries.push((vertex, *weight));
+                }
+            }
+        }
+        self.loaded.bones = lists;
+        Ok(reduction)
+    }
 }

@@ -140,7 +140,8 @@ impl<'a> Computer<'a> {
         let base = self.base_called(base)?;
         let default = base.pose_skeleton()?.clone();
         let vertices = base.scene().positions.len();
-        let count = if inputs::field(case, "vertex_count").is_some() { inputs::count(case, "vertex_count")? } else { vertices };
+        let count =
+            if inputs::field(case, "vertex_count").is_some() { inputs::count(case, "vertex_count")? } else { vertices };
         let loaded = read_weights(&path)?.load(default.root()?, count)?;
         let (moved, _) = transferred(&loaded, &default, &other)?;
         weights_json(&moved, count, &inputs::weighted_vertices(case))

@@ -1,0 +1,47 @@
+//! Results to a file or to standard output.
+
+use std::fs;
+use std::io::Write;
+use std::path::Path;
+
+use super::args::MeshOutput;
+use crate::cli::exit::Failure;
+use crate::engine::evaluate::Error;
+
+/// Writes to `file`, or to `out` without one.
+pub(super) fn write(bytes: &[u8], file: Option<&Path>, out: &mut dyn Write) -> Result<(), Failure> {
+    match file {
+        Some(file) => write_file(file, bytes),
+        None => Ok(out.write_all(bytes)?),
+    }
+}
+
+/// Writes a mesh as asked for: `obj` or `json`, whichever is wanted.
+pub(super) fn write_mesh(
+    output: &MeshOutput,
+    obj: impl FnOnce() -> Result<Vec<u8>, Error>,
+    json: impl FnOnce() -> Result<Vec<u8>, Error>,
+    out: &mut dyn Write,
+) -> Result<(), Failure> {
+    let bytes = if output.is_json() { json()? } else { obj()? };
+    write(&bytes, output.output.as_deref(), out)
+}
+
+/// Writes beside the file first and then takes its place, so that nobody ever sees half a result.
+fn write_file(file: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    let fault = |reason: String| {
+        let path = file.display().to_string();
+        Failure::Eval(Error::File { path, reason: format!("not written: {reason}") })
+    };
+    let folder = file.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    if !folder.is_dir() {
+        return Err(fault(format!("there is no folder `{}`; make it first", folder.display())));
+    }
+    let Some(name) = file.file_name() else { return Err(fault("it is no file name".to_owned())) };
+    let beside = folder.join(format!(".{}.{}.tmp", name.to_string_lossy(), std::process::id()));
+    fs::write(&beside, bytes).and_then(|()| fs::rename(&beside, file)).map_err(|error| {
+        // The error of the write is the one to tell; the remains may not exist at all.
+        let _ = fs::remove_file(&beside);
+        fault(error.to_string())
+    })
+}
