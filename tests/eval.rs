@@ -1,4 +1,5 @@
 //! `mhlint eval` through the real binary.
+#![allow(clippy::unwrap_used, reason = "tests may stop")]
 
 mod scratch;
 
@@ -26,7 +27,7 @@ fn error_of(args: &[&str]) -> String {
     let output = eval(args);
     let text = String::from_utf8_lossy(&output.stderr).into_owned();
     assert_eq!(output.status.code(), Some(2), "{text}");
-    assert!(output.stdout.is_empty());
+    assert!(output.stdout.is_empty(), "{text}");
     text
 }
 
@@ -104,9 +105,9 @@ fn copy_into(from: &Path, to: &Path) {
         let entry = entry.unwrap();
         let place = to.join(entry.file_name());
         if entry.path().is_dir() {
-            copy_into(&entry.path(), &place)
+            copy_into(&entry.path(), &place);
         } else {
-            fs::copy(entry.path(), place).map(|_| ()).unwrap()
+            fs::copy(entry.path(), place).map(drop).unwrap();
         }
     }
 }
@@ -288,7 +289,7 @@ fn reference_files_agree_within_their_tolerances() {
     for entry in fs::read_dir(&reference).unwrap() {
         let path = entry.unwrap().path();
         let name = path.file_name().unwrap().to_str().unwrap().to_owned();
-        if name.starts_with("mh2_") && name.ends_with(".json") {
+        if name.starts_with("mh2_") && path.extension().is_some_and(|ending| ending == "json") {
             files.insert(name, path);
         }
     }

@@ -8,6 +8,9 @@ use super::write;
 use crate::cli::exit::{Exit, Failure};
 use crate::engine::evaluate::{CaseRun, Comparison, Deviation, Error, Roots, read_text, run_cases};
 
+/// Differences that are listed of a case.
+const SHOWN: usize = 10;
+
 pub(super) fn run(args: &CasesArgs, out: &mut dyn Write, err: &mut dyn Write) -> Result<Exit, Failure> {
     let roots = args.roots.iter().map(|text| root(text)).collect::<Result<Vec<_>, _>>()?;
     let roots = Roots::new(roots)?;
@@ -40,13 +43,10 @@ fn root(text: &str) -> Result<(String, PathBuf), Error> {
 
 fn compare(cases: &CaseRun<'_>, args: &CasesArgs, out: &mut dyn Write) -> Result<Exit, Failure> {
     let comparisons = cases.compared();
-    let mut text = String::new();
-    for comparison in &comparisons {
-        text.push_str(&line(comparison));
-    }
+    let mut lines: Vec<String> = comparisons.iter().map(line).collect();
     let agreeing = comparisons.iter().filter(|comparison| comparison.agrees()).count();
-    text.push_str(&format!("{agreeing} of {} cases agree within the tolerances\n", comparisons.len()));
-    write::write(text.as_bytes(), args.output.as_deref(), out)?;
+    lines.push(format!("{agreeing} of {} cases agree within the tolerances\n", comparisons.len()));
+    write::write(lines.concat().as_bytes(), args.output.as_deref(), out)?;
     Ok(if comparisons.iter().any(|comparison| comparison.failure.is_some()) {
         Exit::CannotWork
     } else if agreeing < comparisons.len() {
@@ -63,14 +63,13 @@ fn line(comparison: &Comparison) -> String {
     }
     let numbers: Vec<String> = comparison.deviations.iter().map(deviation).collect();
     let verdict = if comparison.agrees() { "agrees " } else { "differs" };
-    let mut text = format!("{verdict} {}: {}\n", comparison.name, numbers.join(", "));
-    for difference in comparison.differences.iter().take(10) {
-        text.push_str(&format!("        {difference}\n"));
+    let mut lines = vec![format!("{verdict} {}: {}\n", comparison.name, numbers.join(", "))];
+    let shown = comparison.differences.iter().take(SHOWN);
+    lines.extend(shown.map(|difference| format!("        {difference}\n")));
+    if comparison.differences.len() > SHOWN {
+        lines.push(format!("        and {} differences more\n", comparison.differences.len() - SHOWN));
     }
-    if comparison.differences.len() > 10 {
-        text.push_str(&format!("        and {} differences more\n", comparison.differences.len() - 10));
-    }
-    text
+    lines.concat()
 }
 
 fn deviation(deviation: &Deviation) -> String {

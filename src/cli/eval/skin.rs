@@ -13,9 +13,9 @@ pub(super) fn run(args: &SkinArgs, out: &mut dyn Write) -> Result<(), Failure> {
     let mut opened = open(&args.base)?;
     let poses = read_poses(&args.pose)?;
     let positions = opened.evaluation.morphed(&opened.setting)?;
-    let posed = opened.evaluation.posed(&positions, &poses)?;
+    let skinned = opened.evaluation.posed(&positions, &poses)?;
     opened.inputs.insert("pose".to_owned(), Value::from(args.pose.to_string_lossy()));
-    let obj = || Ok(with_positions(&opened.evaluation.mesh_text()?, &posed.positions));
-    let json = || Ok(document("skin", opened.inputs, skin_json(&posed, &args.output.vertices)?));
+    let obj = || Ok(with_positions(&opened.evaluation.mesh_text()?, &skinned.positions));
+    let json = || Ok(document("skin", opened.inputs, skin_json(&skinned, &args.output.vertices)?));
     write::write_mesh(&args.output, obj, json, out)
 }

@@ -45,7 +45,7 @@ pub struct Fitted {
 pub fn read_asset(path: &Path) -> Result<Asset, Error> {
     let clothes = mhclo::parse(&read_text(path)?);
     if let Some((fault, exception)) = clothes.stops_at() {
-        let reason = format!("`{}`, line {}: {:?}", shown(path), fault.line, fault.kind);
+        let reason = format!("`{}`, line {}: {}", shown(path), fault.line, fault.kind);
         return Err(Error::Stops { exception, reason });
     }
     let name = clothes.file("obj_file").ok_or_else(|| Error::file(shown(path), "it names no obj_file"))?;

@@ -78,11 +78,11 @@ impl Evaluation {
             }
             places.push(place);
         }
-        let posed = pose_bones(&rest.skeleton.bones, &rest.bones, &by_bone)?;
-        let moved: Vec<Mat4> = posed.iter().map(|bone| bone.moved).collect();
+        let bones = pose_bones(&rest.skeleton.bones, &rest.bones, &by_bone)?;
+        let moved: Vec<Mat4> = bones.iter().map(|bone| bone.moved).collect();
         let positions = skin(positions, &weights.bones, &moved)?;
         let ends = |place: &usize| {
-            let (bone, rest): (&PosedBone, _) = (posed.get(*place)?, rest.bones.get(*place)?);
+            let (bone, rest): (&PosedBone, _) = (bones.get(*place)?, rest.bones.get(*place)?);
             Some((translation(&bone.global), transform(&bone.moved, widen(rest.tail)), bone.moved))
         };
         let bones = poses.iter().zip(&places).filter_map(|((name, _), place)| {

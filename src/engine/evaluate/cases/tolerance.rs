@@ -65,8 +65,11 @@ impl Tolerance {
             (None, None) => 0.0,
             (Some(expected), Some(found)) => match self {
                 Self::Absolute(_) => (expected - found).abs(),
-                Self::Relative(_) if expected == found => 0.0,
-                Self::Relative(_) => (expected - found).abs() / expected.abs(),
+                Self::Relative(_) => {
+                    let distance = (expected - found).abs();
+                    // Equal zeros have no ratio.
+                    if distance > 0.0 { distance / expected.abs() } else { distance }
+                }
             },
             _ => f64::INFINITY,
         }
