@@ -66,7 +66,35 @@ fn document(kind: &str, inputs: Map<String, Value>, outputs: Map<String, Value>)
         ("inputs", Value::Object(inputs)),
         ("outputs", Value::Object(outputs)),
     ]);
-    let mut text = serde_json::to_vec_pretty(&whole).unwrap_or_default();
-    text.push(b'\n');
-    text
+    let mut text = String::new();
+    lay_out(&Value::Object(whole), 1, &mut text);
+    text.push('\n');
+    text.into_bytes()
+}
+
+/// Levels of objects that get a line for each member; below, everything stands in one line.
+const OPEN_LEVELS: usize = 3;
+
+/// JSON that people can read, too: vectors and matrices stay in one line.
+fn lay_out(value: &Value, level: usize, out: &mut String) {
+    let indent = "  ".repeat(level);
+    let close = "  ".repeat(level - 1);
+    match value {
+        Value::Object(members) if level <= OPEN_LEVELS && !members.is_empty() => {
+            for (place, (key, member)) in members.iter().enumerate() {
+                let before = if place == 0 { "{" } else { "," };
+                out.extend([before, "\n", &indent, &Value::from(key.as_str()).to_string(), ": "]);
+                lay_out(member, level + 1, out);
+            }
+            out.extend(["\n", &close, "}"]);
+        }
+        Value::Array(elements) if level <= OPEN_LEVELS && elements.iter().any(|e| e.is_array() || e.is_object()) => {
+            for (place, element) in elements.iter().enumerate() {
+                let before = if place == 0 { "[" } else { "," };
+                out.extend([before, "\n", &indent, &element.to_string()]);
+            }
+            out.extend(["\n", &close, "]"]);
+        }
+        other => out.push_str(&other.to_string()),
+    }
 }

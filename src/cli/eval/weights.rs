@@ -2,13 +2,13 @@
 
 use std::io::Write;
 
-use serde_json::{Map, Value, json};
+use serde_json::Value;
 
 use super::args::WeightsArgs;
 use super::{document, write};
 use crate::cli::exit::Failure;
 use crate::engine::evaluate::{
-    NamedWeights, object, read_skeleton, read_weights, reduction_json, to_mhw, transferred, weights_json,
+    load_json, object, read_skeleton, read_weights, reduction_json, to_mhw, transferred, weights_json,
 };
 
 /// Root bone of weights without a skeleton, as the shipped skeletons call it.
@@ -20,7 +20,7 @@ pub(super) fn run(args: &WeightsArgs, out: &mut dyn Write) -> Result<(), Failure
     let root = skeleton.as_ref().map_or(Ok(ROOT), |skeleton| skeleton.root())?;
     let count = args.vertices.unwrap_or_else(|| lists.vertices_named());
     let mut weights = lists.load(root, count)?;
-    let mut more = load_facts(&weights);
+    let mut more = load_json(&weights);
     if let Some(skeleton) = &skeleton {
         let known = |name: &&String| !skeleton.model.bones.iter().any(|bone| bone.name == **name);
         more.insert("unknown_bones".to_owned(), weights.names.iter().filter(known).cloned().collect());
@@ -47,18 +47,4 @@ pub(super) fn run(args: &WeightsArgs, out: &mut dyn Write) -> Result<(), Failure
         ("vertex_count", Value::from(count)),
     ]);
     write::write(&document("weights", inputs, outputs), None, out)
-}
-
-/// What loading changed.
-fn load_facts(weights: &NamedWeights) -> Map<String, Value> {
-    let loaded = &weights.loaded;
-    let lost = loaded.lost.iter().filter(|share| **share > 0.0).count();
-    let worst = (0_usize..).zip(&loaded.lost).filter(|(_, share)| **share > 0.0).max_by(|a, b| a.1.total_cmp(b.1));
-    let off = |sum: &&f32| (**sum - 1.0).abs() > 1e-4;
-    object([
-        ("vertices_not_summing_to_one", Value::from(loaded.raw_sums.iter().filter(off).count())),
-        ("vertices_to_root", Value::from(loaded.root_vertices.len())),
-        ("vertices_losing_weight", Value::from(lost)),
-        ("largest_loss", worst.map_or(Value::Null, |(vertex, share)| json!({ "vertex": vertex, "share": share }))),
-    ])
 }

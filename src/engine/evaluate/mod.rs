@@ -21,7 +21,9 @@ pub use cases::{CaseReport, CaseRun, Comparison, Deviation, Roots, run_cases};
 pub use error::Error;
 pub use files::{read_text, with_positions};
 pub use open::Evaluation;
-pub use outputs::{fit_json, macros_json, mesh_json, object, reduction_json, skeleton_json, skin_json, weights_json};
+pub use outputs::{
+    fit_json, load_json, macros_json, mesh_json, object, reduction_json, skeleton_json, skin_json, weights_json,
+};
 pub use pose::{PosedBase, Poses, read_poses};
 pub use settings::{parse_setting, read_settings};
 pub use skeleton::{RestSkeleton, SkeletonFile, read_skeleton};

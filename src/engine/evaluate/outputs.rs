@@ -229,6 +229,26 @@ pub(super) fn weight_lists_json(weights: &NamedWeights) -> Map<String, Value> {
     object([("weights", Value::Object(lists.collect()))])
 }
 
+/// What loading changed.
+pub fn load_json(weights: &NamedWeights) -> Map<String, Value> {
+    let loaded = &weights.loaded;
+    let lost = loaded.lost.iter().filter(|share| **share > 0.0).count();
+    let worst = (0_usize..).zip(&loaded.lost).filter(|(_, share)| **share > 0.0).max_by(|a, b| a.1.total_cmp(b.1));
+    let off = |sum: &&f32| (**sum - 1.0).abs() > 1e-4;
+    object([
+        ("vertices_not_summing_to_one", Value::from(loaded.raw_sums.iter().filter(off).count())),
+        ("vertices_to_root", Value::from(loaded.root_vertices.len())),
+        ("vertices_losing_weight", Value::from(lost)),
+        (
+            "largest_loss",
+            worst.map_or(
+                Value::Null,
+                |(vertex, share)| json!({ "vertex": vertex, "share": rounded(f64::from(*share)) }),
+            ),
+        ),
+    ])
+}
+
 /// What a reduction to fewer bones a vertex did.
 pub fn reduction_json(reduction: &Reduction, limit: usize) -> Value {
     let worst = reduction.worst.map(|(vertex, share)| json!({ "vertex": vertex, "share": rounded(f64::from(share)) }));
