@@ -1,6 +1,29 @@
-//! Judges and evaluates asset repositories of the `MakeHuman` family.
+//! Judges asset repositories of the `MakeHuman` family before an application meets them.
 //!
-//! One way through the house: discover → source → formats → repo → rules → engine → report → cli.
+//! The library reads everything an application would read, resolves every name the way that application
+//! resolves it, and says what would happen to its user: a crash, a vanished asset, a dead slider. The
+//! command `mhlint` is a thin layer over it.
+//!
+//! ```no_run
+//! use mhlint::{Level, Options, lint};
+//!
+//! let outcome = lint(&["data".into()], &Options::default())?;
+//! for finding in &outcome.findings {
+//!     println!("{}: {} [{}]", finding.path, finding.message, finding.rule);
+//! }
+//! assert!(!outcome.has_at_least(Level::Error));
+//! # Ok::<(), mhlint::Error>(())
+//! ```
+//!
+//! [`lint_trees`] does the same without a disk, on [`Tree`]s in memory. [`report`] writes an [`Outcome`] in
+//! the formats of the command line.
+//!
+//! Two channels are never mixed: damaged data are [`Finding`]s, [`Error`] means that the run could not be
+//! done. No input makes the library panic; where one of its own bugs does, the file or rule is skipped and
+//! [`Outcome::failed_rules`] tells.
+//!
+//! One way through the house: discover → source → formats → repo → rules → engine → report → cli
+//! (`docs/architecture.md`).
 
 pub mod cli;
 pub mod diag;

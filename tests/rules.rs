@@ -3,6 +3,7 @@
 //! `fixtures/rules/<id>/<case>/` holds `case.toml` (edits over the example repository) and, where
 //! something is found, `expected.txt`. Cases named `good…` must be silent, cases named `bad…` must show
 //! the rule. `UPDATE=1 cargo test --test rules` rewrites the expectations; read the diff before you commit.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may stop where it fails")]
 
 mod scratch;
 

@@ -1,30 +1,65 @@
-//! The arguments.
+//! The arguments and their help.
 
 use std::path::PathBuf;
 
 use clap::{Parser, Subcommand, ValueEnum};
 
 use super::eval::EvalCommand;
-use crate::diag::{Application, Level};
+use super::output::Target;
+use crate::diag::{Application, Level, nearest};
+
+const AFTER_HELP: &str = "\
+Exit codes: 0 nothing at or above --fail-on, 1 findings, 2 could not work, 3 nothing found to check.
+
+Examples:
+  mhlint data/                                     judge a data folder
+  mhlint my-pack/ --system makehuman2/data         judge a pack against MakeHuman's own data
+  mhlint data/ --report human --report json=r.json read it here, keep it for a program
+  mhlint explain macro-steps-length                what a finding means, with an example";
 
 /// Judges asset repositories of the MakeHuman family before an application meets them.
 #[derive(Debug, Parser)]
-#[command(name = "mhlint", version, args_conflicts_with_subcommands = true)]
+#[command(name = "mhlint", version, args_conflicts_with_subcommands = true, after_help = AFTER_HELP)]
 pub(super) struct Args {
     #[command(subcommand)]
     pub(super) command: Option<Command>,
     #[command(flatten)]
     pub(super) check: CheckArgs,
+    /// Colour in what is printed.
+    #[arg(long, value_name = "WHEN", default_value = "auto", global = true)]
+    pub(super) color: ColorChoice,
 }
 
 /// What to do.
 #[derive(Debug, Subcommand)]
 pub(super) enum Command {
-    /// Judge data roots (the default).
+    /// Judge data roots (what happens without a command).
+    #[command(after_help = AFTER_HELP)]
     Check(CheckArgs),
     /// Compute what the application would show.
     #[command(subcommand)]
     Eval(EvalCommand),
+    /// Say what a rule means: consequence, remedy, a bad and a good example.
+    Explain {
+        /// A rule, or the start of its name to list a family.
+        rule: String,
+    },
+    /// List all rules.
+    Rules {
+        /// How.
+        #[arg(long, value_name = "FORMAT", default_value = "table")]
+        format: ListFormat,
+    },
+    /// Print an embedded JSON Schema, or the names of all.
+    Schema {
+        /// Which one.
+        name: Option<String>,
+    },
+}
+
+impl Command {
+    /// The words for the commands, to find slips of the pen.
+    pub(super) const WORDS: [&'static str; 6] = ["check", "eval", "explain", "rules", "schema", "help"];
 }
 
 /// Arguments of `check`.
@@ -36,7 +71,7 @@ pub(super) struct CheckArgs {
     /// MakeHuman's own data: read to resolve references, not reported.
     #[arg(long, value_name = "DIR")]
     pub(super) system: Option<PathBuf>,
-    /// Judge only what this application loads; repeatable.
+    /// Judge only what this application loads: makehuman2, makehuman1, mpfb; repeatable.
     #[arg(long = "app", value_name = "APPLICATION", value_parser = application)]
     pub(super) applications: Vec<Application>,
     /// Report only this base mesh; repeatable.
@@ -54,15 +89,40 @@ pub(super) struct CheckArgs {
     /// The level from which on findings make the exit code 1.
     #[arg(long, value_name = "LEVEL", default_value = "error")]
     pub(super) fail_on: FailOn,
-    /// Format of the report, and a file to write it to instead of standard output; repeatable.
-    #[arg(long = "report", value_name = "FORMAT[=FILE]")]
-    pub(super) reports: Vec<String>,
+    /// Make the exit code 1 when there are more warnings than this.
+    #[arg(long, value_name = "N")]
+    pub(super) max_warnings: Option<usize>,
+    /// Report as human, concise or json; with a file instead of standard output; repeatable.
+    #[arg(long = "report", value_name = "FORMAT[=FILE]", value_parser = Target::parse)]
+    pub(super) reports: Vec<Target>,
     /// Print time per phase and rule to standard error.
     #[arg(long)]
     pub(super) timings: bool,
     /// Leave out everything but findings and verdict.
     #[arg(long, short)]
     pub(super) quiet: bool,
+}
+
+/// `--color`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum ColorChoice {
+    /// On a terminal, unless the environment says otherwise.
+    Auto,
+    /// Always.
+    Always,
+    /// Never.
+    Never,
+}
+
+/// `rules --format`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum ListFormat {
+    /// Columns.
+    Table,
+    /// For programs.
+    Json,
+    /// For a document.
+    Markdown,
 }
 
 /// `--fail-on`.
@@ -92,7 +152,7 @@ impl FailOn {
 fn application(text: &str) -> Result<Application, String> {
     let all = [Application::Makehuman2, Application::Makehuman1, Application::Mpfb];
     let found = all.into_iter().find(|application| application.word() == text);
-    found.ok_or_else(|| "one of makehuman2, makehuman1, mpfb is wanted".to_owned())
+    found.ok_or_else(|| not_one_of("application", text, &all.map(Application::word)))
 }
 
 fn level_setting(text: &str) -> Result<(String, Option<Level>), String> {
@@ -102,7 +162,16 @@ fn level_setting(text: &str) -> Result<(String, Option<Level>), String> {
         "warning" => Some(Level::Warning),
         "info" => Some(Level::Info),
         "off" => None,
-        _ => return Err("the level is one of error, warning, info, off".to_owned()),
+        _ => return Err(not_one_of("level", level, &["error", "warning", "info", "off"])),
     };
     Ok((rule.to_owned(), level))
+}
+
+/// Says that a word is not known, which one may be meant, and which there are.
+pub(super) fn not_one_of(what: &str, text: &str, known: &[&str]) -> String {
+    let list = known.join(", ");
+    nearest(text, known.iter().copied()).map_or_else(
+        || format!("there is no {what} `{text}`; known: {list}"),
+        |name| format!("there is no {what} `{text}`; did you mean `{name}`? known: {list}"),
+    )
 }

@@ -4,6 +4,8 @@ use std::fmt;
 use std::io;
 use std::process::ExitCode;
 
+use crate::engine;
+
 /// How the command ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Exit {
@@ -32,9 +34,11 @@ impl Exit {
 #[derive(Debug)]
 pub(super) enum Failure {
     /// The run could not be done.
-    Run(crate::engine::Error),
+    Run(engine::Error),
+    /// The arguments cannot be meant so; the text names the remedy.
+    Usage(String),
     /// An evaluation could not be done.
-    Eval(crate::engine::evaluate::Error),
+    Eval(engine::evaluate::Error),
     /// Writing failed.
     Io(io::Error),
 }
@@ -46,14 +50,14 @@ impl Failure {
     }
 }
 
-impl From<crate::engine::Error> for Failure {
-    fn from(error: crate::engine::Error) -> Self {
+impl From<engine::Error> for Failure {
+    fn from(error: engine::Error) -> Self {
         Self::Run(error)
     }
 }
 
-impl From<crate::engine::evaluate::Error> for Failure {
-    fn from(error: crate::engine::evaluate::Error) -> Self {
+impl From<engine::evaluate::Error> for Failure {
+    fn from(error: engine::evaluate::Error) -> Self {
         Self::Eval(error)
     }
 }
@@ -68,6 +72,7 @@ impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Run(error) => error.fmt(f),
+            Self::Usage(text) => f.write_str(text),
             Self::Eval(error) => error.fmt(f),
             Self::Io(error) => write!(f, "cannot write: {error}"),
         }

@@ -4,33 +4,58 @@ mod args;
 mod check;
 mod eval;
 mod exit;
+mod explain;
+mod list;
+mod output;
+mod panics;
+mod schema;
+mod terminal;
 
 use std::io::{self, Write};
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
 
 use clap::Parser;
 
+use crate::report::Paint;
 use args::{Args, Command};
-use exit::Exit;
+use exit::{Exit, Failure};
+use panics::Panics;
+use terminal::Terminal;
 
 /// Runs the command and gives the exit code.
 pub fn main() -> ExitCode {
     let args = Args::parse();
-    let mut out = io::BufWriter::new(io::stdout().lock());
+    let panics = Panics::watch();
     let mut err = io::stderr().lock();
-    let result = match &args.command {
-        Some(Command::Check(check)) => check::run(check, &mut out, &mut err),
-        Some(Command::Eval(command)) => eval::run(command, &mut out, &mut err),
-        None => check::run(&args.check, &mut out, &mut err),
+    let ended = catch_unwind(AssertUnwindSafe(|| run(&args, &panics, &mut err)));
+    let result = match ended {
+        Ok(Ok(exit)) => Ok(exit),
+        Ok(Err(failure)) if failure.is_closed_pipe() => Ok(Exit::Clean),
+        Ok(Err(failure)) => Err(failure.to_string()),
+        Err(_) => Err(check::own_fault(&panics.noted())),
     };
-    let exit = result.and_then(|exit| out.flush().map(|()| exit).map_err(exit::Failure::from));
-    match exit {
-        Ok(exit) => exit.code(),
-        Err(failure) if failure.is_closed_pipe() => Exit::Clean.code(),
-        Err(failure) => {
+    result
+        .unwrap_or_else(|text| {
             // Nothing is left to do when standard error is closed as well.
-            let _ = writeln!(err, "mhlint: {failure}");
-            Exit::CannotWork.code()
-        }
-    }
+            let _ = writeln!(err, "mhlint: {text}");
+            Exit::CannotWork
+        })
+        .code()
+}
+
+fn run(args: &Args, panics: &Panics, err: &mut dyn Write) -> Result<Exit, Failure> {
+    let mut out = io::BufWriter::new(io::stdout().lock());
+    let terminal = Terminal::of_stdout(args.color);
+    let paint = Paint { color: terminal.color };
+    let exit = match &args.command {
+        None => check::run(&args.check, terminal, panics, &mut out, err)?,
+        Some(Command::Check(check)) => check::run(check, terminal, panics, &mut out, err)?,
+        Some(Command::Eval(command)) => eval::run(command, &mut out, err)?,
+        Some(Command::Explain { rule }) => explain::run(rule, paint, terminal.width, &mut out)?,
+        Some(Command::Rules { format }) => list::run(*format, paint, &mut out)?,
+        Some(Command::Schema { name }) => schema::run(name.as_deref(), &mut out)?,
+    };
+    out.flush()?;
+    Ok(exit)
 }

@@ -81,7 +81,7 @@ fn by_extension(file: &str) -> Kind {
         Some("mhskel") => Kind::Skeleton,
         Some("mhw") => Kind::Weights,
         Some("json" | "mhpose") => Kind::OtherJson,
-        Some("mhclo" | "proxy" | "mhmat" | "mhm" | "bvh" | "meta") => Kind::Text,
+        Some("mhclo" | "proxy" | "mhmat" | "mhm" | "bvh" | "meta" | "obj") => Kind::Text,
         Some("png" | "jpg" | "jpeg" | "tif" | "tiff" | "thumb") => Kind::Image,
         _ => Kind::Other,
     }

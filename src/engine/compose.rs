@@ -8,7 +8,9 @@ use std::collections::BTreeMap;
 use crate::eval::macro_def::{Blend, Component, Macrodef, Slider};
 use crate::eval::macros::MacroTable;
 use crate::eval::scene::{MorphTarget, Scene, SceneSkeleton, SceneSlider, SliderKind};
+use crate::eval::settings::Dimension;
 use crate::eval::skeleton::{Bone, hierarchy};
+use crate::eval::transfer::{TransferBone, transfer};
 use crate::eval::weights::{self, Entry, LoadedWeights};
 use crate::formats::macro_json::MacroFile;
 use crate::formats::mhskel::{RotationPlane, Skeleton};
@@ -23,8 +25,24 @@ pub(super) type Rows = BTreeMap<String, Vec<Row>>;
 /// Barycentric sets after a reset, whatever `default` says.
 const BARYCENTRIC_DEFAULTS: [f64; 3] = [0.33, 0.33, 0.34];
 
+/// A base mesh made ready for evaluation.
+pub(super) struct Composed {
+    pub(super) scene: Scene,
+    /// Every skeleton of the base.
+    pub(super) rigs: Vec<Rig>,
+}
+
+/// A skeleton of a base.
+pub(super) struct Rig {
+    /// Printed path of its file.
+    pub(super) path: String,
+    pub(super) skeleton: SceneSkeleton,
+    /// Bones that receive no weights through their references; empty for the pose skeleton.
+    pub(super) without_weights: Vec<String>,
+}
+
 /// The scene of a base, taking its rows out of `rows`. `None` without a mesh.
-pub(super) fn compose(base: &Base<'_>, rows: &mut Rows) -> Option<Scene> {
+pub(super) fn compose(base: &Base<'_>, rows: &mut Rows) -> Option<Composed> {
     let (_, mesh) = base.mesh?;
     let mut composer = Composer { rows, mesh, by_path: BTreeMap::new(), scene: Scene::default() };
     composer.mesh(base);
@@ -33,12 +51,46 @@ pub(super) fn compose(base: &Base<'_>, rows: &mut Rows) -> Option<Scene> {
         composer.macros(base, file, &registered);
     }
     let mut scene = composer.scene;
-    if let Some((file, skeleton)) = pose_skeleton(base) {
+    let pose = pose_skeleton(base);
+    if let Some((file, skeleton)) = pose {
         scene.skeleton = skeleton_of(skeleton, mesh.positions.len());
         let weights = weights_of(base, file, skeleton).map(|(_, weights)| weights);
         scene.weights = scene.skeleton.as_ref().zip(weights).and_then(|(bones, weights)| bind(bones, weights, mesh));
     }
-    Some(scene)
+    let rigs = base.skeletons.iter().filter_map(|file| {
+        let model = file.skeleton()?;
+        let skeleton = skeleton_of(model, mesh.positions.len())?;
+        let is_pose = pose.is_some_and(|(pose, _)| std::ptr::eq(pose, *file));
+        let without_weights = if is_pose { Vec::new() } else { without_weights(&scene, model) };
+        Some(Rig { path: file.path.clone(), skeleton, without_weights })
+    });
+    let rigs = rigs.collect();
+    Some(Composed { scene, rigs })
+}
+
+/// Bones of another skeleton that get nothing of the default skeleton's weights.
+fn without_weights(scene: &Scene, skeleton: &Skeleton) -> Vec<String> {
+    let Some((default, weights)) = scene.skeleton.as_ref().zip(scene.weights.as_ref()) else { return Vec::new() };
+    let by_name = |name: &String| default.names.iter().position(|other| other == name);
+    let known = |names: &Option<Vec<String>>| -> Vec<usize> { names.iter().flatten().filter_map(by_name).collect() };
+    let lists: Vec<(Option<usize>, Vec<usize>, Vec<usize>)> = skeleton
+        .bones
+        .iter()
+        .map(|bone| (by_name(&bone.name), known(&bone.reference), known(&bone.weights_reference)))
+        .collect();
+    let bones: Vec<TransferBone<'_>> = lists
+        .iter()
+        .map(|(same_name, reference, weights_reference)| TransferBone {
+            same_name: *same_name,
+            reference,
+            weights_reference,
+        })
+        .collect();
+    let parents: Vec<Option<usize>> = default.bones.iter().map(|bone| bone.parent).collect();
+    let moved = transfer(&weights.bones, &parents, &bones);
+    let has = |number: usize| moved.bones.iter().any(|list| list.bone == number && !list.entries.is_empty());
+    let bare = skeleton.bones.iter().enumerate().filter(|(number, _)| !has(*number));
+    bare.map(|(_, bone)| bone.name.clone()).collect()
 }
 
 struct Composer<'r, 'm> {
@@ -127,7 +179,8 @@ impl Composer<'_, '_> {
         let rows = rows.map(|rows| rows.into_iter().filter(in_mesh).map(|row| (row.index, row.delta)).collect());
         let place = self.scene.targets.len();
         self.by_path.insert(path.clone(), place);
-        self.scene.targets.push(MorphTarget { name: name.to_owned(), path, rows });
+        let suspect = file.is_some_and(is_suspect);
+        self.scene.targets.push(MorphTarget { name: name.to_owned(), path, rows, suspect });
         place
     }
 
@@ -150,10 +203,49 @@ impl Composer<'_, '_> {
             }
             macrodefs.push(Macrodef { components: macrodef.components.iter().map(String::as_str).collect(), links });
         }
+        for macrodef in &file.macrodefs {
+            let (dimensions, counts) = dimensions(file, &macrodef.components, registered);
+            self.scene.macrodefs.push(dimensions);
+            self.scene.value_counts.push(counts);
+        }
         let components: Vec<Component<'_>> = file.components.iter().filter_map(component).collect();
         // Too many combinations to tabulate is a limit of ours, reported where combinations are judged.
         self.scene.macros = MacroTable::new(&components, &macrodefs, |pattern| registered.get(pattern).copied()).ok();
     }
+}
+
+/// Sliders of the components of a macrodef; empty where one of them is undefined or unbound, which is reported for
+/// itself.
+fn dimensions(
+    file: &MacroFile,
+    names: &[String],
+    registered: &BTreeMap<String, Slider>,
+) -> (Vec<Dimension>, Vec<usize>) {
+    let one = |name: &String| {
+        let component = file.components.iter().rev().find(|component| component.name == *name)?;
+        let pattern = component.pattern.as_deref()?;
+        let dimension = match (&component.steps, &component.sum) {
+            (Some(steps), _) => match registered.get(pattern)? {
+                Slider::Value(place) => Dimension::Steps { place: *place, steps: steps.clone() },
+                Slider::Barycentric(_) => return None,
+            },
+            (None, Some(sum)) => {
+                let place = |(value, end): (usize, &String)| match registered.get(&format!("{pattern}{end}"))? {
+                    Slider::Barycentric(places) => places.get(value).copied(),
+                    Slider::Value(_) => None,
+                };
+                Dimension::Corners(sum.iter().enumerate().map(place).collect::<Option<_>>()?)
+            }
+            (None, None) => return None,
+        };
+        Some((dimension, component.values.len()))
+    };
+    names.iter().map(one).collect::<Option<Vec<_>>>().unwrap_or_default().into_iter().unzip()
+}
+
+/// Rows that rules report for themselves: looking at them again in every setting would say it many times.
+fn is_suspect(file: &FileFacts) -> bool {
+    file.target().is_some_and(|facts| facts.non_finite.count > 0)
 }
 
 fn component(component: &crate::formats::macro_json::Component) -> Option<Component<'_>> {

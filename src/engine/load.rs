@@ -13,7 +13,7 @@ use super::read;
 use crate::discover::{Kind, kind_of};
 use crate::formats::target::MeshSize;
 use crate::repo::{FileFacts, Layer};
-use crate::source::{Entry, EntryKind, Limits, Tree};
+use crate::source::{Entry, EntryKind, Limits, Tree, WalkFault, WalkFaultKind};
 
 /// Sizes of base meshes by name.
 pub(super) type MeshSizes = BTreeMap<String, MeshSize>;
@@ -147,6 +147,8 @@ fn read_all(
 
 fn own_sizes(files: &ByRel) -> MeshSizes {
     let meshes = files.values().filter_map(|file| Some((file.base.clone()?, file.mesh()?)));
+    // Against a mesh without vertices every index would be wrong; the mesh itself is the fault then.
+    let meshes = meshes.filter(|(_, mesh)| mesh.facts.vertices > 0);
     meshes
         .map(|(base, mesh)| {
             let vertices = mesh.facts.vertices;
@@ -182,12 +184,16 @@ fn is_compared(file: &FileFacts) -> bool {
     matches!(file.kind, Kind::Image | Kind::TargetIcon) && file.content_hash.is_none() && file.size > 0
 }
 
-fn faults_below(tree: &Tree, prefix: &str) -> Vec<crate::source::WalkFault> {
+fn faults_below(tree: &Tree, prefix: &str) -> Vec<WalkFault> {
     let faults = tree.faults().iter();
     faults
         .filter_map(|fault| {
             let path = fault.path.strip_prefix(prefix)?.to_owned();
-            Some(crate::source::WalkFault { path, ..fault.clone() })
+            let mut kind = fault.kind.clone();
+            if let WalkFaultKind::LinkLoop { back_to } = &mut kind {
+                *back_to = back_to.strip_prefix(prefix).unwrap_or(back_to).to_owned();
+            }
+            Some(WalkFault { path, kind })
         })
         .collect()
 }

@@ -2,8 +2,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::compose::{Rows, compose};
+use super::compose::{Composed, Rows, compose};
 use super::data::Data;
+use super::gauge::gauge;
 use super::load::load_targets;
 use super::run::Options;
 use crate::eval::measures::Measures;
@@ -11,40 +12,59 @@ use crate::repo::Base;
 
 /// Reads the targets of all bases and measures each base of each repository: one map a repository.
 pub(super) fn measure_bases(data: &mut Data<'_>, options: &Options) -> Vec<BTreeMap<String, Measures>> {
-    let names: BTreeSet<Option<String>> =
-        data.all().flat_map(|root| root.place.target_bases()).map(|base| base.map(str::to_owned)).collect();
-    let with_mesh: BTreeSet<Option<String>> = data
-        .all()
-        .flat_map(|root| root.layer.files.values())
-        .filter(|file| file.mesh().is_some())
-        .map(|file| file.base.clone())
-        .collect();
     let mut measures: Vec<BTreeMap<String, Measures>> = data.roots.iter().map(|_| BTreeMap::new()).collect();
-    for name in names.union(&with_mesh) {
-        let evaluated = !options.no_eval && name.as_ref().is_some_and(|name| is_asked_for(name, options));
+    for name in names(data) {
+        let evaluated = name.as_deref().filter(|name| is_asked_for(name, options));
         let mut rows = Rows::new();
         for (root, sizes) in data.all_mut() {
-            let keep = evaluated;
+            let keep = evaluated.is_some();
             rows.append(&mut load_targets(root.place, &mut root.layer, name.as_deref(), sizes, &options.limits, keep));
         }
-        let Some(name) = name.as_deref().filter(|_| evaluated) else { continue };
-        for ((system, user, judged), found) in data.stacks().into_iter().zip(&mut measures) {
-            let concerns = judged.layer.files.values().any(|file| file.base.as_deref() == Some(name));
-            if !concerns {
-                continue;
-            }
-            let base = Base::resolve(name, system, user);
-            // Several repositories may share the rows of their system data.
-            let mut rows = if data.roots.len() == 1 { std::mem::take(&mut rows) } else { rows.clone() };
-            if let Some(scene) = compose(&base, &mut rows) {
-                drop(rows);
-                found.insert(name.to_owned(), Measures::of(&scene));
-            }
+        if let Some(name) = evaluated {
+            measure_base(data, name, rows, options, &mut measures);
         }
     }
     measures
 }
 
+/// Names of the bases with targets or a mesh, in order; `None` for targets that belong to no base.
+fn names(data: &Data<'_>) -> BTreeSet<Option<String>> {
+    let mut names = BTreeSet::new();
+    for root in data.all() {
+        names.extend(root.place.target_bases().into_iter().map(|base| base.map(str::to_owned)));
+        let with_mesh = root.layer.files.values().filter(|file| file.mesh().is_some());
+        names.extend(with_mesh.map(|file| file.base.clone()));
+    }
+    names
+}
+
 fn is_asked_for(name: &str, options: &Options) -> bool {
-    options.bases.is_empty() || options.bases.iter().any(|base| base == name)
+    !options.no_eval && (options.bases.is_empty() || options.bases.iter().any(|base| base == name))
+}
+
+fn measure_base(
+    data: &Data<'_>,
+    name: &str,
+    mut rows: Rows,
+    options: &Options,
+    measures: &mut [BTreeMap<String, Measures>],
+) {
+    let stacks = data.stacks();
+    let concerned: Vec<bool> = stacks
+        .iter()
+        .map(|(_, _, judged)| judged.layer.files.values().any(|file| file.base.as_deref() == Some(name)))
+        .collect();
+    let last = concerned.iter().rposition(|concerned| *concerned);
+    for (number, ((system, user, _), found)) in stacks.into_iter().zip(measures).enumerate() {
+        if concerned.get(number) != Some(&true) {
+            continue;
+        }
+        let base = Base::resolve(name, system, user);
+        // Repositories over the same system data share its rows; the last one takes them.
+        let own = if Some(number) == last { &mut rows } else { &mut rows.clone() };
+        if let Some(composed) = compose(&base, own) {
+            let Composed { scene, rigs } = composed;
+            found.insert(name.to_owned(), gauge(&base, &scene, &rigs, options));
+        }
+    }
 }

@@ -2,9 +2,11 @@
 //!
 //! The only place with threads. Prints nothing and judges nothing.
 
+mod catalogue;
 mod compose;
 mod data;
 pub mod evaluate;
+mod gauge;
 mod input;
 mod load;
 mod locate;
@@ -15,5 +17,6 @@ mod run;
 mod select;
 mod stack;
 
+pub use catalogue::rule_infos;
 pub use outcome::{Error, Outcome, RootSummary, Summary, Timing};
 pub use run::{Options, lint, lint_trees};

@@ -5,10 +5,10 @@ use xxhash_rust::xxh3::xxh3_64;
 use crate::discover::{Kind, kind_of};
 use crate::formats::json_file::{self, JsonFacts, JsonFault};
 use crate::formats::target::{MeshSize, Row};
-use crate::formats::{base_json, geometry, macro_json, mhskel, mhw, modelling, obj, target, target_cat};
+use crate::formats::{base_json, geometry, macro_json, mhskel, mhw, modelling, npz, obj, target, target_cat};
 use crate::json::{self, Document, SchemaFaults};
 use crate::repo::{Content, FileFacts};
-use crate::source::{Encoding, Entry, Limits, Tree, gunzip};
+use crate::source::{Encoding, Entry, Limits, Tree, try_gunzip, zip_bomb};
 
 /// Smaller files are read even when only their size would matter: they may be stand-ins for the content.
 const STAND_IN_BYTES: u64 = 512;
@@ -58,29 +58,62 @@ pub(super) fn empty(tree: &Tree, entry: &Entry, rel: &str) -> FileFacts {
 }
 
 fn is_read(facts: &FileFacts) -> bool {
-    facts.kind.is_text() || facts.kind == Kind::PackedTarget || facts.size < STAND_IN_BYTES
+    facts.kind.is_text() || facts.kind == Kind::PackedTarget || is_zip(&facts.rel) || facts.size < STAND_IN_BYTES
+}
+
+fn is_zip(rel: &str) -> bool {
+    [".npz", ".mhbin", ".mhpxy", ".zip"].iter().any(|ending| rel.ends_with(ending))
 }
 
 impl Reading {
     fn fill(&mut self, bytes: &[u8], limits: &Limits, mesh: Option<MeshSize>) {
         let facts = &mut self.facts;
-        if facts.kind == Kind::PackedTarget {
-            facts.gzip_fault = gunzip(bytes, limits).err();
+        facts.encoding = Encoding::of(bytes);
+        if facts.encoding.lfs_pointer {
+            facts.content = stand_in(facts.kind);
             return;
         }
-        facts.encoding = Encoding::of(bytes);
         match facts.kind {
-            Kind::Target if !facts.encoding.lfs_pointer => {
-                let parsed = target::parse(bytes, mesh);
-                facts.content_hash = Some(parsed.facts.content);
-                facts.content = Content::Target(Box::new(parsed.facts));
-                self.rows = parsed.rows;
-            }
-            Kind::BaseMesh => facts.content = Content::Mesh(Box::new(obj::parse(bytes))),
+            Kind::PackedTarget => facts.gzip_fault = try_gunzip(bytes, limits).err(),
+            // The application decodes the whole file before it uses a row, so nothing of it counts.
+            Kind::Target if facts.encoding.invalid_utf8_at.is_none() => self.rows = fill_target(facts, bytes, mesh),
+            Kind::BaseMesh => fill_mesh(facts, bytes),
             Kind::Weights => fill_weights(facts, bytes, mesh),
+            Kind::Target => {}
             kind if kind.is_json() => fill_json(facts, bytes),
+            Kind::TargetArchive => {
+                facts.gzip_fault = zip_bomb(bytes, limits);
+                facts.content = Content::Archive(Box::new(npz::parse(bytes, limits)));
+            }
+            _ if is_zip(&facts.rel) => facts.gzip_fault = zip_bomb(bytes, limits),
             _ => facts.content_hash = Some(xxh3_64(bytes)),
         }
+    }
+}
+
+fn stand_in(kind: Kind) -> Content {
+    if kind.is_json() { Content::Broken(JsonFault::LfsPointer) } else { Content::Unread }
+}
+
+fn fill_target(facts: &mut FileFacts, bytes: &[u8], mesh: Option<MeshSize>) -> Vec<Row> {
+    let parsed = if facts.encoding.byte_order_mark {
+        // The mark is a fault of its own; blanks in its place keep it out of the first row and all offsets right.
+        let mut unmarked = bytes.to_vec();
+        unmarked.iter_mut().take(3).for_each(|byte| *byte = b' ');
+        target::parse(&unmarked, mesh)
+    } else {
+        target::parse(bytes, mesh)
+    };
+    facts.content_hash = Some(parsed.facts.content);
+    facts.content = Content::Target(Box::new(parsed.facts));
+    parsed.rows
+}
+
+/// A file without anything in it gives no mesh: everything measured against none would be out of range.
+fn fill_mesh(facts: &mut FileFacts, bytes: &[u8]) {
+    facts.content_hash = Some(xxh3_64(bytes));
+    if !facts.encoding.blank && !facts.encoding.only_comments {
+        facts.content = Content::Mesh(Box::new(obj::parse(bytes)));
     }
 }
 
@@ -127,7 +160,8 @@ pub(super) fn schema_of(kind: Kind) -> Option<&'static str> {
 fn fill_weights(facts: &mut FileFacts, bytes: &[u8], mesh: Option<MeshSize>) {
     match mhw::parse(bytes, &facts.encoding, mesh.map(|mesh| mesh.vertices)) {
         Ok(weights) => {
-            let needs_explaining = !weights.has_weights || !weights.facts.json.duplicates.is_empty();
+            let needs_explaining =
+                !weights.has_weights || weights.has_shapeless_bone || !weights.facts.json.duplicates.is_empty();
             facts.content = Content::Weights(Box::new(weights));
             if needs_explaining && let Ok(document) = json_file::parse(bytes, &facts.encoding) {
                 facts.json = JsonFacts::of(&document);
@@ -143,9 +177,6 @@ pub(super) fn panicked(tree: &Tree, entry: &Entry, rel: &str) -> Reading {
     let mut facts = empty(tree, entry, rel);
     let reason = "mhlint itself failed on this file; please report it with the file".to_owned();
     facts.unreadable = Some(crate::source::ReadFault::Unreadable(reason));
-    facts.content = match facts.kind.is_json() {
-        true => Content::Broken(JsonFault::Empty),
-        false => Content::Unread,
-    };
+    facts.content = if facts.kind.is_json() { Content::Broken(JsonFault::Empty) } else { Content::Unread };
     Reading { facts, rows: Vec::new() }
 }

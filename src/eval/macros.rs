@@ -158,6 +158,12 @@ impl MacroTable {
         self.macrodefs.get(macrodef)?.links.get(combination).copied()
     }
 
+    /// The value of each defined component in a combination; `None` where the component is left out.
+    pub fn values(&self, macrodef: usize, combination: usize) -> impl Iterator<Item = Option<usize>> {
+        let positions = self.macrodefs.get(macrodef).map(|table| table.positions.as_slice()).unwrap_or_default();
+        positions.iter().map(move |position| position.digit(combination).checked_sub(1))
+    }
+
     pub(super) fn component_count(&self) -> usize {
         self.components.len()
     }

@@ -1,17 +1,115 @@
-//! What evaluation measures on a scene, in plain data that outlives the scene. Rules judge it.
+//! What evaluation measures on a scene, in plain data with names, which outlives the scene. Rules judge it.
 
-use super::scene::Scene;
+use super::macro_survey::{DeadRange, Jump, SumOff};
+use super::rig_measure::{BoneMeasure, WeightMeasure};
+use super::symmetry::MirrorDifference;
+use super::target_measure::TargetMeasure;
 
 /// Measures of one base mesh.
 #[derive(Debug, Clone, Default)]
 pub struct Measures {
-    /// Vertices of the base mesh.
-    pub vertices: usize,
+    /// What happens over the slider space; `None` if the default character cannot be made.
+    pub space: Option<SpaceMeasure>,
+    /// What the macros do over the range of their sliders.
+    pub macros: MacroMeasure,
+    /// Every target in use.
+    pub targets: Vec<TargetMeasure>,
+    /// Left targets compared with their right partners.
+    pub pairs: Vec<PairMeasure>,
+    /// Mirror map of the base mesh: vertices without partner, vertices whose partner is ambiguous.
+    pub unmirrored: (usize, usize),
+    /// Names of the joint cubes that torn cubes are counted by.
+    pub cubes: Vec<String>,
+    /// Skeletons of the base on the default character.
+    pub skeletons: Vec<SkeletonMeasure>,
+    /// Weights of the pose skeleton.
+    pub weights: Option<WeightMeasure>,
+    /// Names of the bones of the pose skeleton, as `weights` numbers them.
+    pub bones: Vec<String>,
+    /// Polylines of measure sliders on the default character.
+    pub chains: Vec<ChainMeasure>,
 }
 
-impl Measures {
-    /// Measures a scene.
-    pub fn of(scene: &Scene) -> Self {
-        Self { vertices: scene.positions.len() }
-    }
+/// What was seen over the slider space.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct SpaceMeasure {
+    /// Settings looked at.
+    pub settings: usize,
+    /// Setting at which the application stops.
+    pub stopped: Option<String>,
+    /// Vertices that are not finite.
+    pub non_finite: Option<Seen>,
+    /// Visible faces without area.
+    pub collapsed: Option<Seen>,
+    /// Visible faces that look the other way.
+    pub flipped: Option<Seen>,
+    /// Vertex outside the figure; the value is in diagonals of its box.
+    pub exploded: Option<Seen>,
+    /// Joint away from its skin; the value is in radii of that skin.
+    pub drifted: Option<Seen>,
+    /// Bone without length; the value is 1 / length.
+    pub short_bone: Option<Seen>,
+    /// Bone whose plane has no normal; the value is 1 / sine.
+    pub flat_plane: Option<Seen>,
+}
+
+/// The worst that was seen of one thing.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Seen {
+    /// How bad; larger is worse.
+    pub value: f64,
+    /// Number of the vertex, face, joint or bone.
+    pub element: usize,
+    /// Its name: group of a face, joint, bone.
+    pub name: String,
+    /// How many elements are concerned at that setting.
+    pub count: usize,
+    /// The setting, in the application's own slider names.
+    pub setting: String,
+}
+
+/// What macros do over the range of their sliders.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct MacroMeasure {
+    /// Stretches in which a macrodef applies nothing.
+    pub dead: Vec<DeadRange>,
+    /// Weights that do not sum to one.
+    pub sums: Vec<SumOff>,
+    /// Jumps between two sides of a step.
+    pub jumps: Vec<Jump>,
+    /// Macrodef, weight lost to the cut-off at worst, and the setting.
+    pub losses: Vec<(usize, f64, String)>,
+}
+
+/// A left target and its right partner.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PairMeasure {
+    /// Printed path of the left one.
+    pub left: String,
+    /// Printed path of the right one.
+    pub right: String,
+    /// How far the left one is from the mirror image of the right one.
+    pub difference: MirrorDifference,
+}
+
+/// A skeleton on the default character.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SkeletonMeasure {
+    /// Printed path of its file.
+    pub path: String,
+    /// Its bones.
+    pub bones: Vec<BoneMeasure>,
+    /// For a skeleton whose weights come through references: bones that receive nothing.
+    pub without_weights: Vec<String>,
+}
+
+/// A polyline of a measure slider.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ChainMeasure {
+    /// Key of the slider.
+    pub key: String,
+    /// Length, mesh units.
+    pub length: f64,
+    /// Distance between its ends, mesh units.
+    pub gap: f64,
 }

@@ -7,6 +7,7 @@ use super::error::EvalError;
 use super::macro_eval::MacroResult;
 use super::macros::{MacroError, MacroTable};
 use super::morph::{Side, apply, detail_factor};
+use super::settings::Dimension;
 use super::skeleton::Bone;
 use super::vector::Point;
 use super::weights::LoadedWeights;
@@ -36,6 +37,10 @@ pub struct Scene {
     pub macro_targets: Vec<usize>,
     /// Macro settings after a reset.
     pub macro_defaults: Vec<f64>,
+    /// Sliders of the components of each macrodef, in order of its `comp`.
+    pub macrodefs: Vec<Vec<Dimension>>,
+    /// Number of values of those components.
+    pub value_counts: Vec<Vec<usize>>,
     /// The pose skeleton.
     pub skeleton: Option<SceneSkeleton>,
     /// Weights of the pose skeleton, bones numbered as in `skeleton`; bones the skeleton lacks are left out.
@@ -51,6 +56,8 @@ pub struct MorphTarget {
     pub path: String,
     /// Vertex and displacement; `None` if there is no such file or it cannot be used.
     pub rows: Option<Vec<(u32, Point)>>,
+    /// Reported for its own rows already (not finite, out of proportion): looked past when settings are surveyed.
+    pub suspect: bool,
 }
 
 /// A slider as a model file sets it.
@@ -209,7 +216,7 @@ impl Scene {
     }
 
     /// All faces in order.
-    pub fn faces(&self) -> impl Iterator<Item = &[u32]> {
+    pub fn faces(&self) -> impl Iterator<Item = &[u32]> + Clone {
         (0..self.face_count()).map(|face| self.face(face))
     }
 }

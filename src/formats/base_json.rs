@@ -2,7 +2,9 @@
 
 use serde::Serialize;
 
+use super::expression::{self, Fault};
 use super::macro_json::{text, texts};
+use super::modelling::fault_in;
 use crate::json::{Document, Node, Value};
 
 /// The file.
@@ -10,6 +12,10 @@ use crate::json::{Document, Node, Value};
 pub struct BaseJson {
     /// Groups of the OBJ that are drawn. Without it the program stops.
     pub visible_groups: Option<Vec<String>>,
+    /// `visible groups` as a plain text: groups whose name is part of it are drawn.
+    pub visible_text: Option<String>,
+    /// Whether `visible groups` is there, of whatever type.
+    pub has_visible_groups: bool,
     /// Vertex count as claimed.
     pub numverts: Option<i64>,
     /// Pairs of suffixes, negative then positive, in file order.
@@ -43,8 +49,19 @@ pub struct Random {
     pub ideal: Option<String>,
     /// `category` or `category|subcategory` and whether it is preselected.
     pub groups: Vec<(String, bool)>,
-    /// Slider key to conditions: slider key and Python expression in `x`.
-    pub rules: Vec<(String, Vec<(String, String)>)>,
+    /// Slider key to conditions.
+    pub rules: Vec<(String, Vec<Condition>)>,
+}
+
+/// A condition of a rule of the randomizer.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct Condition {
+    /// Key of the slider it looks at.
+    pub slider: String,
+    /// Python expression in `x`.
+    pub expression: String,
+    /// Why the expression must not or cannot be evaluated; span in the file.
+    pub fault: Option<Fault>,
 }
 
 /// Takes what the loader would take.
@@ -52,6 +69,8 @@ pub fn read(document: &Document) -> BaseJson {
     let root = &document.root;
     BaseJson {
         visible_groups: root.get("visible groups").and_then(texts),
+        visible_text: text(root, "visible groups"),
+        has_visible_groups: root.get("visible groups").is_some(),
         numverts: root.get("numverts").and_then(Node::as_i64),
         opposites: text_members(root.get("target-opposites")),
         equipment: root.get("equipment").and_then(texts),
@@ -85,8 +104,21 @@ fn random(node: &Node) -> Random {
         gender: text(node, "gender"),
         ideal: text(node, "ideal"),
         groups: groups.into_iter().map(|member| (member.key.clone(), !member.node.is_falsy())).collect(),
-        rules: rules.into_iter().map(|member| (member.key.clone(), text_members(Some(&member.node)))).collect(),
+        rules: rules.into_iter().map(|member| (member.key.clone(), conditions(&member.node))).collect(),
     }
+}
+
+fn conditions(node: &Node) -> Vec<Condition> {
+    let members = node.effective_members().into_iter();
+    members
+        .filter_map(|member| {
+            Some(Condition {
+                slider: member.key.clone(),
+                expression: member.node.as_str()?.to_owned(),
+                fault: fault_in(&member.node, |text| expression::check(text, "x")),
+            })
+        })
+        .collect()
 }
 
 /// Members of an object whose values are texts.

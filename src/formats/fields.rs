@@ -41,3 +41,34 @@ fn ascii_fields(line: &[u8]) -> Vec<(usize, &[u8])> {
 fn is_python_space(character: char) -> bool {
     character.is_whitespace() || matches!(character, '\u{1c}'..='\u{1f}')
 }
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    #[test]
+    fn white_space_is_that_of_python() {
+        let line = "a\tb\u{a0}c\u{1c}d \u{2003}e".as_bytes();
+        let found: Vec<_> = fields(line).into_iter().map(|(_, field)| field).collect();
+        assert_eq!(found, [b"a", b"b", b"c", b"d", b"e"]);
+    }
+
+    proptest! {
+        #[test]
+        fn fields_lie_where_they_say(line in proptest::collection::vec(any::<u8>(), 0..60)) {
+            for (start, field) in fields(&line) {
+                prop_assert!(!field.is_empty());
+                prop_assert_eq!(&line[start..start + field.len()], field);
+            }
+        }
+
+        #[test]
+        fn text_is_split_as_by_rust(line in "[a\u{e9} \t\u{a0}\u{2003}]{0,20}") {
+            let found: Vec<_> = fields(line.as_bytes()).into_iter().map(|(_, field)| field).collect();
+            let expected: Vec<_> = line.split_whitespace().map(str::as_bytes).collect();
+            prop_assert_eq!(found, expected);
+        }
+    }
+}

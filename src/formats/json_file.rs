@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use serde::Serialize;
 
-use crate::json::{self, Document, SyntaxFault};
+use crate::json::{self, Document, Duplicate, SyntaxFault};
 use crate::source::Encoding;
 
 /// Why an application cannot read a JSON file.
@@ -25,8 +25,8 @@ pub enum JsonFault {
 /// Facts on a JSON text, whatever its format.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
 pub struct JsonFacts {
-    /// Keys given twice: pointer, span of the lost key, span of the winning one.
-    pub duplicates: Vec<(String, Range<usize>, Range<usize>)>,
+    /// Keys given twice.
+    pub duplicates: Vec<Duplicate>,
     /// `NaN` and infinities, which only Python accepts.
     pub specials: Vec<Range<usize>>,
     /// Python would take the whole for false: empty object, array, string, 0, null.
@@ -51,11 +51,8 @@ pub fn parse(text: &[u8], encoding: &Encoding) -> Result<Document, JsonFault> {
 impl JsonFacts {
     /// Facts of a tree.
     pub fn of(document: &Document) -> Self {
-        let duplicates = document.duplicates.iter();
         Self {
-            duplicates: duplicates
-                .map(|duplicate| (duplicate.pointer.clone(), duplicate.lost.clone(), duplicate.kept.clone()))
-                .collect(),
+            duplicates: document.duplicates.clone(),
             specials: document.specials.clone(),
             falsy: document.root.is_falsy(),
         }

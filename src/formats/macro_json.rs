@@ -48,6 +48,8 @@ pub struct Macrodef {
     pub links: Vec<Link>,
     /// Positions of entries without `name` or without `t`.
     pub incomplete: Vec<usize>,
+    /// Names of entries that give no usable `t`: meant to be listed, reported by the schema.
+    pub unusable: Vec<String>,
 }
 
 /// An entry of `targets`.
@@ -113,6 +115,11 @@ fn macrodefs(node: &Node) -> Vec<Macrodef> {
 fn read_links(node: &Node, macrodef: &mut Macrodef) {
     let entries = node.get("targets").map(Node::elements).unwrap_or_default();
     for (index, entry) in entries.iter().enumerate() {
+        if let (Some(name), None | Some(Value::Bool(_) | Value::Number(..) | Value::Array(_) | Value::Object(_))) =
+            (text(entry, "name"), entry.get("t").map(|t| &t.value))
+        {
+            macrodef.unusable.push(name);
+        }
         match (text(entry, "name"), entry.get("t").map(|t| &t.value)) {
             (Some(name), Some(Value::Null)) => macrodef.links.push(Link { index, name, target: None }),
             (Some(name), Some(Value::String(target))) => {

@@ -1,20 +1,24 @@
 //! `.mhskel`: joints, planes and bones of a skeleton (formats/makehuman2.md §10).
+//!
+//! Keeps what the loader would see and, beside it, which values have a shape that the schema refuses:
+//! what hangs on those must not be judged again.
 
 use serde::Serialize;
 
 use super::macro_json::{text, texts};
-use super::modelling::integers;
 use crate::json::{Document, Node, Value};
 
 /// The file.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct Skeleton {
+    /// Whether the file is an object at all.
+    pub is_object: bool,
     /// Name, also its identity in the asset library.
     pub name: Option<String>,
-    /// Whether the obligatory sections are there.
-    pub has_joints: bool,
-    /// Whether the obligatory sections are there.
-    pub has_bones: bool,
+    /// Whether `joints` is there.
+    pub joints_section: Section,
+    /// Whether `bones` is there.
+    pub bones_section: Section,
     /// Joints in file order.
     pub joints: Vec<Joint>,
     /// Planes in file order.
@@ -23,6 +27,20 @@ pub struct Skeleton {
     pub bones: Vec<Bone>,
     /// `weights_file` as written.
     pub weights_file: Option<String>,
+    /// `weights_file` is something else than a text.
+    pub weights_file_misshapen: bool,
+}
+
+/// A part of the file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+pub enum Section {
+    /// No such key.
+    #[default]
+    Absent,
+    /// Something else than an object, which the schema refuses.
+    Misshapen,
+    /// An object.
+    Present,
 }
 
 /// A joint.
@@ -32,6 +50,11 @@ pub struct Joint {
     pub name: String,
     /// Vertices whose mean it is; `None` if it is no list of integers.
     pub vertices: Option<Vec<i64>>,
+    /// Number of its entries, whatever they are; 0 if it is no list. The loader drops joints without.
+    pub listed: usize,
+    /// Positions of whole numbers written with a point or exponent, which the schema accepts and `NumPy`
+    /// does not take for an index.
+    pub floats: Vec<usize>,
 }
 
 /// A plane.
@@ -52,14 +75,20 @@ pub struct Bone {
     pub head: Option<String>,
     /// Joint at its end.
     pub tail: Option<String>,
+    /// Which of `head` and `tail` it does not have.
+    pub missing: Vec<&'static str>,
     /// Parent bone; `None` for a root.
     pub parent: Option<String>,
+    /// `parent` is neither text nor `null`, or the bone is no object: no one knows what is above it.
+    pub parent_misshapen: bool,
     /// Plane that gives its roll.
     pub rotation_plane: RotationPlane,
-    /// Bones of the default skeleton whose weights and pose it takes.
+    /// Bones of the default skeleton whose weights and pose it takes; a text letter by letter.
     pub reference: Option<Vec<String>>,
     /// The same for weights alone.
     pub weights_reference: Option<Vec<String>>,
+    /// Which of the two is a text instead of a list.
+    pub text_references: Vec<(&'static str, String)>,
 }
 
 /// `rotation_plane` of a bone.
@@ -69,7 +98,7 @@ pub enum RotationPlane {
     Absent,
     /// The name of a plane.
     Named(String),
-    /// `[null, null, null]`, or something else that is no text.
+    /// Something that is no text, which the schema refuses.
     Malformed,
 }
 
@@ -77,13 +106,23 @@ pub enum RotationPlane {
 pub fn read(document: &Document) -> Skeleton {
     let root = &document.root;
     Skeleton {
+        is_object: root.is_object(),
         name: text(root, "name"),
-        has_joints: root.get("joints").is_some(),
-        has_bones: root.get("bones").is_some(),
-        joints: members(root, "joints", |name, node| Joint { name, vertices: vertices(node) }),
+        joints_section: section(root, "joints"),
+        bones_section: section(root, "bones"),
+        joints: members(root, "joints", joint),
         planes: members(root, "planes", |name, node| Plane { name, joints: plane_joints(node) }),
         bones: members(root, "bones", bone),
         weights_file: text(root, "weights_file"),
+        weights_file_misshapen: root.get("weights_file").is_some_and(|node| node.as_str().is_none()),
+    }
+}
+
+fn section(root: &Node, key: &str) -> Section {
+    match root.get(key) {
+        None => Section::Absent,
+        Some(node) if node.is_object() => Section::Present,
+        Some(_) => Section::Misshapen,
     }
 }
 
@@ -93,8 +132,16 @@ fn members<T>(root: &Node, key: &str, read: impl Fn(String, &Node) -> T) -> Vec<
     members.map(|member| read(member.key.clone(), &member.node)).collect()
 }
 
-fn vertices(node: &Node) -> Option<Vec<i64>> {
-    integers(node).filter(|vertices| vertices.len() == node.elements().len())
+fn joint(name: String, node: &Node) -> Joint {
+    let elements = node.elements();
+    let integers: Vec<i64> = elements.iter().filter_map(Node::as_i64).collect();
+    let is_float = |node: &Node| matches!(node.value, Value::Number(number, false) if number.fract() == 0.0);
+    Joint {
+        name,
+        vertices: (node.is_array() && integers.len() == elements.len()).then_some(integers),
+        listed: elements.len(),
+        floats: elements.iter().enumerate().filter(|(_, node)| is_float(node)).map(|(at, _)| at).collect(),
+    }
 }
 
 fn plane_joints(node: &Node) -> Option<Vec<Option<String>>> {
@@ -103,17 +150,115 @@ fn plane_joints(node: &Node) -> Option<Vec<Option<String>>> {
 }
 
 fn bone(name: String, node: &Node) -> Bone {
+    let parent = node.get("parent").map(|parent| &parent.value);
+    let absent = |key: &&'static str| node.is_object() && node.get(key).is_none();
+    let as_text = |key: &'static str| Some((key, text(node, key)?));
     Bone {
         name,
         head: text(node, "head"),
         tail: text(node, "tail"),
+        missing: ["head", "tail"].into_iter().filter(absent).collect(),
         parent: text(node, "parent"),
+        parent_misshapen: !node.is_object() || !matches!(parent, None | Some(Value::Null | Value::String(_))),
         rotation_plane: match node.get("rotation_plane").map(|plane| &plane.value) {
             None => RotationPlane::Absent,
             Some(Value::String(plane)) => RotationPlane::Named(plane.clone()),
             Some(_) => RotationPlane::Malformed,
         },
-        reference: node.get("reference").and_then(texts),
-        weights_reference: node.get("weights_reference").and_then(texts),
+        reference: node.get("reference").and_then(names),
+        weights_reference: node.get("weights_reference").and_then(names),
+        text_references: ["reference", "weights_reference"].into_iter().filter_map(as_text).collect(),
+    }
+}
+
+/// The loader iterates over whatever is there: a text gives its letters.
+fn names(node: &Node) -> Option<Vec<String>> {
+    match node.as_str() {
+        Some(text) => Some(text.chars().map(String::from).collect()),
+        None => texts(node),
+    }
+}
+
+impl Skeleton {
+    /// The joint of that name.
+    pub fn joint(&self, name: &str) -> Option<&Joint> {
+        self.joints.iter().find(|joint| joint.name == name)
+    }
+
+    /// The plane of that name.
+    pub fn plane(&self, name: &str) -> Option<&Plane> {
+        self.planes.iter().find(|plane| plane.name == name)
+    }
+
+    /// The bone of that name.
+    pub fn bone(&self, name: &str) -> Option<&Bone> {
+        self.bones.iter().find(|bone| bone.name == name)
+    }
+}
+
+impl Bone {
+    /// Whether it has no parent.
+    pub fn is_root(&self) -> bool {
+        self.parent.is_none() && !self.parent_misshapen
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::json::parse;
+
+    fn skeleton(text: &str) -> Skeleton {
+        read(&parse(text.as_bytes()).unwrap())
+    }
+
+    #[test]
+    fn shapes_that_the_schema_refuses_are_kept_apart() {
+        let file = skeleton(
+            r#"{"weights_file": null, "joints": [], "bones": {"a": 5, "b": {"head": 1, "parent": 2},
+            "c": {"tail": "t", "parent": null, "rotation_plane": null}}}"#,
+        );
+        assert_eq!((file.joints_section, file.bones_section), (Section::Misshapen, Section::Present));
+        assert!(file.weights_file_misshapen);
+        assert_eq!(file.bones.iter().map(Bone::is_root).collect::<Vec<_>>(), [false, false, true]);
+        let missing: Vec<_> = file.bones.iter().map(|bone| bone.missing.as_slice()).collect();
+        assert_eq!(missing, [&[] as &[&str], &["tail"], &["head"]]);
+        assert_eq!(file.bones[2].rotation_plane, RotationPlane::Malformed);
+    }
+
+    #[test]
+    fn whole_numbers_with_a_point_are_no_indices() {
+        let file = skeleton(r#"{"joints": {"a": [1, 2.0, 3e0], "b": [], "c": "x", "d": [1.5]}}"#);
+        let joints: Vec<_> = file.joints.iter().map(|j| (j.listed, j.floats.len(), j.vertices.is_some())).collect();
+        assert_eq!(joints, [(3, 2, false), (0, 0, true), (0, 0, false), (1, 0, false)]);
+    }
+
+    #[test]
+    fn a_reference_that_is_a_text_is_read_letter_by_letter() {
+        let file = skeleton(r#"{"bones": {"a": {"reference": "ab", "weights_reference": ["c"]}}}"#);
+        let [bone] = file.bones.as_slice() else { panic!("one bone") };
+        assert_eq!(bone.reference.as_deref(), Some(["a".to_owned(), "b".to_owned()].as_slice()));
+        assert_eq!(bone.text_references, [("reference", "ab".to_owned())]);
+    }
+
+    proptest! {
+        #[test]
+        fn any_json_gives_a_skeleton(
+            words in proptest::collection::vec(
+                r#"\{|\}|\[|\]|,|:|"(bones|joints|planes|head|parent)"|-?[0-9]{1,3}(\.[0-9]|e[0-9]{1,3})?|null"#, 0..30),
+        ) {
+            if let Ok(document) = parse(words.concat().as_bytes()) {
+                let file = read(&document);
+                prop_assert!(file.is_object || file == Skeleton::default());
+            }
+        }
+
+        #[test]
+        fn a_truncated_skeleton_is_no_json(cut in 0usize..90) {
+            let text = br#"{"joints": {"j": [1, 2]}, "bones": {"b": {"head": "j", "tail": "j", "parent": null}}}"#;
+            prop_assert!(parse(&text[..cut.min(text.len() - 1)]).is_err());
+        }
     }
 }

@@ -5,17 +5,27 @@
 #![warn(clippy::indexing_slicing)]
 
 pub mod base_json;
+mod content_hash;
+pub mod expression;
 mod fields;
+pub mod format_text;
 pub mod geometry;
 pub mod json_file;
 pub mod macro_json;
 pub mod mhclo;
 pub mod mhskel;
 pub mod mhw;
+mod mhw_facts;
 pub mod modelling;
+mod npy;
+mod npy_header;
+pub mod npz;
 mod number;
 pub mod obj;
+mod obj_facts;
 pub mod target;
 pub mod target_cat;
+mod target_facts;
+mod target_row;
 
 pub use number::{python_float, python_int};

@@ -1,9 +1,11 @@
-//! `modelling.json`: the sliders (formats/makehuman2.md §4).
+//! `modelling.json`: the sliders (formats/makehuman2.md §4). Formulas are checked here, never evaluated.
 
 use serde::Serialize;
 
+use super::expression::{self, Fault};
+use super::format_text;
 use super::macro_json::{text, texts};
-use crate::json::{Document, Node};
+use crate::json::{Document, Node, Value};
 
 /// The file: sliders in file order, of equal keys the last.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
@@ -37,8 +39,10 @@ pub struct Slider {
     pub macro_influence: Option<Vec<i64>>,
     /// Patterns of a barycentric set.
     pub barycentric: Option<Vec<String>>,
-    /// Number of colours of `barycentric_diffuse`.
-    pub barycentric_colours: Option<usize>,
+    /// Elements of `barycentric`, texts or not.
+    pub barycentric_len: usize,
+    /// Lengths of the colours of `barycentric_diffuse`.
+    pub barycentric_colours: Option<Vec<usize>>,
     /// Value after a reset, nominally 0..1.
     pub default: Option<f64>,
     /// Vertex indices of a polyline whose length is shown.
@@ -47,6 +51,8 @@ pub struct Slider {
     pub display: Option<Display>,
     /// Generated from a user target: the file is looked for in the user's target folder.
     pub user: bool,
+    /// Keys that are there and not a deliberate `null`, whatever their type.
+    pub keys: Vec<String>,
 }
 
 /// `display` of a slider.
@@ -58,12 +64,30 @@ pub struct Display {
     pub text: Option<String>,
     /// Python expression in `val`.
     pub formula: Option<String>,
+    /// Why the formula must not or cannot be evaluated; span in the file.
+    pub formula_fault: Option<Fault>,
+    /// Why the text must not or cannot be formatted with the result; span in the file.
+    pub text_fault: Option<Fault>,
+}
+
+impl Slider {
+    /// Whether a key is there, whatever its type. Wrong types are reported by the schema.
+    pub fn has(&self, key: &str) -> bool {
+        self.keys.iter().any(|other| other == key)
+    }
+
+    /// Whether it drives macros; `incr` and `decr` are then not applied.
+    pub fn is_macro(&self) -> bool {
+        self.barycentric.is_some() || self.macro_pattern.is_some()
+    }
 }
 
 /// Takes what the loader would take.
 pub fn read(document: &Document) -> Modelling {
     let members = document.root.effective_members().into_iter();
-    Modelling { sliders: members.map(|member| slider(&member.key, &member.node)).collect() }
+    // A text or list is taken for an entry without keys; the schema reports it, no rule needs to see it.
+    let entries = members.filter(|member| member.node.is_object());
+    Modelling { sliders: entries.map(|member| slider(&member.key, &member.node)).collect() }
 }
 
 fn slider(key: &str, node: &Node) -> Slider {
@@ -79,16 +103,40 @@ fn slider(key: &str, node: &Node) -> Slider {
         macro_pattern: text(node, "macro"),
         macro_influence: node.get("macro_influence").and_then(integers),
         barycentric: node.get("barycentric").and_then(texts),
-        barycentric_colours: node.get("barycentric_diffuse").map(|colours| colours.elements().len()),
+        barycentric_len: node.get("barycentric").map_or(0, |patterns| patterns.elements().len()),
+        barycentric_colours: node
+            .get("barycentric_diffuse")
+            .map(|colours| colours.elements().iter().map(|colour| colour.elements().len()).collect()),
         default: node.get("default").and_then(Node::as_f64),
         measure: node.get("measure").and_then(integers),
-        display: node.get("display").map(|display| Display {
-            slot: display.get("slot").and_then(Node::as_f64),
-            text: text(display, "text"),
-            formula: text(display, "formula"),
-        }),
+        display: node.get("display").map(display),
         user: node.get("user").is_some(),
+        keys: keys(node),
     }
+}
+
+fn display(node: &Node) -> Display {
+    Display {
+        slot: node.get("slot").and_then(Node::as_f64),
+        text: text(node, "text"),
+        formula: text(node, "formula"),
+        formula_fault: node.get("formula").and_then(|formula| fault_in(formula, |text| expression::check(text, "val"))),
+        text_fault: node.get("text").and_then(|text| fault_in(text, format_text::check)),
+    }
+}
+
+/// The fault of a text, its span moved to the place in the file.
+pub(super) fn fault_in(node: &Node, check: impl Fn(&str) -> Result<(), Fault>) -> Option<Fault> {
+    let fault = check(node.as_str()?).err()?;
+    Some(Fault { span: node.span_of_text(fault.span.clone()), ..fault })
+}
+
+/// `null` is a way to leave out these four; for others it is a wrong type.
+fn keys(node: &Node) -> Vec<String> {
+    let optional = ["macro", "lsym", "rsym", "measure"];
+    let members = node.effective_members().into_iter();
+    let there = members.filter(|member| member.node.value != Value::Null || !optional.contains(&member.key.as_str()));
+    there.map(|member| member.key.clone()).collect()
 }
 
 /// An array of integers; elements of other types are left out.

@@ -67,6 +67,8 @@ fn plain_digit(character: char) -> char {
 
 #[cfg(test)]
 mod tests {
+    use proptest::prelude::*;
+
     use super::*;
 
     #[test]
@@ -110,5 +112,20 @@ mod tests {
             assert_eq!(python_float(token.as_bytes()), value, "{token}");
         }
         assert!(python_float(b"NaN").unwrap().is_nan());
+    }
+
+    proptest! {
+        #[test]
+        fn any_bytes_are_read_or_refused(token in proptest::collection::vec(any::<u8>(), 0..20)) {
+            if python_int(&token).is_some() {
+                prop_assert!(python_float(&token).is_some());
+            }
+        }
+
+        #[test]
+        fn written_numbers_come_back(value in any::<f64>(), integer in any::<i32>()) {
+            prop_assert_eq!(python_float(format!("{value:e}").as_bytes()).map(f64::to_bits), Some(value.to_bits()).filter(|_| !value.is_nan()).or(Some(f64::NAN.to_bits())));
+            prop_assert_eq!(python_int(integer.to_string().as_bytes()), Some(i64::from(integer)));
+        }
     }
 }

@@ -4,18 +4,18 @@
 //! that was open before does not switch back: the faces stay in the group opened last. Vertices used
 //! with a second texture coordinate are duplicated behind the real ones ("seam").
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use serde::Serialize;
 
 use super::fields::fields;
+pub use super::obj_facts::{BadLine, MeshFacts, Reopened};
 use super::{python_float, python_int};
-use crate::diag::Tally;
 
-/// Two texture coordinates of one vertex farther apart than this make a duplicate.
-const SEAM_DISTANCE: f32 = 0.001;
 /// The group of faces before any `g`.
 pub const DEFAULT_GROUP: &str = "mh_default";
+/// Stands for a corner without texture coordinate.
+pub(super) const NO_UV: u32 = u32::MAX;
 
 /// A mesh.
 #[derive(Debug, Clone, Default)]
@@ -28,7 +28,7 @@ pub struct Mesh {
     pub corners: Vec<u32>,
     /// Faces.
     pub faces: Vec<Face>,
-    /// Groups in order of their opening.
+    /// Groups in order of their opening, the default group first if it has faces.
     pub groups: Vec<Group>,
     /// What was counted on the way.
     pub facts: MeshFacts,
@@ -54,53 +54,8 @@ pub struct Group {
     pub line: u32,
     /// Faces the application puts into it.
     pub faces: usize,
-}
-
-/// Facts on a mesh file.
-#[derive(Debug, Clone, Default, PartialEq, Serialize)]
-pub struct MeshFacts {
-    /// Vertices of the file.
-    pub vertices: usize,
-    /// Duplicates that loading adds along texture seams.
-    pub seam_duplicates: usize,
-    /// Names that were opened again.
-    pub reopened: Vec<Reopened>,
-    /// Lines the loader stops at: line, byte range of the field, what is wrong.
-    pub unreadable: Vec<BadLine>,
-    /// How many such lines.
-    pub unreadable_lines: u64,
-    /// Faces with a vertex or texture coordinate that does not exist (line, number as written).
-    pub face_out_of_range: Tally,
-    /// Vertices with NaN or infinity (line, vertex).
-    pub non_finite: Tally,
-    /// Vertices no face uses.
-    pub unused: Tally,
-    /// Groups that mix faces with and without texture coordinates.
-    pub partial_uv: Vec<String>,
-}
-
-/// A group name that was opened a second time.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-pub struct Reopened {
-    /// The name.
-    pub name: String,
-    /// Line of the second opening.
-    pub line: u32,
-    /// Group the following faces end up in.
-    pub lands_in: String,
-    /// How many faces end up there.
-    pub faces: usize,
-}
-
-/// A line the loader cannot read.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-pub struct BadLine {
-    /// Line from 1.
-    pub line: u32,
-    /// The line, shortened.
-    pub text: String,
-    /// What is wrong with it.
-    pub what: &'static str,
+    /// First and last vertex of these faces.
+    pub vertices: Option<(u32, u32)>,
 }
 
 const BAD_LINES_KEPT: usize = 5;
@@ -109,6 +64,8 @@ const LONGEST_TEXT: usize = 60;
 /// Parses a mesh.
 pub fn parse(text: &[u8]) -> Mesh {
     let mut parser = Parser::default();
+    // The default group is open from the start.
+    parser.known.insert(DEFAULT_GROUP.to_owned(), None);
     let mut rest = text;
     while !rest.is_empty() {
         let end = rest.iter().position(|byte| matches!(byte, b'\n' | b'\r')).unwrap_or(rest.len());
@@ -124,23 +81,54 @@ pub fn parse(text: &[u8]) -> Mesh {
 struct Parser {
     mesh: Mesh,
     line: u32,
-    by_name: BTreeMap<String, u32>,
+    /// Names that were open, with their place in [`MeshFacts::reopened`].
+    known: BTreeMap<String, Option<usize>>,
     current: Option<u32>,
-    reopened: Option<usize>,
-    /// Texture coordinate of every corner, `u32::MAX` for none.
-    corner_uvs: Vec<u32>,
-    face_lines: Vec<u32>,
+    /// Name of the last `g`, and its place in [`MeshFacts::reopened`] with 1 if faces now stray.
+    named: String,
+    reopened: Option<(usize, usize)>,
+    side: Side,
+}
+
+impl Mesh {
+    /// Names of the groups that hold the vertices, with these vertices; a vertex counts for the first group
+    /// that uses it, one without a face for none. For findings: walks all faces.
+    pub fn groups_of(&self, vertices: &[u32]) -> BTreeMap<&str, Vec<u32>> {
+        let mut left: BTreeSet<u32> = vertices.iter().copied().collect();
+        let mut groups: BTreeMap<&str, Vec<u32>> = BTreeMap::new();
+        for face in &self.faces {
+            let Some(group) = self.groups.get(face.group as usize) else { continue };
+            let run = face.start as usize..(face.start as usize).saturating_add(face.len as usize);
+            for vertex in self.corners.get(run).unwrap_or_default() {
+                if left.remove(vertex) {
+                    groups.entry(&group.name).or_default().push(*vertex);
+                }
+            }
+        }
+        groups
+    }
+}
+
+/// What is needed to judge the faces once all vertices are known, and dropped then.
+#[derive(Default)]
+pub(super) struct Side {
+    /// Texture coordinate of every corner, [`NO_UV`] for none.
+    pub(super) uvs: Vec<u32>,
+    /// Line of every face.
+    pub(super) lines: Vec<u32>,
 }
 
 impl Parser {
     fn line(&mut self, line: &[u8]) {
         let fields = fields(line);
-        let mut words = fields.iter().map(|(_, word)| *word);
-        match words.next() {
-            Some(b"v") => self.vertex(line, words),
-            Some(b"vt") => self.uv(line, words),
-            Some(b"f") => self.face(line, words),
-            Some(b"g") => self.group(line, words.next()),
+        // The loader skips a keyword without a value before it looks at it.
+        let Some(((_, keyword), rest)) = fields.split_first().filter(|(_, rest)| !rest.is_empty()) else { return };
+        let mut words = rest.iter().map(|(_, word)| *word);
+        match *keyword {
+            b"v" => self.vertex(line, words),
+            b"vt" => self.uv(line, words),
+            b"f" => self.face(line, words),
+            b"g" => self.group(words.next().unwrap_or_default()),
             _ => {}
         }
     }
@@ -167,53 +155,56 @@ impl Parser {
         self.mesh.uvs.push(uv.unwrap_or_default());
     }
 
-    fn group(&mut self, line: &[u8], name: Option<&[u8]>) {
-        let Some(name) = name else {
-            self.bad(line, "a group needs a name");
-            return;
-        };
+    fn group(&mut self, name: &[u8]) {
         let name = String::from_utf8_lossy(name).into_owned();
-        if self.by_name.contains_key(&name) {
-            let lands_in = self.current.and_then(|group| self.mesh.groups.get(group as usize));
-            let lands_in = lands_in.map_or_else(|| DEFAULT_GROUP.to_owned(), |group| group.name.clone());
-            self.reopened = (lands_in != name).then_some(self.mesh.facts.reopened.len());
-            if self.reopened.is_some() {
-                self.mesh.facts.reopened.push(Reopened { name, line: self.line, lands_in, faces: 0 });
-            }
+        if name == self.named {
             return;
         }
         self.reopened = None;
-        self.open(name, self.line);
+        self.named.clone_from(&name);
+        let Some(known) = self.known.get_mut(&name) else {
+            self.open(name, self.line);
+            return;
+        };
+        let current = self.current.and_then(|group| self.mesh.groups.get(group as usize));
+        let lands_in = current.map_or(DEFAULT_GROUP, |group| group.name.as_str());
+        let at = self.mesh.facts.reopen(*known, &name, self.line, lands_in);
+        *known = Some(at);
+        self.reopened = Some((at, usize::from(lands_in != name)));
     }
 
     fn open(&mut self, name: String, line: u32) -> u32 {
         let index = u32::try_from(self.mesh.groups.len()).unwrap_or(u32::MAX);
-        self.by_name.insert(name.clone(), index);
-        self.mesh.groups.push(Group { name, line, faces: 0 });
+        self.known.insert(name.clone(), None);
+        self.mesh.groups.push(Group { name, line, faces: 0, vertices: None });
         self.current = Some(index);
         index
     }
 
     fn face<'a>(&mut self, line: &[u8], words: impl Iterator<Item = &'a [u8]>) {
         let start = self.mesh.corners.len();
-        for word in words {
-            let Some((vertex, uv)) = corner(word) else {
-                self.mesh.corners.truncate(start);
-                self.corner_uvs.truncate(start);
-                self.bad(line, "a face corner is `vertex`, `vertex/uv` or `vertex/uv/normal`, counted from 1");
-                return;
-            };
-            self.mesh.corners.push(vertex);
-            self.corner_uvs.push(uv);
-        }
+        let fault = words.map(|word| self.corner(word)).find_map(Result::err);
         let len = self.mesh.corners.len() - start;
-        if len < 3 {
-            self.mesh.corners.truncate(start);
-            self.corner_uvs.truncate(start);
-            self.bad(line, "a face needs three corners");
+        if fault.is_none() && len >= 3 {
+            self.add_face(start, len);
             return;
         }
-        self.add_face(start, len);
+        self.mesh.corners.truncate(start);
+        self.side.uvs.truncate(start);
+        match fault {
+            Some(BadCorner::Number(number)) => self.mesh.facts.face_out_of_range.add(self.line, number),
+            Some(BadCorner::Text) => {
+                self.bad(line, "a face corner is `vertex`, `vertex/uv` or `vertex/uv/normal` in whole numbers");
+            }
+            None => self.bad(line, "a face needs three corners"),
+        }
+    }
+
+    fn corner(&mut self, word: &[u8]) -> Result<(), BadCorner> {
+        let (vertex, uv) = corner(word)?;
+        self.mesh.corners.push(vertex);
+        self.side.uvs.push(uv);
+        Ok(())
     }
 
     fn add_face(&mut self, start: usize, len: usize) {
@@ -223,12 +214,16 @@ impl Parser {
         };
         if let Some(group) = self.mesh.groups.get_mut(group as usize) {
             group.faces += 1;
+            group.vertices = widened(group.vertices, self.mesh.corners.get(start..).unwrap_or_default());
         }
-        if let Some(reopened) = self.reopened.and_then(|at| self.mesh.facts.reopened.get_mut(at)) {
+        if let Some((at, strays)) = self.reopened
+            && let Some(reopened) = self.mesh.facts.reopened.get_mut(at)
+        {
             reopened.faces += 1;
+            reopened.strayed += strays;
         }
         let bounded = |value: usize| u32::try_from(value).unwrap_or(u32::MAX);
-        self.face_lines.push(self.line);
+        self.side.lines.push(self.line);
         self.mesh.faces.push(Face { start: bounded(start), len: bounded(len), group });
     }
 
@@ -242,81 +237,17 @@ impl Parser {
     }
 
     fn finish(mut self) -> Mesh {
-        self.mesh.facts.vertices = self.mesh.positions.len();
-        self.mesh.facts.reopened.retain(|reopened| reopened.faces > 0);
-        self.check_faces();
-        self.check_uvs();
-        self.count_unused();
-        self.mesh.facts.seam_duplicates = self.count_seams();
+        let mut facts = std::mem::take(&mut self.mesh.facts);
+        facts.complete(&self.mesh, &self.side);
+        self.mesh.facts = facts;
         self.mesh
     }
+}
 
-    /// Faces may name vertices that come later in the file, so ranges are known only now.
-    fn check_faces(&mut self) {
-        let vertices = self.mesh.positions.len();
-        let uvs = self.mesh.uvs.len();
-        for (face, line) in self.mesh.faces.iter().zip(&self.face_lines) {
-            let run = face.start as usize..(face.start + face.len) as usize;
-            let corners = self.mesh.corners.get(run.clone()).unwrap_or_default();
-            let corner_uvs = self.corner_uvs.get(run).unwrap_or_default();
-            let bad_vertex = corners.iter().find(|vertex| **vertex as usize >= vertices);
-            let bad_uv = corner_uvs.iter().find(|uv| **uv != u32::MAX && **uv as usize >= uvs);
-            if let Some(bad) = bad_vertex.or(bad_uv) {
-                self.mesh.facts.face_out_of_range.add(*line, i64::from(*bad) + 1);
-            }
-        }
-    }
-
-    fn check_uvs(&mut self) {
-        let mut seen = vec![(false, false); self.mesh.groups.len()];
-        for face in &self.mesh.faces {
-            let run = face.start as usize..(face.start + face.len) as usize;
-            let Some((with, without)) = seen.get_mut(face.group as usize) else { continue };
-            for uv in self.corner_uvs.get(run).unwrap_or_default() {
-                *(if *uv == u32::MAX { &mut *without } else { &mut *with }) = true;
-            }
-        }
-        let mixed = self.mesh.groups.iter().zip(seen).filter(|(_, seen)| *seen == (true, true));
-        self.mesh.facts.partial_uv = mixed.map(|(group, _)| group.name.clone()).collect();
-    }
-
-    fn count_unused(&mut self) {
-        let mut used = vec![false; self.mesh.positions.len()];
-        for vertex in &self.mesh.corners {
-            if let Some(used) = used.get_mut(*vertex as usize) {
-                *used = true;
-            }
-        }
-        for (index, _) in used.iter().enumerate().filter(|(_, used)| !**used) {
-            self.mesh.facts.unused.add(0, i64::try_from(index).unwrap_or(i64::MAX));
-        }
-    }
-
-    fn count_seams(&self) -> usize {
-        let mut first: Vec<u32> = vec![u32::MAX; self.mesh.positions.len()];
-        let mut others: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
-        let mut duplicates = 0;
-        for (vertex, uv) in self.mesh.corners.iter().zip(&self.corner_uvs) {
-            let Some(known) = first.get_mut(*vertex as usize) else { continue };
-            if *known == u32::MAX {
-                *known = *uv;
-            } else if *known != *uv && !self.same_uv(*known, *uv) {
-                let others = others.entry(*vertex).or_default();
-                if !others.iter().any(|other| self.same_uv(*other, *uv)) {
-                    others.push(*uv);
-                    duplicates += 1;
-                }
-            }
-        }
-        duplicates
-    }
-
-    fn same_uv(&self, a: u32, b: u32) -> bool {
-        match (self.mesh.uvs.get(a as usize), self.mesh.uvs.get(b as usize)) {
-            (Some([u, v]), Some([s, t])) => (u - s).abs() <= SEAM_DISTANCE && (v - t).abs() <= SEAM_DISTANCE,
-            _ => a == b,
-        }
-    }
+fn widened(range: Option<(u32, u32)>, corners: &[u32]) -> Option<(u32, u32)> {
+    corners.iter().fold(range, |range, vertex| {
+        Some(range.map_or((*vertex, *vertex), |(first, last)| (first.min(*vertex), last.max(*vertex))))
+    })
 }
 
 fn floats<'a, const N: usize>(words: impl Iterator<Item = &'a [u8]>) -> Option<[f32; N]> {
@@ -332,57 +263,119 @@ fn floats<'a, const N: usize>(words: impl Iterator<Item = &'a [u8]>) -> Option<[
     (filled == N).then_some(values)
 }
 
-/// `v`, `v/t`, `v//n`, `v/t/n`: vertex and texture coordinate from 0, `u32::MAX` for no texture coordinate.
-fn corner(word: &[u8]) -> Option<(u32, u32)> {
-    let mut parts = word.split(|byte| *byte == b'/');
-    let vertex = one_based(parts.next()?)?;
-    let uv = match parts.next() {
-        None | Some(b"") => u32::MAX,
-        Some(part) => one_based(part)?,
-    };
-    Some((vertex, uv))
+/// Why a corner cannot be used.
+enum BadCorner {
+    /// No whole number.
+    Text,
+    /// A number below 1: vertices are counted from 1, and never backwards.
+    Number(i64),
 }
 
-fn one_based(text: &[u8]) -> Option<u32> {
-    let number = python_int(text)?;
-    u32::try_from(number.checked_sub(1)?).ok().filter(|index| *index != u32::MAX)
+/// `v`, `v/t`, `v//n`, `v/t/n`: vertex and texture coordinate from 0, [`NO_UV`] for no texture coordinate.
+fn corner(word: &[u8]) -> Result<(u32, u32), BadCorner> {
+    let mut parts = word.split(|byte| *byte == b'/');
+    let vertex = one_based(parts.next().unwrap_or_default())?;
+    let uv = match parts.next() {
+        None | Some(b"") => NO_UV,
+        Some(part) => one_based(part)?,
+    };
+    Ok((vertex, uv))
+}
+
+fn one_based(text: &[u8]) -> Result<u32, BadCorner> {
+    let number = python_int(text).ok_or(BadCorner::Text)?;
+    let index = number.checked_sub(1).and_then(|index| u32::try_from(index).ok());
+    index.filter(|index| *index != NO_UV).ok_or(BadCorner::Number(number))
 }
 
 #[cfg(test)]
 mod tests {
+    use proptest::prelude::*;
+
     use super::*;
 
     const SQUARE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
     #[test]
     fn faces_of_a_reopened_group_stay_in_the_last_one() {
-        let text = format!("{SQUARE}g body\nf 1 2 3\ng helper\nf 1 2 4\ng body\nf 2 3 4\nf 1 3 4\n");
+        let text = format!("{SQUARE}g body\nf 1 2 3\ng helper\nf 1 2 4\ng body\nf 2 3 4\nf 1 3 4\ng body\nf 1 2 3\n");
         let mesh = parse(text.as_bytes());
         let groups: Vec<_> = mesh.groups.iter().map(|g| (g.name.as_str(), g.faces)).collect();
-        assert_eq!(groups, [("body", 1), ("helper", 3)]);
+        assert_eq!(groups, [("body", 1), ("helper", 4)]);
         let [reopened] = mesh.facts.reopened.as_slice() else { panic!("one group") };
-        assert_eq!((reopened.name.as_str(), reopened.faces, reopened.line), ("body", 2, 9));
-        assert_eq!(reopened.lands_in, "helper");
+        assert_eq!((reopened.name.as_str(), reopened.faces, reopened.line), ("body", 3, 9));
+        assert_eq!((reopened.strayed, reopened.lands_in.as_slice()), (3, ["helper".to_owned()].as_slice()));
+    }
+
+    #[test]
+    fn a_group_opened_again_may_still_be_the_current_one() {
+        let text = format!("{SQUARE}g a\nf 1 2 3\ng b\nf 1 2 3\ng a\nf 1 2 3\ng b\nf 1 2 3\n");
+        let facts = parse(text.as_bytes()).facts;
+        let reopened: Vec<_> = facts.reopened.iter().map(|r| (r.name.as_str(), r.faces, r.strayed)).collect();
+        assert_eq!(reopened, [("a", 1, 1), ("b", 1, 0)]);
+    }
+
+    #[test]
+    fn a_group_opened_twice_in_a_row_or_without_faces_is_no_matter() {
+        let text = format!("{SQUARE}g body\nf 1 2 3\ng body\nf 1 2 4\ng joint\ng body\ng helper\nf 2 3 4\n");
+        assert!(parse(text.as_bytes()).facts.reopened.is_empty());
     }
 
     #[test]
     fn faces_before_any_group_have_the_default_one() {
-        let mesh = parse(format!("{SQUARE}f 1 2 3 4\n").as_bytes());
+        let mesh = parse(format!("{SQUARE}f 1 2 3 4\ng body\nf 1 2 3\ng mh_default\nf 1 2 3\n").as_bytes());
         assert_eq!(mesh.groups[0].name, DEFAULT_GROUP);
+        assert_eq!(mesh.facts.reopened[0].lands_in, ["body"]);
     }
 
     #[test]
     fn bad_lines_and_ranges_are_counted() {
-        let text = format!("{SQUARE}v 1 2\nv nan 0 0\nf 1 2\nf -1 2 3\nf 1 2 9\nf 1/1 2/1 3/1\n");
+        let text = format!("{SQUARE}v 1 2\nv nan 0 0\nf 1 2\nf -1 2 3\nf 1 2 9\nf 1/1 2/1 3/1\nf 1 2 x\nf\nv\ng\n");
         let facts = parse(text.as_bytes()).facts;
         assert_eq!((facts.unreadable_lines, facts.vertices), (3, 6));
-        assert_eq!(facts.face_out_of_range.first, [(9, 9), (10, 1)]);
+        assert_eq!(facts.face_out_of_range.first, [(8, -1), (9, 9), (10, 1)]);
         assert_eq!(facts.non_finite.first, [(6, 5)]);
+        assert_eq!(facts.unused.first, [(0, 3), (0, 4), (0, 5)]);
     }
 
     #[test]
     fn second_uvs_of_a_vertex_make_seam_duplicates() {
-        let text = format!("{SQUARE}vt 0 0\nvt 0.0005 0\nvt 0.5 0\nf 1/1 2/1 3/1\nf 1/2 3/3 4/1\n");
-        assert_eq!(parse(text.as_bytes()).facts.seam_duplicates, 1);
+        let text =
+            format!("{SQUARE}vt 0 0\nvt 0.0005 0\nvt 0.5 0\nvt 0.5 0\nf 1/1 2/1 3/1\nf 1/2 3/3 4/1\nf 1/1 3/4 4/1\n");
+        assert_eq!(parse(text.as_bytes()).facts.seam_duplicates, 2);
+    }
+
+    #[test]
+    fn groups_that_mix_faces_with_and_without_uvs_are_named() {
+        let text = format!("{SQUARE}vt 0 0\ng a\nf 1/1 2/1 3/1\nf 1 2 3\nf 1/1 2 3\ng b\nf 1 2 3\n");
+        let facts = parse(text.as_bytes()).facts;
+        let [partial] = facts.partial_uv.as_slice() else { panic!("one group") };
+        assert_eq!((partial.name.as_str(), partial.faces, partial.without, partial.line), ("a", 3, 2, 8));
+    }
+
+    proptest! {
+        #[test]
+        fn any_bytes_give_a_mesh(bytes in proptest::collection::vec(any::<u8>(), 0..300)) {
+            let mesh = parse(&bytes);
+            prop_assert_eq!(mesh.facts.vertices, mesh.positions.len());
+        }
+
+        #[test]
+        fn hostile_faces_stay_inside_the_text(
+            words in proptest::collection::vec("(v|vt|f|g|o|s)( (-?[0-9]{1,20}|nan|[0-9]/[0-9]|//|x)){0,5}", 0..20),
+        ) {
+            let text = words.join("\n");
+            let mesh = parse(text.as_bytes());
+            prop_assert!(mesh.corners.len() <= text.len());
+            prop_assert_eq!(mesh.groups.iter().map(|group| group.faces).sum::<usize>(), mesh.faces.len());
+        }
+
+        #[test]
+        fn a_truncated_mesh_has_no_more_elements(cut in 0usize..120) {
+            let text = format!("{SQUARE}vt 0 0\nvt 1 0\nvt 1 1\ng body\nf 1/1 2/2 3/3\nf 1/1 3/3 4/1\ng helper\nf 4/1 2/2 1/1\n");
+            let whole = parse(text.as_bytes());
+            let part = parse(&text.as_bytes()[..cut.min(text.len())]);
+            prop_assert!(part.positions.len() <= whole.positions.len() && part.faces.len() <= whole.faces.len());
+        }
     }
 }

@@ -4,17 +4,16 @@
 //! data if there are exactly four fields; everything else is dropped silently. Numbers go through
 //! `int()` and `float()`; a failure there stops the program at start (formats/makehuman2.md §6.1).
 
-use serde::Serialize;
-use xxhash_rust::xxh3::Xxh3;
-
+use super::content_hash::ContentHash;
 use super::fields::fields;
+pub use super::target_facts::{Largest, TargetFacts, UnreadableField};
+use super::target_row::fast_row;
 use super::{python_float, python_int};
-use crate::diag::Tally;
 
 /// A parsed target.
 #[derive(Debug, Clone, Default)]
 pub struct Target {
-    /// Rows in the order of the file, only those whose numbers could be read.
+    /// Rows in the order of the file, only those whose numbers could be read and whose index fits.
     pub rows: Vec<Row>,
     /// What was counted on the way.
     pub facts: TargetFacts,
@@ -23,69 +22,10 @@ pub struct Target {
 /// One displacement. The index is kept as written; deltas are float32, in decimetres.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Row {
-    /// Vertex index, saturated to 32 bits (the facts know the truth).
+    /// Vertex index; the application holds 32 bits, too.
     pub index: u32,
     /// Displacement along x, y, z.
     pub delta: [f32; 3],
-}
-
-/// Facts on one target, counted while parsing.
-#[derive(Debug, Clone, Default, PartialEq, Serialize)]
-pub struct TargetFacts {
-    /// Data rows (four fields), readable or not.
-    pub rows: usize,
-    /// Rows with a field that is no number: line and column of the field, and the field.
-    pub unreadable: Vec<UnreadableField>,
-    /// How many rows have such a field.
-    pub unreadable_rows: u64,
-    /// Lines that are neither comment nor four fields (line, number of fields).
-    pub field_count: Tally,
-    /// Negative indices.
-    pub negative: Tally,
-    /// Indices at or beyond the vertex count of the mesh, seam duplicates included.
-    pub out_of_range: Tally,
-    /// Indices that name a seam duplicate: accepted and without effect.
-    pub seam: Tally,
-    /// Indices that occurred before in the file.
-    pub duplicate: Tally,
-    /// Rows with NaN or infinity.
-    pub non_finite: Tally,
-    /// Rows that move nothing.
-    pub zero: Tally,
-    /// Rows that move something.
-    pub moving: usize,
-    /// Largest displacement: length in decimetres, line, index.
-    pub largest: Option<Largest>,
-    /// Median length of the displacements that move something, in decimetres.
-    pub median_length: f32,
-    /// Largest index.
-    pub max_index: Option<i64>,
-    /// Base mesh that the header names (`# basemesh NAME`), with its line.
-    pub basemesh: Option<(u32, String)>,
-    /// Hash over the decoded rows: equal displacement, equal hash.
-    pub content: u64,
-}
-
-/// A field that is no number.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-pub struct UnreadableField {
-    /// Line from 1.
-    pub line: u32,
-    /// First byte of the field in the file.
-    pub start: usize,
-    /// The field as written.
-    pub field: String,
-}
-
-/// The largest displacement of a target.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct Largest {
-    /// Length in decimetres.
-    pub length: f32,
-    /// Line from 1.
-    pub line: u32,
-    /// Vertex.
-    pub index: i64,
 }
 
 /// Size of the mesh a target is for, where it is known.
@@ -99,16 +39,23 @@ pub struct MeshSize {
 
 /// How many unreadable fields are kept.
 const UNREADABLE_KEPT: usize = 5;
+/// Of this many rows the longest one is left out of [`TargetFacts::tail_length`].
+const ROWS_PER_OUTLIER: usize = 50;
 
 /// Parses a target. `mesh` is the size of the mesh it is for.
 pub fn parse(text: &[u8], mesh: Option<MeshSize>) -> Target {
-    let mut parser = Parser { target: Target::default(), mesh, lengths: Vec::new() };
+    parse_by(fast_row, text, mesh)
+}
+
+/// `fast` reads the lines it knows; tests take it away.
+fn parse_by(fast: impl Fn(&[u8]) -> (Option<Row>, usize), text: &[u8], mesh: Option<MeshSize>) -> Target {
+    let mut parser = Parser { target: Target::default(), mesh, lengths: Vec::new(), line_offsets: Vec::new() };
     parser.target.rows.reserve(text.len() / 20);
     let mut line = 1;
     let mut start = 0;
     while start < text.len() {
         let rest = text.get(start..).unwrap_or_default();
-        let (row, length) = fast_row(rest);
+        let (row, length) = fast(rest);
         if let Some(row) = row {
             parser.row(line, i64::from(row.index), row.delta);
             start += length;
@@ -124,6 +71,8 @@ struct Parser {
     target: Target,
     mesh: Option<MeshSize>,
     lengths: Vec<f32>,
+    /// Line minus position of the row, wherever it changes: position and difference.
+    line_offsets: Vec<(usize, usize)>,
 }
 
 impl Parser {
@@ -193,59 +142,81 @@ impl Parser {
     }
 
     fn row(&mut self, line: u32, index: i64, delta: [f32; 3]) {
-        let facts = &mut self.target.facts;
-        facts.rows += 1;
-        if index < 0 {
-            facts.negative.add(line, index);
-        } else if let Some(mesh) = self.mesh {
-            let at = u64::try_from(index).unwrap_or(u64::MAX);
-            if at >= mesh.with_seams as u64 {
-                facts.out_of_range.add(line, index);
-            } else if at >= mesh.vertices as u64 {
-                facts.seam.add(line, index);
-            }
+        self.target.facts.rows += 1;
+        self.index(line, index);
+        self.displacement(line, index, delta);
+        let Ok(index) = u32::try_from(index) else { return };
+        let at = self.target.rows.len();
+        let offset = (line as usize).wrapping_sub(at);
+        if self.line_offsets.last().is_none_or(|(_, known)| *known != offset) {
+            self.line_offsets.push((at, offset));
         }
+        self.target.rows.push(Row { index, delta });
+    }
+
+    fn index(&mut self, line: u32, index: i64) {
+        let facts = &mut self.target.facts;
         facts.max_index = facts.max_index.max(Some(index));
+        let Ok(at) = u64::try_from(index) else {
+            facts.negative.add(line, index);
+            return;
+        };
+        if at > u64::from(u32::MAX) {
+            facts.overflow.add(line, index);
+        }
+        match self.mesh {
+            Some(mesh) if at >= mesh.with_seams as u64 => facts.out_of_range.add(line, index),
+            Some(mesh) if at >= mesh.vertices as u64 => facts.seam.add(line, index),
+            _ => {}
+        }
+    }
+
+    fn displacement(&mut self, line: u32, index: i64, delta: [f32; 3]) {
+        let facts = &mut self.target.facts;
         let [x, y, z] = delta;
         let square = x * x + y * y + z * z;
-        if square.is_finite() && square > 0.0 {
-            facts.moving += 1;
-            let length = square.sqrt();
-            self.lengths.push(length);
-            if facts.largest.is_none_or(|largest| length > largest.length) {
-                facts.largest = Some(Largest { length, line, index });
-            }
+        let length = if square.is_finite() && square > 0.0 {
+            square.sqrt()
         } else if x == 0.0 && y == 0.0 && z == 0.0 {
             facts.zero.add(line, index);
+            return;
         } else if !(x.is_finite() && y.is_finite() && z.is_finite()) {
             facts.non_finite.add(line, index);
+            return;
         } else {
             // The square of a finite delta can overflow or vanish; such a row still moves.
-            facts.moving += 1;
-            let length = delta.iter().fold(0.0_f32, |most, part| most.max(part.abs()));
-            if facts.largest.is_none_or(|largest| length > largest.length) {
-                facts.largest = Some(Largest { length, line, index });
-            }
+            delta.iter().fold(0.0_f32, |most, part| most.max(part.abs()))
+        };
+        facts.moving += 1;
+        self.lengths.push(length);
+        if facts.largest.is_none_or(|largest| length > largest.length) {
+            facts.largest = Some(Largest { length, line, index });
         }
-        self.target.rows.push(Row { index: u32::try_from(index.max(0)).unwrap_or(u32::MAX), delta });
     }
 
     fn finish(mut self) -> Target {
         self.count_duplicates();
-        let facts = &mut self.target.facts;
-        let middle = self.lengths.len() / 2;
-        if middle < self.lengths.len() {
-            facts.median_length = *self.lengths.select_nth_unstable_by(middle, f32::total_cmp).1;
-        }
-        let mut hash = Xxh3::new();
+        self.measure_lengths();
+        let mut hash = ContentHash::default();
         for row in &self.target.rows {
-            let [x, y, z] = row.delta.map(f32::to_le_bytes);
-            for part in [row.index.to_le_bytes(), x, y, z] {
-                hash.update(&part);
-            }
+            hash.add(row.index, row.delta);
         }
-        facts.content = hash.digest();
+        self.target.facts.content = hash.finish();
         self.target
+    }
+
+    fn measure_lengths(&mut self) {
+        let facts = &mut self.target.facts;
+        let count = self.lengths.len();
+        let middle = count.saturating_sub(1) / 2;
+        if middle >= count {
+            return;
+        }
+        let (_, median, above) = self.lengths.select_nth_unstable_by(middle, f32::total_cmp);
+        facts.median_length = *median;
+        let outliers = (count / ROWS_PER_OUTLIER).max(1);
+        let tail = above.len().checked_sub(1 + outliers);
+        facts.tail_length = tail.map_or(*median, |tail| *above.select_nth_unstable_by(tail, f32::total_cmp).1);
     }
 
     /// Shipped targets are sorted, which needs no table.
@@ -254,84 +225,35 @@ impl Parser {
         if rows.is_sorted_by(|a, b| a.index < b.index) {
             return;
         }
-        let mut indices: Vec<u32> = rows.iter().map(|row| row.index).collect();
-        indices.sort_unstable();
-        let repeated: Vec<u32> = indices
-            .windows(2)
-            .filter_map(|pair| match pair {
-                [a, b] if a == b => Some(*b),
-                _ => None,
-            })
-            .collect();
-        self.target.facts.duplicate.count = repeated.len() as u64;
-        for index in repeated.into_iter().take(crate::diag::EXAMPLES) {
-            self.target.facts.duplicate.first.push((0, i64::from(index)));
-        }
-    }
-}
-
-/// The plain row `INDEX X Y Z`, single blanks, at most nine digits a number: nearly every line of every
-/// shipped target. Gives the row and the bytes consumed, or nothing for any other line.
-fn fast_row(text: &[u8]) -> (Option<Row>, usize) {
-    let mut at = 0;
-    let mut index = 0_u32;
-    while let Some(digit) = text.get(at).map(|byte| byte.wrapping_sub(b'0')).filter(|digit| *digit < 10) {
-        index = index.wrapping_mul(10).wrapping_add(u32::from(digit));
-        at += 1;
-    }
-    if at == 0 || at > 9 {
-        return (None, 0);
-    }
-    let mut delta = [0.0; 3];
-    for part in &mut delta {
-        if text.get(at) != Some(&b' ') {
-            return (None, 0);
-        }
-        let Some((value, length)) = fast_decimal(text.get(at + 1..).unwrap_or_default()) else {
-            return (None, 0);
-        };
-        *part = value;
-        at += 1 + length;
-    }
-    match (text.get(at), text.get(at + 1)) {
-        (None, _) => (Some(Row { index, delta }), at),
-        (Some(b'\r'), Some(b'\n')) => (Some(Row { index, delta }), at + 2),
-        (Some(b'\n' | b'\r'), _) => (Some(Row { index, delta }), at + 1),
-        _ => (None, 0),
-    }
-}
-
-const POWERS: [f64; 10] = [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9];
-
-/// A decimal of at most nine digits. Mantissa and power of ten are exact in f64, so the quotient is the
-/// correctly rounded value, as in Python.
-fn fast_decimal(text: &[u8]) -> Option<(f32, usize)> {
-    let negative = text.first() == Some(&b'-');
-    let mut at = usize::from(negative);
-    let mut mantissa = 0_u32;
-    let mut digits = 0_usize;
-    let mut point = None;
-    loop {
-        match text.get(at) {
-            Some(byte @ b'0'..=b'9') => {
-                mantissa = mantissa.wrapping_mul(10).wrapping_add(u32::from(byte - b'0'));
-                digits += 1;
+        let mut places: Vec<(u32, usize)> = rows.iter().enumerate().map(|(at, row)| (row.index, at)).collect();
+        places.sort_unstable();
+        let mut repeated: Vec<(usize, u32)> = Vec::new();
+        for pair in places.windows(2) {
+            if let [(first, _), (index, at)] = pair
+                && first == index
+            {
+                repeated.push((*at, *index));
             }
-            Some(b'.') if point.is_none() => point = Some(digits),
-            _ => break,
         }
-        at += 1;
+        repeated.sort_unstable();
+        for (at, index) in repeated {
+            let line = self.line_of(at);
+            self.target.facts.duplicate.add(line, i64::from(index));
+        }
     }
-    if digits == 0 || digits > 9 {
-        return None;
+
+    /// Line of a kept row.
+    fn line_of(&self, at: usize) -> u32 {
+        let known = self.line_offsets.partition_point(|(from, _)| *from <= at);
+        let offset = known.checked_sub(1).and_then(|last| self.line_offsets.get(last)).map_or(0, |(_, offset)| *offset);
+        u32::try_from(at.wrapping_add(offset)).unwrap_or(u32::MAX)
     }
-    let value = f64::from(mantissa) / POWERS.get(digits - point.unwrap_or(digits))?;
-    #[expect(clippy::cast_possible_truncation, reason = "stored as float32, as the application does")]
-    Some((if negative { -value } else { value } as f32, at))
 }
 
 #[cfg(test)]
 mod tests {
+    use proptest::prelude::*;
+
     use super::*;
 
     fn facts(text: &str) -> TargetFacts {
@@ -373,14 +295,88 @@ mod tests {
 
     #[test]
     fn indices_are_sorted_into_their_faults() {
-        let facts = facts("-1 0 0 1\n9 0 0 1\n10 0 0 1\n12 0 0 1\n9 0 0 2\n99999999999999999999 0 0 1\n");
-        let counts = [&facts.negative, &facts.seam, &facts.out_of_range, &facts.duplicate].map(|t| t.count);
-        assert_eq!(counts, [1, 1, 2, 1]);
+        let target = parse(
+            b"-1 0 0 1\n9 0 0 1\n10 0 0 1\n12 0 0 1\n\n9 0 0 2\n99999999999999999999 0 0 1\n4294967296 0 0 1\n0 0 0 1\n",
+            Some(MeshSize { vertices: 10, with_seams: 12 }),
+        );
+        let facts = &target.facts;
+        let tallies = [&facts.negative, &facts.seam, &facts.out_of_range, &facts.overflow, &facts.duplicate];
+        assert_eq!(tallies.map(|tally| tally.count), [1, 1, 3, 2, 1]);
+        assert_eq!(facts.duplicate.first, [(6, 9)]);
+        assert_eq!((facts.rows, target.rows.len()), (8, 5));
+    }
+
+    #[test]
+    fn repeats_are_named_in_the_order_of_the_file() {
+        let facts = facts("# c\n5 0 0 1\n\n3 0 0 1\nword\n5 0 0 1\n# c\n3 0 0 1\n5 0 0 1\n");
+        assert_eq!(facts.duplicate.first, [(6, 5), (8, 3), (9, 5)]);
+    }
+
+    #[test]
+    fn lengths_are_measured_without_the_outlier() {
+        let rows: Vec<_> = (0..9).map(|at| format!("{at} 0 0 {}\n", if at == 4 { 100 } else { 1 + at })).collect();
+        let facts = facts(&rows.concat());
+        assert_eq!((facts.median_length, facts.tail_length), (6.0, 9.0));
+        let pair = parse(b"1 0 0 .01\n2 0 0 100\n", None).facts;
+        assert_eq!((pair.median_length, pair.tail_length), (0.01, 0.01));
+        assert_eq!(facts.largest.map(|largest| (largest.length, largest.line)), Some((100.0, 5)));
+    }
+
+    #[test]
+    fn zeros_of_either_sign_are_one_content() {
+        assert_eq!(facts("1 -0 0 1\n").content, facts("1 0 0 1\n").content);
+        assert_ne!(facts("1 0 0 1\n").content, facts("2 0 0 1\n").content);
     }
 
     #[test]
     fn non_finite_rows_are_counted() {
         let facts = facts("0 nan 0 0\n1 0 inf 0\n2 0 0 1e400\n3 1e30 0 0\n");
         assert_eq!((facts.non_finite.count, facts.moving), (3, 1));
+    }
+
+    /// What both paths must agree on, NaN included.
+    fn seen(target: &Target) -> String {
+        format!("{target:?}")
+    }
+
+    fn by_the_slow_path(text: &[u8], mesh: Option<MeshSize>) -> Target {
+        parse_by(|_| (None, 0), text, mesh)
+    }
+
+    #[test]
+    fn every_truncation_agrees_on_both_paths() {
+        let text =
+            b"# basemesh hm08\n0 .119 -10.205 -.775\r\n1 1 2 3\r9 0 0 0\n\n11 -.5 7. 123456789\n4 1 2\n3 1e3 nan _\n";
+        let mesh = Some(MeshSize { vertices: 10, with_seams: 12 });
+        for length in 0..=text.len() {
+            let text = &text[..length];
+            assert_eq!(seen(&parse(text, mesh)), seen(&by_the_slow_path(text, mesh)));
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn any_bytes_agree_on_both_paths(text in proptest::collection::vec(any::<u8>(), 0..200)) {
+            prop_assert_eq!(seen(&parse(&text, None)), seen(&by_the_slow_path(&text, None)));
+        }
+
+        #[test]
+        fn rows_of_any_shape_agree_on_both_paths(
+            text in "([0-9]{1,11}|[-+]?[0-9.]{1,12}|[ \t]|[0-9]{1,3} -?[0-9]{0,3}\\.?[0-9]{0,7} -?\\.[0-9]{1,9} 0(\r\n|\r|\n)|[-#.e_ \n\r]){0,40}"
+        ) {
+            let mesh = Some(MeshSize { vertices: 500, with_seams: 600 });
+            prop_assert_eq!(seen(&parse(text.as_bytes(), mesh)), seen(&by_the_slow_path(text.as_bytes(), mesh)));
+        }
+
+        #[test]
+        fn every_repeat_is_counted_on_its_line(indices in proptest::collection::vec(0_u32..20, 0..30)) {
+            let text: Vec<_> = indices.iter().map(|index| format!("# c\n{index} 0 0 1\n")).collect();
+            let facts = parse(text.concat().as_bytes(), None).facts;
+            let repeats = (0..indices.len()).filter(|at| indices[..*at].contains(&indices[*at]));
+            let expected: Vec<(u32, i64)> =
+                repeats.map(|at| (u32::try_from(2 * at + 2).unwrap(), i64::from(indices[at]))).collect();
+            prop_assert_eq!(facts.duplicate.count, expected.len() as u64);
+            prop_assert_eq!(facts.duplicate.first, expected.into_iter().take(crate::diag::EXAMPLES).collect::<Vec<_>>());
+        }
     }
 }

@@ -2,6 +2,8 @@
 
 use std::ops::Range;
 
+use serde::Serialize;
+
 use super::reader::{Reader, SyntaxFault};
 
 /// A parsed text.
@@ -16,7 +18,7 @@ pub struct Document {
 }
 
 /// A key given twice; the earlier value is lost.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Duplicate {
     /// Pointer to the member.
     pub pointer: String,
@@ -24,6 +26,8 @@ pub struct Duplicate {
     pub lost: Range<usize>,
     /// Span of the key that wins.
     pub kept: Range<usize>,
+    /// Whether both values are the same, so that nothing is lost.
+    pub equal: bool,
 }
 
 /// A value and where it stands.
@@ -136,6 +140,16 @@ impl Node {
         if let Value::String(text) = &self.value { Some(text) } else { None }
     }
 
+    /// Bytes in the file of a part of a string's text: exact where nothing is escaped, else the whole value.
+    pub fn span_of_text(&self, part: Range<usize>) -> Range<usize> {
+        match self.as_str() {
+            Some(text) if text.len() + 2 == self.span.len() && part.end <= text.len() => {
+                self.span.start + 1 + part.start..self.span.start + 1 + part.end
+            }
+            _ => self.span.clone(),
+        }
+    }
+
     /// The value of a number.
     pub fn as_f64(&self) -> Option<f64> {
         if let Value::Number(number, _) = self.value { Some(number) } else { None }
@@ -169,6 +183,18 @@ impl Node {
             Value::String(text) => text.is_empty(),
             Value::Array(elements) => elements.is_empty(),
             Value::Object(members) => members.is_empty(),
+        }
+    }
+
+    /// Whether both hold the same, wherever they stand.
+    fn is_same(&self, other: &Self) -> bool {
+        match (&self.value, &other.value) {
+            (Value::Array(a), Value::Array(b)) => a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.is_same(b)),
+            (Value::Object(a), Value::Object(b)) => {
+                let same = |(a, b): (&Member, &Member)| a.key == b.key && a.node.is_same(&b.node);
+                a.len() == b.len() && a.iter().zip(b).all(same)
+            }
+            (a, b) => a == b,
         }
     }
 
@@ -253,6 +279,7 @@ impl Builder<'_> {
                     pointer: self.pointer.clone(),
                     lost: lost.key_span.clone(),
                     kept: member.key_span.clone(),
+                    equal: lost.node.is_same(&member.node),
                 });
                 self.pointer.truncate(length);
             }
@@ -284,7 +311,9 @@ mod tests {
         let document = parse(br#"{"a": {"b": 1, "c": 2, "b": 3}}"#).unwrap();
         assert_eq!(document.at("/a/b").unwrap().as_i64(), Some(3));
         assert_eq!(document.duplicates.len(), 1);
-        assert_eq!(document.duplicates[0].pointer, "/a/b");
+        assert_eq!((document.duplicates[0].pointer.as_str(), document.duplicates[0].equal), ("/a/b", false));
+        let twins = parse(br#"{"a": [{"b": 1}], "a":[{"b":1}]}"#).unwrap();
+        assert!(twins.duplicates[0].equal);
         let keys: Vec<_> = document.root.get("a").unwrap().effective_members().iter().map(|m| &m.key).collect();
         assert_eq!(keys, ["b", "c"]);
     }
@@ -313,6 +342,13 @@ mod tests {
     fn escapes_become_characters() {
         let document = parse(br#""a\u00e9\ud83d\ude00\n\ud800""#).unwrap();
         assert_eq!(document.root.as_str(), Some("aé😀\n\u{fffd}"));
+    }
+
+    #[test]
+    fn a_part_of_a_text_has_its_bytes_unless_something_is_escaped() {
+        let document = parse(br#"["abc", "a\nc"]"#).unwrap();
+        let spans = document.root.elements().iter().map(|node| node.span_of_text(1..2));
+        assert_eq!(spans.collect::<Vec<_>>(), [3..4, 8..14]);
     }
 
     #[test]

@@ -6,7 +6,10 @@
 mod document;
 mod reader;
 mod schema;
+mod schema_fault;
+mod syntax_text;
+mod unknown_key;
 
 pub use document::{Document, Duplicate, Member, Node, Value, parse};
 pub use reader::{Reader, SyntaxFault, SyntaxKind};
-pub use schema::{SchemaFault, SchemaFaults, UnknownKey, check};
+pub use schema::{SchemaFault, SchemaFaults, UnknownKey, check, schema_names, schema_text};

@@ -15,6 +15,8 @@ use crate::formats::target_cat::TargetCategories;
 pub struct Base<'a> {
     /// Name of its folders.
     pub name: &'a str,
+    /// Whether system data is at hand; without, names may lead to files that only it has.
+    pub has_system: bool,
     /// `base.json`, user before system; the model only if it could be read.
     pub base_json: Option<(&'a FileFacts, Option<&'a BaseJson>)>,
     /// `base.obj`, user before system.
@@ -32,8 +34,10 @@ pub struct Base<'a> {
     /// Where targets and their icons come from: the layer whose `macro.json` won. `None` when that would
     /// be the system's folder and no system data was given.
     pub targets: Option<TargetFolder<'a>>,
-    /// Where entries with a `user` key come from.
+    /// The user's additional targets. `None` if one root plays both parts: its targets are the system's.
     pub user_targets: Option<TargetFolder<'a>>,
+    /// Where entries with a `user` key come from, in one root as well.
+    entry_targets: Option<TargetFolder<'a>>,
     /// The folder that lost, if there is one.
     pub other_targets: Option<TargetFolder<'a>>,
     /// All sliders as the application sees them.
@@ -58,6 +62,14 @@ impl<'a> Layers<'a> {
         let user_target = if is_same(system, user) { None } else { user };
         Self { system, user, user_target }
     }
+
+    /// A single root that does not hold a base is a user's folder as far as that base goes: the system's
+    /// part of it is elsewhere.
+    fn of_base(self, name: &str) -> Self {
+        let one_root = is_same(self.user, self.system) && self.user_target.is_none();
+        let elsewhere = self.user.is_some_and(|root| root.below(&format!("base/{name}")).next().is_none());
+        if one_root && elsewhere { Self { system: None, user_target: self.user, ..self } } else { self }
+    }
 }
 
 /// Names of all bases in the layers.
@@ -71,6 +83,7 @@ pub(super) fn base_names<'a>(layers: Layers<'a>) -> BTreeSet<&'a str> {
 
 /// Resolves one base.
 pub(super) fn resolve<'a>(name: &'a str, layers: Layers<'a>) -> Base<'a> {
+    let layers = layers.of_base(name);
     let Layers { system, user, user_target } = layers;
     let first = |rel: String| [user, system].into_iter().flatten().find_map(|layer| layer.file(&rel));
     let base_json = first(format!("base/{name}/base.json")).map(|file| (file, model_of_base(file)));
@@ -98,6 +111,7 @@ pub(super) fn resolve<'a>(name: &'a str, layers: Layers<'a>) -> Base<'a> {
     };
     Base {
         name,
+        has_system: system.is_some(),
         base_json,
         mesh: first(format!("base/{name}/base.obj")).and_then(|file| Some((file, file.mesh()?))),
         macros,
@@ -107,6 +121,7 @@ pub(super) fn resolve<'a>(name: &'a str, layers: Layers<'a>) -> Base<'a> {
         user_categories,
         targets,
         user_targets: user_target.map(|layer| TargetFolder { layer, folder: "target", base: name }),
+        entry_targets: user.map(|layer| TargetFolder { layer, folder: "target", base: name }),
         other_targets,
         sliders,
         skeletons: rigs(Kind::Skeleton),
@@ -180,9 +195,23 @@ impl<'a> Base<'a> {
         self.sliders.iter().rev().find(registers)
     }
 
+    /// Whether a pattern is missing only because `target-opposites` does not declare its pair.
+    pub fn names_undeclared_pair(&self, pattern: &str) -> bool {
+        self.sliders.iter().any(|slider| slider.would_register(pattern))
+    }
+
     /// The folder a slider's targets come from.
     pub fn folder_of(&self, slider: &BoundSlider<'_>) -> Option<TargetFolder<'a>> {
-        if slider.slider.user { self.user_targets } else { self.targets }
+        if slider.slider.user { self.entry_targets } else { self.targets }
+    }
+
+    /// Whether a target lies in a folder that a macro definition names.
+    pub fn is_in_macro_folder(&self, file: &FileFacts) -> bool {
+        let Some(name) = self.targets.as_ref().and_then(|folder| folder.name_of(file)) else { return false };
+        let macrodefs = self.macro_file().map(|(_, macros)| macros.macrodefs.as_slice()).unwrap_or_default();
+        let folders = macrodefs.iter().filter_map(|macrodef| macrodef.effective_folder.as_deref());
+        let mut folders = folders.map(|folder| folder.trim_matches('/')).filter(|folder| !folder.is_empty());
+        folders.any(|folder| name.strip_prefix(folder).is_some_and(|rest| rest.starts_with('/')))
     }
 
     /// The macro file in use.

@@ -8,10 +8,11 @@ use crate::formats::macro_json::MacroFile;
 use crate::formats::mhskel::Skeleton;
 use crate::formats::mhw::Weights;
 use crate::formats::modelling::Modelling;
+use crate::formats::npz::Archive;
 use crate::formats::obj::Mesh;
 use crate::formats::target::TargetFacts;
 use crate::formats::target_cat::TargetCategories;
-use crate::json::SchemaFaults;
+use crate::json::{SchemaFaults, SyntaxKind};
 use crate::source::{Encoding, GzipFault, ReadFault};
 
 /// Facts of one file.
@@ -70,6 +71,8 @@ pub enum Content {
     Mesh(Box<Mesh>),
     /// `.target`.
     Target(Box<TargetFacts>),
+    /// `compressedtargets.npz`.
+    Archive(Box<Archive>),
 }
 
 impl FileFacts {
@@ -84,9 +87,31 @@ impl FileFacts {
         name.rsplit_once('.').map_or(name, |(stem, _)| stem)
     }
 
+    /// Whether this is an override in `contarget/` that the application takes for absent without a word to
+    /// its user: no JSON, a byte order mark, or nothing in it (formats/makehuman2.md §1.2, §2.1).
+    ///
+    /// `overlay-broken-override` speaks for such a file; other rules on its text keep quiet. Bytes that are
+    /// no UTF-8 stop the application instead, and nesting beyond all measure does, too.
+    pub fn is_ignored_override(&self) -> bool {
+        let overrides = matches!(self.kind, Kind::MacroJson | Kind::ModellingJson | Kind::TargetCategories);
+        overrides
+            && self.rel.starts_with("contarget/")
+            && match &self.content {
+                Content::Broken(JsonFault::Empty | JsonFault::ByteOrderMark) => self.unreadable.is_none(),
+                Content::Broken(JsonFault::Syntax(fault)) => fault.kind != SyntaxKind::TooDeep,
+                Content::Broken(JsonFault::NotUtf8 | JsonFault::LfsPointer) => false,
+                _ => self.json.falsy,
+            }
+    }
+
     /// The target facts, if it is a target that could be read.
     pub fn target(&self) -> Option<&TargetFacts> {
         if let Content::Target(facts) = &self.content { Some(facts) } else { None }
+    }
+
+    /// The archive, if it is one that was read.
+    pub fn archive(&self) -> Option<&Archive> {
+        if let Content::Archive(archive) = &self.content { Some(archive) } else { None }
     }
 
     /// The weights, if it is a weights file that could be read.

@@ -120,6 +120,11 @@ impl<'a> TargetFolder<'a> {
         self.layer.file(&format!("{}/{}/{name}.target", self.folder, self.base))
     }
 
+    /// `compressedtargets.npz` of the folder.
+    pub fn archive(&self) -> Option<&'a FileFacts> {
+        self.layer.file(&format!("{}/{}/compressedtargets.npz", self.folder, self.base))
+    }
+
     /// All targets in the folder.
     pub fn targets(&self) -> impl Iterator<Item = &'a FileFacts> + use<'a> {
         self.layer.below(&self.rel()).filter(|file| file.kind == Kind::Target)

@@ -46,7 +46,7 @@ pub enum ReferenceKind {
 /// What a reference leads to.
 #[derive(Debug, Clone, Copy)]
 pub enum Resolution<'a> {
-    /// The file.
+    /// The file; the archive for a target that only the archive holds.
     Found(&'a FileFacts),
     /// A file whose path differs in case only.
     CaseOnly(&'a FileFacts),
@@ -116,8 +116,11 @@ fn slider_references<'a>(base: &Base<'a>, bound: &BoundSlider<'a>, out: &mut Vec
     ];
     for (kind, member, text) in named {
         let Some(text) = text else { continue };
-        let (rel, resolution) =
-            if kind == ReferenceKind::Icon { resolve_icon(folder, text) } else { resolve_target(base, folder, text) };
+        let (rel, resolution) = if kind == ReferenceKind::Icon {
+            resolve_icon(base, folder, text)
+        } else {
+            resolve_target(base, folder, text)
+        };
         out.push(Reference {
             kind,
             base: base.name,
@@ -137,26 +140,32 @@ fn resolve_target<'a>(base: &Base<'a>, folder: Option<TargetFolder<'a>>, name: &
     };
     let rel = format!("{}/{name}.target", folder.rel());
     let found = resolve(&[folder.layer], name, &rel);
-    let other = || base.other_targets.and_then(|other| other.target(name));
-    match (found, other()) {
+    if !matches!(found, Resolution::Missing) {
+        return (rel, found);
+    }
+    // The archive is asked by the name as written (formats/makehuman2.md §6.2).
+    let archive = folder.archive().filter(|file| file.archive().is_some_and(|archive| archive.member(name).is_some()));
+    let other = || base.other_targets.and_then(|other| other.target(name)).map(Resolution::OtherLayer);
+    (rel, archive.map(Resolution::Found).or_else(other).unwrap_or(found))
+}
+
+fn resolve_icon<'a>(base: &Base<'a>, folder: Option<TargetFolder<'a>>, name: &str) -> (String, Resolution<'a>) {
+    let Some(folder) = folder else {
+        return (format!("icons/{name}"), Resolution::NeedsSystem);
+    };
+    let rel = format!("{}/icons/{name}", folder.rel());
+    let other = base.other_targets.and_then(|other| other.layer.file(&format!("{}/icons/{name}", other.rel())));
+    match (resolve(&[folder.layer], name, &rel), other) {
         (Resolution::Missing, Some(file)) => (rel, Resolution::OtherLayer(file)),
         (found, _) => (rel, found),
     }
 }
 
-fn resolve_icon<'a>(folder: Option<TargetFolder<'a>>, name: &str) -> (String, Resolution<'a>) {
-    let Some(folder) = folder else {
-        return (format!("icons/{name}"), Resolution::NeedsSystem);
-    };
-    let rel = format!("{}/icons/{name}", folder.rel());
-    let resolution = resolve(&[folder.layer], name, &rel);
-    (rel, resolution)
-}
-
 /// Weights are searched as `rigs/<base>/<weights_file>`, never beside the skeleton.
 fn skeleton_references<'a>(repository: &Repository<'a>, base: &Base<'a>, out: &mut Vec<Reference<'a>>) {
     for from in &base.skeletons {
-        let Some(skeleton) = from.skeleton() else { continue };
+        // Anything but a text is refused by the schema; what it would lead to is not known.
+        let Some(skeleton) = from.skeleton().filter(|skeleton| !skeleton.weights_file_misshapen) else { continue };
         let text = skeleton.weights_file.as_deref().unwrap_or("default_weights.mhw");
         out.push(Reference {
             kind: ReferenceKind::WeightsFile,
@@ -169,7 +178,7 @@ fn skeleton_references<'a>(repository: &Repository<'a>, base: &Base<'a>, out: &m
             text,
             owner: from.stem(),
             rel: format!("rigs/{}/{text}", base.name),
-            resolution: resolve_layered(repository, text, &format!("rigs/{}/{text}", base.name)),
+            resolution: resolve_layered(repository, base, text, &format!("rigs/{}/{text}", base.name)),
         });
     }
 }
@@ -190,16 +199,16 @@ fn base_references<'a>(repository: &Repository<'a>, base: &Base<'a>, out: &mut V
             place: Place::pointer([member]),
             text,
             owner: member,
-            resolution: resolve_layered(repository, text, &rel),
+            resolution: resolve_layered(repository, base, text, &rel),
             rel,
         });
     }
 }
 
-fn resolve_layered<'a>(repository: &Repository<'a>, text: &str, rel: &str) -> Resolution<'a> {
+fn resolve_layered<'a>(repository: &Repository<'a>, base: &Base<'a>, text: &str, rel: &str) -> Resolution<'a> {
     let layers: Vec<&Layer> = repository.strongest_first().collect();
     match resolve(&layers, text, rel) {
-        Resolution::Missing if repository.system.is_none() => Resolution::NeedsSystem,
+        Resolution::Missing if !base.has_system => Resolution::NeedsSystem,
         found => found,
     }
 }
@@ -215,9 +224,10 @@ fn resolve<'a>(layers: &[&'a Layer], text: &str, rel: &str) -> Resolution<'a> {
         return Resolution::Found(file);
     }
     if text.contains('\\') {
-        let slashed = normalized(&rel.replace('\\', "/"));
-        let file = slashed.and_then(|rel| layers.iter().find_map(|layer| layer.file(&rel)));
-        return Resolution::Backslash(file);
+        let Some(slashed) = normalized(&rel.replace('\\', "/")) else {
+            return Resolution::Escapes;
+        };
+        return Resolution::Backslash(layers.iter().find_map(|layer| layer.file(&slashed)));
     }
     match layers.iter().find_map(|layer| layer.file_ignoring_case(&normal)) {
         Some(file) => Resolution::CaseOnly(file),

@@ -17,6 +17,21 @@ pub struct BoundSlider<'a> {
     pub index: usize,
 }
 
+impl BoundSlider<'_> {
+    /// Whether this has two targets whose endings `target-opposites` does not cover: only one side is used.
+    pub fn is_undeclared_pair(&self) -> bool {
+        matches!(self.pattern, Pattern::Single(_)) && self.slider.decr.is_some()
+    }
+
+    /// Whether this would be registered under `pattern` if its pair of endings were declared.
+    pub fn would_register(&self, pattern: &str) -> bool {
+        let (Some(incr), Some(decr)) = (&self.slider.incr, &self.slider.decr) else { return false };
+        let own = if self.slider.user { pattern.strip_prefix("custom/") } else { Some(pattern) };
+        let parts = own.and_then(|pattern| pattern.split_once('|'));
+        self.is_undeclared_pair() && parts.is_some_and(|(path, suffix)| path == decr && ends_with(incr, suffix))
+    }
+}
+
 /// Identity of a slider in models, presets, symmetry and macros.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Pattern {

@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use serde::Serialize;
 
 use super::View;
-use crate::diag::{Break, Confidence, Evidence, Level, Location};
+use crate::diag::{Break, Confidence, Evidence, Finding, Level, Location};
 use crate::engine::{Outcome, RootSummary, Summary};
 
 #[derive(Serialize)]
@@ -36,7 +36,7 @@ struct Item<'a> {
     message: &'a str,
     help: Option<&'a str>,
     breaks: &'a [Break],
-    evidence: Option<&'a Evidence>,
+    evidence: Option<Evidence>,
     related: Vec<RelatedItem<'a>>,
     fix: Option<()>,
     fingerprint: &'a str,
@@ -64,7 +64,7 @@ pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> 
     writeln!(out)
 }
 
-fn item(finding: &crate::diag::Finding) -> Item<'_> {
+fn item(finding: &Finding) -> Item<'_> {
     Item {
         rule: finding.rule,
         level: finding.level,
@@ -74,7 +74,7 @@ fn item(finding: &crate::diag::Finding) -> Item<'_> {
         message: &finding.message,
         help: finding.help.as_deref(),
         breaks: &finding.breaks,
-        evidence: finding.evidence.as_ref(),
+        evidence: finding.evidence.clone().map(finite),
         related: finding
             .related
             .iter()
@@ -82,5 +82,24 @@ fn item(finding: &crate::diag::Finding) -> Item<'_> {
             .collect(),
         fix: None,
         fingerprint: &finding.fingerprint,
+    }
+}
+
+/// JSON has no number that is not finite; the message of the finding says it in words.
+fn finite(mut evidence: Evidence) -> Evidence {
+    evidence.worst = evidence.worst.filter(|worst| worst.value.is_finite());
+    evidence
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_worst_value_that_is_no_number_is_left_out() {
+        let evidence = |value| finite(Evidence::default().with_worst(value, "vertex 1"));
+        assert_eq!(evidence(f64::NAN).worst, None);
+        assert_eq!(evidence(f64::INFINITY).worst, None);
+        assert!(evidence(0.5).worst.is_some());
     }
 }

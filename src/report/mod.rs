@@ -1,20 +1,35 @@
 //! An outcome as text. One file a format; no writer computes, sorts or reads anything.
 
 mod concise;
+mod human;
 mod json;
+mod paint;
+mod wrap;
 
 use std::io::{self, Write};
 
-use crate::diag::RuleInfo;
+use crate::diag::{Level, RuleInfo};
 use crate::engine::Outcome;
+
+pub(crate) use paint::Paint;
+pub(crate) use wrap::{count, hang, paragraphs};
 
 /// What a report writer may know besides the outcome.
 #[derive(Debug, Clone, Copy)]
+#[expect(clippy::struct_excessive_bools, reason = "switches that have nothing to do with each other")]
 pub struct View<'a> {
     /// Whether the run passes at the level it was asked to fail on.
     pub pass: bool,
+    /// The level from which on a finding fails the run; `None` for never.
+    pub fail_on: Option<Level>,
+    /// How many warnings are allowed, where somebody set a bound.
+    pub max_warnings: Option<usize>,
     /// Whether escape sequences for colour may be written.
     pub color: bool,
+    /// Whether lines may be drawn with characters beyond ASCII.
+    pub unicode: bool,
+    /// Columns of the terminal.
+    pub width: usize,
     /// Leave out everything but findings and verdict.
     pub quiet: bool,
     /// Declared halves of all rules.
@@ -24,6 +39,8 @@ pub struct View<'a> {
 /// The formats of `--report`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Format {
+    /// For people: grouped by file, with source text, consequence and help.
+    Human,
     /// A line a finding.
     Concise,
     /// `mhlint-report/1`.
@@ -32,7 +49,13 @@ pub enum Format {
 
 impl Format {
     /// All formats with their names on the command line.
-    pub const ALL: &'static [(&'static str, Self)] = &[("concise", Self::Concise), ("json", Self::Json)];
+    pub const ALL: &'static [(&'static str, Self)] =
+        &[("human", Self::Human), ("concise", Self::Concise), ("json", Self::Json)];
+
+    /// Whether the notes of a run are part of the format.
+    pub const fn shows_notes(self) -> bool {
+        matches!(self, Self::Human)
+    }
 }
 
 /// Writes a report.
@@ -41,6 +64,7 @@ impl Format {
 /// Those of `out`.
 pub fn write(format: Format, outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> io::Result<()> {
     match format {
+        Format::Human => human::write(outcome, view, out),
         Format::Concise => concise::write(outcome, view, out),
         Format::Json => json::write(outcome, view, out),
     }
@@ -51,10 +75,13 @@ pub(crate) fn printable(text: &str) -> String {
     text.chars()
         .map(|character| match character {
             '\n' | '\r' | '\t' => ' ',
-            other if other.is_control() || matches!(other, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}') => {
-                '\u{fffd}'
-            }
+            other if other.is_control() || is_direction(other) => '\u{fffd}',
             other => other,
         })
         .collect()
+}
+
+/// Characters that turn the direction of writing and so can make a name look like another one.
+fn is_direction(character: char) -> bool {
+    matches!(character, '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
 }

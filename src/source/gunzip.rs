@@ -1,6 +1,6 @@
 //! Bounded unpacking of gzip files, all members of them.
 
-use std::io::Read;
+use std::io::{self, Read, Write};
 
 use flate2::bufread::GzDecoder;
 
@@ -29,14 +29,39 @@ const MAGIC: [u8; 2] = [0x1f, 0x8b];
 const CHUNK: usize = 64 << 10;
 
 /// Unpacks `packed` within `limits`.
+///
+/// # Errors
+/// Why it cannot be unpacked, or that it would not fit the limits.
 pub fn gunzip(packed: &[u8], limits: &Limits) -> Result<Vec<u8>, GzipFault> {
-    let limit = unpacked_limit(packed.len() as u64, limits);
     let mut out = Vec::with_capacity((packed.len() * 4).min(CHUNK * 16));
+    unpack(packed, limits, &mut out)?;
+    Ok(out)
+}
+
+/// Unpacks `packed` within `limits`, keeps nothing and gives the number of bytes: for files of which only
+/// their soundness matters.
+///
+/// # Errors
+/// As [`gunzip`].
+pub fn try_gunzip(packed: &[u8], limits: &Limits) -> Result<u64, GzipFault> {
+    unpack(packed, limits, &mut io::sink())
+}
+
+fn unpack(packed: &[u8], limits: &Limits, out: &mut impl Write) -> Result<u64, GzipFault> {
+    let total = packed.len() as u64;
+    let limit = limits.unpacked_limit(total);
+    let mut unpacked = 0;
     let mut rest = packed;
     loop {
-        rest = unpack_member(rest, packed.len() as u64, limit, &mut out)?;
+        let mut decoder = GzDecoder::new(rest);
+        let mut bounded = (&mut decoder).take(limit.saturating_sub(unpacked).saturating_add(1));
+        unpacked += io::copy(&mut bounded, out).map_err(|error| GzipFault::Corrupt(error.to_string()))?;
+        if unpacked > limit {
+            return Err(GzipFault::Bomb { packed: total, unpacked });
+        }
+        rest = decoder.into_inner();
         if rest.is_empty() {
-            return Ok(out);
+            return Ok(unpacked);
         }
         if !rest.starts_with(&MAGIC) {
             return Err(GzipFault::TrailingGarbage { bytes: rest.len() });
@@ -44,29 +69,10 @@ pub fn gunzip(packed: &[u8], limits: &Limits) -> Result<Vec<u8>, GzipFault> {
     }
 }
 
-fn unpacked_limit(packed: u64, limits: &Limits) -> u64 {
-    let by_ratio = packed.saturating_mul(limits.unpacked_ratio).max(limits.ratio_free_bytes);
-    by_ratio.min(limits.unpacked_bytes)
-}
-
-fn unpack_member<'a>(packed: &'a [u8], total: u64, limit: u64, out: &mut Vec<u8>) -> Result<&'a [u8], GzipFault> {
-    let mut decoder = GzDecoder::new(packed);
-    let room = limit.saturating_sub(out.len() as u64);
-    (&mut decoder)
-        .take(room.saturating_add(1))
-        .read_to_end(out)
-        .map_err(|error| GzipFault::Corrupt(error.to_string()))?;
-    if out.len() as u64 > limit {
-        return Err(GzipFault::Bomb { packed: total, unpacked: out.len() as u64 });
-    }
-    Ok(decoder.into_inner())
-}
-
 #[cfg(test)]
 mod tests {
-    use std::io::Write;
-
     use flate2::{Compression, write::GzEncoder};
+    use proptest::prelude::*;
 
     use super::*;
 
@@ -100,5 +106,51 @@ mod tests {
     fn zeros_beyond_the_ratio_are_a_bomb() {
         let packed = pack(&vec![0; 20 << 20]);
         assert!(matches!(gunzip(&packed, &Limits::default()), Err(GzipFault::Bomb { .. })));
+    }
+
+    #[test]
+    fn a_small_file_of_very_many_zeros_stops_at_the_limit() {
+        let packed = pack(&vec![0; 128 << 20]);
+        let limits = Limits { unpacked_bytes: 32 << 20, unpacked_ratio: u64::MAX, ..Limits::default() };
+        let fault = try_gunzip(&packed, &limits).unwrap_err();
+        assert_eq!(fault, GzipFault::Bomb { packed: packed.len() as u64, unpacked: (32 << 20) + 1 });
+        assert_eq!(gunzip(&packed, &limits), Err(fault));
+    }
+
+    #[test]
+    fn the_limit_counts_all_members_together() {
+        let packed = [pack(&[b'a'; 60]), pack(&[b'b'; 60])].concat();
+        let limits = |bytes| Limits { unpacked_bytes: bytes, ..Limits::default() };
+        assert_eq!(try_gunzip(&packed, &limits(120)), Ok(120));
+        assert!(matches!(try_gunzip(&packed, &limits(119)), Err(GzipFault::Bomb { .. })));
+    }
+
+    #[test]
+    fn only_one_layer_is_unpacked() {
+        let inner = pack(b"inner");
+        assert_eq!(gunzip(&pack(&inner), &Limits::default()).unwrap(), inner);
+    }
+
+    proptest! {
+        #[test]
+        fn what_was_packed_comes_back(bytes in proptest::collection::vec(any::<u8>(), 0..2000)) {
+            let packed = pack(&bytes);
+            prop_assert_eq!(try_gunzip(&packed, &Limits::default()), Ok(bytes.len() as u64));
+            prop_assert_eq!(gunzip(&packed, &Limits::default()).unwrap(), bytes);
+        }
+
+        #[test]
+        fn noise_never_panics_nor_passes_the_limit(
+            noise in proptest::collection::vec(any::<u8>(), 0..300),
+            at in 0_usize..60,
+        ) {
+            let mut packed = pack(&[b'x'; 5000]);
+            let at = at.min(packed.len());
+            packed.splice(at.., noise);
+            let limits = Limits { unpacked_bytes: 1000, ..Limits::default() };
+            if let Ok(bytes) = gunzip(&packed, &limits) {
+                prop_assert!(bytes.len() <= 1000);
+            }
+        }
     }
 }

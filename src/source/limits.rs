@@ -19,3 +19,11 @@ impl Default for Limits {
         Self { file_bytes: 512 << 20, unpacked_bytes: 512 << 20, unpacked_ratio: 200, ratio_free_bytes: 16 << 20 }
     }
 }
+
+impl Limits {
+    /// Unpacked bytes that a file of `packed` bytes may have.
+    pub fn unpacked_limit(&self, packed: u64) -> u64 {
+        let by_ratio = packed.saturating_mul(self.unpacked_ratio).max(self.ratio_free_bytes);
+        by_ratio.min(self.unpacked_bytes)
+    }
+}

@@ -119,4 +119,24 @@ mod tests {
     fn columns_are_characters() {
         assert_eq!(position("äb".as_bytes(), 2), Position { line: 1, column: 2 });
     }
+
+    proptest::proptest! {
+        #[test]
+        fn every_offset_has_a_place_and_every_line_a_span(
+            bytes in proptest::collection::vec(proptest::sample::select(b"a\n\r\xc3\xa4 ".to_vec()), 0..60),
+            offset in 0_usize..70,
+            length in 0_usize..20,
+        ) {
+            let Position { line, column } = position(&bytes, offset);
+            let span = line_span(&bytes, line).unwrap();
+            let offset = offset.min(bytes.len());
+            // An offset between the two bytes of a line end belongs to the line before it.
+            proptest::prop_assert!(span.start <= offset && offset <= span.end + 1);
+            proptest::prop_assert!(column as usize <= offset - span.start + 1);
+            if let Some(found) = excerpt(&bytes, offset..offset + length) {
+                proptest::prop_assert!(found.mark.start <= found.mark.end && found.mark.end <= found.text.len());
+                proptest::prop_assert!(found.first_line == line || found.first_line + 1 == line);
+            }
+        }
+    }
 }

@@ -7,6 +7,7 @@ const LFS_POINTER: &[u8] = b"version https://git-lfs.github.com/spec/";
 const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 
 /// Facts on the bytes of a file.
+#[expect(clippy::struct_excessive_bools, reason = "independent facts on one text, not states of something")]
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
 pub struct Encoding {
     /// Starts with a UTF-8 byte order mark.
@@ -17,16 +18,86 @@ pub struct Encoding {
     pub lfs_pointer: bool,
     /// Nothing but white space.
     pub blank: bool,
+    /// Nothing but lines that begin with `#`, at least one of them.
+    pub only_comments: bool,
+    /// What the bytes probably are, where they are no UTF-8.
+    pub guess: Option<&'static str>,
+    /// Words of the first line behind a byte order mark; what is read wrongly because of it.
+    pub marked_words: Vec<String>,
 }
+
+/// Words of a marked line that are kept.
+const MARKED_WORDS: usize = 8;
 
 impl Encoding {
     /// Looks at all bytes once.
     pub fn of(bytes: &[u8]) -> Self {
+        let byte_order_mark = bytes.starts_with(BYTE_ORDER_MARK);
+        let invalid_utf8_at = std::str::from_utf8(bytes).err().map(|error| error.valid_up_to());
+        let blank = bytes.iter().all(u8::is_ascii_whitespace);
         Self {
-            byte_order_mark: bytes.starts_with(BYTE_ORDER_MARK),
-            invalid_utf8_at: std::str::from_utf8(bytes).err().map(|error| error.valid_up_to()),
+            byte_order_mark,
+            invalid_utf8_at,
             lfs_pointer: bytes.starts_with(LFS_POINTER),
-            blank: bytes.iter().all(u8::is_ascii_whitespace),
+            blank,
+            only_comments: !blank && lines(bytes).all(|line| line.is_empty() || line.starts_with(b"#")),
+            guess: invalid_utf8_at.map(|_| guess(bytes)),
+            marked_words: if byte_order_mark { marked_words(bytes) } else { Vec::new() },
         }
+    }
+}
+
+/// Lines without white space at their ends.
+fn lines(bytes: &[u8]) -> impl Iterator<Item = &[u8]> {
+    bytes.split(|byte| matches!(byte, b'\n' | b'\r')).map(<[u8]>::trim_ascii)
+}
+
+/// UTF-16 shows by its mark or by the zeros between Latin letters; the rest is some single-byte code.
+fn guess(bytes: &[u8]) -> &'static str {
+    let zeros: usize = bytes.iter().map(|byte| usize::from(*byte == 0)).sum();
+    if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") || zeros > bytes.len() / 4 {
+        "UTF-16"
+    } else if zeros > 0 {
+        "binary data"
+    } else {
+        "Latin-1 or a Windows code page"
+    }
+}
+
+fn marked_words(bytes: &[u8]) -> Vec<String> {
+    let first = bytes.get(BYTE_ORDER_MARK.len()..).and_then(|rest| lines(rest).next()).unwrap_or_default();
+    let text = String::from_utf8_lossy(first);
+    text.split_whitespace().take(MARKED_WORDS).map(str::to_owned).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn guesses_name_the_usual_culprits() {
+        for (bytes, guess) in [
+            (&b"J\xf6rg"[..], Some("Latin-1 or a Windows code page")),
+            (b"\xff\xfea\0b\0", Some("UTF-16")),
+            (b"\x89PNG\0data data data", Some("binary data")),
+            ("Jörg".as_bytes(), None),
+            (b"a\0", None),
+        ] {
+            assert_eq!(Encoding::of(bytes).guess, guess);
+        }
+    }
+
+    #[test]
+    fn comments_alone_are_not_blank_and_hold_nothing() {
+        let seen = |text: &str| (Encoding::of(text.as_bytes()).blank, Encoding::of(text.as_bytes()).only_comments);
+        assert_eq!(seen(" \r\n"), (true, false));
+        assert_eq!(seen("# a\r\n\n  # b"), (false, true));
+        assert_eq!(seen("# a\n1 0 0 1"), (false, false));
+    }
+
+    #[test]
+    fn words_behind_the_mark_are_kept() {
+        assert_eq!(Encoding::of("\u{feff}# a b\nc".as_bytes()).marked_words, ["#", "a", "b"]);
+        assert_eq!(Encoding::of(b"# a").marked_words, Vec::<String>::new());
     }
 }

@@ -132,6 +132,9 @@ impl Tree {
     }
 
     /// The bytes of a listed file, as they are.
+    ///
+    /// # Errors
+    /// When there is nothing to read, or more than the limit.
     pub fn read(&self, entry: &Entry, limits: &Limits) -> Result<Vec<u8>, ReadFault> {
         match entry.kind {
             EntryKind::Folder => return Err(ReadFault::Unreadable("is a folder".to_owned())),

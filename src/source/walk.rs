@@ -1,21 +1,37 @@
 //! Lists a folder on disk: sorted, links followed inside the root only, loops and refusals reported.
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 use walkdir::{DirEntry, WalkDir};
 
 use super::tree::{Entry, EntryKind, WalkFault, WalkFaultKind};
 
+/// Entries that are listed at most: folders that link to each other multiply without end, and no asset
+/// repository comes near.
+const MOST_ENTRIES: usize = 1_000_000;
+/// Links followed one after the other before they count as a loop, as Linux does it.
+const LONGEST_CHAIN: usize = 40;
+
 /// Lists everything below `root` except hidden files and folders (`.git` and its kin),
 /// not deeper than `depth` levels.
 pub(super) fn walk(root: &Path, depth: usize) -> (Vec<Entry>, Vec<WalkFault>) {
+    walk_at_most(root, depth, MOST_ENTRIES)
+}
+
+fn walk_at_most(root: &Path, depth: usize, most: usize) -> (Vec<Entry>, Vec<WalkFault>) {
     let canonical = fs::canonicalize(root).unwrap_or_else(|_| root.to_owned());
     let mut entries = Vec::new();
     let mut faults = Vec::new();
     let walk = WalkDir::new(root).follow_links(true).min_depth(1).max_depth(depth);
     let mut walker = walk.into_iter();
     while let Some(step) = walker.next() {
+        if entries.len() + faults.len() >= most {
+            let reason = format!("more than {most} files and folders; the rest was not looked at");
+            let path = step.as_ref().map_or(root, |found| found.path().parent().unwrap_or(root));
+            faults.push(fault(root, path, WalkFaultKind::Unreadable { reason }));
+            break;
+        }
         match step {
             Ok(found) if is_hidden(&found) => skip_folder(&mut walker, &found),
             Ok(found) if found.path_is_symlink() && leaves(&canonical, found.path()) => {
@@ -67,10 +83,40 @@ fn walk_fault(root: &Path, error: &walkdir::Error) -> WalkFault {
     let path = error.path().unwrap_or(root);
     let kind = if let Some(ancestor) = error.loop_ancestor() {
         WalkFaultKind::LinkLoop { back_to: slashed(&relative(root, ancestor)) }
+    } else if let Some(back_to) = circle(path) {
+        WalkFaultKind::LinkLoop { back_to: slashed(&relative(root, &back_to)) }
     } else {
         WalkFaultKind::Unreadable { reason: reason(path, error) }
     };
     fault(root, path, kind)
+}
+
+/// Where links that lead to each other (or to themselves) close the circle.
+fn circle(link: &Path) -> Option<PathBuf> {
+    let mut at = link.to_owned();
+    let mut seen = Vec::new();
+    for _ in 0..2 * LONGEST_CHAIN {
+        let target = fs::read_link(&at).ok()?;
+        at = plain(&at.parent().unwrap_or(Path::new("")).join(target));
+        seen.push(at.clone());
+    }
+    // The second half goes round and round; its first name stands for the whole circle.
+    seen.into_iter().skip(LONGEST_CHAIN).min()
+}
+
+/// The path without `.` and `..`.
+fn plain(path: &Path) -> PathBuf {
+    let mut plain = PathBuf::new();
+    for part in path.components() {
+        match part {
+            Component::CurDir => {}
+            Component::ParentDir if plain.file_name().is_some() => {
+                plain.pop();
+            }
+            other => plain.push(other),
+        }
+    }
+    plain
 }
 
 fn reason(path: &Path, error: &walkdir::Error) -> String {
@@ -94,4 +140,71 @@ fn relative(root: &Path, path: &Path) -> PathBuf {
 fn slashed(path: &Path) -> String {
     let parts: Vec<_> = path.components().map(|part| part.as_os_str().to_string_lossy()).collect();
     parts.join("/")
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use std::os::unix::fs::symlink;
+
+    use super::*;
+
+    fn faults(root: &Path) -> Vec<(String, WalkFaultKind)> {
+        walk(root, usize::MAX).1.into_iter().map(|fault| (fault.path, fault.kind)).collect()
+    }
+
+    #[test]
+    fn loops_of_every_kind_end() {
+        let folder = tempfile::tempdir().unwrap();
+        let root = folder.path();
+        fs::create_dir(root.join("a")).unwrap();
+        symlink("..", root.join("a/up")).unwrap();
+        symlink("self", root.join("self")).unwrap();
+        symlink("two", root.join("one")).unwrap();
+        symlink("one", root.join("two")).unwrap();
+        let found = faults(root);
+        let loops: Vec<_> = found.iter().map(|(path, _)| path.as_str()).collect();
+        assert_eq!(loops, ["a/up", "one", "self", "two"]);
+        assert!(found.iter().all(|(_, kind)| matches!(kind, WalkFaultKind::LinkLoop { .. })), "{found:?}");
+    }
+
+    #[test]
+    fn broken_and_leaving_links_are_told_apart() {
+        let folder = tempfile::tempdir().unwrap();
+        let root = folder.path().join("root");
+        fs::create_dir(&root).unwrap();
+        symlink("nowhere", root.join("broken")).unwrap();
+        symlink("..", root.join("out")).unwrap();
+        let broken = WalkFaultKind::Unreadable { reason: "broken link to `nowhere`".to_owned() };
+        let expected = [("broken".to_owned(), broken), ("out".to_owned(), WalkFaultKind::LinkLeavesRoot)];
+        assert_eq!(faults(&root), expected);
+    }
+
+    #[test]
+    fn a_root_that_is_a_link_is_followed() {
+        let folder = tempfile::tempdir().unwrap();
+        fs::create_dir(folder.path().join("real")).unwrap();
+        fs::write(folder.path().join("real/file"), "").unwrap();
+        symlink("real", folder.path().join("data")).unwrap();
+        let (entries, faults) = walk(&folder.path().join("data"), usize::MAX);
+        assert_eq!((entries.len(), faults), (1, Vec::new()));
+    }
+
+    #[test]
+    fn folders_that_link_to_each_other_are_cut_off() {
+        let folder = tempfile::tempdir().unwrap();
+        let names = ["a", "b", "c", "d", "e", "f", "g"];
+        for name in names {
+            fs::create_dir(folder.path().join(name)).unwrap();
+            for other in names {
+                symlink(format!("../{other}"), folder.path().join(name).join(other)).unwrap();
+            }
+        }
+        let (entries, faults) = walk_at_most(folder.path(), usize::MAX, 500);
+        assert!(entries.len() <= 500);
+        assert!(
+            faults
+                .iter()
+                .any(|fault| matches!(&fault.kind, WalkFaultKind::Unreadable { reason } if reason.contains("500")))
+        );
+    }
 }

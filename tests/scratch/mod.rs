@@ -1,5 +1,5 @@
 //! Throw-away copies of the example repository, damaged as a `case.toml` says, and the real binary on them.
-#![allow(dead_code, reason = "each test binary uses its part")]
+#![allow(dead_code, unreachable_pub, clippy::unwrap_used, clippy::panic, reason = "each test binary uses its part")]
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -62,6 +62,9 @@ pub struct Write {
     /// Put before the text: how often the text is repeated.
     #[serde(default)]
     pub times: Option<usize>,
+    /// Pack the whole as gzip.
+    #[serde(default)]
+    pub gzip: bool,
 }
 
 impl Case {
@@ -121,8 +124,14 @@ impl Write {
             let text = std::str::from_utf8(pair).unwrap();
             bytes.push(u8::from_str_radix(text, 16).unwrap_or_else(|e| panic!("hex {text}: {e}")));
         }
-        fs::write(path, bytes).unwrap();
+        fs::write(path, if self.gzip { gzip(&bytes) } else { bytes }).unwrap();
     }
+}
+
+fn gzip(bytes: &[u8]) -> Vec<u8> {
+    let mut encoder = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::default());
+    std::io::Write::write_all(&mut encoder, bytes).unwrap();
+    encoder.finish().unwrap()
 }
 
 fn make_parent(path: &Path) {

@@ -1,11 +1,11 @@
 //! Results to a file or to standard output.
 
-use std::fs;
 use std::io::Write;
 use std::path::Path;
 
 use super::args::MeshOutput;
 use crate::cli::exit::Failure;
+use crate::cli::output::replace;
 use crate::engine::evaluate::Error;
 
 /// Writes to `file`, or to `out` without one.
@@ -27,7 +27,6 @@ pub(super) fn write_mesh(
     write(&bytes, output.output.as_deref(), out)
 }
 
-/// Writes beside the file first and then takes its place, so that nobody ever sees half a result.
 fn write_file(file: &Path, bytes: &[u8]) -> Result<(), Failure> {
     let fault = |reason: String| {
         let path = file.display().to_string();
@@ -37,11 +36,8 @@ fn write_file(file: &Path, bytes: &[u8]) -> Result<(), Failure> {
     if !folder.is_dir() {
         return Err(fault(format!("there is no folder `{}`; make it first", folder.display())));
     }
-    let Some(name) = file.file_name() else { return Err(fault("it is no file name".to_owned())) };
-    let beside = folder.join(format!(".{}.{}.tmp", name.to_string_lossy(), std::process::id()));
-    fs::write(&beside, bytes).and_then(|()| fs::rename(&beside, file)).map_err(|error| {
-        // The error of the write is the one to tell; the remains may not exist at all.
-        let _ = fs::remove_file(&beside);
-        fault(error.to_string())
-    })
+    if file.file_name().is_none() || file.is_dir() {
+        return Err(fault("it is a folder; name a file in it".to_owned()));
+    }
+    replace(file, bytes).map_err(|error| fault(error.to_string()))
 }

@@ -169,7 +169,7 @@ fn compose_base(name: &str, stack: &Stack<'_, '_>, limits: Limits) -> Result<Eva
     if let Some(bad) = mesh.facts.unreadable.first() {
         return Err(Error::file(&file.path, format!("line {}: {} (`{}`)", bad.line, bad.what, bad.text)));
     }
-    let scene = compose(&base, &mut Rows::new()).ok_or_else(no_mesh)?;
+    let scene = compose(&base, &mut Rows::new()).ok_or_else(no_mesh)?.scene;
     let vertices = mesh.facts.vertices;
     Ok(Evaluation {
         trees: Vec::new(),

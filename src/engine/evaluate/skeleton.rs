@@ -10,7 +10,7 @@ use crate::eval::joints::joint_positions;
 use crate::eval::scene::SceneSkeleton;
 use crate::eval::skeleton::{RestBone, hierarchy, rest_bones};
 use crate::eval::vector::Point;
-use crate::formats::mhskel::{self, RotationPlane, Skeleton};
+use crate::formats::mhskel::{self, RotationPlane, Section, Skeleton};
 
 /// A skeleton and where it came from.
 #[derive(Debug, Clone)]
@@ -39,7 +39,7 @@ pub struct RestSkeleton {
 pub fn read_skeleton(path: &Path) -> Result<SkeletonFile, Error> {
     let document = read_document(path)?;
     let model = mhskel::read(&document);
-    if !model.has_joints || !model.has_bones {
+    if model.joints_section != Section::Present || model.bones_section != Section::Present {
         return Err(Error::file(shown(path), "a skeleton has `joints` and `bones`"));
     }
     Ok(SkeletonFile { path: shown(path), model })

@@ -180,7 +180,8 @@ mod tests {
         fn vertex_lines_survive(rows in prop::collection::vec((0u32..9999, -9.0f32..9.0, any::<bool>()), 0..40), noise in "[ -~\n]{0,80}") {
             let mut text = String::from("name n\nverts 0\n");
             for (vertex, weight, short) in &rows {
-                text += &if *short { format!("{vertex}\n") } else { format!("{vertex} 1 2 {weight} 0 0 0 0 0\n") };
+                let line = if *short { format!("{vertex}\n") } else { format!("{vertex} 1 2 {weight} 0 0 0 0 0\n") };
+                text.push_str(&line);
             }
             let whole = parse(text.as_bytes());
             prop_assert_eq!(whole.references.len(), rows.len());

@@ -1,6 +1,7 @@
 //! `steps` and `values` of a component must have the same length.
 
 use super::super::{Check, Rule, RuleCx};
+use super::component::{sound_components, weigh};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::repo::{Base, Repository};
 
@@ -21,7 +22,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };
-    for component in &macros.components {
+    for component in sound_components(file, macros) {
         let Some(steps) = &component.steps else { continue };
         let values = component.values.len();
         if steps.len() == values {
@@ -34,6 +35,7 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
             "give every value a step; the last values cannot be reached now"
         };
         let place = Place::pointer(["components", &component.name, "steps"]);
-        out.push(RULE.at(file, place, message).key(&component.name).help(help));
+        let finding = RULE.at(file, place, message).key(&component.name).help(help);
+        out.push(weigh(finding, macros, component));
     }
 }

@@ -1,3 +1,61 @@
 //! Rules on `.target` files and their archives.
+//!
+//! What more than one of them needs: which files to look at at all, and how rows are named. Who uses a
+//! target is answered in `usage`.
 
+use crate::diag::{Element, Place, Tally};
+use crate::formats::target::TargetFacts;
+use crate::repo::{FileFacts, Layer};
+
+pub(super) mod basemesh_mismatch;
+pub(super) mod breaks_start;
+pub(super) mod duplicate_vertex;
+pub(super) mod field_count;
+pub(super) mod missing_opposite;
+pub(super) mod missing_side;
+pub(super) mod negative_index;
+pub(super) mod non_finite;
+pub(super) mod oversized_delta;
+pub(super) mod stale_binary;
 pub(super) mod syntax;
+pub(super) mod unreferenced;
+mod usage;
+pub(super) mod vertex_out_of_range;
+pub(super) mod without_effect;
+pub(super) mod zero_delta;
+
+/// Targets of a layer that the loader can decode. For others the encoding is the one fault to name.
+fn targets(layer: &Layer) -> impl Iterator<Item = (&FileFacts, &TargetFacts)> {
+    layer.files.values().filter_map(decoded)
+}
+
+/// Facts of a target that the loader can decode.
+fn decoded(file: &FileFacts) -> Option<(&FileFacts, &TargetFacts)> {
+    let is_text = !file.encoding.byte_order_mark && file.encoding.invalid_utf8_at.is_none();
+    file.target().filter(|_| is_text).map(|facts| (file, facts))
+}
+
+/// The first row of a tally.
+fn first_row(tally: &Tally) -> Place {
+    match tally.first.first() {
+        Some((line, index)) => u64::try_from(*index)
+            .map_or(Place::Line(*line), |index| Place::Row(*line, Element { kind: "vertex", index })),
+        None => Place::File,
+    }
+}
+
+/// `1 row`, `3 rows`.
+fn counted(count: u64, thing: &str) -> String {
+    if count == 1 { format!("1 {thing}") } else { format!("{count} {thing}s") }
+}
+
+/// The folder that targets of a base are loaded from: the first two parts of the path.
+fn target_folder(file: &FileFacts) -> &str {
+    let end = file.rel.match_indices('/').nth(1).map_or(file.rel.len(), |(at, _)| at);
+    file.rel.get(..end).unwrap_or(&file.rel)
+}
+
+/// The folder of a path, empty at the top.
+fn parent(rel: &str) -> &str {
+    rel.rsplit_once('/').map_or("", |(folder, _)| folder)
+}

@@ -1,0 +1,151 @@
+//! A fixture of a rule as text: its edits as small diffs, and the findings that it gives.
+
+use include_dir::{Dir, include_dir};
+use serde::Deserialize;
+
+static FIXTURES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/fixtures/rules");
+
+/// Lines of a written file that are shown.
+const SHOWN_LINES: usize = 12;
+/// Characters of a line that are shown.
+const SHOWN_CHARACTERS: usize = 100;
+
+/// A case with what it gives.
+#[derive(Debug, Clone, Default, Deserialize)]
+#[serde(default)]
+pub(super) struct Case {
+    #[serde(skip)]
+    pub(super) name: String,
+    /// What it shows, in a sentence.
+    pub(super) why: String,
+    /// The findings, a line each.
+    #[serde(skip)]
+    pub(super) expected: Vec<String>,
+    args: Vec<String>,
+    edit: Vec<Edit>,
+    remove: Vec<String>,
+    rename: Vec<[String; 2]>,
+    copy: Vec<[String; 2]>,
+    write: Vec<Written>,
+    link: Vec<[String; 2]>,
+    folder: Vec<String>,
+}
+
+#[derive(Debug, Clone, Deserialize)]
+struct Edit {
+    file: String,
+    find: String,
+    replace: String,
+}
+
+#[derive(Debug, Clone, Default, Deserialize)]
+#[serde(default)]
+struct Written {
+    file: String,
+    text: String,
+    hex: String,
+    times: Option<usize>,
+    gzip: bool,
+}
+
+/// The cases of a rule, sorted by name.
+pub(super) fn cases(rule: &str) -> Vec<Case> {
+    let folders = FIXTURES.get_dir(rule).into_iter().flat_map(Dir::dirs);
+    let mut cases: Vec<Case> = folders.filter_map(read).collect();
+    cases.sort_by(|a, b| a.name.cmp(&b.name));
+    cases
+}
+
+fn read(folder: &Dir<'_>) -> Option<Case> {
+    let text = |name: &str| FIXTURES.get_file(folder.path().join(name))?.contents_utf8();
+    let mut case: Case = toml::from_str(text("case.toml")?).ok()?;
+    folder.path().file_name()?.to_str()?.clone_into(&mut case.name);
+    case.expected = text("expected.txt").unwrap_or_default().lines().map(str::to_owned).collect();
+    Some(case)
+}
+
+impl Case {
+    /// What the case changes in the example repository; changed lines have `-` or `+` in column five.
+    pub(super) fn lines(&self) -> Vec<String> {
+        let mut lines = Vec::new();
+        lines.extend(self.rename.iter().map(|[from, to]| format!("  {from} renamed to {to}")));
+        lines.extend(self.copy.iter().map(|[from, to]| format!("  {from} copied to {to}")));
+        lines.extend(self.remove.iter().map(|path| format!("  {path} removed")));
+        self.write.iter().for_each(|written| written.push_lines(&mut lines));
+        self.edit.iter().for_each(|edit| edit.push_lines(&mut lines));
+        lines.extend(self.folder.iter().map(|path| format!("  {path}/ made")));
+        lines.extend(self.link.iter().map(|[path, to]| format!("  {path} linked to {to}")));
+        if !self.args.is_empty() {
+            lines.push(format!("  mhlint {}", self.args.join(" ")));
+        }
+        lines
+    }
+}
+
+impl Edit {
+    fn push_lines(&self, lines: &mut Vec<String>) {
+        lines.push(format!("  {}", self.file));
+        let old: Vec<&str> = self.find.lines().collect();
+        let new: Vec<&str> = self.replace.lines().collect();
+        let same = |pairs: &mut dyn Iterator<Item = (&&str, &&str)>| pairs.take_while(|(a, b)| a == b).count();
+        let before = same(&mut old.iter().zip(&new));
+        let bound = old.len().min(new.len()) - before;
+        let after = same(&mut old.iter().rev().zip(new.iter().rev())).min(bound);
+        let mut push = |sign: char, part: Option<&[&str]>| {
+            lines.extend(part.unwrap_or_default().iter().map(|line| format!("    {sign} {}", shorten(line))));
+        };
+        push(' ', old.get(..before));
+        push('-', old.get(before..old.len() - after));
+        push('+', new.get(before..new.len() - after));
+        push(' ', old.get(old.len() - after..));
+    }
+}
+
+impl Written {
+    fn push_lines(&self, lines: &mut Vec<String>) {
+        let bytes = self.hex.bytes().filter(|byte| !byte.is_ascii_whitespace()).count() / 2;
+        let what = match (self.times, bytes) {
+            (Some(times), _) => format!(", {times} times"),
+            (None, 0) => String::new(),
+            (None, _) => format!(", {bytes} bytes that are no text"),
+        };
+        let packed = if self.gzip { ", packed as gzip" } else { "" };
+        lines.push(format!("  {} (written{what}{packed})", self.file));
+        let all: Vec<&str> = self.text.lines().collect();
+        lines.extend(all.iter().take(SHOWN_LINES).map(|line| format!("    + {}", shorten(line))));
+        if all.len() > SHOWN_LINES {
+            lines.push(format!("      ... {} lines more", all.len() - SHOWN_LINES));
+        }
+    }
+}
+
+fn shorten(line: &str) -> String {
+    let shown: String = crate::report::printable(line).chars().take(SHOWN_CHARACTERS).collect();
+    if shown.len() < line.len() { format!("{shown}...") } else { shown }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_case_of_every_rule_is_read() {
+        let mut folders = 0;
+        for rule in FIXTURES.dirs() {
+            let name = rule.path().to_str().unwrap();
+            let read = cases(name);
+            assert_eq!(read.len(), rule.dirs().count(), "{name}");
+            assert!(read.iter().all(|case| !case.why.is_empty() && !case.lines().is_empty()), "{name}");
+            folders += read.len();
+        }
+        assert!(folders > 0);
+    }
+
+    #[test]
+    fn equal_lines_of_an_edit_are_context() {
+        let edit = Edit { file: "f".to_owned(), find: "a\nb\nc".to_owned(), replace: "a\nx\ny\nc".to_owned() };
+        let mut lines = Vec::new();
+        edit.push_lines(&mut lines);
+        assert_eq!(lines, ["  f", "      a", "    - b", "    + x", "    + y", "      c"]);
+    }
+}

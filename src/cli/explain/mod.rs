@@ -1,0 +1,104 @@
+//! `mhlint explain`: what a rule means, shown on its own fixtures. What is tested is what is told.
+
+mod case;
+
+use std::io::Write;
+
+use super::exit::{Exit, Failure};
+use super::list::write_table;
+use crate::diag::{FixKind, RuleInfo, nearest};
+use crate::engine::rule_infos;
+use crate::report::{Paint, count, hang, paragraphs};
+use case::Case;
+
+pub(super) fn run(name: &str, paint: Paint, width: usize, out: &mut dyn Write) -> Result<Exit, Failure> {
+    let rules = rule_infos();
+    if let Some(rule) = rules.iter().find(|rule| rule.id == name) {
+        write_rule(rule, Page { paint, width }, out)?;
+        return Ok(Exit::Clean);
+    }
+    let start = name.trim_end_matches('*');
+    let family: Vec<&RuleInfo> = rules.iter().copied().filter(|rule| rule.id.starts_with(start)).collect();
+    if start.is_empty() || family.is_empty() {
+        return Err(unknown(name, &rules));
+    }
+    writeln!(out, "{} whose name starts with `{start}`:\n", count(family.len(), "rule"))?;
+    write_table(&family, paint, out)?;
+    writeln!(out, "\nmhlint explain RULE tells more on one of them.")?;
+    Ok(Exit::Clean)
+}
+
+fn unknown(name: &str, rules: &[&RuleInfo]) -> Failure {
+    let guess = nearest(name, rules.iter().map(|rule| rule.id));
+    let hint = guess.map_or_else(|| "`mhlint rules` lists all".to_owned(), |id| format!("did you mean `{id}`?"));
+    Failure::Usage(format!("there is no rule `{name}`; {hint}"))
+}
+
+/// How the page is written.
+#[derive(Clone, Copy)]
+struct Page {
+    paint: Paint,
+    width: usize,
+}
+
+fn write_rule(rule: &RuleInfo, page: Page, out: &mut dyn Write) -> Result<(), Failure> {
+    let Page { paint, width } = page;
+    writeln!(out, "{}", paint.level(rule.level, &format!("{}[{}]", rule.level, rule.id)))?;
+    writeln!(out, "{}\n", paint.bold(&hang("", rule.summary, width)))?;
+    writeln!(out, "{}\n", paragraphs(rule.docs, "", width))?;
+    for (application, effect) in rule.breaks {
+        writeln!(out, "{}", hang(&format!("{application}: "), effect, width))?;
+    }
+    writeln!(out, "{}", hang("Automatic fix: ", fix(rule.fix), width))?;
+    if rule.unmutable {
+        writeln!(out, "A matter of safety: cannot be muted or lowered.")?;
+    }
+    for option in rule.options {
+        let head = format!("Option `{}` (default {}): ", option.name, option.default);
+        writeln!(out, "{}", hang(&head, option.docs, width))?;
+    }
+    for case in shown_cases(rule.id) {
+        write_case(&case, page, out)?;
+    }
+    Ok(())
+}
+
+/// The case `bad` and the first good one.
+fn shown_cases(rule: &str) -> Vec<Case> {
+    let cases = case::cases(rule);
+    let bad = cases.iter().find(|case| case.name == "bad");
+    let good = cases.iter().find(|case| case.name.starts_with("good"));
+    bad.into_iter().chain(good).cloned().collect()
+}
+
+fn write_case(case: &Case, page: Page, out: &mut dyn Write) -> Result<(), Failure> {
+    let is_bad = case.name.starts_with("bad");
+    let title = if is_bad { page.paint.bad("Bad:") } else { page.paint.good("Good:") };
+    let indent = if is_bad { 5 } else { 6 };
+    let why = hang(&" ".repeat(indent), &case.why, page.width);
+    writeln!(out, "\n{title} {}", why.trim_start())?;
+    for line in case.lines() {
+        let painted = match line.chars().nth(4) {
+            Some('-') => page.paint.bad(&line),
+            Some('+') => page.paint.good(&line),
+            _ => line,
+        };
+        writeln!(out, "{painted}")?;
+    }
+    if is_bad {
+        for found in &case.expected {
+            writeln!(out, "  {}\n{}", page.paint.dim("gives"), hang("    ", found, page.width))?;
+        }
+    } else if case.expected.is_empty() {
+        writeln!(out, "  {}", page.paint.dim("gives nothing"))?;
+    }
+    Ok(())
+}
+
+const fn fix(kind: FixKind) -> &'static str {
+    match kind {
+        FixKind::None => "none; only a person can decide what was meant.",
+        FixKind::Safe => "possible without changing what the asset does (not in this version yet).",
+        FixKind::Unsafe => "possible, but it changes what the asset does (not in this version yet).",
+    }
+}

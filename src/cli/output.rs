@@ -1,0 +1,90 @@
+//! Where reports go: standard output or a file, which is either replaced as a whole or left alone.
+
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use super::args::not_one_of;
+use super::exit::Failure;
+use crate::report::Format;
+
+/// `FORMAT[=FILE]`.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Target {
+    /// How.
+    pub(super) format: Format,
+    /// Where to, standard output if none.
+    pub(super) file: Option<PathBuf>,
+}
+
+impl Target {
+    pub(super) fn parse(text: &str) -> Result<Self, String> {
+        let (name, file) = text.split_once('=').map_or((text, None), |(name, file)| (name, Some(file)));
+        let known: Vec<&str> = Format::ALL.iter().map(|(name, _)| *name).collect();
+        let found = Format::ALL.iter().find(|(known, _)| *known == name);
+        let (_, format) = found.ok_or_else(|| not_one_of("report format", name, &known))?;
+        if file == Some("") {
+            return Err(format!("a file is wanted behind `=`, `{name}=report.txt` say"));
+        }
+        Ok(Self { format: *format, file: file.map(PathBuf::from) })
+    }
+}
+
+/// The reports to write, `human` to standard output if none was asked for. Refuses before the run what
+/// could not be written after it.
+pub(super) fn targets(asked: &[Target]) -> Result<Vec<Target>, Failure> {
+    if asked.is_empty() {
+        return Ok(vec![Target { format: Format::Human, file: None }]);
+    }
+    let to_stdout = asked.iter().filter(|target| target.file.is_none()).count();
+    if to_stdout > 1 {
+        return Err(Failure::Usage(format!(
+            "{to_stdout} reports to standard output would run into each other; give all but one a file: --report FORMAT=FILE"
+        )));
+    }
+    let mut files: Vec<&PathBuf> = asked.iter().filter_map(|target| target.file.as_ref()).collect();
+    files.sort_unstable();
+    if let Some(twice) = files.windows(2).find(|pair| pair.first() == pair.last()).and_then(<[_]>::first) {
+        return Err(Failure::Usage(format!("two reports to `{}`; give each its own file", twice.display())));
+    }
+    files.into_iter().try_for_each(|file| refuse_unwritable(file))?;
+    Ok(asked.to_vec())
+}
+
+fn refuse_unwritable(file: &Path) -> Result<(), Failure> {
+    let shown = file.display();
+    if file.is_dir() {
+        return Err(Failure::Usage(format!("cannot write a report to `{shown}`: it is a folder; name a file in it")));
+    }
+    let parent = folder_of(file);
+    if !parent.is_dir() {
+        let folder = parent.display();
+        return Err(Failure::Usage(format!(
+            "cannot write a report to `{shown}`: there is no folder `{folder}`; make it first"
+        )));
+    }
+    Ok(())
+}
+
+fn folder_of(file: &Path) -> &Path {
+    match file.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
+    }
+}
+
+/// Writes a report to a file.
+pub(super) fn write_file(file: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    let shown = file.display();
+    replace(file, bytes).map_err(|error| Failure::Usage(format!("cannot write the report to `{shown}`: {error}")))
+}
+
+/// Writes beside the file first and then takes its place, so that nobody ever sees half a result.
+pub(super) fn replace(file: &Path, bytes: &[u8]) -> io::Result<()> {
+    let name = file.file_name().unwrap_or_default().to_string_lossy();
+    let beside = folder_of(file).join(format!(".{name}.{}.tmp", std::process::id()));
+    fs::write(&beside, bytes).and_then(|()| fs::rename(&beside, file)).inspect_err(|_| {
+        // The error of the write is the one to tell; the remains may not exist at all.
+        let _ = fs::remove_file(&beside);
+    })
+}

@@ -1,0 +1,176 @@
+//! A scene to its measures: the pure functions of `eval`, run in parallel and merged in order.
+
+use rayon::prelude::*;
+
+use super::compose::Rig;
+use super::run::Options;
+use crate::eval::macro_survey::{dead_ranges, jumps, losses, sums_off};
+use crate::eval::measure::{chain_length, closing_gap};
+use crate::eval::measures::{ChainMeasure, MacroMeasure, Measures, PairMeasure, Seen, SkeletonMeasure, SpaceMeasure};
+use crate::eval::rig_measure::{bone_pairs, bones, weights};
+use crate::eval::scene::{Scene, Setting};
+use crate::eval::settings::{DEFAULT_SAMPLES, describe, plan};
+use crate::eval::survey::{Scratch, Survey, Surveyor, Worst};
+use crate::eval::symmetry::{MirrorMap, mirror_difference};
+use crate::eval::target_measure::{Parts, TargetMeasure, cubes_of};
+use crate::repo::Base;
+
+/// How far from its exact mirror image a vertex may be, mesh units: meshes are written with four decimals.
+const MIRROR_TOLERANCE: f32 = 1e-3;
+/// Displacements of mirrored vertices may differ by rounding to three decimals on either side, mesh units.
+const DELTA_TOLERANCE: f64 = 2.5e-3;
+/// Weights of mirrored vertices may differ by this before they count.
+const WEIGHT_TOLERANCE: f32 = 0.01;
+/// Settings that one thread looks at in a row.
+const CHUNK: usize = 32;
+
+/// Measures a scene.
+pub(super) fn gauge(base: &Base<'_>, scene: &Scene, rigs: &[Rig], options: &Options) -> Measures {
+    let settings = plan(scene, &scene.macrodefs, options.samples.unwrap_or(DEFAULT_SAMPLES), options.exhaustive);
+    let mirror = MirrorMap::new(&scene.positions, scene.faces(), MIRROR_TOLERANCE);
+    let rest = scene.morphed(&scene.defaults()).unwrap_or_else(|_| scene.positions.clone());
+    let (space, (macros, (targets, cubes))) = rayon::join(
+        || survey(scene, &settings),
+        || rayon::join(|| macro_measure(scene, &settings), || target_measures(scene, &mirror)),
+    );
+    let weights = scene.skeleton.as_ref().zip(scene.weights.as_ref()).and_then(|(skeleton, loaded)| {
+        weights(loaded, skeleton, &rest, &mirror, &bone_pairs(&skeleton.names), WEIGHT_TOLERANCE)
+    });
+    Measures {
+        space,
+        macros,
+        pairs: pair_measures(scene, &mirror),
+        targets,
+        unmirrored: mirror.unresolved(),
+        cubes,
+        skeletons: rigs.iter().filter_map(|rig| skeleton_measure(rig, &rest)).collect(),
+        weights,
+        bones: scene.skeleton.as_ref().map(|skeleton| skeleton.names.clone()).unwrap_or_default(),
+        chains: chain_measures(base, &rest),
+    }
+}
+
+fn survey(scene: &Scene, settings: &[Setting]) -> Option<SpaceMeasure> {
+    let surveyor = Surveyor::new(scene)?;
+    let parts: Vec<Survey> = settings
+        .par_chunks(CHUNK)
+        .enumerate()
+        .map(|(chunk, settings)| {
+            let mut survey = Survey::default();
+            let mut scratch = Scratch::default();
+            for (number, setting) in settings.iter().enumerate() {
+                surveyor.look(chunk * CHUNK + number, setting, &mut scratch, &mut survey);
+            }
+            survey
+        })
+        .collect();
+    let mut survey = Survey::default();
+    parts.into_iter().for_each(|part| survey.merge(part));
+    let told = |number: usize| settings.get(number).map(|setting| describe(scene, setting)).unwrap_or_default();
+    let seen = |worst: Option<Worst>, name: &dyn Fn(usize) -> String| {
+        worst.map(|worst| Seen {
+            value: worst.value,
+            element: worst.element,
+            name: name(worst.element),
+            count: worst.count,
+            setting: told(worst.setting),
+        })
+    };
+    let group = |face: usize| {
+        let group = scene.face_groups.get(face).and_then(|group| scene.groups.get(*group as usize));
+        group.cloned().unwrap_or_default()
+    };
+    let skeleton = scene.skeleton.as_ref();
+    let joint = |joint: usize| skeleton.and_then(|s| s.joint_names.get(joint)).cloned().unwrap_or_default();
+    let bone = |bone: usize| skeleton.and_then(|s| s.names.get(bone)).cloned().unwrap_or_default();
+    Some(SpaceMeasure {
+        settings: survey.settings,
+        stopped: survey.stopped.map(told),
+        non_finite: seen(survey.non_finite, &|_| String::new()),
+        collapsed: seen(survey.collapsed, &group),
+        flipped: seen(survey.flipped, &group),
+        exploded: seen(survey.exploded, &|_| String::new()),
+        drifted: seen(survey.drifted, &joint),
+        short_bone: seen(survey.short_bone, &bone),
+        flat_plane: seen(survey.flat_plane, &bone),
+    })
+}
+
+fn macro_measure(scene: &Scene, settings: &[Setting]) -> MacroMeasure {
+    let Some(table) = &scene.macros else { return MacroMeasure::default() };
+    let lost = losses(table, settings).into_iter();
+    MacroMeasure {
+        dead: dead_ranges(table, &scene.macrodefs),
+        sums: sums_off(&scene.macrodefs, &scene.value_counts, &scene.macro_defaults),
+        jumps: jumps(table, &scene.macrodefs, &scene.macro_defaults),
+        losses: lost.map(|loss| (loss.macrodef, loss.lost, describe(scene, &loss.setting))).collect(),
+    }
+}
+
+fn target_measures(scene: &Scene, mirror: &MirrorMap) -> (Vec<TargetMeasure>, Vec<String>) {
+    let groups = scene.face_groups.iter().map(|group| scene.groups.get(*group as usize).map_or("", String::as_str));
+    let cubes = cubes_of(groups.zip(scene.faces()));
+    let mut parts = Parts {
+        body: vec![false; scene.positions.len()],
+        cube_of: vec![None; scene.positions.len()],
+        cubes: cubes.iter().map(|(_, vertices)| vertices.clone()).collect(),
+        mirror,
+    };
+    for (face, group) in scene.faces().zip(&scene.face_groups) {
+        if scene.visible.get(*group as usize) == Some(&true) {
+            face.iter()
+                .filter_map(|vertex| Some(*vertex as usize))
+                .for_each(|vertex| mark(&mut parts.body, vertex, true));
+        }
+    }
+    for (number, (_, vertices)) in (0..).zip(&cubes) {
+        vertices.iter().for_each(|vertex| mark(&mut parts.cube_of, *vertex as usize, Some(number)));
+    }
+    let measures = scene.targets.par_iter().filter_map(|target| {
+        let measure = parts.measure(target.rows.as_deref()?, DELTA_TOLERANCE);
+        Some(TargetMeasure { name: target.name.clone(), path: target.path.clone(), ..measure })
+    });
+    (measures.collect(), cubes.into_iter().map(|(name, _)| name).collect())
+}
+
+fn mark<T>(list: &mut [T], at: usize, value: T) {
+    if let Some(place) = list.get_mut(at) {
+        *place = value;
+    }
+}
+
+/// Targets named alike but for `l-` and `r-` at the beginning of the file name.
+fn pair_measures(scene: &Scene, mirror: &MirrorMap) -> Vec<PairMeasure> {
+    let right_of = |name: &str| {
+        let (folder, file) = name.rsplit_once('/').unwrap_or(("", name));
+        let right = format!("r-{}", file.strip_prefix("l-")?);
+        Some(if folder.is_empty() { right } else { format!("{folder}/{right}") })
+    };
+    let by_name: std::collections::BTreeMap<&str, usize> =
+        scene.targets.iter().enumerate().map(|(place, target)| (target.name.as_str(), place)).collect();
+    let pair = |left: &crate::eval::scene::MorphTarget| {
+        let right = scene.targets.get(*by_name.get(right_of(&left.name)?.as_str())?)?;
+        let (ours, theirs) = (left.rows.as_deref()?, right.rows.as_deref()?);
+        let difference = mirror_difference(mirror, ours.iter().copied(), theirs.iter().copied(), DELTA_TOLERANCE);
+        Some(PairMeasure { left: left.path.clone(), right: right.path.clone(), difference })
+    };
+    scene.targets.par_iter().filter_map(pair).collect()
+}
+
+fn skeleton_measure(rig: &Rig, rest: &[crate::eval::vector::Point]) -> Option<SkeletonMeasure> {
+    Some(SkeletonMeasure {
+        path: rig.path.clone(),
+        bones: bones(&rig.skeleton, rest)?,
+        without_weights: rig.without_weights.clone(),
+    })
+}
+
+fn chain_measures(base: &Base<'_>, rest: &[crate::eval::vector::Point]) -> Vec<ChainMeasure> {
+    let measure = |key: &str, chain: &[i64]| {
+        let chain: Vec<u32> = chain.iter().map(|vertex| u32::try_from(*vertex).ok()).collect::<Option<_>>()?;
+        let (length, gap) = (chain_length(rest, &chain).ok()?, closing_gap(rest, &chain).ok()?);
+        Some(ChainMeasure { key: key.to_owned(), length, gap })
+    };
+    let sliders = base.sliders.iter().map(|bound| bound.slider);
+    sliders.filter_map(|slider| measure(&slider.key, slider.measure.as_deref()?)).collect()
+}

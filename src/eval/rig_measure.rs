@@ -1,0 +1,225 @@
+//! What a skeleton and its weights come to on a mesh: lengths, planes, rolls, influences, losses, rest pose.
+
+use super::influences::Influences;
+use super::joints::joint_positions;
+use super::scene::SceneSkeleton;
+use super::skeleton::{DEFAULT_NORMAL, plane_normal, plane_sine, rest_bones, roll_sine};
+use super::skin::{pose_bones, skin};
+use super::symmetry::{Mirror, MirrorMap};
+use super::vector::{Point, distance};
+use super::weights::{BoneWeights, LoadedWeights};
+
+/// Influences that real-time engines take.
+pub const ENGINE_INFLUENCES: usize = 4;
+
+/// A bone on a mesh.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BoneMeasure {
+    /// Its name.
+    pub name: String,
+    /// Distance of head and tail, mesh units.
+    pub length: f64,
+    /// Sine of the angle in its plane, NaN if joints coincide; `None` without a plane.
+    pub plane_sine: Option<f64>,
+    /// Sine of the angle between bone and plane normal; near 0 the roll is noise.
+    pub roll_sine: f64,
+}
+
+/// Weights on a mesh.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct WeightMeasure {
+    /// Most bones on one vertex.
+    pub most: usize,
+    /// Vertices with more than [`ENGINE_INFLUENCES`].
+    pub over: usize,
+    /// Vertex and share that it loses when reduced to [`ENGINE_INFLUENCES`].
+    pub worst_reduction: Option<(u32, f32)>,
+    /// Vertices that lose something to the threshold of the loader.
+    pub losing: usize,
+    /// Vertex and share that it loses.
+    pub worst_loss: Option<(u32, f32)>,
+    /// Pairs of bones (left, right by number) whose weights are not mirrored: vertices and largest difference.
+    pub asymmetric: Vec<AsymmetricPair>,
+    /// Vertex farthest from its place after skinning with all bones at rest, and how far, mesh units.
+    pub rest_distance: Option<(u32, f64)>,
+}
+
+/// Bones weighted unlike their mirror.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AsymmetricPair {
+    /// Left bone.
+    pub left: usize,
+    /// Right bone.
+    pub right: usize,
+    /// Vertices whose weights differ.
+    pub vertices: usize,
+    /// Largest difference and its vertex on the left bone.
+    pub worst: (u32, f32),
+}
+
+/// Every bone of a skeleton on a mesh, in its order. `None` if a joint has no vertices in the mesh.
+pub fn bones(skeleton: &SceneSkeleton, positions: &[Point]) -> Option<Vec<BoneMeasure>> {
+    let joints = joint_positions(positions, skeleton.joints.iter().map(Vec::as_slice)).ok()?;
+    let at = |joint: usize| joints.get(joint).copied();
+    let mut measures = Vec::with_capacity(skeleton.bones.len());
+    for (name, bone) in skeleton.names.iter().zip(&skeleton.bones) {
+        let (head, tail) = (at(bone.head)?, at(bone.tail)?);
+        let plane = match bone.plane {
+            Some([a, b, c]) => Some((at(a)?, at(b)?, at(c)?)),
+            None => None,
+        };
+        let normal = plane.map_or(DEFAULT_NORMAL, |(a, b, c)| plane_normal(a, b, c));
+        measures.push(BoneMeasure {
+            name: name.clone(),
+            length: distance(head, tail),
+            plane_sine: plane.map(|(a, b, c)| plane_sine(a, b, c)),
+            roll_sine: roll_sine(head, tail, normal),
+        });
+    }
+    Some(measures)
+}
+
+/// Weights of a skeleton on a mesh. `pairs` are the numbers of left and right bones; `tolerance` is the difference
+/// of two mirrored weights that counts.
+pub fn weights(
+    loaded: &LoadedWeights,
+    skeleton: &SceneSkeleton,
+    positions: &[Point],
+    mirror: &MirrorMap,
+    pairs: &[(usize, usize)],
+    tolerance: f32,
+) -> Option<WeightMeasure> {
+    let reduction = Influences::new(&loaded.bones, positions.len()).ok()?.reduce(ENGINE_INFLUENCES);
+    let losing = loaded.lost.iter().filter(|lost| **lost > 0.0).count();
+    let worst = (0..).zip(loaded.lost.iter().copied()).max_by(|a: &(u32, f32), b| a.1.total_cmp(&b.1));
+    Some(WeightMeasure {
+        most: reduction.most,
+        over: reduction.reduced,
+        worst_reduction: reduction.worst,
+        losing,
+        worst_loss: worst.filter(|(_, lost)| *lost > 0.0),
+        asymmetric: pairs.iter().filter_map(|pair| asymmetry(&loaded.bones, *pair, mirror, tolerance)).collect(),
+        rest_distance: rest_distance(loaded, skeleton, positions),
+    })
+}
+
+fn asymmetry(
+    bones: &[BoneWeights],
+    (left, right): (usize, usize),
+    mirror: &MirrorMap,
+    tolerance: f32,
+) -> Option<AsymmetricPair> {
+    let entries = |bone: usize| bones.iter().find(|list| list.bone == bone).map(|list| list.entries.as_slice());
+    let dense = |entries: &[(u32, f32)]| {
+        let mut weights = vec![0.0_f32; mirror.partners().len()];
+        for (vertex, weight) in entries {
+            if let Some(place) = weights.get_mut(*vertex as usize) {
+                *place += weight;
+            }
+        }
+        weights
+    };
+    let (ours, theirs) = (dense(entries(left)?), dense(entries(right)?));
+    let mut pair = AsymmetricPair { left, right, vertices: 0, worst: (0, 0.0) };
+    for (vertex, (weight, partner)) in (0..).zip(ours.iter().zip(mirror.partners())) {
+        let Mirror::Partner(partner) = partner else { continue };
+        let difference = (weight - theirs.get(*partner as usize).copied().unwrap_or(0.0)).abs();
+        if difference > tolerance {
+            pair.vertices += 1;
+            if difference > pair.worst.1 {
+                pair.worst = (vertex, difference);
+            }
+        }
+    }
+    (pair.vertices > 0).then_some(pair)
+}
+
+/// Vertices whose weights do not add up (lost at the threshold) are pulled to the origin even at rest; they are
+/// measured by their loss, so the sum is made whole here: what is left is the fault of the matrices.
+fn rest_distance(loaded: &LoadedWeights, skeleton: &SceneSkeleton, positions: &[Point]) -> Option<(u32, f64)> {
+    let joints = joint_positions(positions, skeleton.joints.iter().map(Vec::as_slice)).ok()?;
+    let rest = rest_bones(&joints, &skeleton.bones).ok()?;
+    let posed = pose_bones(&skeleton.bones, &rest, &vec![None; skeleton.bones.len()]).ok()?;
+    let moved: Vec<_> = posed.iter().map(|bone| bone.moved).collect();
+    let skinned = skin(positions, &loaded.bones, &moved).ok()?;
+    let mut sums = vec![0.0_f32; positions.len()];
+    for (vertex, weight) in loaded.bones.iter().flat_map(|list| &list.entries) {
+        if let Some(sum) = sums.get_mut(*vertex as usize) {
+            *sum += weight;
+        }
+    }
+    let whole = |(vertex, point): (u32, &Point)| {
+        let sum = sums.get(vertex as usize).copied()?;
+        let rest = positions.get(vertex as usize)?;
+        Some((vertex, distance(*point, rest.map(|part| part * sum))))
+    };
+    let far = (0..).zip(&skinned).filter_map(whole);
+    far.max_by(|a, b| a.1.total_cmp(&b.1))
+}
+
+/// Numbers of left and right bones whose names differ in their side only (`.L`/`.R`, `_l`/`_r`, `l-`/`r-` …).
+pub fn bone_pairs(names: &[String]) -> Vec<(usize, usize)> {
+    let right_of = |name: &str| {
+        let endings = [(".L", ".R"), ("_L", "_R"), ("_l", "_r"), ("-l", "-r"), (".l", ".r")];
+        let by_ending = endings.iter().find_map(|(l, r)| Some(format!("{}{r}", name.strip_suffix(l)?)));
+        let beginnings = [("l-", "r-"), ("l_", "r_"), ("Left", "Right"), ("left", "right")];
+        by_ending.or_else(|| beginnings.iter().find_map(|(l, r)| Some(format!("{r}{}", name.strip_prefix(l)?))))
+    };
+    let mut pairs = Vec::new();
+    for (left, name) in names.iter().enumerate() {
+        let right = right_of(name).and_then(|right| names.iter().position(|other| *other == right));
+        pairs.extend(right.map(|right| (left, right)));
+    }
+    pairs
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::skeleton::Bone;
+    use super::super::weights::load;
+    use super::*;
+
+    const POSITIONS: [Point; 4] = [[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [1.0, 2.0, 0.0], [-1.0, 2.0, 0.0]];
+
+    fn skeleton() -> SceneSkeleton {
+        let bone = |parent, head, tail| Bone { parent, head, tail, plane: None };
+        SceneSkeleton {
+            names: ["root", "arm.L", "arm.R"].map(str::to_owned).to_vec(),
+            bones: vec![bone(None, 0, 1), bone(Some(0), 0, 2), bone(Some(0), 1, 3)],
+            joint_names: ["a", "b", "c", "d"].map(str::to_owned).to_vec(),
+            joints: vec![vec![0], vec![1], vec![2], vec![3]],
+        }
+    }
+
+    fn measure(lists: &[(usize, &[(u32, f32)])]) -> WeightMeasure {
+        let mirror = MirrorMap::new(&POSITIONS, std::iter::empty::<&[u32]>(), 0.01);
+        let loaded = load(lists, 0, POSITIONS.len()).unwrap();
+        weights(&loaded, &skeleton(), &POSITIONS, &mirror, &[(1, 2)], 0.01).unwrap()
+    }
+
+    #[test]
+    fn rest_pose_gives_the_mesh_back() {
+        let found = measure(&[(0, &[(0, 1.0), (1, 1.0)]), (1, &[(2, 1.0)]), (2, &[(3, 1.0)])]);
+        assert!(found.rest_distance.unwrap().1 < 1e-6);
+        assert_eq!((found.most, found.over, found.asymmetric.len()), (1, 0, 0));
+    }
+
+    #[test]
+    fn weights_unlike_their_mirror_are_counted() {
+        let found = measure(&[(0, &[(0, 1.0), (1, 1.0), (3, 0.5)]), (1, &[(2, 1.0)]), (2, &[(3, 0.5)])]);
+        assert_eq!(found.asymmetric, [AsymmetricPair { left: 1, right: 2, vertices: 1, worst: (2, 0.5) }]);
+    }
+
+    #[test]
+    fn bones_know_length_and_roll() {
+        let found = bones(&skeleton(), &POSITIONS).unwrap();
+        assert_eq!((found[0].length, found[1].length), (2.0, 2.0));
+        assert!(found[1].roll_sine < 1e-9 && found[0].roll_sine > 0.99);
+    }
+
+    #[test]
+    fn pairs_are_found_by_name() {
+        let names = ["root", "arm.L", "arm.R", "calf_l", "calf_r", "x.L"].map(str::to_owned);
+        assert_eq!(bone_pairs(&names), [(1, 2), (3, 4)]);
+    }
+}

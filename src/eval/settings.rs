@@ -1,0 +1,280 @@
+//! Which settings of the sliders are looked at: deliberate ones first, then a seeded sample.
+//!
+//! Every macro slider alone at every step, in the middle of every interval and on both sides of every step; every
+//! detail slider alone at its ends; every corner of every macrodef; a fixed pseudo-random sample of whole settings;
+//! on request every corner of the whole product.
+
+use std::collections::BTreeSet;
+
+use super::scene::{Scene, Setting, SliderKind};
+
+/// How far beside a step the two sides of it are looked at: well inside every interval, outside the 0.001 limits.
+const BESIDE: f64 = 0.004;
+/// Corners of a product beyond this are not visited; the caller says so.
+pub const MOST_CORNERS: usize = 1 << 16;
+/// Random settings when nobody asks for another number.
+pub const DEFAULT_SAMPLES: usize = 64;
+/// Seed of the sample: any number, always the same.
+const SEED: u64 = 0x6d68_6c69_6e74;
+
+/// A dimension of the macro system: the slider positions of one component.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Dimension {
+    /// A slider with its steps: place in the macro settings.
+    Steps {
+        /// Place in the macro settings.
+        place: usize,
+        /// Slider positions, ascending.
+        steps: Vec<f64>,
+    },
+    /// A barycentric set: places of its numbers.
+    Corners(Vec<usize>),
+}
+
+/// The settings to look at, without repetition, in a fixed order.
+pub fn plan(scene: &Scene, macrodefs: &[Vec<Dimension>], samples: usize, exhaustive: bool) -> Vec<Setting> {
+    let mut plan = Plan { settings: vec![scene.defaults()], seen: BTreeSet::new() };
+    let dimensions = distinct(macrodefs);
+    for dimension in &dimensions {
+        plan.alone(scene, dimension);
+    }
+    for macrodef in macrodefs {
+        plan.corners(scene, macrodef);
+    }
+    if exhaustive {
+        plan.corners(scene, &dimensions);
+    }
+    plan.details(scene);
+    plan.sample(scene, &dimensions, samples);
+    plan.settings
+}
+
+/// Number of corners of a product of dimensions.
+pub fn corner_count(dimensions: &[Dimension]) -> usize {
+    dimensions.iter().map(Dimension::corners).fold(1, usize::saturating_mul)
+}
+
+impl Dimension {
+    pub(super) fn corners(&self) -> usize {
+        match self {
+            Self::Steps { steps, .. } => steps.len(),
+            Self::Corners(places) => places.len(),
+        }
+    }
+
+    /// Puts a setting to a corner.
+    fn put(&self, setting: &mut Setting, corner: usize) {
+        match self {
+            Self::Steps { place, steps } => put(setting, *place, steps.get(corner).copied().unwrap_or(0.0)),
+            Self::Corners(places) => {
+                for (number, place) in places.iter().enumerate() {
+                    put(setting, *place, if number == corner { 1.0 } else { 0.0 });
+                }
+            }
+        }
+    }
+}
+
+fn put(setting: &mut Setting, place: usize, value: f64) {
+    if let Some(slot) = setting.macros.get_mut(place) {
+        *slot = value;
+    }
+}
+
+fn distinct(macrodefs: &[Vec<Dimension>]) -> Vec<Dimension> {
+    let mut all: Vec<Dimension> = Vec::new();
+    for dimension in macrodefs.iter().flatten() {
+        if !all.contains(dimension) {
+            all.push(dimension.clone());
+        }
+    }
+    all
+}
+
+struct Plan {
+    settings: Vec<Setting>,
+    seen: BTreeSet<Vec<u64>>,
+}
+
+impl Plan {
+    /// Adds a setting of macro sliders unless it is there.
+    fn add(&mut self, setting: Setting) {
+        if self.seen.insert(setting.macros.iter().map(|value| value.to_bits()).collect()) {
+            self.settings.push(setting);
+        }
+    }
+
+    fn alone(&mut self, scene: &Scene, dimension: &Dimension) {
+        let Dimension::Steps { place, steps } = dimension else { return };
+        let middles = steps.windows(2).map(|pair| (pair[0] + pair[1]) / 2.0);
+        let sides = steps.iter().flat_map(|step| [step - BESIDE, step + BESIDE]);
+        let inside = sides.filter(|value| (0.0..=1.0).contains(value));
+        for value in steps.iter().copied().chain([0.0, 1.0]).chain(middles).chain(inside) {
+            let mut setting = scene.defaults();
+            put(&mut setting, *place, value);
+            self.add(setting);
+        }
+    }
+
+    fn corners(&mut self, scene: &Scene, dimensions: &[Dimension]) {
+        let count = corner_count(dimensions);
+        if count > MOST_CORNERS {
+            return;
+        }
+        for number in 0..count {
+            let mut setting = scene.defaults();
+            let mut rest = number;
+            for dimension in dimensions {
+                dimension.put(&mut setting, rest % dimension.corners());
+                rest /= dimension.corners();
+            }
+            self.add(setting);
+        }
+    }
+
+    fn details(&mut self, scene: &Scene) {
+        for (number, slider) in scene.sliders.iter().enumerate() {
+            let SliderKind::Detail { incr, decr, two_sided } = slider.kind else { continue };
+            let ends = [(1.0, incr.is_some()), (-1.0, two_sided && decr.is_some())];
+            for (value, _) in ends.into_iter().filter(|(_, has)| *has) {
+                let mut setting = scene.defaults();
+                scene.set(&mut setting, number, value);
+                self.settings.push(setting);
+            }
+        }
+    }
+
+    fn sample(&mut self, scene: &Scene, dimensions: &[Dimension], samples: usize) {
+        let mut random = Random(SEED);
+        for _ in 0..samples {
+            let mut setting = scene.defaults();
+            for dimension in dimensions {
+                random.macro_values(dimension, &mut setting);
+            }
+            for (number, slider) in scene.sliders.iter().enumerate() {
+                if let SliderKind::Detail { two_sided, .. } = slider.kind {
+                    let value = random.next();
+                    scene.set(&mut setting, number, if two_sided { 2.0 * value - 1.0 } else { value });
+                }
+            }
+            self.settings.push(setting);
+        }
+    }
+}
+
+/// `SplitMix64`: a few lines, the same numbers everywhere and for ever.
+struct Random(u64);
+
+impl Random {
+    /// A number in 0..1.
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut bits = self.0;
+        bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        (bits >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    fn macro_values(&mut self, dimension: &Dimension, setting: &mut Setting) {
+        match dimension {
+            Dimension::Steps { place, .. } => {
+                let value = self.next();
+                put(setting, *place, value);
+            }
+            Dimension::Corners(places) => {
+                let shares: Vec<f64> = places.iter().map(|_| self.next()).collect();
+                let sum: f64 = shares.iter().sum();
+                for (place, share) in places.iter().zip(shares) {
+                    put(setting, *place, share / sum.max(f64::MIN_POSITIVE));
+                }
+            }
+        }
+    }
+}
+
+/// What differs from the defaults, in the application's own slider names: `macrodetails/Age = 0`.
+pub fn describe(scene: &Scene, setting: &Setting) -> String {
+    let defaults = scene.defaults();
+    let mut parts: Vec<String> = Vec::new();
+    for (number, slider) in scene.sliders.iter().enumerate() {
+        let (value, default) = (scene.value(setting, number), scene.value(&defaults, number));
+        if let Some(value) = value.filter(|_| value != default) {
+            parts.push(format!("{} = {}", slider.pattern, short(value)));
+        }
+    }
+    let more = parts.len().saturating_sub(MOST_NAMED);
+    if parts.is_empty() {
+        return "all sliders at their defaults".to_owned();
+    }
+    parts.truncate(MOST_NAMED);
+    let named = parts.join(", ");
+    if more == 0 { named } else { format!("{named} and {more} more (`mhlint eval` has the whole setting)") }
+}
+
+/// More sliders than this are not spelled out: only sampled settings have so many.
+const MOST_NAMED: usize = 12;
+
+fn short(value: f64) -> String {
+    let text = format!("{value:.4}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::eval::scene::SceneSlider;
+
+    fn scene() -> Scene {
+        let slider = |pattern: &str, place| SceneSlider {
+            pattern: pattern.to_owned(),
+            kind: SliderKind::Macro(place),
+            default: 0.5,
+        };
+        Scene {
+            sliders: vec![
+                slider("Age", 0),
+                slider("Gender", 1),
+                SceneSlider {
+                    pattern: "nose".to_owned(),
+                    kind: SliderKind::Detail { incr: Some(0), decr: None, two_sided: false },
+                    default: 0.0,
+                },
+            ],
+            macro_defaults: vec![0.5, 0.5],
+            ..Scene::default()
+        }
+    }
+
+    fn dimensions() -> Vec<Dimension> {
+        vec![
+            Dimension::Steps { place: 0, steps: vec![0.0, 0.25, 1.0] },
+            Dimension::Steps { place: 1, steps: vec![0.0, 1.0] },
+        ]
+    }
+
+    #[test]
+    fn corners_middles_and_sides_are_there_once() {
+        let scene = scene();
+        let plan = plan(&scene, &[dimensions()], 3, false);
+        let has = |age: f64, gender: f64| plan.iter().filter(|s| s.macros == [age, gender]).count();
+        assert_eq!([has(0.0, 0.0), has(0.25, 1.0), has(1.0, 1.0)], [1, 1, 1]);
+        assert_eq!([has(0.625, 0.5), has(0.25 - BESIDE, 0.5), has(0.25 + BESIDE, 0.5)], [1, 1, 1]);
+        assert_eq!(plan.iter().filter(|s| s.details == [0.0, 0.0, 1.0] && s.macros == [0.5, 0.5]).count(), 1);
+    }
+
+    #[test]
+    fn the_sample_is_always_the_same() {
+        let scene = scene();
+        assert_eq!(plan(&scene, &[dimensions()], 5, false), plan(&scene, &[dimensions()], 5, false));
+    }
+
+    #[test]
+    fn a_setting_is_told_by_what_differs() {
+        let scene = scene();
+        let mut setting = scene.defaults();
+        assert_eq!(describe(&scene, &setting), "all sliders at their defaults");
+        scene.set(&mut setting, 0, 0.0);
+        scene.set(&mut setting, 2, 1.0);
+        assert_eq!(describe(&scene, &setting), "Age = 0, nose = 1");
+    }
+}

@@ -1,0 +1,169 @@
+//! Shape of single targets: symmetry, which parts of the mesh they move, joint cubes that they tear.
+
+use std::ops::Range;
+
+use super::symmetry::{MirrorDifference, MirrorMap, mirror_difference};
+use super::vector::Point;
+
+/// A row of a target.
+type Row = (u32, Point);
+
+/// Measures of one target.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct TargetMeasure {
+    /// Path below the target folder.
+    pub name: String,
+    /// Printed path of its file.
+    pub path: String,
+    /// Difference from its own mirror image.
+    pub own_mirror: MirrorDifference,
+    /// Longest displacement.
+    pub longest: f64,
+    /// Moved vertices that belong to the visible body.
+    pub body: usize,
+    /// Moved vertices that belong to joint cubes.
+    pub joints: usize,
+    /// Moved vertices that belong to neither.
+    pub helpers: usize,
+    /// Joint cubes that are torn, by number, with the largest difference inside a cube.
+    pub torn: Vec<(usize, f64)>,
+    /// Joint cubes that are moved as a whole.
+    pub rigid: usize,
+}
+
+/// Parts of a mesh that targets are measured against.
+#[derive(Debug)]
+pub struct Parts<'s> {
+    /// Whether a vertex belongs to a visible face.
+    pub body: Vec<bool>,
+    /// Vertices of each joint cube, sorted.
+    pub cubes: Vec<Vec<u32>>,
+    /// Cube of each vertex.
+    pub cube_of: Vec<Option<u32>>,
+    /// Mirror partners.
+    pub mirror: &'s MirrorMap,
+}
+
+/// Displacements of one cube may differ by rounding to three decimals.
+pub const RIGID_TOLERANCE: f64 = 2e-3;
+
+impl Parts<'_> {
+    /// Measures one target. `tolerance` (mesh units) is how far displacements may be from mirrored.
+    pub fn measure(&self, rows: &[Row], tolerance: f64) -> TargetMeasure {
+        let mut measure = TargetMeasure {
+            own_mirror: mirror_difference(self.mirror, rows.iter().copied(), rows.iter().copied(), tolerance),
+            ..TargetMeasure::default()
+        };
+        let mut touched: Vec<(u32, u32, Point)> = Vec::new();
+        for (vertex, delta) in rows.iter().filter(|(_, delta)| delta.iter().any(|part| *part != 0.0)) {
+            measure.longest = measure.longest.max(length(*delta));
+            let at = *vertex as usize;
+            if self.body.get(at).is_some_and(|body| *body) {
+                measure.body += 1;
+            } else if let Some(cube) = self.cube_of.get(at).copied().flatten() {
+                measure.joints += 1;
+                touched.push((cube, *vertex, *delta));
+            } else {
+                measure.helpers += 1;
+            }
+        }
+        touched.sort_unstable_by_key(|(cube, vertex, _)| (*cube, *vertex));
+        for group in touched.chunk_by(|a, b| a.0 == b.0) {
+            match self.tear(group) {
+                Some(torn) => measure.torn.push(torn),
+                None => measure.rigid += 1,
+            }
+        }
+        measure
+    }
+
+    /// The cube and its largest inner difference, unless all its vertices move alike.
+    fn tear(&self, group: &[(u32, u32, Point)]) -> Option<(usize, f64)> {
+        let (cube, _, first) = *group.first()?;
+        let whole = self.cubes.get(cube as usize).map_or(0, Vec::len);
+        let apart = group.iter().map(|(_, _, delta)| length(sub(*delta, first)));
+        let mut difference = apart.fold(0.0, f64::max);
+        if group.len() < whole {
+            difference = group.iter().map(|(_, _, delta)| length(*delta)).fold(difference, f64::max);
+        }
+        (difference > RIGID_TOLERANCE).then_some((cube as usize, difference))
+    }
+}
+
+/// Vertices of joint cubes from the groups of a mesh: name of a cube and its vertices.
+pub fn cubes_of<'f>(faces: impl IntoIterator<Item = (&'f str, &'f [u32])>) -> Vec<(String, Vec<u32>)> {
+    let mut cubes: std::collections::BTreeMap<&str, Vec<u32>> = std::collections::BTreeMap::new();
+    for (group, face) in faces {
+        if group.starts_with("joint-") {
+            cubes.entry(group).or_default().extend_from_slice(face);
+        }
+    }
+    let sorted = |(name, mut vertices): (&str, Vec<u32>)| {
+        vertices.sort_unstable();
+        vertices.dedup();
+        (name.to_owned(), vertices)
+    };
+    cubes.into_iter().map(sorted).collect()
+}
+
+/// Consecutive runs in a sorted list, for messages.
+pub fn runs(sorted: &[u32]) -> Vec<Range<u32>> {
+    let mut runs: Vec<Range<u32>> = Vec::new();
+    for vertex in sorted {
+        match runs.last_mut() {
+            Some(run) if run.end == *vertex => run.end += 1,
+            _ => runs.push(*vertex..vertex + 1),
+        }
+    }
+    runs
+}
+
+fn length(delta: Point) -> f64 {
+    let [x, y, z] = delta.map(f64::from);
+    (x * x + y * y + z * z).sqrt()
+}
+
+fn sub(a: Point, b: Point) -> Point {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const POSITIONS: [Point; 4] = [[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [2.0, 5.0, 0.0], [2.0, 6.0, 0.0]];
+
+    fn measure(rows: &[Row]) -> TargetMeasure {
+        let mirror = MirrorMap::new(&POSITIONS, std::iter::empty::<&[u32]>(), 0.01);
+        let parts = Parts {
+            body: vec![true, true, false, false],
+            cubes: vec![vec![2, 3]],
+            cube_of: vec![None, None, Some(0), Some(0)],
+            mirror: &mirror,
+        };
+        parts.measure(rows, 0.001)
+    }
+
+    #[test]
+    fn a_cube_moved_in_part_is_torn() {
+        let found = measure(&[(0, [0.0, 1.0, 0.0]), (2, [0.0, 0.5, 0.0])]);
+        assert_eq!((found.body, found.joints, found.torn.as_slice()), (1, 1, [(0, 0.5)].as_slice()));
+    }
+
+    #[test]
+    fn a_cube_moved_as_a_whole_is_rigid() {
+        let found = measure(&[(2, [0.0, 0.5, 0.0]), (3, [0.0, 0.501, 0.0])]);
+        assert_eq!((found.rigid, found.torn.len()), (1, 0));
+    }
+
+    #[test]
+    fn one_sided_displacement_differs_from_its_mirror_image() {
+        assert_eq!(measure(&[(0, [0.0, 1.0, 0.0])]).own_mirror.different, 2);
+        assert_eq!(measure(&[(0, [0.5, 1.0, 0.0]), (1, [-0.5, 1.0, 0.0])]).own_mirror.different, 0);
+    }
+
+    #[test]
+    fn runs_join_neighbours() {
+        assert_eq!(runs(&[1, 2, 3, 7]), [1..4, 7..8]);
+    }
+}

@@ -1,0 +1,22 @@
+//! Hash over the rows of a target, whatever they were read from: text or archive.
+
+use xxhash_rust::xxh3::Xxh3;
+
+/// Hash over rows in their order: equal displacement, equal hash. Zeros of either sign are equal.
+#[derive(Default)]
+pub(super) struct ContentHash(Xxh3);
+
+impl ContentHash {
+    pub(super) fn add(&mut self, index: u32, delta: [f32; 3]) {
+        let [x, y, z] = delta.map(|part| (part + 0.0).to_le_bytes());
+        let mut row = [0; 16];
+        for (to, from) in row.chunks_exact_mut(4).zip([index.to_le_bytes(), x, y, z]) {
+            to.copy_from_slice(&from);
+        }
+        self.0.update(&row);
+    }
+
+    pub(super) fn finish(&self) -> u64 {
+        self.0.digest()
+    }
+}

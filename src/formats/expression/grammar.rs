@@ -1,0 +1,371 @@
+//! The allow list as a grammar: recursive descent over tokens, with just enough types to see bombs coming.
+//!
+//! No tree is kept. Every rule of the grammar gives what the next one has to know of an operand: number or
+//! text, a literal, whether a power is in it. Depth is bounded; long chains are loops.
+
+use std::ops::Range;
+
+use super::token::{Lexeme, Lexer, Token};
+use super::{Fault, FaultKind};
+
+/// Deepest nesting of parentheses, signs and powers; Python's own parser stops at about this.
+const DEEPEST: u32 = 100;
+/// Largest exponent written as a number: a screen of digits at most.
+const LARGEST_EXPONENT: f64 = 16.0;
+/// Most digits `round` is asked for; a double has seventeen.
+const MOST_DIGITS: f64 = 20.0;
+/// Keywords that cannot begin an operand.
+const KEYWORDS: [&str; 30] = [
+    "if", "else", "elif", "and", "or", "not", "in", "is", "for", "while", "import", "from", "def", "class", "return",
+    "del", "pass", "break", "continue", "global", "nonlocal", "assert", "raise", "try", "except", "finally", "with",
+    "as", "async", "yield",
+];
+
+/// What is known of a part of the expression.
+#[derive(Debug, Clone, Copy, Default)]
+#[expect(clippy::struct_excessive_bools, reason = "independent facts of one operand")]
+struct Operand {
+    /// Can be a number.
+    number: bool,
+    /// Can be a text.
+    text: bool,
+    /// Value of a literal number, and whether it is an integer.
+    literal: Option<(f64, bool)>,
+    /// Is the variable itself.
+    variable: bool,
+    /// A power is somewhere in it.
+    power: bool,
+}
+
+impl Operand {
+    const NUMBER: Self = Self { number: true, text: false, literal: None, variable: false, power: false };
+    const TEXT: Self = Self { number: false, text: true, literal: None, variable: false, power: false };
+
+    fn either(self, other: Self) -> Self {
+        Self {
+            number: self.number || other.number,
+            text: self.text || other.text,
+            literal: None,
+            variable: false,
+            power: self.power || other.power,
+        }
+    }
+
+    fn clashes_with(self, other: Self) -> bool {
+        (self.is_text() && other.is_number()) || (self.is_number() && other.is_text())
+    }
+
+    fn is_text(self) -> bool {
+        self.text && !self.number
+    }
+
+    fn is_number(self) -> bool {
+        self.number && !self.text
+    }
+}
+
+type Parsed = Result<Operand, Fault>;
+
+pub(super) fn check(text: &str, variable: &str) -> Result<(), Fault> {
+    let mut lexer = Lexer::new(text);
+    let next = lexer.next()?;
+    let mut parser = Parser { lexer, next, variable, depth: 0 };
+    parser.expression()?;
+    if parser.next.token == Token::End { Ok(()) } else { Err(parser.unexpected()) }
+}
+
+struct Parser<'a> {
+    lexer: Lexer<'a>,
+    next: Lexeme,
+    variable: &'a str,
+    depth: u32,
+}
+
+impl<'a> Parser<'a> {
+    fn advance(&mut self) -> Result<Range<usize>, Fault> {
+        let next = self.lexer.next()?;
+        Ok(std::mem::replace(&mut self.next, next).span)
+    }
+
+    fn word(&self) -> &'a str {
+        if self.next.token == Token::Name { self.lexer.slice(&self.next.span) } else { "" }
+    }
+
+    fn operator(&self) -> &'static str {
+        if let Token::Operator(operator) = self.next.token { operator } else { "" }
+    }
+
+    fn foreign(span: Range<usize>, what: impl Into<String>) -> Fault {
+        Fault::new(FaultKind::Foreign, span, what)
+    }
+
+    fn raises(span: Range<usize>, what: impl Into<String>) -> Fault {
+        Fault::new(FaultKind::Raises, span, what)
+    }
+
+    fn endless(span: Range<usize>, what: impl Into<String>) -> Fault {
+        Fault::new(FaultKind::Endless, span, what)
+    }
+
+    /// Says what is wrong with a token that the grammar has no place for.
+    fn unexpected(&self) -> Fault {
+        let span = self.next.span.clone();
+        let shown = self.lexer.slice(&span);
+        match self.next.token {
+            Token::End => Fault::new(FaultKind::Syntax, span, "ends too early"),
+            Token::Operator("[" | "{" | "&" | "|" | "^" | "~" | "<<" | ">>" | "@" | ":=" | "." | "..." | ",") => {
+                Self::foreign(span, format!("uses `{shown}`"))
+            }
+            Token::Name if matches!(shown, "in" | "is" | "for" | "async") => {
+                Self::foreign(span, format!("uses `{shown}`"))
+            }
+            _ => Fault::new(FaultKind::Syntax, span, format!("has an unexpected `{shown}`")),
+        }
+    }
+
+    fn deeper(&mut self) -> Result<(), Fault> {
+        self.depth += 1;
+        if self.depth > DEEPEST {
+            let what = format!("is nested deeper than {DEEPEST} levels");
+            return Err(Fault::new(FaultKind::Syntax, self.next.span.clone(), what));
+        }
+        Ok(())
+    }
+
+    /// `a if condition else b if condition else c`.
+    fn expression(&mut self) -> Parsed {
+        self.deeper()?;
+        let mut result = self.either("or", |parser| parser.either("and", Self::inversion))?;
+        while self.word() == "if" {
+            self.advance()?;
+            self.either("or", |parser| parser.either("and", Self::inversion))?;
+            if self.word() != "else" {
+                return Err(self.unexpected());
+            }
+            self.advance()?;
+            result = result.either(self.either("or", |parser| parser.either("and", Self::inversion))?);
+        }
+        self.depth -= 1;
+        Ok(result)
+    }
+
+    fn either(&mut self, word: &str, part: fn(&mut Self) -> Parsed) -> Parsed {
+        let mut result = part(self)?;
+        while self.word() == word {
+            self.advance()?;
+            result = result.either(part(self)?);
+        }
+        Ok(result)
+    }
+
+    fn inversion(&mut self) -> Parsed {
+        let mut inverted = false;
+        while self.word() == "not" {
+            self.advance()?;
+            inverted = true;
+        }
+        let operand = self.comparison()?;
+        Ok(if inverted { Operand { power: operand.power, ..Operand::NUMBER } } else { operand })
+    }
+
+    fn comparison(&mut self) -> Parsed {
+        let mut left = self.sum()?;
+        let mut compared = false;
+        let mut power = left.power;
+        while let operator @ ("==" | "!=" | "<" | "<=" | ">" | ">=") = self.operator() {
+            let span = self.advance()?;
+            let right = self.sum()?;
+            if !matches!(operator, "==" | "!=") && left.clashes_with(right) {
+                return Err(Self::raises(span, "compares a text with a number"));
+            }
+            power |= right.power;
+            (left, compared) = (right, true);
+        }
+        Ok(if compared { Operand { power, ..Operand::NUMBER } } else { left })
+    }
+
+    fn sum(&mut self) -> Parsed {
+        let mut left = self.term()?;
+        while let operator @ ("+" | "-") = self.operator() {
+            let span = self.advance()?;
+            let right = self.term()?;
+            if operator == "+" && left.clashes_with(right) {
+                return Err(Self::raises(span, "adds a text and a number"));
+            }
+            if operator == "-" && (left.is_text() || right.is_text()) {
+                return Err(Self::raises(span, "subtracts with a text"));
+            }
+            left = left.either(right);
+        }
+        Ok(left)
+    }
+
+    fn term(&mut self) -> Parsed {
+        let mut left = self.factor()?;
+        while let operator @ ("*" | "/" | "//" | "%") = self.operator() {
+            let span = self.advance()?;
+            let right = self.factor()?;
+            match operator {
+                "*" if left.text || right.text => return Err(Self::endless(span, "repeats a text")),
+                "%" if left.text => return Err(Self::endless(span, "formats a text with `%`")),
+                _ if left.is_text() || right.is_text() => return Err(Self::raises(span, "divides with a text")),
+                "/" | "//" | "%" if right.literal.is_some_and(|(value, _)| value == 0.0) => {
+                    return Err(Self::raises(span, "divides by zero"));
+                }
+                _ => {}
+            }
+            left = left.either(right);
+        }
+        Ok(left)
+    }
+
+    fn factor(&mut self) -> Parsed {
+        let mut sign = None;
+        while let operator @ ("+" | "-") = self.operator() {
+            let span = self.advance()?;
+            let negative = sign.as_ref().is_some_and(|(_, negative)| *negative) != (operator == "-");
+            sign = Some((span, negative));
+        }
+        let operand = self.power()?;
+        let Some((span, negative)) = sign else { return Ok(operand) };
+        if operand.is_text() {
+            return Err(Self::raises(span, "puts a sign before a text"));
+        }
+        let literal = operand.literal.map(|(value, integer)| (if negative { -value } else { value }, integer));
+        Ok(Operand { literal, ..operand })
+    }
+
+    fn power(&mut self) -> Parsed {
+        let base = self.operand()?;
+        if self.operator() != "**" {
+            return Ok(base);
+        }
+        let span = self.advance()?;
+        self.deeper()?;
+        let exponent = self.factor()?;
+        self.depth -= 1;
+        if base.is_text() || exponent.is_text() {
+            return Err(Self::raises(span, "raises a text to a power"));
+        }
+        let bounded = exponent.variable || exponent.literal.is_some_and(|(value, _)| value.abs() <= LARGEST_EXPONENT);
+        if !bounded || base.power || exponent.power {
+            return Err(Self::endless(span, "raises to a power without bound"));
+        }
+        Ok(Operand { power: true, ..Operand::NUMBER })
+    }
+
+    fn operand(&mut self) -> Parsed {
+        let operand = match self.next.token {
+            Token::Number(value, integer) => {
+                self.advance()?;
+                Operand { literal: Some((value, integer)), ..Operand::NUMBER }
+            }
+            Token::Text => {
+                while self.next.token == Token::Text {
+                    self.advance()?;
+                }
+                Operand::TEXT
+            }
+            Token::Name => self.name()?,
+            Token::Operator("(") => self.parenthesis()?,
+            _ => return Err(self.unexpected()),
+        };
+        match self.operator() {
+            "." => Err(self.attribute()),
+            "[" => Err(Self::foreign(self.next.span.clone(), "takes an element with `[`")),
+            "(" => Err(Self::foreign(self.next.span.clone(), "calls a value")),
+            _ => Ok(operand),
+        }
+    }
+
+    fn attribute(&mut self) -> Fault {
+        let dot = self.next.span.clone();
+        match self.advance() {
+            Ok(_) if self.next.token == Token::Name => {
+                Self::foreign(dot.start..self.next.span.end, format!("reads the attribute `{}`", self.word()))
+            }
+            _ => Self::foreign(dot, "reads an attribute"),
+        }
+    }
+
+    fn parenthesis(&mut self) -> Parsed {
+        self.advance()?;
+        let operand = self.expression()?;
+        if self.operator() != ")" {
+            return Err(self.unexpected());
+        }
+        self.advance()?;
+        Ok(operand)
+    }
+
+    fn name(&mut self) -> Parsed {
+        let word = self.word();
+        if KEYWORDS.contains(&word) {
+            return Err(Fault::new(FaultKind::Syntax, self.next.span.clone(), format!("has an unexpected `{word}`")));
+        }
+        let span = self.advance()?;
+        match word {
+            "True" | "False" => Ok(Operand::NUMBER),
+            _ if word == self.variable => Ok(Operand { variable: true, ..Operand::NUMBER }),
+            "round" | "str" if self.operator() == "(" => self.call(word, &span),
+            "lambda" => Err(Self::foreign(span, "defines a function with `lambda`")),
+            _ if self.operator() == "(" => Err(Self::foreign(span, format!("calls `{word}`"))),
+            _ => Err(Self::foreign(span, format!("reads the name `{word}`"))),
+        }
+    }
+
+    fn call(&mut self, function: &str, name: &Range<usize>) -> Parsed {
+        self.advance()?;
+        let mut arguments: Vec<Operand> = Vec::new();
+        while self.operator() != ")" {
+            arguments.push(self.argument()?);
+            match self.operator() {
+                "," => self.advance()?,
+                ")" => break,
+                _ => return Err(self.unexpected()),
+            };
+        }
+        let call = name.start..self.next.span.end;
+        self.advance()?;
+        match (function, arguments.as_slice()) {
+            ("str", [value]) => Ok(Operand { power: value.power, ..Operand::TEXT }),
+            ("round", [value]) => Self::rounded(*value, call),
+            ("round", [value, digits]) => {
+                Self::digits(*digits, call.clone())?;
+                Self::rounded(*value, call)
+            }
+            _ => Err(Self::raises(call, format!("calls `{function}` with {} values", arguments.len()))),
+        }
+    }
+
+    fn argument(&mut self) -> Parsed {
+        let span = self.next.span.clone();
+        if matches!(self.operator(), "*" | "**") {
+            return Err(Self::foreign(span, format!("unpacks with `{}`", self.operator())));
+        }
+        let is_keyword = self.next.token == Token::Name
+            && self.lexer.clone().next().is_ok_and(|lexeme| lexeme.token == Token::Operator("="));
+        if is_keyword {
+            return Err(Self::foreign(span, format!("passes `{}` by name", self.word())));
+        }
+        self.expression()
+    }
+
+    fn rounded(value: Operand, call: Range<usize>) -> Parsed {
+        if value.is_text() {
+            return Err(Self::raises(call, "rounds a text"));
+        }
+        Ok(Operand { power: value.power, ..Operand::NUMBER })
+    }
+
+    fn digits(digits: Operand, call: Range<usize>) -> Result<(), Fault> {
+        match digits.literal {
+            Some((value, true)) if value.abs() <= MOST_DIGITS => Ok(()),
+            Some((_, false)) => Err(Self::raises(call, "rounds to digits that are no integer")),
+            None if digits.variable || digits.is_text() => {
+                Err(Self::raises(call, "rounds to digits that are no integer"))
+            }
+            _ => Err(Self::endless(call, "rounds to digits without bound")),
+        }
+    }
+}

@@ -1,0 +1,214 @@
+//! Python expressions in assets: which of them may be evaluated without harm (formats/makehuman2.md §4.5).
+//!
+//! MakeHuman 2 hands `display.formula` and `random.rules` to Python's `eval`. Here nothing is evaluated: a
+//! tokenizer and a recursive descent parser accept numbers, the one variable, arithmetic, comparison chains,
+//! `and`/`or`/`not`, `True`/`False`, conditional expressions, `round`, `str`, texts and their concatenation,
+//! and name the first thing beyond that list. The boolean words are on the list because they can neither
+//! call anything nor grow anything.
+
+mod grammar;
+mod token;
+
+use std::ops::Range;
+
+use serde::Serialize;
+
+/// Why a text must not, or cannot, be evaluated.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Fault {
+    /// The offending bytes.
+    pub span: Range<usize>,
+    /// What kind of fault.
+    pub kind: FaultKind,
+    /// What is there: continues the sentence "the formula …".
+    pub what: String,
+}
+
+/// What evaluation would lead to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub enum FaultKind {
+    /// Python would evaluate more than the allow list: names, attributes, calls, comprehensions.
+    Foreign,
+    /// Python may never come to an end, or run out of memory.
+    Endless,
+    /// Python refuses the text each time.
+    Syntax,
+    /// Python raises an exception each time.
+    Raises,
+}
+
+impl Fault {
+    fn new(kind: FaultKind, span: Range<usize>, what: impl Into<String>) -> Self {
+        Self { span, kind, what: what.into() }
+    }
+}
+
+/// Checks an expression in which only `variable` is a known name.
+///
+/// # Errors
+/// The first thing that is not on the allow list.
+pub fn check(text: &str, variable: &str) -> Result<(), Fault> {
+    grammar::check(text, variable)
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn kind(text: &str) -> Option<FaultKind> {
+        check(text, "val").err().map(|fault| fault.kind)
+    }
+
+    #[test]
+    fn what_assets_ship_is_accepted() {
+        for text in [
+            "'neutral' if 0.49 < val < 0.51 else 'male' if val > 0.99 else 'female' if val < 0.01 else \
+             str(round (100.0 - val*100.0)) + '% female, ' + str(round(val*100.0)) + '% male'",
+            "round(1 + val / (0.5 /24)) if val < .5 else round(25 + (val-0.5) / (0.5 /65))",
+            "round(val*100, 2)",
+            "  - val ** 2 // 1_000 % 0x1f\n",
+            "r'\\d' 'b' \"\"\"c\n\"\"\" + u'\\x41'",
+            "not val < 1 and True or 2 ** val > 1",
+            "(val # comment\n + 1)",
+            "1if val else 2.",
+        ] {
+            assert_eq!(check(text, "val"), Ok(()), "{text}");
+        }
+    }
+
+    #[test]
+    fn code_is_foreign() {
+        for text in [
+            "__import__('os').system('true')",
+            "val.__class__",
+            "'a'.join('b')",
+            "val[0]",
+            "[1]",
+            "{1: 2}",
+            "lambda: 1",
+            "round.__self__",
+            "str",
+            "round(val, ndigits=1)",
+            "round(*'a')",
+            "(val for val in 'a')",
+            "f'{val}'",
+            "b'a'",
+            "(val := 1)",
+            "val, 1",
+            "val in 'a'",
+            "val & 1",
+            "\u{ff56}al",
+            "x",
+            "1j",
+        ] {
+            assert_eq!(kind(text), Some(FaultKind::Foreign), "{text}");
+        }
+    }
+
+    #[test]
+    fn what_python_refuses_is_syntax() {
+        for text in [
+            "",
+            "val +",
+            "(val",
+            "val)",
+            "val val",
+            "'a",
+            "'a\nb'",
+            "val = 1",
+            "1 if val",
+            "007",
+            "1__0",
+            "import os",
+            "val\n+1",
+            "'\\x4'",
+            "1 + not 2",
+            "val $",
+            "3val",
+            "val; 1",
+            "\0",
+        ] {
+            assert_eq!(kind(text), Some(FaultKind::Syntax), "{text:?}");
+        }
+    }
+
+    #[test]
+    fn bombs_are_endless() {
+        for text in
+            ["9**9**9", "(9**9)**9", "9 ** round(val * 1e9)", "'a' * 99999", "'%99999d' % 1", "round(5, -99999999)"]
+        {
+            assert_eq!(kind(text), Some(FaultKind::Endless), "{text}");
+        }
+    }
+
+    #[test]
+    fn what_always_raises_is_told_apart() {
+        for text in ["'a' + 1", "val - 'a'", "val < 'a'", "round('a')", "val / 0", "round(val, 1.5)", "str()"] {
+            assert_eq!(kind(text), Some(FaultKind::Raises), "{text}");
+        }
+    }
+
+    #[test]
+    fn the_offending_bytes_are_named() {
+        let fault = check("val + os.x", "val").unwrap_err();
+        assert_eq!((fault.span, fault.what.as_str()), (6..8, "reads the name `os`"));
+    }
+
+    #[test]
+    fn depth_is_bounded() {
+        for text in ["(".repeat(100_000), "-".repeat(100_000), "not ".repeat(100_000), "1**".repeat(100_000)] {
+            assert!(check(&text, "val").is_err());
+        }
+        assert_eq!(check(&format!("1{}", "+1".repeat(100_000)), "val"), Ok(()));
+    }
+
+    /// Words of an accepted text outside its quotes: only these may be there.
+    fn words(text: &str) -> Vec<String> {
+        let mut words = Vec::new();
+        let mut word = String::new();
+        for character in text.chars().chain([' ']) {
+            if character.is_alphanumeric() || character == '_' {
+                word.push(character);
+            } else if !word.is_empty() {
+                words.push(std::mem::take(&mut word));
+            }
+        }
+        words
+    }
+
+    proptest! {
+        #[test]
+        fn no_text_panics(text in "\\PC{0,60}") {
+            let _ = check(&text, "val");
+        }
+
+        #[test]
+        fn no_python_like_text_panics(
+            parts in prop::collection::vec(prop::sample::select(vec![
+                "val", "round", "str", "(", ")", "'a'", "'", "\"", "\\", "1", ".5", "**", "*", "+", "-", "/", "%", "<", "==",
+                "if", "else", "not", "and", "[", "]", ".", ",", "lambda", ":", "os", "=", "\n", " ", "#", "f'", "0x", "e5", "é",
+            ]), 0..24)
+        ) {
+            let _ = check(&parts.concat(), "val");
+        }
+
+        #[test]
+        fn only_listed_words_are_accepted(
+            parts in prop::collection::vec(prop::sample::select(vec![
+                "val", "round", "str", "(", ")", "1", ".5", "*", "+", "-", "/", "<", "if", "else", "not", "and", "or", "os",
+                "open", "__x__", ".", "[", "]", ",", "eval", "True", "for", "in", "lambda",
+            ]), 0..12)
+        ) {
+            let text = parts.join(" ");
+            if check(&text, "val").is_ok() {
+                let listed = ["val", "round", "str", "if", "else", "not", "and", "or", "True", "1", "5"];
+                for word in words(&text) {
+                    prop_assert!(listed.contains(&word.as_str()), "{} in {}", word, text);
+                }
+                prop_assert!(!text.contains(['[', ']']) && !text.contains(" . "), "{}", text);
+            }
+        }
+    }
+}

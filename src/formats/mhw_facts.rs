@@ -1,0 +1,244 @@
+//! Facts on weights: faults of single pairs, and the sum of every vertex as the loader forms it
+//! (formats/makehuman2.md §11).
+//!
+//! Gets the pairs of all bones and the vertex count of the mesh; one walk, then one over the vertices.
+
+use serde::Serialize;
+
+use super::json_file::JsonFacts;
+use super::mhw::{BoneWeights, Pair};
+use crate::diag::{EXAMPLES, Evidence};
+
+/// Entries whose normalised weight is not above this are dropped by the loaders.
+pub const THRESHOLD: f32 = 1e-4;
+/// A sum this near to 1 is 1: weights are written with three or four decimals and added as float32.
+const SUM_TOLERANCE: f32 = 1e-4;
+/// Distances from 1 that the distribution of sums is counted at.
+pub const FAR_SUMS: [f32; 2] = [0.01, 0.1];
+
+/// Facts on a weights file.
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+pub struct WeightsFacts {
+    /// Well-formed pairs.
+    pub pairs: usize,
+    /// Pairs that are not `[integer, number]`.
+    pub malformed: PairTally,
+    /// Weights below 0.
+    pub negative: PairTally,
+    /// Weights above 1.
+    pub above_one: PairTally,
+    /// NaN and infinity.
+    pub non_finite: PairTally,
+    /// Pairs that normalising leaves at or below [`THRESHOLD`], zero weights included.
+    pub below_threshold: PairTally,
+    /// A vertex that the bone listed before.
+    pub duplicate: PairTally,
+    /// Vertices that the mesh does not have, negative ones included.
+    pub out_of_range: PairTally,
+    /// How many of them are negative.
+    pub negative_index: u64,
+    /// Sum over all bones per vertex of the mesh, float32 as in the loader. Empty without a mesh.
+    #[serde(skip)]
+    pub sums: Vec<f32>,
+    /// What the sums look like. Empty without a mesh.
+    pub sum: SumFacts,
+    /// Duplicate keys and other facts on the text.
+    pub json: JsonFacts,
+}
+
+/// Facts on the sums of the vertices.
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+pub struct SumFacts {
+    /// Vertices whose sum is exactly 0: not mentioned, or with zeros only.
+    pub unweighted: Vec<u32>,
+    /// Vertices whose sum is not 1, without those that are unweighted or have a faulty entry.
+    pub off: u64,
+    /// How many of them are off by more than the [`FAR_SUMS`].
+    pub far_off: [u64; 2],
+    /// Smallest and largest of their sums.
+    pub range: (f32, f32),
+    /// The vertex farthest from 1, and its sum.
+    pub worst: Option<(u32, f32)>,
+    /// The first few.
+    pub first: Vec<u32>,
+}
+
+/// Counts pairs: how many, the first few as bone and position.
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+pub struct PairTally {
+    /// How many.
+    pub count: u64,
+    /// The first few: bone, position in its list, vertex, weight.
+    pub first: Vec<(String, u32, i64, f32)>,
+    /// The largest number by amount.
+    pub worst: Option<(String, i64, f32)>,
+}
+
+impl PairTally {
+    fn add(&mut self, bone: &str, pair: Pair) {
+        self.count += 1;
+        if self.first.len() < EXAMPLES {
+            self.first.push((bone.to_owned(), pair.position, pair.vertex, pair.weight));
+        }
+        let farther = |worst: &(String, i64, f32)| pair.weight.abs() > worst.2.abs();
+        if self.worst.as_ref().is_none_or(farther) {
+            self.worst = Some((bone.to_owned(), pair.vertex, pair.weight));
+        }
+    }
+
+    /// As evidence: vertices with their bones as examples.
+    pub fn evidence(&self, total: usize) -> Evidence {
+        let examples = self.first.iter();
+        Evidence {
+            count: self.count,
+            of: Some(total as u64),
+            examples: examples.map(|(bone, _, vertex, _)| format!("{bone}[{vertex}]")).collect(),
+            worst: None,
+        }
+    }
+}
+
+impl WeightsFacts {
+    /// Counts everything. `vertices` is the vertex count of the mesh, if it is known.
+    pub(super) fn count(&mut self, bones: &[BoneWeights], vertices: Option<usize>) {
+        self.sums = vec![0.0; vertices.unwrap_or(0)];
+        let mut faulty = vec![false; vertices.unwrap_or(0)];
+        for bone in bones {
+            self.count_malformed(bone);
+            self.pairs += bone.pairs.len();
+            for pair in &bone.pairs {
+                self.count_pair(&bone.name, *pair, vertices.is_some(), &mut faulty);
+            }
+            self.count_duplicates(bone, &mut faulty);
+        }
+        for bone in bones {
+            self.count_below_threshold(bone);
+        }
+        self.sum = SumFacts::of(&self.sums, &faulty);
+    }
+
+    fn count_malformed(&mut self, bone: &BoneWeights) {
+        for position in &bone.malformed {
+            self.malformed.add(&bone.name, Pair { position: *position, vertex: -1, weight: 0.0 });
+        }
+        let kept = bone.pairs.len() + bone.malformed.len();
+        self.malformed.count += bone.listed.saturating_sub(kept) as u64;
+    }
+
+    fn count_pair(&mut self, bone: &str, pair: Pair, has_mesh: bool, faulty: &mut [bool]) {
+        let tally = match pair.weight {
+            weight if !weight.is_finite() => Some(&mut self.non_finite),
+            weight if weight < 0.0 => Some(&mut self.negative),
+            weight if weight > 1.0 => Some(&mut self.above_one),
+            _ => None,
+        };
+        if let Some(tally) = tally {
+            tally.add(bone, pair);
+            mark(faulty, pair);
+        }
+        let slot = usize::try_from(pair.vertex).ok().and_then(|vertex| self.sums.get_mut(vertex));
+        match slot {
+            Some(sum) => *sum += pair.weight,
+            None if has_mesh || pair.vertex < 0 => {
+                self.out_of_range.add(bone, pair);
+                self.negative_index += u64::from(pair.vertex < 0);
+            }
+            None => {}
+        }
+    }
+
+    /// Shipped lists are sorted, which needs no table.
+    fn count_duplicates(&mut self, bone: &BoneWeights, faulty: &mut [bool]) {
+        if bone.pairs.is_sorted_by(|a, b| a.vertex < b.vertex) {
+            return;
+        }
+        let mut seen = std::collections::BTreeSet::new();
+        for pair in &bone.pairs {
+            if !seen.insert(pair.vertex) {
+                self.duplicate.add(&bone.name, *pair);
+                mark(faulty, *pair);
+            }
+        }
+    }
+
+    fn count_below_threshold(&mut self, bone: &BoneWeights) {
+        for pair in &bone.pairs {
+            let sum = usize::try_from(pair.vertex).ok().and_then(|vertex| self.sums.get(vertex).copied());
+            if let Some(sum) = sum
+                && sum > 0.0
+                && pair.weight >= 0.0
+                && pair.weight / sum <= THRESHOLD
+            {
+                self.below_threshold.add(&bone.name, *pair);
+            }
+        }
+    }
+}
+
+fn mark(faulty: &mut [bool], pair: Pair) {
+    if let Some(faulty) = usize::try_from(pair.vertex).ok().and_then(|vertex| faulty.get_mut(vertex)) {
+        *faulty = true;
+    }
+}
+
+impl SumFacts {
+    fn of(sums: &[f32], faulty: &[bool]) -> Self {
+        let mut facts = Self { range: (f32::INFINITY, f32::NEG_INFINITY), ..Self::default() };
+        for (vertex, (sum, faulty)) in (0u32..).zip(sums.iter().zip(faulty)) {
+            if *faulty {
+                continue;
+            }
+            if *sum == 0.0 {
+                facts.unweighted.push(vertex);
+            } else if (sum - 1.0).abs() > SUM_TOLERANCE {
+                facts.add(vertex, *sum);
+            }
+        }
+        facts
+    }
+
+    fn add(&mut self, vertex: u32, sum: f32) {
+        let deviation = (sum - 1.0).abs();
+        self.off += 1;
+        for (count, far) in self.far_off.iter_mut().zip(FAR_SUMS) {
+            *count += u64::from(deviation > far);
+        }
+        self.range = (self.range.0.min(sum), self.range.1.max(sum));
+        if self.worst.is_none_or(|(_, worst)| deviation > (worst - 1.0).abs()) {
+            self.worst = Some((vertex, sum));
+        }
+        if self.first.len() < EXAMPLES {
+            self.first.push(vertex);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::mhw::{Weights, parse};
+    use crate::source::Encoding;
+
+    fn weights(text: &str, vertices: usize) -> Weights {
+        parse(text.as_bytes(), &Encoding::of(text.as_bytes()), Some(vertices)).unwrap()
+    }
+
+    #[test]
+    fn pairs_are_sorted_into_their_faults() {
+        let text = r#"{"name": "x", "weights": {"a": [[0, 0.5], [0, 0.5], [1, -0.25], [2, 1.5], [4, 1], [-1, 1]],
+            "b": [[1, 1], [3, NaN], [2, 0.0001], 7, [1], ["1", 1], [1.0, 1]], "c": []}}"#;
+        let f = weights(text, 4).facts;
+        let counts = [&f.duplicate, &f.negative, &f.above_one, &f.out_of_range, &f.non_finite, &f.malformed];
+        assert_eq!(counts.map(|tally| tally.count), [1, 1, 1, 2, 1, 4]);
+        assert_eq!(f.below_threshold.first, [("b".to_owned(), 2, 2, 0.0001)]);
+        assert_eq!((f.sums[0], f.sums[1]), (1.0, 0.75));
+        assert_eq!((f.sum.off, f.negative_index), (0, 1));
+    }
+
+    #[test]
+    fn sums_have_a_distribution() {
+        let text = r#"{"weights": {"a": [[0, 1], [1, 0.75], [2, 0.995], [3, 0.99995], [5, 0]], "b": [[1, 0.5]]}}"#;
+        let sum = weights(text, 6).facts.sum;
+        assert_eq!((sum.off, sum.far_off, sum.worst), (2, [1, 1], Some((1, 1.25))));
+        assert_eq!((sum.unweighted, sum.first, sum.range), (vec![4, 5], vec![1, 2], (0.995, 1.25)));
+    }
+}

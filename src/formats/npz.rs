@@ -1,0 +1,211 @@
+//! `compressedtargets.npz`: the archive that MakeHuman 2 makes of all targets of a folder.
+//!
+//! A zip of `.npy`, the key of a member being the path of its target without suffix. The application
+//! loads every member at start and asks the archive before the text file (formats/makehuman2.md §1.3,
+//! §6.2). Gets bytes and limits, returns the members with the hashes of their rows; keeps no rows.
+
+use std::io::{BufReader, Cursor, Read};
+
+use serde::Serialize;
+use zip::ZipArchive;
+
+pub use super::npy::{NpyFault, Rows};
+use crate::source::Limits;
+
+/// A parsed archive.
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+pub struct Archive {
+    /// Members in the order of the archive.
+    pub members: Vec<Member>,
+    /// Why there are none.
+    pub fault: Option<ArchiveFault>,
+    /// Unpacks beyond the limits: packed size, and the unpacked bytes at which the work was given up.
+    pub bomb: Option<(u64, u64)>,
+}
+
+/// A member of an archive.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Member {
+    /// Key by which the application asks for it: path without `.npy`.
+    pub name: String,
+    /// Its rows, or why the application cannot use them.
+    pub rows: Result<Rows, NpyFault>,
+}
+
+/// Why an archive cannot be opened.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub enum ArchiveFault {
+    /// No byte in it: what MakeHuman 2 leaves behind when it stops while writing.
+    Empty,
+    /// No zip, or a damaged one.
+    NotZip(String),
+}
+
+impl Archive {
+    /// Whether the application can load all of it.
+    pub fn is_sound(&self) -> bool {
+        self.fault.is_none() && self.bomb.is_none() && self.members.iter().all(|member| member.rows.is_ok())
+    }
+
+    /// The member of a target. Of equal names the last one counts.
+    pub fn member(&self, name: &str) -> Option<&Member> {
+        self.members.iter().rev().find(|member| member.name == name)
+    }
+}
+
+/// Reads an archive within `limits`.
+pub fn parse(bytes: &[u8], limits: &Limits) -> Archive {
+    let mut archive = Archive::default();
+    if bytes.is_empty() {
+        archive.fault = Some(ArchiveFault::Empty);
+        return archive;
+    }
+    let mut zip = match ZipArchive::new(Cursor::new(bytes)) {
+        Ok(zip) => zip,
+        Err(error) => {
+            archive.fault = Some(ArchiveFault::NotZip(error.to_string()));
+            return archive;
+        }
+    };
+    let packed = bytes.len() as u64;
+    let limit = limits.unpacked_limit(packed);
+    let mut room = limit;
+    for index in 0..zip.len() {
+        let (member, used) = read_member(&mut zip, index, room);
+        if used > room {
+            archive.bomb = Some((packed, limit - room + used));
+            break;
+        }
+        room -= used;
+        archive.members.push(member);
+    }
+    archive
+}
+
+/// A member and the bytes it unpacked to, one more than `room` if it goes beyond.
+fn read_member(zip: &mut ZipArchive<Cursor<&[u8]>>, index: usize, room: u64) -> (Member, u64) {
+    let name = zip.name_for_index(index).and_then(Result::ok).map_or_else(|| format!("#{index}"), |name| key(&name));
+    match zip.by_index(index) {
+        Ok(file) => {
+            let allowed = room.saturating_add(1);
+            let mut reader = BufReader::new(file.take(allowed));
+            let rows = super::npy::read(&mut reader);
+            (Member { name, rows }, allowed - reader.into_inner().limit())
+        }
+        Err(error) => (Member { name, rows: Err(NpyFault::Damaged(error.to_string())) }, 0),
+    }
+}
+
+fn key(name: &str) -> String {
+    name.strip_suffix(".npy").unwrap_or(name).to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use std::io::Write;
+
+    use proptest::prelude::*;
+    use zip::write::{SimpleFileOptions, ZipWriter};
+
+    use super::*;
+    use crate::formats::target;
+
+    fn npy(descr: &str, shape: &str, data: &[u8]) -> Vec<u8> {
+        let header = format!("{{'descr': {descr}, 'fortran_order': False, 'shape': {shape}, }}\n");
+        let length = u16::try_from(header.len()).unwrap().to_le_bytes();
+        [b"\x93NUMPY\x01\x00".as_slice(), &length, header.as_bytes(), data].concat()
+    }
+
+    fn zip_of(members: &[(&str, Vec<u8>)]) -> Vec<u8> {
+        let mut writer = ZipWriter::new(Cursor::new(Vec::new()));
+        for (name, bytes) in members {
+            writer.start_file(*name, SimpleFileOptions::default()).unwrap();
+            writer.write_all(bytes).unwrap();
+        }
+        writer.finish().unwrap().into_inner()
+    }
+
+    const USUAL: &str = "[('index', '<u4'), ('vector', '<f4', (3,))]";
+
+    fn two_rows() -> Vec<u8> {
+        let rows: [(u32, [f32; 3]); 2] = [(3, [0.119, -10.205, 0.0]), (70000, [1.0, 2.0, 3.0])];
+        rows.iter()
+            .flat_map(|(i, d)| i.to_le_bytes().into_iter().chain(d.iter().flat_map(|v| v.to_le_bytes())))
+            .collect()
+    }
+
+    fn only(bytes: Vec<u8>) -> Result<Rows, NpyFault> {
+        let archive = parse(&zip_of(&[("head/a.npy", bytes)]), &Limits::default());
+        assert_eq!(archive.members.len(), 1);
+        archive.member("head/a").unwrap().rows.clone()
+    }
+
+    #[test]
+    fn rows_hash_as_the_text_target_does() {
+        let text = target::parse(b"# basemesh x\n3 .119 -10.205 0\n70000 1 2 3\n", None);
+        let rows = only(npy(USUAL, "(2,)", &two_rows())).unwrap();
+        assert_eq!((rows.count, rows.content), (2, text.facts.content));
+    }
+
+    #[test]
+    fn wider_types_and_foreign_order_are_read() {
+        let text = target::parse(b"3 .5 -1.25 0\n", None);
+        let big = [3_i64.to_be_bytes(), 0.5_f64.to_be_bytes(), (-1.25_f64).to_be_bytes(), 0_f64.to_be_bytes()].concat();
+        let rows = only(npy("[('index', '>i8'), ('vector', '>f8', (3,))]", "(1,)", &big)).unwrap();
+        assert_eq!(rows.content, text.facts.content);
+    }
+
+    #[test]
+    fn what_the_application_cannot_use_is_named() {
+        let some = two_rows();
+        assert_eq!(only(b"text".to_vec()), Err(NpyFault::NotNpy));
+        assert_eq!(only(npy("'|O'", "(1,)", b"\x80\x04.")), Err(NpyFault::Object));
+        assert_eq!(only(npy("[('index', '|O'), ('vector', '<f4', (3,))]", "(1,)", &some)), Err(NpyFault::Object));
+        assert_eq!(only(npy("'<f4'", "(8,)", &some)), Err(NpyFault::MissingField("index")));
+        assert_eq!(only(npy("[('index', '<u4')]", "(2,)", &some)), Err(NpyFault::MissingField("vector")));
+        let wrong = NpyFault::WrongType("vector", "<f4".to_owned());
+        assert_eq!(only(npy("[('index', '<u4'), ('vector', '<f4', (2,))]", "(2,)", &some)), Err(wrong));
+        assert_eq!(only(npy(USUAL, "(1, 2)", &some)), Err(NpyFault::Shape));
+        assert_eq!(only(npy(USUAL, "(3,)", &some)), Err(NpyFault::Truncated));
+        assert_eq!(only(npy("nonsense(", "(1,)", &some)), Err(NpyFault::Header));
+    }
+
+    #[test]
+    fn archives_that_cannot_be_opened() {
+        assert_eq!(parse(b"", &Limits::default()).fault, Some(ArchiveFault::Empty));
+        assert!(matches!(parse(b"hello", &Limits::default()).fault, Some(ArchiveFault::NotZip(_))));
+    }
+
+    #[test]
+    fn a_bomb_is_given_up() {
+        let packed = zip_of(&[("a.npy", npy(USUAL, "(100000,)", &vec![0; 1_600_000]))]);
+        let limits = Limits { ratio_free_bytes: 1000, unpacked_ratio: 2, ..Limits::default() };
+        let archive = parse(&packed, &limits);
+        assert!(archive.bomb.is_some() && archive.members.is_empty());
+        assert_eq!(parse(&packed, &Limits::default()).bomb, None);
+    }
+
+    #[test]
+    fn every_truncation_and_every_changed_byte_is_survived() {
+        let bytes = zip_of(&[("head/a.npy", npy(USUAL, "(2,)", &two_rows()))]);
+        for length in 0..bytes.len() {
+            assert!(parse(&bytes[..length], &Limits::default()).fault.is_some());
+        }
+        for at in 0..bytes.len() {
+            for value in [0, 0x7f, 0xff] {
+                let mut changed = bytes.clone();
+                changed[at] = value;
+                parse(&changed, &Limits::default());
+            }
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn any_array_is_read_or_refused(bytes in proptest::collection::vec(any::<u8>(), 0..200)) {
+            let whole = [b"\x93NUMPY\x01\x00".as_slice(), &bytes].concat();
+            let archive = parse(&zip_of(&[("a.npy", whole)]), &Limits::default());
+            prop_assert_eq!(archive.members.len(), 1);
+        }
+    }
+}

@@ -1,0 +1,179 @@
+//! Facts on a mesh: what is counted when all its lines have been read (formats/makehuman2.md §8).
+//!
+//! Gets the mesh and what the parser kept beside it, completes the facts; makes no judgement.
+
+use std::collections::BTreeSet;
+
+use serde::Serialize;
+
+use super::obj::{Face, Mesh, NO_UV, Side};
+use crate::diag::Tally;
+
+/// Two texture coordinates of one vertex farther apart than this make a duplicate.
+const SEAM_DISTANCE: f32 = 0.001;
+/// Names kept of the groups that a re-opened group's faces end up in.
+const LANDINGS_KEPT: usize = 3;
+
+/// Facts on a mesh file.
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+pub struct MeshFacts {
+    /// Vertices of the file.
+    pub vertices: usize,
+    /// Duplicates that loading adds along texture seams.
+    pub seam_duplicates: usize,
+    /// Names that were opened again, with at least one face behind.
+    pub reopened: Vec<Reopened>,
+    /// Lines the loader stops at, the first few.
+    pub unreadable: Vec<BadLine>,
+    /// How many such lines.
+    pub unreadable_lines: u64,
+    /// Faces with a vertex or texture coordinate that does not exist (line, number as written).
+    pub face_out_of_range: Tally,
+    /// Vertices with NaN or infinity (line, vertex).
+    pub non_finite: Tally,
+    /// Vertices no face uses (no line, vertex).
+    pub unused: Tally,
+    /// Groups that mix faces with and without texture coordinates.
+    pub partial_uv: Vec<PartialUv>,
+}
+
+/// A group name that was opened again after another one.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Reopened {
+    /// The name.
+    pub name: String,
+    /// Line of the first such opening.
+    pub line: u32,
+    /// Faces behind these openings.
+    pub faces: usize,
+    /// How many of them end up in another group.
+    pub strayed: usize,
+    /// The other groups, the first few.
+    pub lands_in: Vec<String>,
+}
+
+/// A group of which some faces have texture coordinates.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct PartialUv {
+    /// Name of the group.
+    pub name: String,
+    /// Faces in it.
+    pub faces: usize,
+    /// Faces that lack texture coordinates at one corner or all.
+    pub without: usize,
+    /// Line of the first of them.
+    pub line: u32,
+}
+
+/// A line the loader cannot read.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct BadLine {
+    /// Line from 1.
+    pub line: u32,
+    /// The line, shortened.
+    pub text: String,
+    /// What is wrong with it.
+    pub what: &'static str,
+}
+
+impl MeshFacts {
+    /// Notes that the name `name` was opened again; takes and gives its place in [`MeshFacts::reopened`].
+    pub(super) fn reopen(&mut self, known: Option<usize>, name: &str, line: u32, lands_in: &str) -> usize {
+        let at = known.unwrap_or(self.reopened.len());
+        if known.is_none() {
+            self.reopened.push(Reopened { name: name.to_owned(), line, faces: 0, strayed: 0, lands_in: Vec::new() });
+        }
+        if let Some(Reopened { lands_in: groups, .. }) = self.reopened.get_mut(at)
+            && lands_in != name
+            && groups.len() < LANDINGS_KEPT
+            && !groups.iter().any(|group| group == lands_in)
+        {
+            groups.push(lands_in.to_owned());
+        }
+        at
+    }
+
+    /// Counts what only the whole mesh shows.
+    pub(super) fn complete(&mut self, mesh: &Mesh, side: &Side) {
+        self.vertices = mesh.positions.len();
+        self.reopened.retain(|reopened| reopened.faces > 0);
+        self.check_faces(mesh, side);
+        self.partial_uv = partial_uv(mesh, side);
+        self.count_unused(mesh);
+        self.seam_duplicates = count_seams(mesh, side);
+    }
+
+    /// Faces may name vertices that come later in the file, so ranges are known only now.
+    fn check_faces(&mut self, mesh: &Mesh, side: &Side) {
+        for (face, line) in mesh.faces.iter().zip(&side.lines) {
+            let corners = run(&mesh.corners, *face);
+            let uvs = run(&side.uvs, *face);
+            let bad_vertex = corners.iter().find(|vertex| **vertex as usize >= mesh.positions.len());
+            let bad_uv = uvs.iter().find(|uv| **uv != NO_UV && **uv as usize >= mesh.uvs.len());
+            if let Some(bad) = bad_vertex.or(bad_uv) {
+                self.face_out_of_range.add(*line, i64::from(*bad) + 1);
+            }
+        }
+    }
+
+    fn count_unused(&mut self, mesh: &Mesh) {
+        let mut used = vec![false; mesh.positions.len()];
+        for vertex in &mesh.corners {
+            if let Some(used) = used.get_mut(*vertex as usize) {
+                *used = true;
+            }
+        }
+        for (index, _) in used.iter().enumerate().filter(|(_, used)| !**used) {
+            self.unused.add(0, i64::try_from(index).unwrap_or(i64::MAX));
+        }
+    }
+}
+
+fn run(values: &[u32], face: Face) -> &[u32] {
+    let start = face.start as usize;
+    values.get(start..start.saturating_add(face.len as usize)).unwrap_or_default()
+}
+
+/// Texture coordinates are stored group by group; the loader counts on one list per face, or none at all.
+fn partial_uv(mesh: &Mesh, side: &Side) -> Vec<PartialUv> {
+    let blank = |group: &super::obj::Group| PartialUv { name: group.name.clone(), faces: 0, without: 0, line: 0 };
+    let mut groups: Vec<PartialUv> = mesh.groups.iter().map(blank).collect();
+    let mut with = vec![false; groups.len()];
+    for (face, line) in mesh.faces.iter().zip(&side.lines) {
+        let (Some(group), Some(with)) = (groups.get_mut(face.group as usize), with.get_mut(face.group as usize)) else {
+            continue;
+        };
+        let uvs = run(&side.uvs, *face);
+        group.faces += 1;
+        *with |= uvs.iter().any(|uv| *uv != NO_UV);
+        if uvs.contains(&NO_UV) {
+            group.without += 1;
+            group.line = if group.line == 0 { *line } else { group.line };
+        }
+    }
+    let mixed = groups.into_iter().zip(with).filter(|(group, with)| *with && group.without > 0);
+    mixed.map(|(group, _)| group).collect()
+}
+
+/// The first texture coordinate of a vertex is its own; each other one that is far enough from it makes a
+/// duplicate, told apart by index alone.
+fn count_seams(mesh: &Mesh, side: &Side) -> usize {
+    let mut first: Vec<u32> = vec![NO_UV; mesh.positions.len()];
+    let mut others: BTreeSet<(u32, u32)> = BTreeSet::new();
+    for (vertex, uv) in mesh.corners.iter().zip(&side.uvs).filter(|(_, uv)| **uv != NO_UV) {
+        let Some(known) = first.get_mut(*vertex as usize) else { continue };
+        if *known == NO_UV {
+            *known = *uv;
+        } else if *known != *uv && !is_near(mesh, *known, *uv) {
+            others.insert((*vertex, *uv));
+        }
+    }
+    others.len()
+}
+
+fn is_near(mesh: &Mesh, one: u32, other: u32) -> bool {
+    match (mesh.uvs.get(one as usize), mesh.uvs.get(other as usize)) {
+        (Some(one), Some(other)) => one.iter().zip(other).all(|(one, other)| (one - other).abs() <= SEAM_DISTANCE),
+        _ => true,
+    }
+}

@@ -1,0 +1,69 @@
+//! What the parser of targets counts on its way; the rules read nothing else.
+
+use serde::Serialize;
+
+use crate::diag::Tally;
+
+/// Facts on one target, counted while parsing.
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+pub struct TargetFacts {
+    /// Data rows (four fields), readable or not.
+    pub rows: usize,
+    /// Rows with a field that is no number: line and column of the field, and the field.
+    pub unreadable: Vec<UnreadableField>,
+    /// How many rows have such a field.
+    pub unreadable_rows: u64,
+    /// Lines that are neither comment nor four fields (line, number of fields).
+    pub field_count: Tally,
+    /// Negative indices.
+    pub negative: Tally,
+    /// Indices at or beyond the vertex count of the mesh, seam duplicates included.
+    pub out_of_range: Tally,
+    /// Indices beyond 32 bits, which the application cannot hold; also counted as out of range where the
+    /// mesh is known.
+    pub overflow: Tally,
+    /// Indices that name a seam duplicate: accepted and without effect.
+    pub seam: Tally,
+    /// Indices that occurred before in the file.
+    pub duplicate: Tally,
+    /// Rows with NaN or infinity.
+    pub non_finite: Tally,
+    /// Rows that move nothing.
+    pub zero: Tally,
+    /// Rows that move something.
+    pub moving: usize,
+    /// Largest displacement: length in decimetres, line, index.
+    pub largest: Option<Largest>,
+    /// Median length of the displacements that move something, in decimetres.
+    pub median_length: f32,
+    /// Length that all but the longest two percent (at least one row) stay below or reach, in decimetres.
+    pub tail_length: f32,
+    /// Largest index.
+    pub max_index: Option<i64>,
+    /// Base mesh that the header names (`# basemesh NAME`), with its line.
+    pub basemesh: Option<(u32, String)>,
+    /// Hash over the decoded rows: equal displacement, equal hash.
+    pub content: u64,
+}
+
+/// A field that is no number.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct UnreadableField {
+    /// Line from 1.
+    pub line: u32,
+    /// First byte of the field in the file.
+    pub start: usize,
+    /// The field as written.
+    pub field: String,
+}
+
+/// The largest displacement of a target.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Largest {
+    /// Length in decimetres.
+    pub length: f32,
+    /// Line from 1.
+    pub line: u32,
+    /// Vertex.
+    pub index: i64,
+}

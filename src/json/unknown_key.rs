@@ -1,0 +1,159 @@
+//! Keys that no application reads: a walk over document and schema side by side.
+//!
+//! An object is judged if its schema lists `properties` and leaves no room for others. A value whose
+//! schema is a choice is left alone, as is everything below it.
+
+use std::borrow::Cow;
+
+use serde_json::{Map, Value};
+
+use super::{Node, UnknownKey};
+use crate::diag::nearest;
+
+/// A key that people write because the other formats of the family have it, and what is meant.
+const TRAPS: [(&str, [&str; 2]); 1] = [("sym", ["lsym", "rsym"])];
+
+/// All unknown keys below `node`, in order of the text.
+pub(super) fn find(node: &Node, schema: &Value) -> Vec<UnknownKey> {
+    let mut walk = Walk { schema, pointer: String::new(), found: Vec::new() };
+    walk.value(node, schema);
+    walk.found
+}
+
+struct Walk<'s> {
+    schema: &'s Value,
+    pointer: String,
+    found: Vec<UnknownKey>,
+}
+
+impl<'s> Walk<'s> {
+    fn value(&mut self, node: &Node, schema: &'s Value) {
+        let schema = self.resolved(schema);
+        for member in node.effective_members() {
+            let step = member.key.replace('~', "~0").replace('/', "~1");
+            self.below(&step, |walk| match member_schema(&schema, &member.key) {
+                Some(below) => walk.value(&member.node, below),
+                None => walk.note(&schema, &member.key),
+            });
+        }
+        for (index, element) in node.elements().iter().enumerate() {
+            let Some(below) = element_schema(&schema, index) else { continue };
+            self.below(&index.to_string(), |walk| walk.value(element, below));
+        }
+    }
+
+    fn below(&mut self, step: &str, visit: impl FnOnce(&mut Self)) {
+        let length = self.pointer.len();
+        self.pointer.push('/');
+        self.pointer.push_str(step);
+        visit(self);
+        self.pointer.truncate(length);
+    }
+
+    /// The keywords that apply at a place: those behind a local `$ref`, with its siblings on top.
+    fn resolved(&self, schema: &'s Value) -> Keywords<'s> {
+        let mut all = Keywords::default();
+        let mut next = schema.as_object();
+        // Our schemas refer one level deep; the bound only guards against a circle.
+        for _ in 0..8 {
+            let Some(object) = next else { break };
+            all.add(object);
+            let target = object.get("$ref").and_then(Value::as_str).and_then(|text| text.strip_prefix('#'));
+            next = target.and_then(|pointer| self.schema.pointer(pointer)).and_then(Value::as_object);
+        }
+        all
+    }
+
+    fn note(&mut self, schema: &Keywords<'s>, key: &str) {
+        let known = schema.properties.iter().flat_map(|properties| properties.keys()).map(String::as_str);
+        let known: Vec<&str> = known.collect();
+        self.found.push(UnknownKey {
+            pointer: self.pointer.clone(),
+            key: key.to_owned(),
+            object: schema.title.filter(|_| self.pointer.matches('/').count() > 1).map(str::to_owned),
+            nearest: meant(key, &known).map(Cow::into_owned),
+        });
+    }
+}
+
+/// What a misspelt key should have been; both where a trap leaves the choice.
+fn meant<'k>(key: &str, known: &[&'k str]) -> Option<Cow<'k, str>> {
+    let trap = TRAPS.iter().find(|(trap, meant)| *trap == key && meant.iter().all(|name| known.contains(name)));
+    match trap {
+        Some((_, [left, right])) => Some(Cow::Owned(format!("{left}` or `{right}"))),
+        None => nearest(key, known.iter().copied()).map(Cow::Borrowed),
+    }
+}
+
+/// The schema of a member; one that fits anything where the object leaves room, none for an unknown key.
+fn member_schema<'s>(schema: &Keywords<'s>, key: &str) -> Option<&'s Value> {
+    let named = schema.properties.iter().find_map(|properties| properties.get(key));
+    named.or(schema.others).or((schema.properties.is_empty() || schema.has_patterns).then_some(&Value::Null))
+}
+
+fn element_schema<'s>(schema: &Keywords<'s>, index: usize) -> Option<&'s Value> {
+    let prefix = schema.prefix.and_then(|prefix| prefix.get(index));
+    prefix.or(schema.items)
+}
+
+/// The keywords of a schema object that say what lies below.
+#[derive(Default)]
+struct Keywords<'s> {
+    properties: Vec<&'s Map<String, Value>>,
+    others: Option<&'s Value>,
+    has_patterns: bool,
+    items: Option<&'s Value>,
+    prefix: Option<&'s Vec<Value>>,
+    title: Option<&'s str>,
+}
+
+impl<'s> Keywords<'s> {
+    fn add(&mut self, object: &'s Map<String, Value>) {
+        self.properties.extend(object.get("properties").and_then(Value::as_object));
+        self.others = self.others.or(object.get("additionalProperties"));
+        self.has_patterns |= object.contains_key("patternProperties");
+        self.items = self.items.or(object.get("items"));
+        self.prefix = self.prefix.or(object.get("prefixItems").and_then(Value::as_array));
+        self.title = self.title.or(object.get("title").and_then(Value::as_str));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::json::{check, parse};
+
+    fn unknown(name: &str, text: &str) -> Vec<(String, Option<String>)> {
+        let found = check(name, &parse(text.as_bytes()).unwrap());
+        found.unknown.into_iter().map(|key| (key.pointer, key.nearest)).collect()
+    }
+
+    #[test]
+    fn keys_are_looked_up_along_references_and_lists() {
+        let text = r#"{"macrodef": [{"comps": [], "targets": [{"name": "a", "t": null, "zz": {"q": 1}}]}], "components": {"x/y": {"value": []}}}"#;
+        assert_eq!(
+            unknown("macro", text),
+            [
+                ("/macrodef/0/comps".to_owned(), Some("comp".to_owned())),
+                ("/macrodef/0/targets/0/zz".to_owned(), None),
+                ("/components/x~1y/value".to_owned(), Some("values".to_owned())),
+            ]
+        );
+    }
+
+    #[test]
+    fn the_symmetry_key_of_other_formats_is_recognised() {
+        assert_eq!(
+            unknown("modelling", r#"{"A": {"sym": "x", "display": {"slots": 1}}}"#),
+            [
+                ("/A/sym".to_owned(), Some("lsym` or `rsym".to_owned())),
+                ("/A/display/slots".to_owned(), Some("slot".to_owned())),
+            ]
+        );
+    }
+
+    #[test]
+    fn names_of_things_are_no_keys() {
+        assert_eq!(unknown("mhw", r#"{"weights": {"any bone": [[0, 1]]}, "comment": {"a": 1}}"#), []);
+        assert_eq!(unknown("base", r#"{"target-opposites": {"a": "b"}, "name": {"free": 1}}"#), []);
+    }
+}

@@ -1,0 +1,289 @@
+//! One finding as a block of text, drawn by miette.
+//!
+//! The only file that knows miette. Its stock sources are walked from the first byte of a file for every
+//! label; here it is served from the few lines that the engine has already cut out.
+
+use std::error::Error;
+use std::fmt;
+
+use miette::{
+    Diagnostic, GraphicalReportHandler, GraphicalTheme, LabeledSpan, MietteError, MietteSpanContents, Severity,
+    SourceCode, SourceSpan, SpanContents, ThemeCharacters, ThemeStyles,
+};
+
+use super::snippet::{Snippet, snippet};
+use crate::diag::{Break, Confidence, Evidence, Finding, Level, Location};
+use crate::report::{Paint, View, hang, printable};
+
+/// Related places shown for one finding.
+const RELATED: usize = 5;
+
+/// The block of a finding: message, consequences, source text, evidence, other places, help.
+/// With `repeats` the consequences were said just before and are left out.
+pub(super) fn render(finding: &Finding, repeats: bool, view: &View<'_>) -> String {
+    let source = finding.location.excerpt.as_ref().and_then(|excerpt| snippet(excerpt, view.width));
+    let source = source.map(|snippet| Source { snippet, path: printable(&finding.path), at: &finding.location });
+    let has_source = source.is_some();
+    let breaks = if repeats { &[] } else { finding.breaks.as_slice() };
+    let shown = Shown { finding, consequence: Consequence::chain(breaks), source };
+    let mut text = String::new();
+    handler(finding, view)
+        .render_report(&mut text, &shown)
+        .expect("invariant: writing to a string does not fail and the label lies within the snippet");
+    for (label, line) in footer(finding, has_source) {
+        let paint = Paint { color: view.color };
+        let plain = format!("  {label}: ");
+        let block = hang(&plain, &printable(&line), view.width);
+        text.push_str(&block.replacen(label, &paint.hint(label), 1));
+        text.push('\n');
+    }
+    text
+}
+
+/// Lines below the source text, with what they are called.
+fn footer(finding: &Finding, has_source: bool) -> Vec<(&'static str, String)> {
+    let mut lines = Vec::new();
+    if let Some(at) = bare_place(&finding.location).filter(|_| !has_source) {
+        lines.push(("at", at));
+    }
+    if let Some(evidence) = finding.evidence.as_ref().and_then(evidence_line) {
+        lines.push(("seen", evidence));
+    }
+    for related in finding.related.iter().take(RELATED) {
+        lines.push(("see", format!("{}{}: {}", related.path, colons(&related.location), related.message)));
+    }
+    if finding.related.len() > RELATED {
+        lines.push(("see", format!("{} places more", finding.related.len() - RELATED)));
+    }
+    if let Some(help) = &finding.help {
+        lines.push(("help", help.clone()));
+    }
+    lines
+}
+
+/// A place without source text: line and element.
+fn bare_place(location: &Location) -> Option<String> {
+    let line = location.line.map(|line| match location.column {
+        Some(column) => format!("line {line}, column {column}"),
+        None => format!("line {line}"),
+    });
+    let element = location.element.map(|element| format!("{} {}", element.kind, element.index));
+    let pointer = location.pointer.clone().filter(|pointer| line.is_none() && !pointer.is_empty());
+    let parts: Vec<String> = [line, element, pointer].into_iter().flatten().collect();
+    (!parts.is_empty()).then(|| parts.join(", "))
+}
+
+fn colons(location: &Location) -> String {
+    match (location.line, location.column) {
+        (Some(line), Some(column)) => format!(":{line}:{column}"),
+        (Some(line), None) => format!(":{line}"),
+        _ => String::new(),
+    }
+}
+
+/// `108 of 216: a, b, c and 105 more; worst 0.5 at vertex 7`. Nothing for a single case: the message says it.
+fn evidence_line(evidence: &Evidence) -> Option<String> {
+    if evidence.count < 2 && evidence.worst.is_none() {
+        return None;
+    }
+    let of = evidence.of.map_or_else(String::new, |of| format!(" of {of}"));
+    let left = evidence.count.saturating_sub(evidence.examples.len() as u64);
+    let examples = match (evidence.examples.is_empty(), left) {
+        (true, _) => String::new(),
+        (false, 0) => format!(": {}", evidence.examples.join(", ")),
+        (false, left) => format!(": {} and {left} more", evidence.examples.join(", ")),
+    };
+    let worst = evidence.worst.as_ref();
+    let worst = worst.map_or_else(String::new, |worst| format!("; worst {} at {}", number(worst.value), worst.place));
+    Some(format!("{}{of}{examples}{worst}", evidence.count))
+}
+
+/// A number with about four digits that matter.
+fn number(value: f64) -> String {
+    let size = value.abs();
+    if value.fract() == 0.0 && size < 1e9 {
+        return format!("{value}");
+    }
+    if !(1e-3..1e7).contains(&size) {
+        return format!("{value:.3e}");
+    }
+    let text = format!("{value:.4}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+fn handler(finding: &Finding, view: &View<'_>) -> GraphicalReportHandler {
+    let mut characters = if view.unicode { ThemeCharacters::unicode() } else { ThemeCharacters::ascii() };
+    let title = match finding.confidence {
+        Confidence::High => format!("{}[{}]", finding.level, finding.rule),
+        Confidence::Medium => format!("{}[{}] (likely)", finding.level, finding.rule),
+        Confidence::Low => format!("{}[{}] (a guess)", finding.level, finding.rule),
+    };
+    let slot = match finding.level {
+        Level::Error => &mut characters.error,
+        Level::Warning => &mut characters.warning,
+        Level::Info => &mut characters.advice,
+    };
+    *slot = title;
+    let styles = if view.color { ThemeStyles::ansi() } else { ThemeStyles::none() };
+    GraphicalReportHandler::new_themed(GraphicalTheme { characters, styles })
+        .with_width(view.width)
+        .with_links(false)
+        .with_break_words(false)
+        .without_syntax_highlighting()
+}
+
+/// A finding as miette sees it.
+#[derive(Debug)]
+struct Shown<'a> {
+    finding: &'a Finding,
+    consequence: Option<Consequence>,
+    source: Option<Source<'a>>,
+}
+
+impl fmt::Display for Shown<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&printable(&self.finding.message))
+    }
+}
+
+impl Error for Shown<'_> {
+    fn source(&self) -> Option<&(dyn Error + 'static)> {
+        self.consequence.as_ref().map(|consequence| consequence as &dyn Error)
+    }
+}
+
+impl Diagnostic for Shown<'_> {
+    fn severity(&self) -> Option<Severity> {
+        Some(match self.finding.level {
+            Level::Error => Severity::Error,
+            Level::Warning => Severity::Warning,
+            Level::Info => Severity::Advice,
+        })
+    }
+
+    fn source_code(&self) -> Option<&dyn SourceCode> {
+        self.source.as_ref().map(|source| source as &dyn SourceCode)
+    }
+
+    fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
+        let mark = self.source.as_ref()?.snippet.mark.clone();
+        Some(Box::new(std::iter::once(LabeledSpan::new_primary_with_span(None, mark))))
+    }
+}
+
+/// What an application does with it; a chain because miette draws causes as one.
+#[derive(Debug)]
+struct Consequence {
+    text: String,
+    next: Option<Box<Consequence>>,
+}
+
+impl Consequence {
+    fn chain(breaks: &[Break]) -> Option<Self> {
+        let (first, rest) = breaks.split_first()?;
+        let text = format!("{}: {}", first.application, printable(&first.effect));
+        Some(Self { text, next: Self::chain(rest).map(Box::new) })
+    }
+}
+
+impl fmt::Display for Consequence {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.text)
+    }
+}
+
+impl Error for Consequence {
+    fn source(&self) -> Option<&(dyn Error + 'static)> {
+        self.next.as_deref().map(|next| next as &dyn Error)
+    }
+}
+
+/// The quoted lines as a source: all of them for context, position of the mark otherwise.
+#[derive(Debug)]
+struct Source<'a> {
+    snippet: Snippet,
+    path: String,
+    at: &'a Location,
+}
+
+impl SourceCode for Source<'_> {
+    fn read_span<'a>(
+        &'a self,
+        span: &SourceSpan,
+        before: usize,
+        after: usize,
+    ) -> Result<Box<dyn SpanContents<'a> + 'a>, MietteError> {
+        let text = self.snippet.text.as_str();
+        let zero_based = |number: Option<u32>| number.map_or(0, |number| number.saturating_sub(1) as usize);
+        let contents = if before + after == 0 {
+            let marked = span.offset()..span.offset() + span.len();
+            let data = text.get(marked).ok_or(MietteError::OutOfBounds)?;
+            let (line, column) = (zero_based(self.at.line), zero_based(self.at.column));
+            MietteSpanContents::new_named(self.path.clone(), data.as_bytes(), *span, line, column, 1)
+        } else {
+            let whole = SourceSpan::from((0, text.len()));
+            let first = self.snippet.first_line.saturating_sub(1);
+            MietteSpanContents::new_named(self.path.clone(), text.as_bytes(), whole, first, 0, text.lines().count())
+        };
+        Ok(Box::new(contents))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diag::{Element, Place, RuleInfo};
+
+    const VIEW: View<'_> = View {
+        pass: false,
+        fail_on: Some(Level::Error),
+        max_warnings: None,
+        color: false,
+        unicode: false,
+        width: 80,
+        quiet: false,
+        rules: &[],
+    };
+
+    fn finding() -> Finding {
+        Finding::new(&RuleInfo::new("a-rule", Level::Warning, ""), "data/a.target", Place::File, "it is so")
+    }
+
+    #[test]
+    fn evidence_other_places_and_help_follow_the_message() {
+        let mut finding = finding().confidence(Confidence::Medium).help("mend it");
+        finding.evidence = Some(Evidence::of_cases(["x"; 7]).out_of(9).with_worst(0.123_456, "vertex 3"));
+        finding = finding.related("data/b.target", Place::File, "the other one");
+        finding.location.line = Some(4);
+        finding.location.element = Some(Element { kind: "vertex", index: 17 });
+        let expected = "  warning[a-rule] (likely) it is so\n  at: line 4, vertex 17\n  \
+            seen: 7 of 9: x, x, x, x, x and 2 more; worst 0.1235 at vertex 3\n  \
+            see: data/b.target: the other one\n  help: mend it\n";
+        assert_eq!(render(&finding, false, &VIEW), expected);
+    }
+
+    #[test]
+    fn each_application_has_its_line_and_repetitions_have_none() {
+        let finding = finding().breaks(crate::diag::Application::Makehuman2, "stops");
+        let finding = finding.breaks(crate::diag::Application::Mpfb, "ignores it");
+        let expected = "  warning[a-rule] it is so\n  |-> MakeHuman 2: stops\n  `-> MPFB: ignores it\n";
+        assert_eq!(render(&finding, false, &VIEW), expected);
+        assert_eq!(render(&finding, true, &VIEW), "  warning[a-rule] it is so\n");
+    }
+
+    #[test]
+    fn a_mark_without_length_is_drawn() {
+        let mut finding = finding();
+        let excerpt = crate::diag::Excerpt { text: "{\n}".to_owned(), first_line: 1, mark: 3..3 };
+        (finding.location.line, finding.location.column) = (Some(2), Some(2));
+        finding.location.excerpt = Some(excerpt);
+        let text = render(&finding, false, &VIEW);
+        assert!(text.contains("[data/a.target:2:2]") && text.contains(" 2 | }"), "{text}");
+    }
+
+    #[test]
+    fn numbers_keep_the_digits_that_matter() {
+        let shown = [2.0, 0.25, 1.0 / 3.0, 1e-7, f64::NAN, -12.5].map(number);
+        assert_eq!(shown, ["2", "0.25", "0.3333", "1.000e-7", "NaN", "-12.5"]);
+    }
+}

@@ -1,0 +1,95 @@
+//! Which findings a person gets to see: the gravest first, a bounded number for each rule and file.
+
+use std::collections::BTreeMap;
+
+use crate::diag::Finding;
+
+/// Findings of one rule in a report; the eleventh says nothing that ten did not.
+const PER_RULE: usize = 10;
+/// Findings of one file in a report: about two screens.
+const PER_FILE: usize = 20;
+
+/// What is shown and what was left out.
+#[derive(Default)]
+pub(super) struct Picked<'a> {
+    /// The findings to show, in the order of the report.
+    pub(super) shown: Vec<&'a Finding>,
+    left_of_rule: BTreeMap<&'static str, usize>,
+    left_in_file: BTreeMap<&'a str, usize>,
+}
+
+/// Picks from all findings, which come in the order of the report.
+pub(super) fn pick(findings: &[Finding]) -> Picked<'_> {
+    let mut by_level: Vec<(usize, &Finding)> = findings.iter().enumerate().collect();
+    by_level.sort_by_key(|(_, finding)| std::cmp::Reverse(finding.level));
+    let mut of_rule: BTreeMap<&str, usize> = BTreeMap::new();
+    let mut in_file: BTreeMap<&str, usize> = BTreeMap::new();
+    let mut picked = Picked::default();
+    let mut shown = Vec::new();
+    for (at, finding) in by_level {
+        let rule = of_rule.entry(finding.rule).or_default();
+        let file = in_file.entry(&finding.path).or_default();
+        if *rule >= PER_RULE {
+            *picked.left_of_rule.entry(finding.rule).or_default() += 1;
+        } else if *file >= PER_FILE {
+            *picked.left_in_file.entry(&finding.path).or_default() += 1;
+        } else {
+            (*rule, *file) = (*rule + 1, *file + 1);
+            shown.push((at, finding));
+        }
+    }
+    shown.sort_by_key(|(at, _)| *at);
+    picked.shown = shown.into_iter().map(|(_, finding)| finding).collect();
+    picked
+}
+
+impl Picked<'_> {
+    /// What to say below a finding that is the last shown of its rule while more were left out.
+    pub(super) fn more_like(&self, finding: &Finding) -> Option<String> {
+        let left = self.left_of_rule.get(finding.rule)?;
+        let last = self.shown.iter().rfind(|other| other.rule == finding.rule)?;
+        std::ptr::eq(*last, finding)
+            .then(|| format!("and {left} more like it: `--only {} --report concise` lists all", finding.rule))
+    }
+
+    /// What to say below the last shown finding of a file of which more were left out.
+    pub(super) fn more_in(&self, path: &str) -> Option<String> {
+        let left = self.left_in_file.get(path)?;
+        Some(format!("and {left} more in this file: `--report concise` lists all"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diag::{Level, Place, RuleInfo};
+
+    fn findings(rule: &'static str, level: Level, number: usize) -> Vec<Finding> {
+        let info = RuleInfo::new(rule, level, "");
+        (0..number).map(|at| Finding::new(&info, format!("{rule}{at}"), Place::File, "")).collect()
+    }
+
+    #[test]
+    fn the_last_shown_finding_says_how_many_are_left() {
+        let all = findings("a", Level::Warning, PER_RULE + 3);
+        let picked = pick(&all);
+        assert_eq!(picked.shown.len(), PER_RULE);
+        assert!(picked.more_like(&all[PER_RULE - 1]).unwrap().starts_with("and 3 more like it"));
+        assert_eq!(picked.more_like(&all[0]), None);
+    }
+
+    #[test]
+    fn an_error_is_shown_before_the_file_is_full_of_infos() {
+        let mut all = Vec::new();
+        for rule in ["a", "b", "c"] {
+            all.extend(findings(rule, Level::Info, PER_RULE));
+        }
+        all.extend(findings("d", Level::Error, 1));
+        for finding in &mut all {
+            finding.path = "same".to_owned();
+        }
+        let picked = pick(&all);
+        assert_eq!(picked.shown.last().unwrap().rule, "d");
+        assert!(picked.more_in("same").unwrap().starts_with("and 11 more"));
+    }
+}

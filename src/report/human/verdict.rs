@@ -1,0 +1,94 @@
+//! The last lines: what was looked at, and one sentence that says how it ended.
+
+use crate::diag::{Application, Level};
+use crate::engine::Outcome;
+use crate::report::{Paint, View, count, hang, printable};
+
+/// What was judged, and how many findings of each level there are.
+pub(super) fn counts(outcome: &Outcome, view: &View<'_>) -> String {
+    let summary = &outcome.summary;
+    let muted = if summary.suppressed > 0 { format!(", {} muted", summary.suppressed) } else { String::new() };
+    let line = format!(
+        "{}, {}, {}{muted} in {} ({})",
+        count(summary.error, "error"),
+        count(summary.warning, "warning"),
+        count(summary.info, "info"),
+        count(summary.files, "file"),
+        size(summary.bytes)
+    );
+    let judged = outcome.roots.iter().filter(|root| root.judged);
+    let roots: Vec<String> = judged
+        .map(|root| {
+            let bases = if root.bases.is_empty() { String::new() } else { format!(": {}", root.bases.join(", ")) };
+            format!("{} ({}{bases})", root.path, root.application)
+        })
+        .collect();
+    hang("", &printable(&format!("{line} of {}", roots.join(", "))), view.width)
+}
+
+/// The verdict.
+pub(super) fn sentence(outcome: &Outcome, view: &View<'_>) -> String {
+    let paint = Paint { color: view.color };
+    let text = hang("", &words(outcome, view), view.width);
+    match (view.pass, outcome.has_at_least(Level::Error)) {
+        (true, _) => paint.good(&text),
+        (false, true) => paint.level(Level::Error, &text),
+        (false, false) => paint.level(Level::Warning, &text),
+    }
+}
+
+fn words(outcome: &Outcome, view: &View<'_>) -> String {
+    let summary = &outcome.summary;
+    let who = applications(outcome);
+    if !outcome.failed_rules.is_empty() {
+        return "No verdict: mhlint itself failed on these data.".to_owned();
+    }
+    if outcome.findings.is_empty() {
+        return format!("Nothing found: as far as the rules reach, {who} loads all of it as it was written.");
+    }
+    let harm = if summary.error > 0 {
+        format!("{}: {who} would crash, or refuse or lose something.", count(summary.error, "error"))
+    } else if summary.warning > 0 {
+        let warnings = count(summary.warning, "warning");
+        format!("{warnings}: {who} loads it, but does something else than was written.")
+    } else {
+        format!("{}: harmless in {who} today.", count(summary.info, "info"))
+    };
+    if !view.pass {
+        return format!("Failed. {harm}{}", too_many(outcome, view));
+    }
+    match view.fail_on {
+        Some(limit) => format!("Passed: nothing at or above {limit}. {harm}"),
+        None => format!("Passed, whatever was found (--fail-on never). {harm}"),
+    }
+}
+
+fn too_many(outcome: &Outcome, view: &View<'_>) -> String {
+    match view.max_warnings {
+        Some(limit) if outcome.summary.warning > limit => format!(" --max-warnings allows {limit}."),
+        _ => String::new(),
+    }
+}
+
+/// The applications that the gravest findings are about, or whose data were judged.
+fn applications(outcome: &Outcome) -> String {
+    let worst = outcome.findings.iter().map(|finding| finding.level).max();
+    let gravest = outcome.findings.iter().filter(|finding| Some(finding.level) == worst);
+    let mut named: Vec<Application> =
+        gravest.flat_map(|finding| finding.breaks.iter().map(|one| one.application)).collect();
+    if named.is_empty() {
+        named.extend(outcome.roots.iter().filter(|root| root.judged).map(|root| root.application));
+    }
+    named.sort_unstable();
+    named.dedup();
+    let titles: Vec<&str> = named.into_iter().map(Application::title).collect();
+    titles.join(" or ")
+}
+
+fn size(bytes: u64) -> String {
+    match bytes {
+        0..1_000 => format!("{bytes} bytes"),
+        1_000..1_000_000 => format!("{}.{} kB", bytes / 1_000, bytes % 1_000 / 100),
+        _ => format!("{}.{} MB", bytes / 1_000_000, bytes % 1_000_000 / 100_000),
+    }
+}

@@ -1,0 +1,3 @@
+//! Rules on binary archives.
+
+pub(super) mod malformed;

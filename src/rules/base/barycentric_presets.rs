@@ -1,0 +1,47 @@
+//! The presets of a triangle must sum to 1.
+
+use super::super::{Check, Rule, RuleCx};
+use super::has_sliders;
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::repo::{Base, Pattern, Repository};
+
+/// Rounding of decimals like 0.33 + 0.33 + 0.34 in double precision is far below this.
+const TOLERANCE: f64 = 1e-6;
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(Application::Makehuman2, "starts with a mixture that no position of the triangle slider gives")],
+        docs: "The three values of a triangle slider are shares of a whole and sum to 1.\n\nMakeHuman 2 does not make presets sum \
+            to 1: with 0.33 three times a hundredth of the shape is missing, and the next reset, which gives 0.33, 0.33 and \
+            0.34, changes the character. Presets count only where no start model (`mhm`) is loaded.\n\nChoose values that sum to 1, \
+            such as 0.33, 0.33 and 0.34.",
+        ..RuleInfo::new("base-barycentric-presets", Level::Warning, "presets of one barycentric set do not sum to 1")
+    },
+    check: Check::Base(run),
+};
+
+fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some((file, settings)) = base.settings().filter(|_| has_sliders(base)) else { return };
+    for bound in &base.sliders {
+        let Pattern::Barycentric(corners) = &bound.pattern else { continue };
+        let value = |corner: &String| settings.presets.iter().find(|(name, _)| name == corner)?.1;
+        let values: Option<Vec<f64>> = corners.iter().map(value).collect();
+        // Another number of corners is a finding of its own.
+        let Some(values) = values.filter(|values| values.len() == 3) else { continue };
+        let sum: f64 = values.iter().sum();
+        // Written so that a sum that is no number is reported.
+        if (sum - 1.0).abs() <= TOLERANCE {
+            continue;
+        }
+        let Some(first) = corners.first() else { continue };
+        let shown = (sum * 1e6).round() / 1e6;
+        let message = format!("the presets of `{}` sum to {shown} instead of 1", bound.slider.key);
+        let each = corners.iter().zip(&values).map(|(corner, value)| format!("{corner}: {value}"));
+        out.push(
+            RULE.at(file, Place::pointer(["modifier-presets", first]), message)
+                .key(&bound.slider.key)
+                .help("choose values that sum to 1, such as 0.33, 0.33 and 0.34")
+                .evidence(Evidence::of_cases(each)),
+        );
+    }
+}

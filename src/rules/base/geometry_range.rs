@@ -1,0 +1,84 @@
+//! The ranges of `geometry.json` must be those of the mesh.
+
+use super::super::{Check, Rule, RuleCx};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo, nearest};
+use crate::formats::geometry::Range;
+use crate::formats::obj::{Group, Mesh};
+use crate::repo::{Base, Content, FileFacts, Repository};
+
+const GEOMETRY: &str = "geometry-ranges";
+const JOINTS: &str = "joint-ranges";
+/// What the OBJ puts before the name of a joint.
+const PREFIX: &str = "joint-";
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(Application::Makehuman2, "aligns the wrong vertices, or none, with its scripts for joint cubes")],
+        docs: "`geometry.json` repeats which vertices of the OBJ belong to a part (`geometry-ranges`) and to a joint cube (`joint-ranges`, \
+            the group's name without `joint-`).\n\nMakeHuman 2 itself never reads it, but the scripts that align joint cubes move exactly \
+            these vertices. A joint without a group of that name, or a range unlike the group's, moves the wrong ones.\n\n\
+            Correct the name or the range.",
+        ..RuleInfo::new("base-geometry-range", Level::Warning, "`geometry.json` differs from the groups of the mesh")
+    },
+    check: Check::Base(run),
+};
+
+fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(file) = repository.first_existing(&format!("base/{}/geometry.json", base.name)) else { return };
+    let (Content::Geometry(geometry), Some((_, mesh))) = (&file.content, base.mesh) else { return };
+    if mesh.facts.unreadable_lines > 0 {
+        return;
+    }
+    for range in &geometry.joint_ranges {
+        let group = format!("{PREFIX}{}", range.name);
+        let found = mesh.groups.iter().find(|other| other.name == group);
+        out.extend(match found {
+            None => Some(without_group(file, range, mesh)),
+            Some(found) => unlike(file, JOINTS, range, mesh, Some(found)),
+        });
+    }
+    for range in &geometry.geometry_ranges {
+        // Parts may be made of several groups; only a group of the same name can be compared.
+        let found = mesh.groups.iter().find(|other| other.name == range.name);
+        out.extend(unlike(file, GEOMETRY, range, mesh, found));
+    }
+}
+
+fn without_group(file: &FileFacts, range: &Range, mesh: &Mesh) -> Finding {
+    let joints = mesh.groups.iter().filter_map(|group| group.name.strip_prefix(PREFIX));
+    let help = match nearest(&range.name, joints) {
+        Some(near) => format!("did you mean `{near}`?"),
+        None => "name a group of the mesh without `joint-`".to_owned(),
+    };
+    let message = format!("the mesh has no group `{PREFIX}{}`", range.name);
+    RULE.at(file, Place::key([JOINTS, &range.name]), message).key(&range.name).help(help)
+}
+
+fn unlike(file: &FileFacts, section: &str, range: &Range, mesh: &Mesh, group: Option<&Group>) -> Option<Finding> {
+    let (first, last) = range.ends?;
+    let at = |message: String| {
+        let place = Place::pointer([section, &range.name]);
+        RULE.at(file, place, message).key(&range.name)
+    };
+    let vertices = i64::try_from(mesh.facts.vertices).unwrap_or(i64::MAX);
+    if first > last || first < 0 || last >= vertices {
+        let message = format!("`{}` covers {first} to {last}, but the mesh has {vertices} vertices", range.name);
+        return Some(at(message).help("a range is the first and the last vertex, counted from 0"));
+    }
+    let group = group.filter(|group| !is_mixed(mesh, &group.name))?;
+    let (lowest, highest) = group.vertices.map(|(lowest, highest)| (i64::from(lowest), i64::from(highest)))?;
+    if (lowest, highest) == (first, last) {
+        return None;
+    }
+    let message =
+        format!("`{}` covers {first} to {last}, but its group has the vertices {lowest} to {highest}", range.name);
+    Some(at(message).help(format!("write {lowest} and {highest}")))
+}
+
+/// Whether the application puts faces of another group into this one, or the reverse.
+fn is_mixed(mesh: &Mesh, group: &str) -> bool {
+    mesh.facts
+        .reopened
+        .iter()
+        .any(|reopened| reopened.name == group || reopened.lands_in.iter().any(|name| name == group))
+}

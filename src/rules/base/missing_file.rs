@@ -1,0 +1,102 @@
+//! A base needs its `base.json`, its mesh, and what `base.json` names.
+
+use super::super::{Check, Rule, RuleCx};
+use crate::diag::{Application, Finding, Level, RuleInfo, nearest};
+use crate::repo::{Base, FileFacts, Layer, Reference, ReferenceKind, Repository, Resolution};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(Application::Makehuman2, "stops with a traceback when the base is loaded")],
+        docs: "A base mesh consists of `base/<base>/base.json` and `base.obj` (or `base.mhbin`) beside it; `base.json` names a start model (`mhm`) in \
+            the same folder and a skeleton (`pose-skeleton`) in `rigs/<base>/`.\n\nWithout `base.json`, without the mesh, or with a start model \
+            that does not exist, loading the base ends in an exception. A skeleton that does not exist means no pose mode and no bone \
+            weights for assets, without a message (a warning). Targets for a base that exists nowhere are never loaded (a warning).\n\n\
+            Add the file, correct its name, or remove the key.",
+        ..RuleInfo::new("base-missing-file", Level::Error, "a file that a base mesh needs does not exist")
+    },
+    check: Check::Base(run),
+};
+
+fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for reference in repository.references_of(base) {
+        if matches!(reference.resolution, Resolution::Missing) {
+            out.extend(named(repository, base, reference));
+        }
+    }
+    // Only system data can prove that a file exists nowhere.
+    if repository.system.is_some() {
+        out.extend(unnamed(repository, base));
+    }
+}
+
+/// A file that `base.json` names.
+fn named(repository: &Repository<'_>, base: &Base<'_>, reference: &Reference<'_>) -> Option<Finding> {
+    let (what, folder) = match reference.kind {
+        ReferenceKind::PoseSkeleton => ("skeleton", "rigs"),
+        ReferenceKind::Model => ("start model", "base"),
+        _ => return None,
+    };
+    let message = format!("the {what} `{}` does not exist", reference.rel);
+    let finding = RULE.at(reference.from, reference.place.clone(), message).key(reference.owner);
+    let extension = if what == "skeleton" { ".mhskel" } else { ".mhm" };
+    let folder = format!("{folder}/{}", base.name);
+    let layers: Vec<&Layer> = repository.strongest_first().collect();
+    let files = layers.iter().flat_map(|layer| layer.below(&folder));
+    let names: Vec<&str> = files.map(FileFacts::file_name).filter(|name| name.ends_with(extension)).collect();
+    let help = match nearest(reference.text, names.iter().copied()).or_else(|| names.first().copied()) {
+        Some(near) => format!("did you mean `{near}`?"),
+        None => format!("add the file to `{folder}`, or remove the key"),
+    };
+    let finding = finding.help(help);
+    Some(match reference.kind {
+        ReferenceKind::PoseSkeleton => finding
+            .level(Level::Warning)
+            .breaks(Application::Makehuman2, "has no pose mode and no bone weights for assets, without a message"),
+        _ => finding.breaks(Application::Makehuman2, "stops with a TypeError when the base is loaded"),
+    })
+}
+
+/// `base.json` and the mesh, of a base that the judged layer holds a part of.
+fn unnamed(repository: &Repository<'_>, base: &Base<'_>) -> Option<Finding> {
+    let judged = repository.judged;
+    let folder = format!("base/{}", base.name);
+    let exists = |file: &str| repository.first_existing(&format!("{folder}/{file}")).is_some();
+    let (settings, mesh) = (exists("base.json"), exists("base.obj") || exists("base.mhbin"));
+    let has_base = judged.below(&folder).next().is_some();
+    match (settings, mesh) {
+        (true, false) if has_base => {
+            let message = format!("the base `{}` has no mesh: neither base.obj nor base.mhbin", base.name);
+            let finding = RULE.in_layer(judged, &format!("{folder}/base.json"), message).key("mesh");
+            Some(finding.help(near_miss(judged, &folder, "base.obj")))
+        }
+        (false, true) if has_base => {
+            let message = format!("the base `{}` has no base.json", base.name);
+            let finding = RULE.in_layer(judged, &format!("{folder}/base.json"), message).key("base.json");
+            Some(finding.help(near_miss(judged, &folder, "base.json")))
+        }
+        // One root with `contarget/` may be a user's folder whose system data was not given.
+        (false, false) if !repository.is_one_root() => orphan(judged, base),
+        _ => None,
+    }
+}
+
+/// Targets of a base that no layer has.
+fn orphan(judged: &Layer, base: &Base<'_>) -> Option<Finding> {
+    let folders = ["contarget", "target"].map(|folder| format!("{folder}/{}", base.name));
+    let folder = folders.iter().find(|folder| judged.below(folder).next().is_some())?;
+    let message = format!("there is no base `{}`: neither base.json nor a mesh", base.name);
+    Some(
+        RULE.in_layer(judged, folder, message)
+            .key("base")
+            .level(Level::Warning)
+            .breaks(Application::Makehuman2, "never loads these targets")
+            .help("the folder must have the name of a base; give the system data with `--system` if the base is there"),
+    )
+}
+
+fn near_miss(layer: &Layer, folder: &str, file: &str) -> String {
+    match layer.file_ignoring_case(&format!("{folder}/{file}")) {
+        Some(other) => format!("rename `{}` to `{file}`: names are compared with their case", other.file_name()),
+        None => format!("add `{folder}/{file}`"),
+    }
+}

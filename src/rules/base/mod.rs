@@ -1,0 +1,17 @@
+//! Rules on `base.json` and `geometry.json` of a base mesh of MakeHuman 2.
+
+pub(super) mod barycentric_presets;
+pub(super) mod geometry_range;
+pub(super) mod missing_file;
+mod names;
+pub(super) mod unknown_equipment;
+pub(super) mod unknown_preset;
+pub(super) mod unsafe_rule;
+pub(super) mod vertex_count;
+
+use crate::repo::Base;
+
+/// Whether the sliders in use are those that were meant; without them no name can be judged.
+fn has_sliders(base: &Base<'_>) -> bool {
+    !base.modelling.contarget.is_refused() && base.modelling.winner().is_some()
+}

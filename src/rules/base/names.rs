@@ -1,0 +1,100 @@
+//! Names in `base.json` looked up among the sliders: patterns, keys, groups.
+
+use std::collections::BTreeSet;
+
+use crate::diag::nearest;
+use crate::repo::Base;
+
+/// Beginning of the groups of user targets, which come and go.
+const USER: &str = "user";
+
+/// What names are looked up in.
+pub(super) struct Names<'n, 'a> {
+    pub(super) base: &'n Base<'a>,
+}
+
+/// A name that does not exist.
+pub(super) struct Unknown {
+    pub(super) name: String,
+    pub(super) message: String,
+    pub(super) help: String,
+}
+
+impl Unknown {
+    fn new(name: &str, message: String, near: Option<&str>, otherwise: &str) -> Self {
+        let help = near.map_or_else(|| otherwise.to_owned(), |near| format!("did you mean `{near}`?"));
+        Self { name: name.to_owned(), message, help }
+    }
+}
+
+impl Names<'_, '_> {
+    /// A pattern; one that is missing only because its endings are not declared has a finding of its own.
+    pub(super) fn pattern(&self, pattern: &str) -> Option<Unknown> {
+        if self.base.slider(pattern).is_some() || self.base.names_undeclared_pair(pattern) {
+            return None;
+        }
+        let patterns = self.base.sliders.iter().flat_map(|slider| slider.pattern.names()).map(String::as_str);
+        let message = format!("no slider has the pattern `{pattern}`");
+        let near = nearest(pattern, patterns);
+        let mut unknown = Unknown::new(pattern, message, near, "name the pattern of a slider, or remove the line");
+        let of_key = self.base.sliders.iter().find(|slider| slider.slider.key == pattern);
+        if let Some(own) = of_key.and_then(|slider| slider.pattern.names().first()) {
+            unknown.help = format!("this is the key of an entry; write its pattern `{own}`");
+        }
+        Some(unknown)
+    }
+
+    /// A key of `modelling.json`.
+    pub(super) fn entry(&self, key: &str) -> Option<Unknown> {
+        if self.base.sliders.iter().any(|slider| slider.slider.key == key) {
+            return None;
+        }
+        let keys = self.base.sliders.iter().map(|slider| slider.slider.key.as_str());
+        let message = format!("modelling.json has no entry `{key}`");
+        let mut unknown = Unknown::new(key, message, nearest(key, keys), "name the key of an entry of modelling.json");
+        if let Some(slider) = self.base.slider(key) {
+            unknown.help = format!("this is a pattern; write the key `{}`", slider.slider.key);
+        }
+        Some(unknown)
+    }
+
+    /// A category or group that the randomizer may choose.
+    pub(super) fn group(&self, group: &str) -> Option<Unknown> {
+        let groups = self.groups();
+        let categories: BTreeSet<&str> = groups.iter().filter_map(|group| group.split('|').next()).collect();
+        let known = groups.contains(group) || categories.contains(group);
+        if known || group.split('|').next() == Some(USER) {
+            return None;
+        }
+        let near = if group.contains('|') {
+            nearest(group, groups.iter().map(String::as_str))
+        } else {
+            nearest(group, categories)
+        };
+        let message = format!("no slider is in the random group `{group}`");
+        Some(Unknown::new(group, message, near, "name a category or group of the sliders, or remove the line"))
+    }
+
+    /// The beginning of a group.
+    pub(super) fn head(&self, beginning: &str) -> Option<Unknown> {
+        let groups = self.groups();
+        let is_user = beginning.split('|').next() == Some(USER);
+        if is_user || groups.iter().any(|group| group.starts_with(beginning)) {
+            return None;
+        }
+        let categories = groups.iter().filter_map(|group| group.split('|').next());
+        let categories: BTreeSet<String> = categories.map(|category| format!("{category}|")).collect();
+        let near = nearest(beginning, groups.iter().chain(&categories).map(String::as_str));
+        let message = format!("no group of a slider begins with `{beginning}`");
+        Some(Unknown::new(beginning, message, near, "name the beginning of a group, or remove the line"))
+    }
+
+    /// Groups of sliders, and those that an item would show: an empty item is a finding of its own.
+    fn groups(&self) -> BTreeSet<String> {
+        let own = self.base.sliders.iter().filter_map(|slider| slider.slider.group.clone());
+        let categories = [self.base.categories.winner(), self.base.user_categories.accepted()];
+        let categories = categories.into_iter().flatten().flat_map(|(_, model)| &model.categories);
+        let shown = categories.flat_map(|category| category.items.iter().filter_map(|item| category.group_of(item)));
+        own.chain(shown).collect()
+    }
+}

@@ -1,0 +1,110 @@
+//! `visible groups` and `equipment` must name what exists.
+
+use super::super::{Check, Rule, RuleCx};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, nearest};
+use crate::formats::base_json::BaseJson;
+use crate::formats::obj::Mesh;
+use crate::repo::{Base, FileFacts, Repository};
+
+/// Kinds of assets that a base can wear.
+const EQUIPMENT: [&str; 8] = ["clothes", "hair", "eyes", "eyebrows", "eyelashes", "teeth", "tongue", "proxy"];
+const MEMBER: &str = "visible groups";
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(Application::Makehuman2, "stops with a KeyError at start without `visible groups`")],
+        docs: "`visible groups` lists the groups of the OBJ that are drawn and measured; `equipment` lists the kinds of assets the base can \
+            wear.\n\nWithout `visible groups` MakeHuman 2 stops at start. If none of the groups exists the character is invisible and has the \
+            height 0 (both are errors); a single unknown group is only not drawn. A plain text instead of a list draws every group whose \
+            name is part of the text. Unknown equipment is ignored.\n\nCorrect the name, or remove it.",
+        ..RuleInfo::new(
+            "base-unknown-equipment",
+            Level::Error,
+            "an equipment folder or visible group that does not exist",
+        )
+    },
+    check: Check::Base(run),
+};
+
+fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some((file, settings)) = base.settings() else { return };
+    equipment(file, settings, out);
+    if !settings.has_visible_groups {
+        let help = "add `\"visible groups\": [\"body\"]` with the groups to draw";
+        out.push(RULE.at(file, Place::File, "`visible groups` is missing").key(MEMBER).help(help));
+        return;
+    }
+    let Some((_, mesh)) = base.mesh.filter(|(_, mesh)| mesh.facts.unreadable_lines == 0) else { return };
+    if let Some(text) = &settings.visible_text {
+        out.push(plain_text(file, text, mesh));
+    }
+    if let Some(groups) = &settings.visible_groups {
+        visible(file, groups, mesh, out);
+    }
+}
+
+fn equipment(file: &FileFacts, settings: &BaseJson, out: &mut Vec<Finding>) {
+    for (index, name) in settings.equipment.iter().flatten().enumerate() {
+        if EQUIPMENT.contains(&name.as_str()) {
+            continue;
+        }
+        let help = match nearest(name, EQUIPMENT) {
+            Some(near) => format!("did you mean `{near}`?"),
+            None => format!("known are {}", EQUIPMENT.join(", ")),
+        };
+        out.push(
+            RULE.at(file, Place::pointer(["equipment", &index.to_string()]), format!("unknown equipment `{name}`"))
+                .key(name)
+                .level(Level::Warning)
+                .breaks(Application::Makehuman2, "ignores it: assets of this kind are not offered")
+                .help(help),
+        );
+    }
+}
+
+/// Groups that the application draws faces of.
+fn drawn(mesh: &Mesh) -> impl Iterator<Item = &str> {
+    mesh.groups.iter().filter(|group| group.faces > 0).map(|group| group.name.as_str())
+}
+
+fn visible(file: &FileFacts, groups: &[String], mesh: &Mesh, out: &mut Vec<Finding>) {
+    let unknown: Vec<&String> = groups.iter().filter(|name| !drawn(mesh).any(|group| group == **name)).collect();
+    let nothing_left = unknown.len() == groups.len();
+    let message = match unknown.as_slice() {
+        [] if nothing_left => "`visible groups` is empty".to_owned(),
+        [] => return,
+        [only] => format!("the visible group `{only}` is not in the mesh"),
+        [first, ..] => format!("`{first}` and {} other visible groups are not in the mesh", unknown.len() - 1),
+    };
+    let near = unknown.first().and_then(|name| nearest(name, drawn(mesh)));
+    let help = match near {
+        Some(near) => format!("did you mean `{near}`?"),
+        None => "name groups (`g`) of base.obj that have faces".to_owned(),
+    };
+    let finding = RULE.at(file, Place::pointer([MEMBER]), message).key(MEMBER).help(help);
+    let finding = finding.evidence(Evidence::of_cases(&unknown).out_of(groups.len()));
+    out.push(if nothing_left {
+        finding.breaks(Application::Makehuman2, "shows an invisible character of height 0, without a message")
+    } else {
+        finding.level(Level::Warning).breaks(Application::Makehuman2, "does not draw the group, without a message")
+    });
+}
+
+/// Python's `in` asks a text for parts, a list for elements.
+fn plain_text(file: &FileFacts, text: &str, mesh: &Mesh) -> Finding {
+    let shown: Vec<&str> = drawn(mesh).filter(|group| text.contains(*group)).collect();
+    let finding = |message: String| {
+        let help = format!("write a list: `[\"{text}\"]`");
+        RULE.at(file, Place::pointer([MEMBER]), message).key(MEMBER).help(help)
+    };
+    if shown.is_empty() {
+        let effect = "shows an invisible character of height 0, without a message";
+        return finding(format!("no group of the mesh is part of the text `{text}`"))
+            .breaks(Application::Makehuman2, effect);
+    }
+    let level = if shown == [text] { Level::Info } else { Level::Warning };
+    finding("`visible groups` is a text; every group whose name is part of it is drawn".to_owned())
+        .level(level)
+        .breaks(Application::Makehuman2, "draws every group whose name is part of the text")
+        .evidence(Evidence::of_cases(shown))
+}

@@ -1,0 +1,132 @@
+//! Patterns, groups and entries named in `base.json` must exist.
+
+use super::super::{Check, Rule, RuleCx};
+use super::has_sliders;
+use super::names::{Names, Unknown};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::formats::base_json::{BaseJson, Random};
+use crate::repo::{Base, FileFacts, Repository};
+
+/// The way to leave a measure out.
+const NO_MEASURE: &str = "none";
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(Application::Makehuman2, "ignores the name; what it was for has no effect")],
+        docs: "`modifier-presets` and `measure` name sliders by their pattern, `random.gender`, `random.ideal` and `random.rules` by their key, \
+            `random.groups` and `head-pattern` name groups of sliders.\n\nA name that does not exist is ignored, mostly without a message; a rule of \
+            the randomizer on an unknown slider always resets its target. Errors are what stops the program: an `age` whose slider \
+            has no `display`, a random group with two `|`, and a category that is selected before one of its own groups. Groups of \
+            user targets are not judged, and `none` is the way to leave a measure out.\n\nCorrect the name, or remove it.",
+        ..RuleInfo::new(
+            "base-unknown-preset",
+            Level::Warning,
+            "a preset, measure or random rule names what does not exist",
+        )
+    },
+    check: Check::Base(run),
+};
+
+fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some((file, settings)) = base.settings().filter(|_| has_sliders(base)) else { return };
+    let names = Names { base };
+    for (pattern, _) in &settings.presets {
+        out.extend(names.pattern(pattern).map(|unknown| unknown_name(file, &["modifier-presets", pattern], unknown)));
+    }
+    measures(file, &names, settings, out);
+    for (index, head) in settings.head_pattern.iter().flatten().enumerate() {
+        let at = ["head-pattern", &index.to_string()];
+        out.extend(names.head(head).map(|unknown| unknown_name(file, &at, unknown)));
+    }
+    if let Some(random) = &settings.random {
+        randomizer(file, &names, random, out);
+    }
+}
+
+fn finding(file: &FileFacts, at: &[&str], message: String, name: &str) -> Finding {
+    let place = at.iter().fold(String::new(), |place, part| {
+        let Place::Pointer(step) = Place::pointer([part]) else { return place };
+        place + &step
+    });
+    let purpose = at.first().copied().unwrap_or_default();
+    RULE.at(file, Place::Pointer(place), message).key(format!("{purpose} {name}"))
+}
+
+fn unknown_name(file: &FileFacts, at: &[&str], unknown: Unknown) -> Finding {
+    finding(file, at, unknown.message, &unknown.name).help(unknown.help)
+}
+
+fn measures(file: &FileFacts, names: &Names<'_, '_>, settings: &BaseJson, out: &mut Vec<Finding>) {
+    for (purpose, pattern) in settings.measure.iter().filter(|(_, pattern)| pattern != NO_MEASURE) {
+        let at = ["measure", purpose.as_str()];
+        let slider = names.base.slider(pattern).map(|bound| bound.slider);
+        out.extend(match (purpose.as_str(), slider) {
+            ("size", Some(_)) => {
+                let message = format!("`size` names the pattern `{pattern}`: the height is then not shown");
+                Some(finding(file, &at, message, pattern).help("write `\"size\": \"none\"`"))
+            }
+            ("age", Some(slider)) if slider.display.is_none() => {
+                let message = format!("`age` names `{}`, which has no `display`", slider.key);
+                let effect = "stops with an AttributeError when the size information is shown";
+                let finding = finding(file, &at, message, pattern).level(Level::Error);
+                Some(finding.breaks(Application::Makehuman2, effect).help("name the slider that displays the age"))
+            }
+            ("chest" | "waist" | "hips" | "underbust", Some(slider)) if slider.measure.is_none() => {
+                let message = format!("`{purpose}` names `{}`, which has no `measure`", slider.key);
+                Some(finding(file, &at, message, pattern).help("name an entry with `measure`, or `none`"))
+            }
+            // Not a pattern is what `size` needs; other keys are read by nobody.
+            ("gender" | "age" | "chest" | "waist" | "hips" | "underbust", None) => {
+                names.pattern(pattern).map(|unknown| unknown_name(file, &at, unknown))
+            }
+            _ => None,
+        });
+    }
+}
+
+fn randomizer(file: &FileFacts, names: &Names<'_, '_>, random: &Random, out: &mut Vec<Finding>) {
+    for (member, key) in [("gender", &random.gender), ("ideal", &random.ideal)] {
+        let unknown = key.as_ref().and_then(|key| names.entry(key));
+        out.extend(unknown.map(|unknown| unknown_name(file, &["random", member], unknown)));
+    }
+    for (at, (group, selected)) in random.groups.iter().enumerate() {
+        let earlier = random.groups.iter().take(at);
+        let mut whole =
+            earlier.filter(|(other, _)| group.split_once('|').is_some_and(|(category, _)| category == other));
+        match whole.next_back() {
+            Some((category, also)) => out.push(nested(file, group, category, *selected && *also)),
+            None => out.extend(random_group(file, names, group)),
+        }
+    }
+    for (key, conditions) in &random.rules {
+        if let Some(unknown) = names.entry(key) {
+            out.push(unknown_name(file, &["random", "rules", key], unknown));
+            continue;
+        }
+        for condition in conditions {
+            let Some(unknown) = names.entry(&condition.slider) else { continue };
+            let finding = unknown_name(file, &["random", "rules", key, &condition.slider], unknown);
+            out.push(finding.breaks(Application::Makehuman2, "always resets the target of the rule to 0"));
+        }
+    }
+}
+
+fn random_group(file: &FileFacts, names: &Names<'_, '_>, group: &str) -> Option<Finding> {
+    let at = ["random", "groups", group];
+    if group.matches('|').count() < 2 {
+        return names.group(group).map(|unknown| unknown_name(file, &at, unknown));
+    }
+    let message = format!("the random group `{group}` has more than two parts");
+    let effect = "stops with a ValueError when a random character is made";
+    let finding = finding(file, &at, message, group).level(Level::Error).breaks(Application::Makehuman2, effect);
+    Some(finding.help("write `category` or `category|subcategory`"))
+}
+
+/// A whole category that stands before one of its own groups.
+fn nested(file: &FileFacts, group: &str, category: &str, selected: bool) -> Finding {
+    let message = format!("the random group `{group}` follows its whole category `{category}`");
+    let effect = "stops with an AttributeError when a random character is made with both selected";
+    let level = if selected { Level::Error } else { Level::Warning };
+    let finding = finding(file, &["random", "groups", group], message, group).level(level);
+    finding.breaks(Application::Makehuman2, effect).help("list either the category or its groups")
+}

@@ -1,0 +1,30 @@
+//! References must be relative.
+
+use super::super::{Check, Rule, RuleCx};
+use super::named::{causes, effect};
+use crate::diag::{Application, Finding, Level, RuleInfo};
+use crate::repo::{Repository, Resolution};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(Application::Makehuman2, "finds nothing there on any other computer")],
+        docs: "The name begins with `/`, `\\` or a drive letter: it says where the file is on one computer. Names in assets are relative to a \
+            folder of the data (targets and icons to the target folder, weights and skeletons to `rigs/<base>/`, models to \
+            `base/<base>/`).\n\nOn every other computer the file is missing. Write the name relative to its folder.",
+        ..RuleInfo::new("file-absolute-path", Level::Error, "a reference with an absolute path or a drive letter")
+    },
+    check: Check::Repository(run),
+};
+
+fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let is_absolute = |resolution| matches!(resolution, Resolution::Absolute);
+    for cause in causes(repository, |reference| is_absolute(reference.resolution).then(String::new)) {
+        let finding = cause.finding(&RULE, |reference| format!("`{}` is an absolute path", reference.text));
+        let (Some(finding), Some(first)) = (finding, cause.references.first()) else { continue };
+        out.push(
+            finding
+                .breaks(Application::Makehuman2, format!("on other computers: {}", effect(first.kind)))
+                .help("write the name relative to its folder in the data"),
+        );
+    }
+}

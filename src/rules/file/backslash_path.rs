@@ -1,0 +1,41 @@
+//! Backslashes between folders work on Windows only.
+
+use super::super::{Check, Rule, RuleCx};
+use super::named::{causes, effect};
+use crate::diag::{Application, Finding, FixKind, Level, RuleInfo};
+use crate::repo::{Repository, Resolution};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        fix: FixKind::Safe,
+        breaks: &[(Application::Makehuman2, "finds it on Windows only, and never in compressedtargets.npz")],
+        docs: "The name separates folders by `\\`. Only Windows takes that for a separator; on Linux and macOS it is a letter of the name, and \
+            the file is not found. The keys of `compressedtargets.npz` have `/` everywhere.\n\nWhere the file exists with `/` it is a \
+            warning, because the asset works for its author. Where it does not, it is an error: nobody finds it.\n\nWrite `/`.",
+        ..RuleInfo::new("file-backslash-path", Level::Warning, "a backslash in the name of a file")
+    },
+    check: Check::Repository(run),
+};
+
+fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let key = |exists: bool| if exists { "found" } else { "missing" };
+    for cause in causes(repository, |reference| match reference.resolution {
+        Resolution::Backslash(file) => Some(key(file.is_some()).to_owned()),
+        _ => None,
+    }) {
+        let exists = cause.key == key(true);
+        let finding = cause.finding(&RULE, |reference| {
+            let also = if exists { "" } else { "; with `/` there is no such file either" };
+            format!("`{}` is separated by backslashes{also}", reference.text)
+        });
+        let (Some(finding), Some(first)) = (finding, cause.references.first()) else { continue };
+        let level = if exists { Level::Warning } else { finding.level };
+        let slashed = first.text.replace('\\', "/");
+        out.push(
+            finding
+                .level(level)
+                .breaks(Application::Makehuman2, format!("on Linux and macOS: {}", effect(first.kind)))
+                .help(format!("write `{slashed}`")),
+        );
+    }
+}

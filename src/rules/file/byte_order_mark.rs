@@ -1,0 +1,55 @@
+//! A byte order mark becomes part of the first word.
+
+use super::super::{Check, Rule, RuleCx};
+use super::loader::{is_met, is_override, refused_json};
+use crate::diag::{Application, Finding, FixKind, Level, Place, RuleInfo};
+use crate::discover::Kind;
+use crate::repo::{FileFacts, Repository};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        fix: FixKind::Safe,
+        breaks: &[(Application::Makehuman2, "refuses the file, or loses its first line")],
+        docs: "Some editors put three invisible bytes (EF BB BF, the byte order mark) before the text. MakeHuman 2 does not remove \
+            them.\n\nPython's JSON reader refuses such a file, and it counts as missing. In a target the mark belongs to the first \
+            field: if the first line has four words, a comment included, the program stops at start. In the other text formats \
+            the first word is not recognised and its line is lost; where that is a comment nothing happens, and the finding is an \
+            info.\n\nSave the file as UTF-8 without byte order mark.",
+        ..RuleInfo::new("file-byte-order-mark", Level::Error, "a byte order mark at the beginning of a text file")
+    },
+    check: Check::Repository(run),
+};
+
+/// Fields of a line that a target's reader takes for data.
+const ROW_FIELDS: usize = 4;
+
+fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let marked = |file: &&FileFacts| file.encoding.byte_order_mark && file.encoding.invalid_utf8_at.is_none();
+    let texts = repository.judged.files.values().filter(|file| file.kind.is_text() && !is_override(file));
+    for file in texts.filter(|file| is_met(repository, file)).filter(marked) {
+        let (level, effect) = consequence(repository, file);
+        let message = format!("`{}` begins with a byte order mark", file.file_name());
+        out.push(
+            RULE.at(file, Place::Span(0..3), message)
+                .level(level)
+                .breaks(Application::Makehuman2, effect)
+                .help("save the file as UTF-8 without byte order mark"),
+        );
+    }
+}
+
+fn consequence(repository: &Repository<'_>, file: &FileFacts) -> (Level, &'static str) {
+    let words = &file.encoding.marked_words;
+    let is_comment = words.first().is_none_or(|word| word.starts_with('#'));
+    match file.kind {
+        kind if kind.is_json() => refused_json(repository, file),
+        Kind::Target if words.len() == ROW_FIELDS => {
+            (Level::Error, "takes the first line for a row and stops at start with a ValueError")
+        }
+        _ if super::loader::extension(&file.rel) == "bvh" => {
+            (Level::Error, "refuses the file: it must begin with HIERARCHY")
+        }
+        _ if is_comment => (Level::Info, "loses the first line, which is a comment"),
+        _ => (Level::Warning, "does not recognise the first word and loses its line"),
+    }
+}

@@ -1,0 +1,39 @@
+//! Names in one folder that differ in nothing but case.
+
+use std::collections::BTreeMap;
+
+use super::super::{Check, Rule, RuleCx};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::repo::Layer;
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(Application::Makehuman2, "on Windows and macOS only one of them can exist; which one is chance")],
+        docs: "Linux keeps `Nose.target` and `nose.target` apart; Windows and macOS do not. When such a repository is checked out or \
+            unpacked there, the later file replaces the earlier one, and what refers to it gets the wrong content.\n\nOnly \
+            names in the same folder are compared. Rename one of them and what refers to it.",
+        ..RuleInfo::new("file-case-conflict", Level::Warning, "two names in one folder that differ only in case")
+    },
+    check: Check::Layer(run),
+};
+
+fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let mut siblings: BTreeMap<(&str, String), Vec<&str>> = BTreeMap::new();
+    let paths = layer.files.keys().chain(&layer.folders);
+    for path in paths {
+        let (folder, name) = path.rsplit_once('/').unwrap_or(("", path));
+        siblings.entry((folder, name.to_lowercase())).or_default().push(path);
+    }
+    for ((_, folded), mut paths) in siblings {
+        paths.sort_unstable();
+        let [first, others @ ..] = paths.as_slice() else { continue };
+        let Some(last) = others.last() else { continue };
+        let name = |path: &str| path.rsplit('/').next().unwrap_or_default().to_owned();
+        let before: Vec<String> =
+            paths.iter().filter(|path| *path != last).map(|path| format!("`{}`", name(path))).collect();
+        let message = format!("`{}` and {} differ only in case", name(last), before.join(" and "));
+        let finding =
+            RULE.in_layer(layer, last, message).key(folded).help("rename all but one, and what refers to them");
+        out.push(finding.related(layer.display(first), Place::File, "the other name"));
+    }
+}

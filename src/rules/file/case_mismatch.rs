@@ -1,0 +1,67 @@
+//! References that only a file system without regard to case resolves.
+
+use super::super::{Check, Rule, RuleCx};
+use super::named::{causes, effect};
+use crate::diag::{Application, Finding, FixKind, Level, Place, RuleInfo};
+use crate::repo::{Reference, Repository, Resolution};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        fix: FixKind::Unsafe,
+        breaks: &[(Application::Makehuman2, "finds it on Windows and macOS, on Linux it does not exist")],
+        docs: "The name is written with other capitals than the file has. On Windows and on most Macs that makes no difference, on Linux it \
+            does, and inside `compressedtargets.npz` everywhere.\n\nWhat follows is what follows from a missing file: an exception when \
+            the slider moves, a refused skeleton, an empty button.\n\nWrite the name exactly as the file is called, or rename \
+            the file. A folder whose name differs is reported once for the file that refers into it.",
+        ..RuleInfo::new("file-case-mismatch", Level::Error, "a reference that differs from its file in case")
+    },
+    check: Check::Repository(run),
+};
+
+fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for cause in causes(repository, |reference| found(reference).map(|found| differing(&reference.rel, found).0)) {
+        let Some(first) = cause.references.first() else { continue };
+        let Some(target) = found(first) else { continue };
+        let (written, on_disk) = differing(&first.rel, target);
+        let holder = repository.strongest_first().find(|layer| layer.file(target).is_some());
+        let finding = cause.finding(&RULE, |_| format!("`{written}` is called `{on_disk}` on disk"));
+        let Some(mut finding) = finding else { continue };
+        finding = finding.breaks(Application::Makehuman2, format!("on Linux: {}", effect(first.kind)));
+        if let Some(layer) = holder {
+            finding = finding.related(layer.display(target), Place::File, "the file that is meant");
+        }
+        out.push(finding.help(format!("write `{on_disk}`, or rename the file")));
+    }
+}
+
+fn found<'a>(reference: &Reference<'a>) -> Option<&'a str> {
+    if let Resolution::CaseOnly(file) = reference.resolution { Some(&file.rel) } else { None }
+}
+
+/// The shortest beginnings of both paths that hold the whole difference: a folder, where one differs.
+fn differing(written: &str, real: &str) -> (String, String) {
+    let (mut a, mut b) = (Vec::new(), Vec::new());
+    let mut differ = 0;
+    for (index, (left, right)) in written.split('/').zip(real.split('/')).enumerate() {
+        a.push(left);
+        b.push(right);
+        if left != right {
+            differ = index + 1;
+        }
+    }
+    a.truncate(differ);
+    b.truncate(differ);
+    (a.join("/"), b.join("/"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_folder_is_named_without_what_is_in_it() {
+        let both = |a: &str, b: &str| (a.to_owned(), b.to_owned());
+        assert_eq!(differing("t/Head/a.target", "t/head/a.target"), both("t/Head", "t/head"));
+        assert_eq!(differing("t/Head/A.target", "t/head/a.target"), both("t/Head/A.target", "t/head/a.target"));
+    }
+}

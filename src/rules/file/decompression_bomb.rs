@@ -1,0 +1,31 @@
+//! Packed files that unpack to more than anybody wants in memory.
+
+use super::super::{Check, Rule, RuleCx};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::repo::Layer;
+use crate::source::GzipFault;
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        unmutable: true,
+        breaks: &[(Application::Makehuman2, "unpacks archives without a limit: memory runs out")],
+        docs: "A small packed file can hold gigabytes of zeros. Loaders unpack without asking, and the computer runs out of memory. \
+            Packed assets shrink three to ten times; `mhlint` gives up beyond 512 MiB, or beyond 200 times the packed size once \
+            16 MiB are passed. For `.npz`, `.mhbin` and `.zip` the sizes stated in the archive are added up.\n\nThis rule \
+            cannot be muted. Do not open the file; ask where it comes from.",
+        ..RuleInfo::new(
+            "file-decompression-bomb",
+            Level::Error,
+            "a packed file that unpacks beyond every sensible size",
+        )
+    },
+    check: Check::Layer(run),
+};
+
+fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for file in layer.files.values() {
+        let Some(GzipFault::Bomb { packed, unpacked }) = file.gzip_fault else { continue };
+        let message = format!("{packed} bytes unpack to {unpacked} bytes or more");
+        out.push(RULE.at(file, Place::File, message).help("do not open it; ask where it comes from"));
+    }
+}

@@ -1,0 +1,82 @@
+//! The same content under several names.
+
+use std::collections::BTreeMap;
+
+use super::super::{Check, Rule, RuleCx};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::discover::Kind;
+use crate::repo::{FileFacts, Repository, Resolution};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(Application::Makehuman2, "loads and keeps the same content more than once")],
+        docs: "Several targets with the same displacements, or pictures or meshes with the same bytes. It does no harm, but costs space, and whoever \
+            changes one forgets the other.\n\nTargets are compared by their numbers, whatever their comments; targets that move nothing and \
+            files below 200 bytes are left out. Only files of the same base mesh and category are compared, because others cannot be \
+            shared.\n\nLet all references name one of the files and remove the rest.",
+        ..RuleInfo::new("file-duplicate-content", Level::Info, "several files with the same content")
+    },
+    check: Check::Repository(run),
+};
+
+/// Smaller files (a dot of an icon, a target of a few rows) are equal by chance.
+const SMALLEST: u64 = 200;
+
+fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let mut twins: BTreeMap<(String, &str, u64), Vec<&FileFacts>> = BTreeMap::new();
+    for file in repository.judged.files.values() {
+        if let (Some(class), Some(hash)) = (class(file), file.content_hash) {
+            twins.entry((category(file), class, hash)).or_default().push(file);
+        }
+    }
+    for ((_, class, _), files) in twins {
+        let [first, others @ ..] = files.as_slice() else { continue };
+        if others.is_empty() {
+            continue;
+        }
+        let names: Vec<String> = others.iter().map(|file| format!("`{}`", file.rel)).collect();
+        let message = format!("the same {class} as {}", names.join(", "));
+        let mut finding = RULE.at(first, Place::File, message).help(advice(repository, first, others));
+        for other in others {
+            finding = finding.related(other.path.clone(), Place::File, "the same content");
+        }
+        out.push(finding.evidence(Evidence::of_cases(files.iter().map(|file| &file.rel))));
+    }
+}
+
+/// What a file is compared with, if it is.
+fn class(file: &FileFacts) -> Option<&'static str> {
+    let extension = file.rel.rsplit('.').next().unwrap_or_default();
+    match file.kind {
+        _ if file.size < SMALLEST || file.encoding.lfs_pointer => None,
+        Kind::Target => file.target().filter(|facts| facts.moving > 0).map(|_| "displacement"),
+        Kind::BaseMesh => Some("mesh"),
+        Kind::Text if extension == "obj" => Some("mesh"),
+        // Every asset has its own thumb, named after it.
+        Kind::Image if extension == "thumb" => None,
+        Kind::Image | Kind::TargetIcon => Some("picture"),
+        _ => None,
+    }
+}
+
+/// Folder and base mesh: within it one file can stand for another.
+fn category(file: &FileFacts) -> String {
+    file.rel.split('/').take(2).collect::<Vec<_>>().join("/")
+}
+
+fn advice(repository: &Repository<'_>, first: &FileFacts, others: &[&FileFacts]) -> String {
+    let is_other = |found: &FileFacts| others.iter().any(|other| std::ptr::eq(*other, found));
+    let reference = repository.references.iter().find(|reference| match reference.resolution {
+        Resolution::Found(file) => is_other(file),
+        _ => false,
+    });
+    match reference {
+        Some(reference) => format!(
+            "let `{}` in {} name the file `{}`, and remove the other",
+            reference.owner,
+            reference.from.file_name(),
+            first.file_name()
+        ),
+        None => "let everything that uses them name one file, and remove the others".to_owned(),
+    }
+}

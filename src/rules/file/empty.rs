@@ -1,0 +1,82 @@
+//! Files without anything in them where content is needed.
+
+use std::collections::BTreeSet;
+
+use super::super::{Check, Rule, RuleCx};
+use super::loader::{extension, is_met, is_override, refused_json};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::discover::Kind;
+use crate::repo::{FileFacts, ReferenceKind, Repository, Resolution};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(Application::Makehuman2, "loads nothing, or stops")],
+        docs: "The file has no bytes, or nothing but blanks and comments. Often a download or an export was interrupted.\n\nHow bad that is \
+            depends on the file. An empty `.mhskel`, `.mhpose` or `.mhbin` stops MakeHuman 2 while it scans the assets, an empty \
+            `compressedtargets.npz` stops every start until it is deleted, and an empty JSON counts as missing (an override in `contarget/` is the business of `overlay-broken-override`). A target \
+            without a row loads and moves nothing; where a macro names it, `macro-empty-target` speaks instead.\n\nRestore the \
+            content, or remove the file and what refers to it.",
+        ..RuleInfo::new("file-empty", Level::Warning, "an empty file where content is needed")
+    },
+    check: Check::Repository(run),
+};
+
+fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let macros = targets_of_macros(repository);
+    let needed = |file: &&FileFacts| is_met(repository, file) && !is_override(file);
+    for file in repository.judged.files.values().filter(needed) {
+        let Some(what) = emptiness(file) else { continue };
+        if macros.contains(file.rel.as_str()) {
+            continue;
+        }
+        let Some((level, effect)) = consequence(repository, file) else { continue };
+        let message = format!("`{}` is empty{what}", file.file_name());
+        let help = match file.kind {
+            Kind::TargetArchive => "delete it: MakeHuman 2 makes a new one from the targets",
+            _ => "restore the content, or remove the file and what refers to it",
+        };
+        out.push(RULE.at(file, Place::File, message).level(level).breaks(Application::Makehuman2, effect).help(help));
+    }
+}
+
+/// `macro-empty-target` knows these better.
+fn targets_of_macros<'r>(repository: &'r Repository<'_>) -> BTreeSet<&'r str> {
+    let macros = repository.references.iter().filter(|reference| reference.kind == ReferenceKind::MacroTarget);
+    macros
+        .filter_map(|reference| match reference.resolution {
+            Resolution::Found(file) if repository.is_judged(file) => Some(file.rel.as_str()),
+            _ => None,
+        })
+        .collect()
+}
+
+fn emptiness(file: &FileFacts) -> Option<&'static str> {
+    let encoding = &file.encoding;
+    match file.kind {
+        _ if file.size == 0 => Some(" (0 bytes)"),
+        kind if !kind.is_text() => None,
+        _ if encoding.blank => Some(" (nothing but blanks)"),
+        // A comment is no JSON: that is a matter of syntax.
+        kind if !kind.is_json() && encoding.only_comments => Some(" (nothing but comments)"),
+        _ => None,
+    }
+}
+
+/// Level and consequence, or nothing where nobody needs content.
+fn consequence(repository: &Repository<'_>, file: &FileFacts) -> Option<(Level, &'static str)> {
+    Some(match (file.kind, extension(&file.rel)) {
+        (kind, _) if kind.is_json() => refused_json(repository, file),
+        (Kind::Target, _) => (Level::Warning, "loads it; nothing moves"),
+        // `archive-malformed` speaks.
+        (Kind::TargetArchive, _) => return None,
+        (Kind::BaseMesh, _) => (Level::Error, "stops at start: there is no base mesh"),
+        (Kind::Text, "mhmat") => (Level::Warning, "shows the default white material"),
+        (Kind::Text, "mhm") => (Level::Warning, "loads a model without a setting"),
+        (Kind::Text, "meta") => (Level::Warning, "names the pose after its file"),
+        (Kind::Text, "bvh") => (Level::Error, "stops with an IndexError when the pose is used"),
+        (Kind::Text, _) => (Level::Error, "cannot attach the asset"),
+        (Kind::Image | Kind::TargetIcon, _) => (Level::Warning, "shows no picture"),
+        (Kind::PackedTarget | Kind::Other, "mhbin") => (Level::Error, "stops at start while it scans the assets"),
+        _ => return None,
+    })
+}

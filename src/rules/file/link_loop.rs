@@ -1,0 +1,40 @@
+//! Links that lead in a circle.
+
+use super::super::{Check, Rule, RuleCx};
+use crate::diag::{Application, Finding, Level, RuleInfo};
+use crate::repo::Layer;
+use crate::source::{WalkFault, WalkFaultKind};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(Application::Makehuman2, "lists the same files again and again, or fails to open the link")],
+        docs: "A symbolic link points to a folder above it, or to a link that points back. Whoever lists the folder finds the same files \
+            under ever longer names until the system stops it.\n\n`mhlint` does not follow the circle. Remove the link.",
+        ..RuleInfo::new(
+            "file-link-loop",
+            Level::Error,
+            "a symbolic link that leads back to itself or a folder above it",
+        )
+    },
+    check: Check::Layer(run),
+};
+
+fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let is_loop = |path: &str| {
+        let same = |fault: &&WalkFault| fault.path == path && matches!(fault.kind, WalkFaultKind::LinkLoop { .. });
+        layer.walk_faults.iter().any(|fault| same(&fault))
+    };
+    for fault in &layer.walk_faults {
+        let WalkFaultKind::LinkLoop { back_to } = &fault.kind else { continue };
+        // Links that point to each other are one circle, told at one of them.
+        if *back_to != fault.path && is_loop(back_to) {
+            continue;
+        }
+        let message = if *back_to == fault.path || back_to.is_empty() {
+            "the link leads back to where it started".to_owned()
+        } else {
+            format!("the link leads back to `{back_to}`")
+        };
+        out.push(RULE.in_layer(layer, &fault.path, message).help("remove the link"));
+    }
+}

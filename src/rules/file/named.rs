@@ -1,0 +1,62 @@
+//! References that stand in the judged layer, by file and cause, and what follows if they lead nowhere.
+
+use std::collections::BTreeMap;
+
+use super::super::Rule;
+use crate::diag::{Evidence, Finding, Level};
+use crate::repo::{Reference, ReferenceKind, Repository};
+
+/// References of one cause in one file, in the order of the file.
+pub(super) struct Cause<'r, 'a> {
+    /// Name of the cause inside the file.
+    pub(super) key: String,
+    /// The references, at least one.
+    pub(super) references: Vec<&'r Reference<'a>>,
+}
+
+/// The references that `key` gives a cause for, one [`Cause`] for each file and key.
+pub(super) fn causes<'r, 'a>(
+    repository: &'r Repository<'a>,
+    key: impl Fn(&Reference<'a>) -> Option<String>,
+) -> Vec<Cause<'r, 'a>> {
+    let mut causes: BTreeMap<(&str, String), Vec<&Reference<'a>>> = BTreeMap::new();
+    for reference in repository.references.iter().filter(|reference| repository.is_judged(reference.from)) {
+        if let Some(key) = key(reference) {
+            causes.entry((reference.from.path.as_str(), key)).or_default().push(reference);
+        }
+    }
+    causes.into_iter().map(|((_, key), references)| Cause { key, references }).collect()
+}
+
+impl Cause<'_, '_> {
+    /// A finding at the first reference; the others are counted, the worst sets the level.
+    pub(super) fn finding(&self, rule: &Rule, message: impl FnOnce(&Reference<'_>) -> String) -> Option<Finding> {
+        let first = self.references.first()?;
+        let mut message = message(first);
+        if self.references.len() > 1 {
+            message = format!("{message} ({} references like it)", self.references.len());
+        }
+        let names = self.references.iter().map(|reference| reference.text);
+        let worst = self.references.iter().map(|reference| level(reference.kind)).max().unwrap_or(Level::Error);
+        let finding = rule.at(first.from, first.place.clone(), message).key(&self.key).level(worst);
+        Some(finding.evidence(Evidence::of_cases(names)))
+    }
+}
+
+/// How bad it is if the application finds nothing.
+fn level(kind: ReferenceKind) -> Level {
+    if kind == ReferenceKind::Icon { Level::Warning } else { Level::Error }
+}
+
+/// What MakeHuman 2 does if it finds nothing (formats/makehuman2.md §3.6, §4.3, §7, §10).
+pub(super) fn effect(kind: ReferenceKind) -> &'static str {
+    match kind {
+        ReferenceKind::MacroTarget | ReferenceKind::Incr | ReferenceKind::Decr => {
+            "does not find the target: an exception when its slider moves, or at start if the start character uses it"
+        }
+        ReferenceKind::Icon => "shows a button without a picture",
+        ReferenceKind::WeightsFile => "refuses the skeleton",
+        ReferenceKind::PoseSkeleton => "has no poses and no bone weights for assets, without a word",
+        ReferenceKind::Model => "stops at start with a TypeError",
+    }
+}

@@ -1,0 +1,33 @@
+//! Nothing may lead out of the data root.
+
+use super::super::{Check, Rule, RuleCx};
+use super::named::causes;
+use crate::diag::{Application, Finding, Level, RuleInfo};
+use crate::repo::{Repository, Resolution};
+use crate::source::WalkFaultKind;
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        unmutable: true,
+        breaks: &[(Application::Makehuman2, "opens whatever file lies there, or finds nothing on another computer")],
+        docs: "A name with `..`, or a symbolic link, that leads out of the data folder. On the computer of its author that may work; on \
+            any other it finds nothing, or a foreign file that was never meant.\n\n`mhlint` neither follows nor reads what lies outside. \
+            A link or `..` that stays inside the data is left alone.\n\nThis rule cannot be muted. Copy the file into the data \
+            folder.",
+        ..RuleInfo::new("file-path-escape", Level::Error, "a reference or link that leaves the data root")
+    },
+    check: Check::Repository(run),
+};
+
+fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let leaves = |resolution| matches!(resolution, Resolution::Escapes);
+    for cause in causes(repository, |reference| leaves(reference.resolution).then(String::new)) {
+        let finding = cause.finding(&RULE, |reference| format!("`{}` leads out of the data folder", reference.text));
+        out.extend(finding.map(|finding| finding.level(Level::Error).help("copy the file into the data folder")));
+    }
+    let layer = repository.judged;
+    for fault in layer.walk_faults.iter().filter(|fault| fault.kind == WalkFaultKind::LinkLeavesRoot) {
+        let finding = RULE.in_layer(layer, &fault.path, "the link leads out of the data folder and was not followed");
+        out.push(finding.key("link").help("copy what it points to into the data folder"));
+    }
+}

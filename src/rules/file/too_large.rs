@@ -1,0 +1,71 @@
+//! Files far beyond the size of their kind.
+
+use super::super::{Check, Rule, RuleCx};
+use super::loader::extension;
+use crate::diag::{Application, Finding, Level, OptionInfo, Place, RuleInfo};
+use crate::discover::Kind;
+use crate::repo::{FileFacts, Layer};
+use crate::source::ReadFault;
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(Application::Makehuman2, "loads it slowly and needs much memory")],
+        options: &[
+            OptionInfo {
+                name: "json",
+                default: 8.0,
+                docs: "largest JSON, skeleton or weights file in MB (1,000,000 bytes)",
+            },
+            OptionInfo {
+                name: "target",
+                default: 4.0,
+                docs: "largest target in MB; all 19158 vertices of hm08 need 0.6",
+            },
+            OptionInfo { name: "mesh", default: 32.0, docs: "largest mesh (.obj) in MB; hm08 has 2" },
+            OptionInfo {
+                name: "picture",
+                default: 32.0,
+                docs: "largest picture in MB; 4096 by 4096 pixels need up to 64 unpacked",
+            },
+            OptionInfo { name: "other", default: 256.0, docs: "largest file of any other kind in MB" },
+        ],
+        docs: "The file is much larger than files of its kind are. Often a picture was saved without compression, a mesh was exported with \
+            subdivision, or something was packed into the repository by accident. All users download and load it.\n\nThe limits are \
+            options of this rule, one for each kind, in MB. A file of more than 512 MiB is not read at all, so nothing else is \
+            said about it.",
+        ..RuleInfo::new("file-too-large", Level::Warning, "a file beyond the size of its kind")
+    },
+    check: Check::Layer(run),
+};
+
+/// Bytes in a MB.
+const MB: f64 = 1e6;
+
+fn run(layer: &Layer, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for file in layer.files.values() {
+        let size = file.size as f64;
+        let limit = cx.option(&RULE, option(file));
+        let unread = matches!(file.unreadable, Some(ReadFault::TooLarge { .. }));
+        if size <= limit * MB && !unread {
+            continue;
+        }
+        let message = if unread {
+            format!("{} with {:.1} MB: too large to be judged", file.kind.title(), size / MB)
+        } else {
+            format!("{} with {:.1} MB; more than {limit} MB is unusual", file.kind.title(), size / MB)
+        };
+        let help = format!("make it smaller, or raise the option `{}` of this rule", option(file));
+        out.push(RULE.at(file, Place::File, message).help(help));
+    }
+}
+
+fn option(file: &FileFacts) -> &'static str {
+    match file.kind {
+        kind if kind.is_json() => "json",
+        Kind::Target | Kind::PackedTarget => "target",
+        Kind::BaseMesh => "mesh",
+        Kind::Image | Kind::TargetIcon => "picture",
+        Kind::Text if extension(&file.rel) == "obj" => "mesh",
+        _ => "other",
+    }
+}

@@ -1,0 +1,89 @@
+//! Names that some system cannot hold, or holds differently.
+
+use super::super::{Check, Rule, RuleCx};
+use crate::diag::{Application, Finding, Level, RuleInfo};
+use crate::repo::Layer;
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(
+            Application::Makehuman2,
+            "on Windows the file cannot be unpacked or checked out; elsewhere it may get another name",
+        )],
+        docs: "Windows reserves names (`CON`, `PRN`, `AUX`, `NUL`, `COM1` to `COM9`, `LPT1` to `LPT9`, with any extension) and the characters \
+            `< > : \" | ? * \\`, and removes a point or blank at the end. Control characters and names that are no Unicode cannot be written \
+            in JSON or in an asset's text. A name with separate accent marks looks like the same name with whole letters, but is \
+            another one: macOS writes the first, keyboards write the second, and what refers to the file finds it by \
+            chance.\n\nRename the file, and what refers to it, with plain letters.",
+        ..RuleInfo::new("file-unportable-name", Level::Warning, "a name that not every system can hold")
+    },
+    check: Check::Layer(run),
+};
+
+const RESERVED: [&str; 4] = ["con", "prn", "aux", "nul"];
+const RESERVED_WITH_NUMBER: [&str; 2] = ["com", "lpt"];
+const FORBIDDEN: [char; 8] = ['<', '>', ':', '"', '|', '?', '*', '\\'];
+
+fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let faults = layer.walk_faults.iter().map(|fault| &fault.path);
+    for path in layer.files.keys().chain(&layer.folders).chain(faults) {
+        let name = path.rsplit('/').next().unwrap_or(path);
+        if let Some(fault) = fault(name) {
+            let finding = RULE.in_layer(layer, path, format!("`{name}` {fault}"));
+            out.push(finding.help("rename it, and what refers to it, with plain letters"));
+        }
+    }
+}
+
+/// What is wrong with a name, if anything.
+fn fault(name: &str) -> Option<String> {
+    if name.contains(char::REPLACEMENT_CHARACTER) {
+        return Some("is no Unicode".to_owned());
+    }
+    if name.chars().any(char::is_control) {
+        return Some("holds a control character".to_owned());
+    }
+    if let Some(character) = name.chars().find(|character| FORBIDDEN.contains(character)) {
+        return Some(format!("holds `{character}`, which Windows does not allow"));
+    }
+    if name.ends_with(['.', ' ']) {
+        return Some("ends in a point or blank, which Windows removes".to_owned());
+    }
+    if is_reserved(name) {
+        return Some("is a reserved name on Windows".to_owned());
+    }
+    is_decomposed(name).then(|| "is written with separate accent marks".to_owned())
+}
+
+fn is_reserved(name: &str) -> bool {
+    let stem = name.split('.').next().unwrap_or_default().trim_end().to_lowercase();
+    let numbered = || {
+        let number = RESERVED_WITH_NUMBER.iter().find_map(|word| stem.strip_prefix(word))?;
+        matches!(number.as_bytes(), [b'1'..=b'9']).then_some(())
+    };
+    RESERVED.contains(&stem.as_str()) || numbered().is_some()
+}
+
+/// A Latin letter followed by a combining mark: nearly always there is one letter for both.
+fn is_decomposed(name: &str) -> bool {
+    let follows = name.chars().skip(1);
+    name.chars()
+        .zip(follows)
+        .any(|(letter, mark)| letter.is_ascii_alphabetic() && ('\u{300}'..'\u{370}').contains(&mark))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_that_windows_refuses_are_found() {
+        for name in ["con", "NUL.target", "Com1.tar.gz", "a?b", "a.", "a ", "a\u{7}b", "Jo\u{308}rg", "a\\b", "lpt9 .x"]
+        {
+            assert!(fault(name).is_some(), "{name}");
+        }
+        for name in ["console", "com0", "com10", "a.b", " a", "J\u{f6}rg", "nullify.target", "日本"] {
+            assert_eq!(fault(name), None, "{name}");
+        }
+    }
+}

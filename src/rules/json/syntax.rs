@@ -1,0 +1,72 @@
+//! The text of a JSON must be JSON.
+
+use super::super::{Check, Rule, RuleCx};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::discover::Kind;
+use crate::formats::json_file::JsonFault;
+use crate::json::{SyntaxFault, SyntaxKind};
+use crate::repo::{Content, FileFacts, Repository};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(Application::Makehuman2, "treats the file as absent, or stops at start if it is an asset")],
+        docs: "JSON is strict: keys and texts in double quotes, a comma between two members and none after the last, no \
+            comments, no text after the end.\n\nPython, which all applications are written in, is as strict, with one \
+            exception: it reads `NaN`, `Infinity` and `-Infinity` as numbers, which JSON does not have and other tools \
+            refuse. Such a file loads, so that is a warning.\n\nWhat a fault costs depends on the file. MakeHuman 2 takes a \
+            broken macro.json, modelling.json or target_cat.json for absent, without a word to its user; it does not load \
+            a base whose base.json is broken; and a broken skeleton or pose stops it at start, because it reads all \
+            assets then. A broken override in `contarget/` is the business of `overlay-broken-override`.\n\nMend the text \
+            at the place that is shown; the cause may stand just before it.",
+        ..RuleInfo::new("json-syntax", Level::Error, "a file is no JSON")
+    },
+    check: Check::Repository(run),
+};
+
+fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for file in repository.judged.files.values().filter(|file| !file.is_ignored_override()) {
+        match &file.content {
+            Content::Broken(JsonFault::Syntax(fault)) if fault.kind != SyntaxKind::TooDeep => {
+                let (level, effect) = super::loss(repository, file);
+                let finding = RULE.at(file, Place::Span(fault.span.clone()), format!("no JSON: {fault}"));
+                out.push(finding.level(level).help(help(fault)).breaks(Application::Makehuman2, effect));
+            }
+            // What NaN does to weights is worse, and another rule's business.
+            _ if file.kind != Kind::Weights => out.extend(special_numbers(file)),
+            _ => {}
+        }
+    }
+}
+
+fn help(fault: &SyntaxFault) -> &'static str {
+    match &fault.kind {
+        SyntaxKind::TrailingComma => "remove the comma; Python refuses it, too",
+        SyntaxKind::Comment => "remove the comment (a key `comment` is a place for it); Python refuses it, too",
+        SyntaxKind::BadString("does not end") => "close the text with `\"`",
+        SyntaxKind::BadString(_) => "write control characters and backslashes as escapes: `\\n`, `\\t`, `\\\\`",
+        SyntaxKind::UnexpectedEnd(_) => "the file is cut off, or a bracket is not closed",
+        SyntaxKind::TrailingText => "remove what follows, or a bracket was closed too early",
+        SyntaxKind::Expected { found, .. } if found.starts_with('\'') => {
+            "use double quotes; Python refuses others, too"
+        }
+        SyntaxKind::Expected { .. } | SyntaxKind::TooDeep => "look for a missing comma, quote or bracket just before",
+    }
+}
+
+fn special_numbers(file: &FileFacts) -> Option<Finding> {
+    let specials = &file.json.specials;
+    let first = specials.first()?;
+    let message = match specials.len() {
+        1 => "a number that JSON does not have (`NaN` or `Infinity`)".to_owned(),
+        count => format!("{count} numbers that JSON does not have (`NaN` or `Infinity`)"),
+    };
+    let evidence = Evidence::of_cases(specials.iter().map(|span| format!("byte {}", span.start)));
+    Some(
+        RULE.at(file, Place::Span(first.clone()), message)
+            .key("special numbers")
+            .level(Level::Warning)
+            .help("write a finite number; Python accepts this one, JSON does not")
+            .breaks(Application::Makehuman2, "reads it and calculates with it")
+            .evidence(evidence),
+    )
+}

@@ -1,0 +1,76 @@
+//! `t` that spells another value than its name, beside a file that fits better.
+
+use super::super::{Check, Rule, RuleCx};
+use super::fit::{contradiction, fits, values_of};
+use super::links::{MacroLink, links, unreferenced};
+use crate::diag::{Application, Confidence, Finding, Level, Place, RuleInfo};
+use crate::repo::{Base, FileFacts, Repository};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(Application::Makehuman2, "applies the target of another value for this combination")],
+        docs: "Several combinations may share a target, and then `t` does not spell all of their values. But when \
+            `t` spells *another* value of a component than the name does, and a file that spells the right one \
+            lies in the same folder and is used by nobody, the entry was probably copied and not \
+            finished.\n\nMakeHuman 2 applies what `t` says; the shape of this combination is that of \
+            another.\n\nLet `t` name the file that fits.",
+        ..RuleInfo::new(
+            "macro-alias-suspect",
+            Level::Warning,
+            "`t` spells another value than `name` while a better fitting file lies unused beside it",
+        )
+    },
+    check: Check::Base(run),
+};
+
+/// An entry that names another value's file although a better one is free.
+pub(super) struct Suspect<'s> {
+    pub(super) link: MacroLink<'s>,
+    pub(super) better: &'s FileFacts,
+    /// The value that `t` spells, and the one that the name has.
+    values: (&'s str, &'s str),
+}
+
+fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some((file, _)) = base.macro_file() else { return };
+    let free = unreferenced(repository, base);
+    if free.is_empty() {
+        return;
+    }
+    for suspect in suspects(repository, base, &free) {
+        let (spelt, meant) = suspect.values;
+        let name = &suspect.link.link.name;
+        let message = format!("`{name}` names `{}`: `{spelt}` where it means `{meant}`", suspect.link.reference.text);
+        let finding = RULE.at(file, suspect.link.place(), message).key(name).confidence(Confidence::Medium);
+        out.push(finding.help(format!("did you mean `{}`?", suspect.better.stem())).related(
+            &suspect.better.path,
+            Place::File,
+            "fits better and is used by nothing",
+        ));
+    }
+}
+
+/// All suspects; `free` are the unused files of the macro folders.
+pub(super) fn suspects<'s>(
+    repository: &'s Repository<'_>,
+    base: &'s Base<'_>,
+    free: &[&'s FileFacts],
+) -> Vec<Suspect<'s>> {
+    let Some((_, macros)) = base.macro_file() else { return Vec::new() };
+    let all = links(repository, base);
+    let found = all.iter().filter_map(|link| Some((link, link.found()?)));
+    found
+        .filter_map(|(link, file)| {
+            let values = contradiction(macros, link.macrodef, &link.link.name, &values_of(file.stem()))?;
+            let folder = file.rel.rsplit_once('/')?.0;
+            let beside = |other: &&&FileFacts| other.rel.rsplit_once('/').is_some_and(|(parent, _)| parent == folder);
+            let name = values_of(&link.link.name);
+            let better = |other: &&&FileFacts| {
+                let spelt = values_of(other.stem());
+                spelt.contains(&values.1) && fits(&spelt, &name)
+            };
+            let better = free.iter().filter(beside).find(better)?;
+            Some(Suspect { link: *link, better, values })
+        })
+        .collect()
+}

@@ -1,0 +1,61 @@
+//! What the rules on components and their patterns share.
+
+use crate::diag::{Application, Finding, Level};
+use crate::formats::macro_json::{Component, MacroFile};
+use crate::repo::{Base, FileFacts, Pattern};
+
+/// Lowers a finding on a component that no macro definition uses: it is never evaluated.
+pub(super) fn weigh(finding: Finding, macros: &MacroFile, component: &Component) -> Finding {
+    if macros.macrodefs.iter().any(|macrodef| macrodef.components.contains(&component.name)) {
+        return finding;
+    }
+    finding.level(Level::Info).breaks(Application::Makehuman2, "nothing yet: no macrodef uses the component")
+}
+
+/// Whether the schema has nothing against the value at a pointer or below it; else the model lacks a part of it.
+pub(super) fn is_sound(file: &FileFacts, pointer: &str) -> bool {
+    let below = |fault: &str| fault.strip_prefix(pointer).is_some_and(|rest| rest.is_empty() || rest.starts_with('/'));
+    !file.schema.faults.iter().any(|fault| below(&fault.pointer))
+}
+
+/// The same for a component.
+pub(super) fn is_sound_component(file: &FileFacts, component: &Component) -> bool {
+    let name = component.name.replace('~', "~0").replace('/', "~1");
+    is_sound(file, &format!("/components/{name}"))
+}
+
+/// The components that the schema has nothing against.
+pub(super) fn sound_components<'a>(
+    file: &'a FileFacts,
+    macros: &'a MacroFile,
+) -> impl Iterator<Item = &'a Component> + use<'a> {
+    macros.components.iter().filter(|component| is_sound_component(file, component))
+}
+
+/// Patterns under which a component reads sliders. A third entry of `sum` is the last that is read.
+pub(super) fn patterns(component: &Component) -> Vec<String> {
+    let Some(pattern) = &component.pattern else { return Vec::new() };
+    match (&component.steps, &component.sum) {
+        (Some(_), _) => vec![pattern.clone()],
+        (None, Some(sum)) => {
+            let read = sum.iter().take(component.values.len().min(3));
+            read.map(|end| format!("{pattern}{end}")).collect()
+        }
+        (None, None) => Vec::new(),
+    }
+}
+
+/// Patterns of a component that no slider is registered under. Empty without a `modelling.json` to ask.
+pub(super) fn unknown_patterns(base: &Base<'_>, component: &Component) -> Vec<String> {
+    if base.modelling.winner().is_none() {
+        return Vec::new();
+    }
+    patterns(component).into_iter().filter(|pattern| base.slider(pattern).is_none()).collect()
+}
+
+/// Patterns of all macro sliders.
+pub(super) fn macro_patterns<'s>(base: &'s Base<'_>) -> impl Iterator<Item = &'s str> {
+    let macros =
+        base.sliders.iter().filter(|bound| matches!(bound.pattern, Pattern::Macro(_) | Pattern::Barycentric(_)));
+    macros.flat_map(|bound| bound.pattern.names()).map(String::as_str)
+}

@@ -1,0 +1,50 @@
+//! A combination may be listed in a macro definition only once.
+
+use super::super::{Check, Rule, RuleCx};
+use crate::diag::{Application, Finding, FixKind, Level, Place, RuleInfo};
+use crate::repo::{Base, Repository};
+use std::collections::BTreeMap;
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        fix: FixKind::Unsafe,
+        breaks: &[(Application::Makehuman2, "takes the last entry; the target of the earlier one is never applied")],
+        docs: "The entries of all macrodefs become one table from names to files.\n\nMakeHuman 2 lets the last \
+            entry of a name win and says nothing. If the entries name different files, the earlier one is loaded \
+            and never used; if they are equal, the repetition is only waste (info).\n\nRemove one of the \
+            entries.",
+        ..RuleInfo::new("macro-duplicate-combination", Level::Error, "a macrodef lists a combination twice")
+    },
+    check: Check::Base(run),
+};
+
+fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some((file, macros)) = base.macro_file() else { return };
+    for macrodef in &macros.macrodefs {
+        let mut by_name: BTreeMap<&str, Vec<_>> = BTreeMap::new();
+        for link in &macrodef.links {
+            by_name.entry(&link.name).or_default().push(link);
+        }
+        for (name, links) in by_name {
+            let [first, .., last] = links.as_slice() else { continue };
+            let mut finding = RULE
+                .at(
+                    file,
+                    Place::Pointer(macrodef.link_pointer(first, "name")),
+                    format!("`{name}` is listed {}", times(links.len())),
+                )
+                .key(name)
+                .help("remove all entries of the name but one")
+                .related(&file.path, Place::Pointer(macrodef.link_pointer(last, "name")), "this entry wins");
+            if links.iter().all(|link| link.target == last.target) {
+                let effect = "nothing: the entries are equal";
+                finding = finding.level(Level::Info).breaks(Application::Makehuman2, effect);
+            }
+            out.push(finding);
+        }
+    }
+}
+
+fn times(count: usize) -> String {
+    if count == 2 { "twice".to_owned() } else { format!("{count} times") }
+}

@@ -1,0 +1,53 @@
+//! A macro target that moves nothing.
+
+use super::super::{Check, Rule, RuleCx};
+use super::links::{MacroLink, links};
+use crate::diag::{Application, Evidence, Finding, FixKind, Level, Place, RuleInfo};
+use crate::formats::target::TargetFacts;
+use crate::repo::{Base, FileFacts, Repository};
+use std::collections::BTreeMap;
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        fix: FixKind::Unsafe,
+        breaks: &[(Application::Makehuman2, "reads and applies a file that changes nothing")],
+        docs: "A target without rows, or with nothing but zeros, does the same as `null`, which says clearly that \
+            this combination is meant to change nothing.\n\nMakeHuman 2 reads and applies the file without a \
+            complaint. If a shape was expected here, the file is the wrong one.\n\nWrite `null` and remove the \
+            file, or store the shape that was meant.",
+        ..RuleInfo::new("macro-empty-target", Level::Info, "a combination names a target without any displacement")
+    },
+    check: Check::Base(run),
+};
+
+fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some((file, _)) = base.macro_file() else { return };
+    let mut by_file: BTreeMap<&str, Vec<MacroLink<'_>>> = BTreeMap::new();
+    let all = links(repository, base);
+    for link in &all {
+        if let Some(target) = link.found().filter(|target| moves_nothing(target)) {
+            by_file.entry(&target.rel).or_default().push(*link);
+        }
+    }
+    for (rel, links) in by_file {
+        let Some((first, target)) = links.first().and_then(|link| Some((link, link.found()?))) else { continue };
+        let more = if links.len() > 1 { format!(" ({} combinations)", links.len()) } else { String::new() };
+        let message = format!("`{}` moves nothing{more}; `null` would do", first.reference.text);
+        out.push(
+            RULE.at(file, first.place(), message)
+                .key(rel)
+                .help("write `null` and remove the file, or store the shape that was meant")
+                .related(&target.path, Place::File, "no displacement")
+                .evidence(Evidence::of_cases(links.iter().map(|link| &link.link.name))),
+        );
+    }
+}
+
+fn moves_nothing(file: &FileFacts) -> bool {
+    let judged = |facts: &TargetFacts| {
+        // Lines that are no rows are lost, which is a finding of its own.
+        let damaged = facts.unreadable_rows + facts.non_finite.count + facts.field_count.count;
+        facts.moving == 0 && damaged == 0
+    };
+    file.encoding.invalid_utf8_at.is_none() && file.target().is_some_and(judged)
+}

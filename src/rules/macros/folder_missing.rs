@@ -1,0 +1,75 @@
+//! The folder of a macro definition must be given and exist.
+
+use super::super::{Check, Rule, RuleCx};
+use super::component::is_sound;
+use super::links::{MacroLink, links};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo, nearest};
+use crate::formats::macro_json::Macrodef;
+use crate::repo::{Base, Repository};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(
+            Application::Makehuman2,
+            "uses the folder of the previous macrodef, or stops if there is none; a folder that does not exist leaves every combination without its file, which stops it as soon as one has weight",
+        )],
+        docs: "`folder` says where the targets of a macrodef are, below the target folder of the base \
+            mesh.\n\nWithout `folder` MakeHuman 2 keeps using the folder of the previous macrodef; in the first \
+            macrodef that stops it at start. If all targets are in fact there, it works today (info). A folder \
+            that does not exist makes every target of the macrodef a missing file.\n\nWrite the name of the \
+            folder.",
+        ..RuleInfo::new("macro-folder-missing", Level::Error, "`folder` of a macrodef is not given, or does not exist")
+    },
+    check: Check::Base(run),
+};
+
+fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some((file, macros)) = base.macro_file() else { return };
+    let all = links(repository, base);
+    for macrodef in &macros.macrodefs {
+        let own: Vec<&MacroLink<'_>> = all.iter().filter(|link| link.macrodef.index == macrodef.index).collect();
+        let index = macrodef.index.to_string();
+        if own.is_empty() || !is_sound(file, &format!("/macrodef/{index}/folder")) {
+            continue;
+        }
+        let finding = match (&macrodef.folder, &macrodef.effective_folder) {
+            (Some(folder), _) if speaks(base, macrodef, &all) => {
+                let place = Place::pointer(["macrodef", &index, "folder"]);
+                let finding = RULE.at(file, place, format!("folder `{folder}` holds no target"));
+                finding.help(nearest_folder(base, folder))
+            }
+            (Some(_), _) => continue,
+            (None, Some(folder)) => {
+                let message = format!("no `folder`: `{folder}` of the macrodef before is used again");
+                let finding = RULE.at(file, Place::pointer(["macrodef", &index]), message);
+                if own.iter().all(|link| link.found().is_some()) {
+                    let effect = "nothing: the targets are in the folder of the macrodef before";
+                    finding.level(Level::Info).breaks(Application::Makehuman2, effect)
+                } else {
+                    finding
+                }
+            }
+            (None, None) => RULE.at(file, Place::pointer(["macrodef", &index]), "the first macrodef has no `folder`"),
+        };
+        let help = finding.help.clone().unwrap_or_else(|| "write the name of the folder".to_owned());
+        out.push(finding.help(help).key(macrodef.components.join("-")));
+    }
+}
+
+/// Whether the folder is the reason that targets of a definition are missing.
+pub(super) fn speaks(base: &Base<'_>, macrodef: &Macrodef, all: &[MacroLink<'_>]) -> bool {
+    let (Some(folder), Some(_)) = (&macrodef.effective_folder, &macrodef.folder) else { return true };
+    let Some(targets) = base.targets else { return false };
+    let own = || all.iter().filter(|link| link.macrodef.index == macrodef.index);
+    let rel = format!("{}/{}", targets.rel(), folder.trim_matches('/'));
+    own().all(MacroLink::is_missing) && targets.layer.below(&rel).next().is_none()
+}
+
+fn nearest_folder(base: &Base<'_>, folder: &str) -> String {
+    let rel = base.targets.map(|targets| format!("{}/", targets.rel())).unwrap_or_default();
+    let folders = base.targets.map(|targets| targets.layer.folders.as_slice()).unwrap_or_default();
+    match nearest(folder, folders.iter().filter_map(|other| other.strip_prefix(&rel))) {
+        Some(near) => format!("did you mean `{near}`?"),
+        None => format!("create `{rel}{folder}` with the targets, or correct the name"),
+    }
+}

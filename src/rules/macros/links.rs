@@ -1,0 +1,87 @@
+//! Entries of `macro.json` together with the files that their `t` leads to.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::diag::Place;
+use crate::formats::macro_json::{Link, Macrodef};
+use crate::repo::{Base, FileFacts, Reference, ReferenceKind, Repository, Resolution};
+
+/// An entry with a file name.
+#[derive(Clone, Copy)]
+pub(super) struct MacroLink<'s> {
+    pub(super) macrodef: &'s Macrodef,
+    pub(super) link: &'s Link,
+    pub(super) reference: &'s Reference<'s>,
+}
+
+/// All entries with a file name, in file order. An empty name is no reference.
+pub(super) fn links<'s>(repository: &'s Repository<'_>, base: &'s Base<'_>) -> Vec<MacroLink<'s>> {
+    let mut by_pointer: BTreeMap<&str, &'s Reference<'s>> = BTreeMap::new();
+    for reference in repository.references_of(base) {
+        if let (ReferenceKind::MacroTarget, Place::Pointer(pointer)) = (reference.kind, &reference.place) {
+            by_pointer.insert(pointer, reference);
+        }
+    }
+    let Some((_, macros)) = base.macro_file() else { return Vec::new() };
+    let all = macros.macrodefs.iter().flat_map(|macrodef| macrodef.links.iter().map(move |link| (macrodef, link)));
+    all.filter_map(|(macrodef, link)| {
+        let reference = by_pointer.get(macrodef.link_pointer(link, "t").as_str())?;
+        Some(MacroLink { macrodef, link, reference })
+    })
+    .collect()
+}
+
+impl<'s> MacroLink<'s> {
+    pub(super) fn found(&self) -> Option<&'s FileFacts> {
+        if let Resolution::Found(file) = self.reference.resolution { Some(file) } else { None }
+    }
+
+    pub(super) fn is_missing(&self) -> bool {
+        matches!(self.reference.resolution, Resolution::Missing)
+    }
+
+    pub(super) fn place(&self) -> Place {
+        self.reference.place.clone()
+    }
+}
+
+/// Whether `t` ends in a suffix that the loader adds itself, or never reads.
+#[expect(clippy::case_sensitive_file_extension_comparisons, reason = "the application compares so")]
+pub(super) fn has_suffix(text: &str) -> bool {
+    text.is_empty() || text.ends_with(".target") || text.ends_with(".gz")
+}
+
+/// Targets in macro folders that could be read and that nothing names, rightly or wrongly written.
+pub(super) fn unreferenced<'s>(repository: &'s Repository<'_>, base: &'s Base<'_>) -> Vec<&'s FileFacts> {
+    let Some(folder) = base.targets else { return Vec::new() };
+    let mut named: BTreeSet<&str> = BTreeSet::new();
+    for reference in repository.references_of(base).filter(|reference| reference.kind.is_target()) {
+        match reference.resolution {
+            Resolution::Found(file) | Resolution::CaseOnly(file) | Resolution::Backslash(Some(file)) => {
+                named.insert(&file.rel);
+            }
+            _ => {
+                // `x.target` written for `x`, or a slip of the pen: those findings name the file.
+                let stem = reference.rel.trim_end_matches(".target").trim_end_matches(".target.gz");
+                let meant = folder.targets().find(|file| file.rel.trim_end_matches(".target") == stem);
+                named.extend(meant.map(|file| file.rel.as_str()));
+                named.extend(nearest_file(base, reference).map(|file| file.rel.as_str()));
+            }
+        }
+    }
+    let readable = |file: &&FileFacts| file.target().is_some_and(|facts| facts.unreadable_rows == 0);
+    let free = folder.targets().filter(|file| base.is_in_macro_folder(file) && !named.contains(file.rel.as_str()));
+    free.filter(|file| file.encoding.invalid_utf8_at.is_none()).filter(readable).collect()
+}
+
+/// The file whose name is most like that of a missing one, in the same folder.
+pub(super) fn nearest_file<'s>(base: &'s Base<'_>, reference: &Reference<'_>) -> Option<&'s FileFacts> {
+    let folder = base.targets?;
+    let (parent, _) = reference.rel.rsplit_once('/')?;
+    let beside: Vec<&FileFacts> = folder.layer.below(parent).filter(|file| file.rel.ends_with(".target")).collect();
+    let rel = crate::diag::nearest(&reference.rel, beside.iter().map(|file| file.rel.as_str()))?;
+    // The limit of the slip grows with the length of what is compared: the folder must not help.
+    let (short, own) = (rel.strip_prefix(parent)?, reference.rel.strip_prefix(parent)?);
+    crate::diag::nearest(own, [short])?;
+    folder.layer.file(rel)
+}

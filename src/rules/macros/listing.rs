@@ -1,0 +1,130 @@
+//! What a macro definition lists, measured against what its components generate.
+//!
+//! A name that cannot be generated gets the kind of its slip and, where that is clear, the combination it was meant for, so
+//! that one misspelt entry is one finding and not a missing combination as well.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::combination_patterns::is_walkable;
+use super::space::{Combination, Space};
+use crate::diag::nearest;
+use crate::formats::macro_json::{Link, Macrodef};
+
+/// Strangers beyond this number are not compared with every free name.
+const COMPARED: usize = 50;
+
+/// The entries of a definition.
+pub(super) struct Listing<'a> {
+    /// Combinations with an entry; of several the last.
+    pub(super) found: BTreeMap<Combination, &'a Link>,
+    /// Entries that no combination spells.
+    pub(super) strangers: Vec<Stranger<'a>>,
+    /// Combinations whose entry is there but of no use, or meant by a stranger.
+    pub(super) claimed: BTreeSet<Combination>,
+}
+
+/// An entry whose name is not generated.
+pub(super) struct Stranger<'a> {
+    pub(super) link: &'a Link,
+    pub(super) slip: Slip,
+    /// The combination it was probably meant for.
+    pub(super) intended: Option<Combination>,
+}
+
+/// What is wrong with a name.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Slip {
+    /// The right values in the wrong order.
+    Order,
+    /// One part is no value of its component.
+    Value { axis: usize, token: String },
+    /// Too many or too few parts.
+    Parts(usize),
+    /// Anything else.
+    Other(String),
+}
+
+impl<'a> Listing<'a> {
+    pub(super) fn of(space: &Space<'_>, macrodef: &'a Macrodef) -> Self {
+        let mut found = BTreeMap::new();
+        let mut unknown = Vec::new();
+        for link in &macrodef.links {
+            match space.parse(&link.name) {
+                Some(combination) => {
+                    found.insert(combination, link);
+                }
+                None => unknown.push(link),
+            }
+        }
+        let mut claimed: BTreeSet<Combination> =
+            macrodef.unusable.iter().filter_map(|name| space.parse(name)).collect();
+        let free = if unknown.is_empty() || unknown.len() > COMPARED { Vec::new() } else { free_names(space, &found) };
+        let stranger = |link: &'a Link| {
+            let (slip, intended) = slip(space, &found, &link.name);
+            let intended = intended.or_else(|| space.parse(nearest(&link.name, free.iter().map(String::as_str))?));
+            Stranger { link, slip, intended }
+        };
+        let strangers: Vec<Stranger<'a>> = unknown.into_iter().map(stranger).collect();
+        claimed.extend(strangers.iter().filter_map(|stranger| stranger.intended.clone()));
+        Self { found, strangers, claimed }
+    }
+}
+
+/// Names without an entry, if they are few enough to be compared.
+fn free_names(space: &Space<'_>, found: &BTreeMap<Combination, &Link>) -> Vec<String> {
+    let sizes = space.sizes();
+    if !is_walkable(&sizes) || space.size().is_none_or(|size| size > 4096) {
+        return Vec::new();
+    }
+    let mut all = vec![Vec::new()];
+    for size in sizes {
+        let longer = |head: &Combination| -> Vec<Combination> {
+            (0..size).map(|value| head.iter().copied().chain([value]).collect()).collect()
+        };
+        all = all.iter().flat_map(longer).collect();
+    }
+    all.iter().filter(|combination| !found.contains_key(*combination)).map(|c| space.name(c)).collect()
+}
+
+fn slip(space: &Space<'_>, found: &BTreeMap<Combination, &Link>, name: &str) -> (Slip, Option<Combination>) {
+    let tokens: Vec<&str> = name.split('-').collect();
+    if tokens.len() != space.axes.len() {
+        return (Slip::Parts(tokens.len()), None);
+    }
+    if let Some(ordered) = ordered(space, &tokens) {
+        return (Slip::Order, Some(ordered));
+    }
+    let value = |axis: usize, token: &str| space.axes.get(axis)?.values.iter().position(|value| value == token);
+    let places: Vec<Option<usize>> = tokens.iter().enumerate().map(|(axis, token)| value(axis, token)).collect();
+    let mut foreign = places.iter().enumerate().filter(|(_, place)| place.is_none()).map(|(axis, _)| axis);
+    let (Some(axis), None) = (foreign.next(), foreign.next()) else {
+        return (Slip::Other(name.to_owned()), None);
+    };
+    let token = tokens.get(axis).copied().unwrap_or_default();
+    let meant = meant_value(space, found, axis, token);
+    let intended = meant.map(|meant| places.iter().map(|place| place.unwrap_or(meant)).collect());
+    (Slip::Value { axis, token: token.to_owned() }, intended)
+}
+
+/// The combination with the same values in the order of the components.
+fn ordered(space: &Space<'_>, tokens: &[&str]) -> Option<Combination> {
+    let mut rest = tokens.to_vec();
+    let pick = |axis: &&crate::formats::macro_json::Component| {
+        let at = rest.iter().position(|token| axis.values.iter().any(|value| value == token))?;
+        let token = rest.remove(at);
+        axis.values.iter().position(|value| value == token)
+    };
+    space.axes.iter().map(pick).collect()
+}
+
+/// The value that a foreign part was meant for: most like it, or the only one of the component without any entry.
+fn meant_value(space: &Space<'_>, found: &BTreeMap<Combination, &Link>, axis: usize, token: &str) -> Option<usize> {
+    let values = &space.axes.get(axis)?.values;
+    if let Some(near) = nearest(token, values.iter().map(String::as_str)) {
+        return values.iter().position(|value| value == near);
+    }
+    let used: BTreeSet<usize> = found.keys().filter_map(|combination| combination.get(axis).copied()).collect();
+    let mut unused = (0..values.len()).filter(|value| !used.contains(value));
+    let only = unused.next()?;
+    unused.next().is_none().then_some(only)
+}

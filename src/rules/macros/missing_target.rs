@@ -1,0 +1,43 @@
+//! A target that `macro.json` names must exist.
+
+use super::super::{Check, Rule, RuleCx};
+use super::links::{MacroLink, has_suffix, links, nearest_file};
+use crate::diag::{Application, Evidence, Finding, Level, RuleInfo};
+use crate::repo::{Base, Repository};
+use std::collections::BTreeMap;
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(
+            Application::Makehuman2,
+            "writes a line to the log and stops with an AttributeError as soon as the combination has weight: at start if the default character uses it",
+        )],
+        docs: "`t` is a file in `folder` of the macrodef, without `.target`, in the target folder of the layer \
+            whose `macro.json` is in use.\n\nMakeHuman 2 does not skip a missing file: it keeps an empty \
+            stand-in and stops when the weight of the combination is not zero.\n\nCorrect the name, add the \
+            file, or write `null` where nothing should change.",
+        ..RuleInfo::new("macro-missing-target", Level::Error, "a combination names a target that does not exist")
+    },
+    check: Check::Base(run),
+};
+
+fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some((file, _)) = base.macro_file() else { return };
+    let mut by_file: BTreeMap<&str, Vec<MacroLink<'_>>> = BTreeMap::new();
+    let all = links(repository, base);
+    for link in all.iter().filter(|link| link.is_missing() && !has_suffix(link.reference.text)) {
+        if !super::folder_missing::speaks(base, link.macrodef, &all) {
+            by_file.entry(&link.reference.rel).or_default().push(*link);
+        }
+    }
+    for (rel, links) in by_file {
+        let Some(first) = links.first() else { continue };
+        let more = if links.len() > 1 { format!(", which {} combinations use", links.len()) } else { String::new() };
+        let help = match nearest_file(base, first.reference) {
+            Some(near) => format!("did you mean `{}`?", near.stem()),
+            None => "correct the name, add the file, or write `null` where nothing should change".to_owned(),
+        };
+        let finding = RULE.at(file, first.place(), format!("there is no `{rel}`{more}")).key(rel).help(help);
+        out.push(finding.evidence(Evidence::of_cases(links.iter().map(|link| &link.link.name))));
+    }
+}

@@ -1,0 +1,98 @@
+//! No two macro definitions may share the name of a combination.
+
+use super::super::{Check, Rule, RuleCx};
+use super::space::Space;
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::formats::macro_json::{Link, Macrodef};
+use crate::repo::{Base, FileFacts, Repository};
+use std::collections::BTreeMap;
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(Application::Makehuman2, "keeps one file for both macrodefs, and applies it once for each of them")],
+        docs: "The entries of all macrodefs become one table from names to files, and every macrodef looks the \
+            names it generates up in it.\n\nA name that two macrodefs list therefore has the file of the last \
+            one in both, and it is applied twice. A name that one macrodef lists and another merely generates is \
+            applied by both as well (warning): the morph is doubled. Definitions with equally named values, such \
+            as `none` of two components, invite it.\n\nRename a value in one of the components.",
+        ..RuleInfo::new("macro-name-collision", Level::Error, "two macrodefs list or generate the same name")
+    },
+    check: Check::Base(run),
+};
+
+/// A definition with what it lists (last entry wins) and generates.
+struct Table<'a> {
+    macrodef: &'a Macrodef,
+    space: Space<'a>,
+    links: BTreeMap<&'a str, &'a Link>,
+}
+
+fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some((file, macros)) = base.macro_file() else { return };
+    let table = |macrodef| Some(Table { macrodef, space: Space::of(macros, macrodef)?, links: links(macrodef) });
+    let tables: Vec<Table<'_>> = macros.macrodefs.iter().filter_map(table).collect();
+    for (at, a) in tables.iter().enumerate() {
+        for b in tables.iter().skip(at + 1).filter(|b| may_share(a, b)) {
+            let both: Vec<&Link> = a.links.keys().filter_map(|name| b.links.get(name).copied()).collect();
+            let differ =
+                both.iter().any(|link| path(a, a.links.get(link.name.as_str()).copied()) != path(b, Some(link)));
+            report(file, (a, b), &both, if differ { Level::Error } else { Level::Warning }, out);
+            report(file, (b, a), &generated(a, b), Level::Warning, out);
+            report(file, (a, b), &generated(b, a), Level::Warning, out);
+        }
+    }
+}
+
+fn links(macrodef: &Macrodef) -> BTreeMap<&str, &Link> {
+    macrodef.links.iter().map(|link| (link.name.as_str(), link)).collect()
+}
+
+/// Definitions whose names cannot be equal need no comparison of every name.
+fn may_share(a: &Table<'_>, b: &Table<'_>) -> bool {
+    let dashes =
+        |table: &Table<'_>| table.space.axes.iter().any(|axis| axis.values.iter().any(|value| value.contains('-')));
+    dashes(a) || dashes(b) || a.space.axes.len() == b.space.axes.len()
+}
+
+/// Names with a file that `a` lists and generates, and `b` generates without listing them.
+fn generated<'a>(a: &Table<'a>, b: &Table<'a>) -> Vec<&'a Link> {
+    let links =
+        a.links.values().copied().filter(|link| link.target.is_some() && !b.links.contains_key(link.name.as_str()));
+    links.filter(|link| a.space.parse(&link.name).is_some() && b.space.parse(&link.name).is_some()).collect()
+}
+
+fn path<'a>(table: &Table<'a>, link: Option<&'a Link>) -> Option<(Option<&'a str>, &'a str)> {
+    Some((table.macrodef.effective_folder.as_deref(), link?.target.as_deref()?))
+}
+
+/// `links` stand in the second definition; the first one shares their names.
+fn report(
+    file: &FileFacts,
+    (other, own): (&Table<'_>, &Table<'_>),
+    links: &[&Link],
+    level: Level,
+    out: &mut Vec<Finding>,
+) {
+    let Some(first) = links.first() else { return };
+    let title = |table: &Table<'_>| table.macrodef.components.join("-");
+    let lists = other.links.contains_key(first.name.as_str());
+    let verb = if lists { "lists" } else { "generates" };
+    let more = if links.len() > 1 { format!(" ({} names like it)", links.len()) } else { String::new() };
+    let message = format!("macrodef `{}` {verb} `{}` too{more}", title(other), first.name);
+    let place = Place::Pointer(own.macrodef.link_pointer(first, "name"));
+    let mut finding = RULE
+        .at(file, place, message)
+        .key(format!("{}/{}", title(own), title(other)))
+        .help("rename a value in one of the components, so that the names differ")
+        .level(level)
+        .evidence(Evidence::of_cases(links.iter().map(|link| &link.name)).out_of(own.links.len()));
+    if let Some(twin) = other.links.get(first.name.as_str()) {
+        let twin = Place::Pointer(other.macrodef.link_pointer(twin, "name"));
+        finding = finding.related(&file.path, twin, "the same name");
+    }
+    if level == Level::Warning {
+        finding = finding
+            .breaks(Application::Makehuman2, "applies the target once for each of the two macrodefs: a doubled morph");
+    }
+    out.push(finding);
+}

@@ -1,0 +1,53 @@
+//! `steps` of a component must increase strictly.
+
+use super::super::{Check, Rule, RuleCx};
+use super::component::{sound_components, weigh};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::repo::{Base, Repository};
+use std::cmp::Ordering;
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(
+            Application::Makehuman2,
+            "divides by zero and stops when the slider stands at or below two equal first steps; other steps out of order give the wrong values",
+        )],
+        docs: "Each step is the slider position at which a value has its full weight; between two steps the weights \
+            are mixed by how far the slider has come from the one to the other.\n\nThe loader takes the first \
+            interval whose upper step the slider does not exceed and divides by its width. If the first two \
+            steps are equal, that is a division by zero and the program stops. Equal steps further on make the \
+            shape jump there, and steps that fall leave intervals that are never used: both load without a word \
+            (warning).\n\nSort the steps together with their values and keep every step apart from its \
+            neighbours.",
+        ..RuleInfo::new("macro-steps-order", Level::Error, "`steps` of a component do not increase strictly")
+    },
+    check: Check::Base(run),
+};
+
+fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some((file, macros)) = base.macro_file() else { return };
+    for component in sound_components(file, macros) {
+        let Some(steps) = &component.steps else { continue };
+        let Some((at, a, b)) = first_fault(steps) else { continue };
+        let equal = a.partial_cmp(&b) == Some(Ordering::Equal);
+        let verb = if equal { "repeats" } else { "falls behind" };
+        let message = format!("`steps` of `{}` do not increase: {b} {verb} {a}", component.name);
+        let place = Place::pointer(["components", &component.name, "steps", &(at + 1).to_string()]);
+        let mut finding = RULE
+            .at(file, place, message)
+            .key(&component.name)
+            .help("sort the steps together with their values, from 0 to 1, no two of them equal");
+        if !(equal && at == 0) {
+            let effect =
+                if equal { "lets the shape jump at this position" } else { "never uses some of the intervals" };
+            finding = finding.level(Level::Warning).breaks(Application::Makehuman2, effect);
+        }
+        out.push(weigh(finding, macros, component));
+    }
+}
+
+/// The first pair that does not increase, with its position. NaN never does.
+fn first_fault(steps: &[f64]) -> Option<(usize, f64, f64)> {
+    let mut pairs = steps.iter().zip(steps.iter().skip(1)).enumerate();
+    pairs.find(|(_, (a, b))| a.partial_cmp(b) != Some(Ordering::Less)).map(|(at, (a, b))| (at, *a, *b))
+}

@@ -1,0 +1,64 @@
+//! `steps` of a component must run from 0 to 1.
+
+use super::super::{Check, Rule, RuleCx};
+use super::component::{sound_components, weigh};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::repo::{Base, Repository};
+use std::cmp::Ordering;
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(
+            Application::Makehuman2,
+            "gives the first value more than its full weight below the first step, and drops the whole macrodef above the last",
+        )],
+        docs: "A macro slider runs from 0 to 1, and so must the steps of the component that reads it.\n\nBelow the \
+            first step MakeHuman 2 extrapolates: with steps `[0.6, 1]` and the slider at 0.5 the first value has \
+            weight 1.25. Above the last step the component has no value at all, the names of the combinations \
+            become too short, and every target of the macrodef disappears. With one step or none there is no \
+            interval, which amounts to the same. Steps below 0 or above 1 make values that the slider cannot \
+            reach in full.\n\nLet the first step be 0 and the last 1.",
+        ..RuleInfo::new("macro-steps-range", Level::Warning, "`steps` of a component do not run from 0 to 1")
+    },
+    check: Check::Base(run),
+};
+
+fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some((file, macros)) = base.macro_file() else { return };
+    for component in sound_components(file, macros) {
+        let Some(steps) = &component.steps else { continue };
+        // A step too many or too few, or one out of order, is the cause; the ends follow from it.
+        if steps.len() != component.values.len() || !is_increasing(steps) {
+            continue;
+        }
+        let Some(fault) = fault(steps) else { continue };
+        let message = format!("`steps` of `{}` {fault}", component.name);
+        let place = Place::pointer(["components", &component.name, "steps"]);
+        let finding = RULE.at(file, place, message).key(&component.name).help("let the first step be 0 and the last 1");
+        out.push(weigh(finding, macros, component));
+    }
+}
+
+fn is_increasing(steps: &[f64]) -> bool {
+    steps.is_sorted_by(|a, b| a.partial_cmp(b) == Some(Ordering::Less))
+}
+
+fn fault(steps: &[f64]) -> Option<String> {
+    let ([first, .., last] | [first @ last]) = steps else {
+        return Some("are empty: without an interval the component is dropped, and nothing applies".to_owned());
+    };
+    if steps.len() == 1 {
+        return Some(format!("hold {last} alone: without an interval the component is dropped, and nothing applies"));
+    }
+    if last.total_cmp(&1.0).is_lt() {
+        Some(format!("end at {last}: beyond it nothing of the macrodef applies"))
+    } else if first.partial_cmp(&0.0) == Some(Ordering::Greater) {
+        Some(format!("begin at {first}: below it the first value has more than its full weight"))
+    } else if first.partial_cmp(&0.0) == Some(Ordering::Less) {
+        Some(format!("begin at {first}: the first value never has its full weight"))
+    } else if last.total_cmp(&1.0).is_gt() {
+        Some(format!("end at {last}: the last value never has its full weight"))
+    } else {
+        None
+    }
+}

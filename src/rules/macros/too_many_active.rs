@@ -1,0 +1,57 @@
+//! So many components blend at once that no combination is strong enough.
+
+use super::super::{Check, Rule, RuleCx};
+use super::space::Space;
+use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::formats::macro_json::Component;
+use crate::repo::{Base, Repository};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(
+            Application::Makehuman2,
+            "drops every combination between the steps, so that the shape of the whole macrodef disappears there",
+        )],
+        docs: "Between two steps of a slider two values are active, inside a triangle three. The components of a \
+            macrodef multiply: seven sliders in the middle of an interval make 128 combinations of weight 1/128 \
+            each.\n\nMakeHuman 2 keeps a combination only if its weight is above 0.01, and does not spread the \
+            lost weight over the others. When even the combinations of a setting that is equally far from all \
+            values are below that limit, nothing of the macrodef applies there: the shape disappears between the \
+            steps and is there at them. (More than three values of a triangle slider stop the program; that is \
+            `macro-sum-arity`.)\n\nSplit the macrodef into several with fewer components.",
+        ..RuleInfo::new(
+            "macro-too-many-active",
+            Level::Warning,
+            "a macrodef blends so many values at once that every combination falls below the limit",
+        )
+    },
+    check: Check::Base(run),
+};
+
+/// A combination counts only above this weight (formats/makehuman2.md §3.3).
+const SMALLEST_WEIGHT: f64 = 0.01;
+
+fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some((file, macros)) = base.macro_file() else { return };
+    for macrodef in &macros.macrodefs {
+        let Some(space) = Space::of(macros, macrodef) else { continue };
+        let active: f64 = space.axes.iter().map(|axis| active_values(axis)).product();
+        if 1.0 / active > SMALLEST_WEIGHT {
+            continue;
+        }
+        let count = macrodef.components.len();
+        let message = format!(
+            "{count} components make {active} combinations active at once, each of weight {:.4}: none is above {SMALLEST_WEIGHT}",
+            1.0 / active
+        );
+        let place = Place::pointer(["macrodef", &macrodef.index.to_string(), "comp"]);
+        let finding = RULE.at(file, place, message).key(macrodef.components.join("-"));
+        out.push(finding.help("split the macrodef into several with fewer components"));
+    }
+}
+
+/// How many values of a component are active at once where most are: two between steps, three in a triangle.
+fn active_values(component: &Component) -> f64 {
+    let slots = if component.steps.is_some() { 2 } else { 3 };
+    component.values.len().clamp(1, slots) as f64
+}

@@ -1,0 +1,98 @@
+//! A listed combination must be one that its macro definition generates.
+
+use super::super::{Check, Rule, RuleCx};
+use super::listing::{Listing, Slip, Stranger};
+use super::space::Space;
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::formats::macro_json::{MacroFile, Macrodef};
+use crate::repo::{Base, FileFacts, Repository};
+use std::collections::BTreeMap;
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(
+            Application::Makehuman2,
+            "never reaches the entry: the target is loaded and never applied, and the combination that was meant has none",
+        )],
+        docs: "The names of a macrodef are one value of each component, in the order of `comp`, joined by \
+            `-`.\n\nMakeHuman 2 looks up only names that it generates. An entry with a misspelt value, a part \
+            too many or too few, or its values in another order is never found. A name that only another \
+            macrodef generates works, because all macrodefs share one table, but it stands in the wrong place \
+            (info).\n\nSpell the name as the help says.",
+        ..RuleInfo::new(
+            "macro-unexpected-combination",
+            Level::Error,
+            "a macrodef lists a name that its components cannot generate",
+        )
+    },
+    check: Check::Base(run),
+};
+
+fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some((file, macros)) = base.macro_file() else { return };
+    for macrodef in &macros.macrodefs {
+        if macrodef.components.is_empty() {
+            out.extend(without_components(file, macrodef));
+        }
+        let Some(space) = Space::of(macros, macrodef) else { continue };
+        let listing = Listing::of(&space, macrodef);
+        let mut groups: BTreeMap<(Option<usize>, Slip), Vec<&Stranger<'_>>> = BTreeMap::new();
+        for stranger in &listing.strangers {
+            let home = home(macros, macrodef, &stranger.link.name);
+            groups.entry((home, stranger.slip.clone())).or_default().push(stranger);
+        }
+        for ((home, slip), strangers) in groups {
+            let Some(first) = strangers.first() else { continue };
+            let more =
+                if strangers.len() > 1 { format!(" ({} names like it)", strangers.len()) } else { String::new() };
+            let reason = match home.and_then(|home| macros.macrodefs.get(home)) {
+                Some(home) => format!("is a combination of macrodef `{}`", home.components.join("-")),
+                None => reason(&space, &slip),
+            };
+            let message = format!("`{}` {reason}{more}", first.link.name);
+            let place = Place::Pointer(macrodef.link_pointer(first.link, "name"));
+            let mut finding = RULE.at(file, place, message).key(format!("{}/{slip:?}", macrodef.components.join("-")));
+            finding = finding.help(match &first.intended {
+                Some(intended) => format!("did you mean `{}`?", space.name(intended)),
+                None => format!("a name has one value of each of `{}`", macrodef.components.join("-")),
+            });
+            if home.is_some() {
+                let effect = "finds the name for another macrodef, in the folder of this one";
+                finding.help = Some("move the entry there, and check its folder".to_owned());
+                finding = finding.level(Level::Info).breaks(Application::Makehuman2, effect);
+            }
+            let names = strangers.iter().map(|stranger| &stranger.link.name);
+            out.push(finding.evidence(Evidence::of_cases(names).out_of(macrodef.links.len())));
+        }
+    }
+}
+
+/// Without components a definition generates the empty name alone.
+fn without_components(file: &FileFacts, macrodef: &Macrodef) -> Option<Finding> {
+    let names = || macrodef.links.iter().map(|link| &link.name).filter(|name| !name.is_empty());
+    let first = names().next().filter(|_| file.schema.faults.is_empty())?;
+    let place = Place::pointer(["macrodef", &macrodef.index.to_string()]);
+    let message = format!("`comp` is empty: `{first}` can never be reached ({} names)", names().count());
+    let finding = RULE.at(file, place, message).key(macrodef.effective_folder.clone().unwrap_or_default());
+    Some(finding.help("list the components of the names in `comp`").evidence(Evidence::of_cases(names())))
+}
+
+/// Another definition that generates the name.
+fn home(macros: &MacroFile, own: &Macrodef, name: &str) -> Option<usize> {
+    let mut others = macros.macrodefs.iter().filter(|macrodef| macrodef.index != own.index);
+    others
+        .find(|other| Space::of(macros, other).is_some_and(|space| space.parse(name).is_some()))
+        .map(|other| other.index)
+}
+
+fn reason(space: &Space<'_>, slip: &Slip) -> String {
+    match slip {
+        Slip::Order => "has its values in another order than `comp`".to_owned(),
+        Slip::Value { axis, token } => {
+            let name = space.axes.get(*axis).map_or("", |axis| &axis.name);
+            format!("can never be reached: `{token}` is no value of `{name}`")
+        }
+        Slip::Parts(parts) => format!("can never be reached: it has {parts} parts, not {}", space.axes.len()),
+        Slip::Other(_) => "can never be reached: its parts are no values of the components".to_owned(),
+    }
+}

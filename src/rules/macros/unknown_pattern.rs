@@ -1,0 +1,49 @@
+//! The pattern of a component must be that of a macro slider.
+
+use super::super::{Check, Rule, RuleCx};
+use super::component::{macro_patterns, sound_components, unknown_patterns, weigh};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, nearest};
+use crate::repo::{Base, Repository};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(
+            Application::Makehuman2,
+            "drops the component; the names of its macrodefs become too short, and none of their targets is ever applied",
+        )],
+        docs: "`pattern` is the `macro` of an entry of `modelling.json`; with `sum` it is put in front of every \
+            entry, and the result is one of the texts in `barycentric` of a triangle slider.\n\nMakeHuman 2 \
+            drops a component whose pattern no slider is registered under, without a message. The names of all \
+            combinations then lack that part and match nothing: the macrodef is dead. A single unknown corner of \
+            a triangle loses the targets of that corner.\n\nWrite the pattern exactly as in `modelling.json`.",
+        ..RuleInfo::new("macro-unknown-pattern", Level::Error, "the pattern of a component belongs to no slider")
+    },
+    check: Check::Base(run),
+};
+
+fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some((file, macros)) = base.macro_file() else { return };
+    for component in sound_components(file, macros) {
+        if component.steps.is_some() && component.sum.is_some() {
+            continue; // `macro-steps-and-sum`: which of the two is meant is open.
+        }
+        let unknown = unknown_patterns(base, component);
+        let Some(first) = unknown.first() else { continue };
+        let name = &component.name;
+        let message = match unknown.len() {
+            1 => format!("no slider has the pattern `{first}` that component `{name}` reads"),
+            count => {
+                format!("no slider has the pattern `{first}` that component `{name}` reads ({count} patterns like it)")
+            }
+        };
+        let read = super::component::patterns(component);
+        let free = macro_patterns(base).filter(|pattern| !read.iter().any(|own| own == pattern));
+        let help = match nearest(first, free) {
+            Some(near) => format!("did you mean `{near}`?"),
+            None => "write the `macro` (or `barycentric`) of an entry of `modelling.json`".to_owned(),
+        };
+        let member = if unknown.len() == 1 && component.sum.is_some() { "sum" } else { "pattern" };
+        let finding = RULE.at(file, Place::pointer(["components", name, member]), message).key(name).help(help);
+        out.push(weigh(finding.evidence(Evidence::of_cases(&unknown).out_of(read.len())), macros, component));
+    }
+}

@@ -1,0 +1,38 @@
+//! Faces must use what exists.
+
+use super::super::{Check, Rule, RuleCx};
+use super::meshes;
+use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::repo::Layer;
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(Application::Makehuman2, "stops with an IndexError while it loads the base")],
+        docs: "Faces name vertices and texture coordinates by number, from 1. Numbers beyond the last one stop \
+            MakeHuman 2; so do 0 and negative numbers, which the format otherwise allows for counting \
+            backwards.\n\nUsually lines are missing in the file. Export the mesh again, with absolute numbers.",
+        ..RuleInfo::new(
+            "mesh-face-out-of-range",
+            Level::Error,
+            "a face uses a vertex or texture coordinate that does not exist",
+        )
+    },
+    check: Check::Layer(run),
+};
+
+fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for (file, mesh) in meshes(layer) {
+        let tally = &mesh.facts.face_out_of_range;
+        let Some((line, number)) = tally.first.first() else { continue };
+        let more = if tally.count > 1 { format!(" ({} faces like it)", tally.count) } else { String::new() };
+        let (vertices, uvs) = (mesh.facts.vertices, mesh.uvs.len());
+        let message = format!(
+            "a face uses number {number}, but there are {vertices} vertices and {uvs} texture coordinates{more}"
+        );
+        out.push(
+            RULE.at(file, Place::Line(*line), message)
+                .help("number vertices from 1; export the mesh again if lines are missing")
+                .evidence(tally.evidence(mesh.faces.len())),
+        );
+    }
+}

@@ -1,0 +1,29 @@
+//! Names of groups must be ASCII.
+
+use super::super::{Check, Rule, RuleCx};
+use super::meshes;
+use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::repo::Layer;
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(Application::Makehuman2, "stops with a UnicodeEncodeError while it loads the base")],
+        docs: "MakeHuman 2 stores the names of face groups as ASCII text and stops at any other letter. Groups \
+            without faces are dropped before and do no harm.\n\nRename the group, here and in `visible groups` \
+            of `base.json`.",
+        ..RuleInfo::new("mesh-group-name", Level::Error, "the name of a group has letters beyond ASCII")
+    },
+    check: Check::Layer(run),
+};
+
+fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for (file, mesh) in meshes(layer) {
+        for group in mesh.groups.iter().filter(|group| group.faces > 0 && !group.name.is_ascii()) {
+            out.push(
+                RULE.at(file, Place::Line(group.line), format!("the name of group `{}` is not ASCII", group.name))
+                    .key(&group.name)
+                    .help("use letters a to z, digits, `-` and `_`"),
+            );
+        }
+    }
+}

@@ -1,0 +1,38 @@
+//! Positions must be finite.
+
+use super::super::{Check, Rule, RuleCx};
+use super::meshes;
+use crate::diag::{Application, Element, Finding, Level, Place, RuleInfo};
+use crate::repo::Layer;
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(
+            Application::Makehuman2,
+            "computes with it: whatever depends on the vertex (normals, joints, size of the body) is no number \
+            either",
+        )],
+        docs: "Python reads `nan` and `inf` as numbers, and so MakeHuman 2 loads the mesh. Everything that is \
+            computed from the vertex is lost: the normals around it, a joint or a fitted asset that uses it, the \
+            height of the body.\n\nGive the vertex a position.",
+        ..RuleInfo::new("mesh-non-finite", Level::Error, "the position of a vertex is not a number or infinite")
+    },
+    check: Check::Layer(run),
+};
+
+fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for (file, mesh) in meshes(layer) {
+        let tally = &mesh.facts.non_finite;
+        let Some((line, vertex)) = tally.first.first() else { continue };
+        let message = match tally.count {
+            1 => format!("the position of vertex {vertex} is not finite"),
+            count => format!("the positions of {count} vertices are not finite, the first is vertex {vertex}"),
+        };
+        let element = Element { kind: "vertex", index: vertex.unsigned_abs() };
+        out.push(
+            RULE.at(file, Place::Row(*line, element), message)
+                .help("give the vertex a position")
+                .evidence(tally.evidence(mesh.facts.vertices)),
+        );
+    }
+}

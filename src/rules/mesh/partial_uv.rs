@@ -1,0 +1,35 @@
+//! Texture coordinates must be complete in a group.
+
+use super::super::{Check, Rule, RuleCx};
+use super::meshes;
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::repo::Layer;
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(Application::Makehuman2, "stops with an IndexError while it loads the base")],
+        docs: "MakeHuman 2 keeps the texture coordinates of a group in a list beside its faces. All faces of a \
+            group must have them, or none; in a mixed group it reads beyond the list and stops.\n\nUnwrap the \
+            remaining faces, or move them into a group of their own.",
+        ..RuleInfo::new("mesh-partial-uv", Level::Error, "a group has faces with and without texture coordinates")
+    },
+    check: Check::Layer(run),
+};
+
+fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for (file, mesh) in meshes(layer) {
+        for group in &mesh.facts.partial_uv {
+            let message = format!(
+                "{} of {} faces of group `{}` have no texture coordinates",
+                group.without, group.faces, group.name
+            );
+            let evidence = Evidence { count: group.without as u64, ..Evidence::default() };
+            out.push(
+                RULE.at(file, Place::Line(group.line), message)
+                    .key(&group.name)
+                    .help("unwrap all faces of the group, or none")
+                    .evidence(evidence.out_of(group.faces)),
+            );
+        }
+    }
+}

@@ -1,0 +1,55 @@
+//! A face group must be opened once.
+
+use super::super::{Check, Rule, RuleCx};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::formats::obj::Reopened;
+use crate::repo::{Base, FileFacts, Repository};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(
+            Application::Makehuman2,
+            "leaves the faces behind the second `g` in the group that was opened last",
+        )],
+        docs: "In an OBJ file `g name` starts a group, or continues one that was started before.\n\nMakeHuman 2 \
+            understands the start only. After the second `g` of a name the faces stay in the group that was \
+            opened last before it. Among invisible helpers this is hardly noticed; faces of a group that \
+            `base.json` shows (`visible groups`) vanish when they end up in one that is not shown \
+            (`error`).\n\nSort the faces so that each group comes once; exporters have an option for it.",
+        ..RuleInfo::new("mesh-reopened-group", Level::Warning, "a face group is opened a second time")
+    },
+    check: Check::Base(run),
+};
+
+fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some((file, mesh)) = base.mesh else { return };
+    let visible = base.settings().and_then(|(_, settings)| settings.visible_groups.as_deref()).unwrap_or_default();
+    let is_visible = |group: &str| visible.iter().any(|name| name == group);
+    let vanishes = |group: &&Reopened| is_visible(&group.name) && !group.lands_in.iter().all(|name| is_visible(name));
+    let (vanishing, others): (Vec<&Reopened>, Vec<&Reopened>) = mesh.facts.reopened.iter().partition(vanishes);
+    if let Some(finding) = finding(file, &vanishing, mesh.faces.len()) {
+        let effect = "loses visible faces: they end up in a group that is not shown";
+        out.push(finding.key("visible").level(Level::Error).breaks(Application::Makehuman2, effect));
+    }
+    out.extend(finding(file, &others, mesh.faces.len()));
+}
+
+/// One cause: the order in which the exporter wrote the faces.
+fn finding(file: &FileFacts, groups: &[&Reopened], faces: usize) -> Option<Finding> {
+    let strayed: usize = groups.iter().map(|group| group.strayed).sum();
+    let first = groups.iter().find(|group| group.strayed > 0)?;
+    let lands_in = first.lands_in.first().map_or("", String::as_str);
+    let message = match groups {
+        [only] => format!("group `{}` is opened again: {strayed} of its faces end up in `{lands_in}`", only.name),
+        _ => format!(
+            "{} groups are opened again: {strayed} faces end up in another group, the first ones of `{}` in `{lands_in}`",
+            groups.len(),
+            first.name
+        ),
+    };
+    let cases = groups.iter().map(|group| format!("{} ({} of {} faces)", group.name, group.strayed, group.faces));
+    let mut evidence = Evidence::of_cases(cases).out_of(faces);
+    evidence.count = strayed as u64;
+    let place = Place::Line(first.line);
+    Some(RULE.at(file, place, message).help("sort the faces so that each group comes once").evidence(evidence))
+}

@@ -1,0 +1,37 @@
+//! Every line of a mesh must be readable.
+
+use super::super::{Check, Rule, RuleCx};
+use super::meshes;
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::repo::Layer;
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(Application::Makehuman2, "stops with an exception while it loads the base")],
+        docs: "A mesh consists of lines `v x y z`, `vt u v`, `f a b c …` and `g name`; all others are ignored. A \
+            corner of a face is `vertex`, `vertex/uv`, `vertex//normal` or `vertex/uv/normal` in whole numbers; \
+            a face has at least three.\n\nMakeHuman 2 reads the numbers without checking and stops on the first \
+            that is missing or no number.\n\nExport the mesh again, or correct the line.",
+        ..RuleInfo::new("mesh-syntax", Level::Error, "a line of a mesh cannot be read")
+    },
+    check: Check::Layer(run),
+};
+
+fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for (file, mesh) in meshes(layer) {
+        let Some(first) = mesh.facts.unreadable.first() else { continue };
+        let more = if mesh.facts.unreadable_lines > 1 {
+            format!(" ({} lines cannot be read)", mesh.facts.unreadable_lines)
+        } else {
+            String::new()
+        };
+        let cases = mesh.facts.unreadable.iter().map(|bad| format!("line {}", bad.line));
+        let mut evidence = Evidence::of_cases(cases);
+        evidence.count = mesh.facts.unreadable_lines;
+        out.push(
+            RULE.at(file, Place::Line(first.line), format!("`{}`: {}{more}", first.text, first.what))
+                .help("correct the line, or export the mesh again")
+                .evidence(evidence),
+        );
+    }
+}

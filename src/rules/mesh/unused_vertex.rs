@@ -1,0 +1,32 @@
+//! Vertices that no face uses.
+
+use super::super::{Check, Rule, RuleCx};
+use super::meshes;
+use crate::diag::{Finding, Level, Place, RuleInfo};
+use crate::repo::Layer;
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        docs: "MakeHuman 2 keeps vertices without a face; they can be moved, weighted and used by joints and \
+            clothes like others. Programs that drop them on import count all later vertices differently, and \
+            then targets, weights and clothes do not fit.\n\nKeep them if something refers to them; otherwise do \
+            not add any: removing one later renumbers the mesh.",
+        ..RuleInfo::new("mesh-unused-vertex", Level::Info, "no face uses a vertex")
+    },
+    check: Check::Layer(run),
+};
+
+fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    // Faces that could not be read may be the ones that use them.
+    let readable =
+        meshes(layer).filter(|(_, mesh)| mesh.facts.unreadable_lines == 0 && mesh.facts.face_out_of_range.count == 0);
+    for (file, mesh) in readable {
+        let tally = &mesh.facts.unused;
+        let Some((_, vertex)) = tally.first.first() else { continue };
+        let message = match tally.count {
+            1 => format!("no face uses vertex {vertex}"),
+            count => format!("no face uses {count} of {} vertices, the first is vertex {vertex}", mesh.facts.vertices),
+        };
+        out.push(RULE.at(file, Place::File, message).evidence(tally.evidence(mesh.facts.vertices)));
+    }
+}

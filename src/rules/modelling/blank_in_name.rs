@@ -1,0 +1,64 @@
+//! Names of user targets, and patterns, must not hold a blank.
+
+use std::collections::BTreeMap;
+
+use super::super::{Check, Rule, RuleCx};
+use super::{groups, user_scan};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::repo::{Base, Repository};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(
+            Application::Makehuman2,
+            "stops with a ValueError when it loads a model that was saved with the slider moved",
+        )],
+        docs: "A saved model names a slider by its pattern, which is made of the path of its target, and the words of a line are \
+            told apart by blanks.\n\nA blank in the file or folder name of a user target, or in a pattern of \
+            `modelling.json`, therefore gives a line of three words. The slider works and the model is saved, but it can \
+            never be loaded again: an error, because the user's work is lost.\n\nUse `-` or `_` instead.",
+        ..RuleInfo::new("modelling-blank-in-name", Level::Error, "a blank in the name of a user target")
+    },
+    check: Check::Base(run),
+};
+
+fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    user_files(base, out);
+    patterns(base, out);
+}
+
+fn user_files(base: &Base<'_>, out: &mut Vec<Finding>) {
+    let mut folders: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
+    for target in user_scan::targets(base) {
+        if let Some(folder) = target.folder.filter(|folder| has_blank(folder)) {
+            folders.entry(folder).or_default().push(target.stem);
+        } else if has_blank(target.stem) {
+            let message = format!("a blank in the name of the user target `{}`", target.stem);
+            out.push(RULE.at(target.file, Place::File, message).key(target.stem).help(rename(target.stem)));
+        }
+    }
+    let Some(user) = base.user_targets else { return };
+    for (folder, stems) in folders {
+        let message = format!("a blank in the folder name `{folder}` of {} user targets", stems.len());
+        let finding = RULE.in_layer(user.layer, &format!("{}/{folder}", user.rel()), message);
+        out.push(finding.key(folder).help(rename(folder)).evidence(Evidence::of_cases(stems)));
+    }
+}
+
+/// Patterns of hand-made entries; those of generated ones come from file names.
+fn patterns(base: &Base<'_>, out: &mut Vec<Finding>) {
+    for slider in groups::hand_made(base).filter(|slider| !slider.slider.user) {
+        let Some(pattern) = slider.pattern.names().iter().find(|name| has_blank(name)) else { continue };
+        let key = slider.slider.key.as_str();
+        let message = format!("a blank in the pattern `{pattern}` of `{key}`");
+        out.push(RULE.at(slider.file, Place::key([key]), message).key(key).help(rename(pattern)));
+    }
+}
+
+fn has_blank(name: &str) -> bool {
+    name.contains(char::is_whitespace)
+}
+
+fn rename(name: &str) -> String {
+    format!("rename it to `{}`", name.split_whitespace().collect::<Vec<_>>().join("-"))
+}

@@ -1,0 +1,36 @@
+//! `decr` needs `incr` beside it.
+
+use super::super::{Check, Rule, RuleCx};
+use super::groups;
+use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::repo::{Base, Repository};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(Application::Makehuman2, "stops with an AttributeError when the slider moves to its positive side")],
+        docs: "`decr` is the negative side of a slider and `incr` its positive one.\n\nWith `decr` alone MakeHuman 2 shows both \
+            sides. The positive side has no target: moving there raises an exception, which makes this an error. The slider \
+            has no pattern, so it is never saved and no model can set it.\n\nAdd `incr`, or rename `decr` to `incr` to \
+            get a slider with one side.",
+        ..RuleInfo::new("modelling-decr-only", Level::Error, "`decr` without `incr`")
+    },
+    check: Check::Base(run),
+};
+
+fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for bound in groups::hand_made(base) {
+        let slider = bound.slider;
+        if slider.decr.is_none() || slider.has("incr") || slider.is_macro() {
+            continue;
+        }
+        out.push(
+            RULE.at(
+                bound.file,
+                Place::pointer([&slider.key, "decr"]),
+                format!("`{}` has `decr` but no `incr`", slider.key),
+            )
+            .key(&slider.key)
+            .help("add `incr`, or rename `decr` to `incr` for a slider with one side"),
+        );
+    }
+}

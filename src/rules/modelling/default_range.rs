@@ -1,0 +1,40 @@
+//! `default` must lie on the slider.
+
+use super::super::{Check, Rule, RuleCx};
+use super::groups;
+use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::repo::{Base, Repository};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(
+            Application::Makehuman2,
+            "sets the slider beyond its end at every reset: a macro vanishes or is exaggerated",
+        )],
+        docs: "`default` is the value of a slider after a reset, from 0 to 1 (from -1 for a slider with two targets). Every load of \
+            a model resets all sliders first.\n\nMakeHuman 2 does not limit the value. Above 1 a macro applies \
+            nothing at all, below 0 its first value is exaggerated, and a target is applied with that factor. A value like 50 \
+            is usually meant in percent.\n\nWrite a number from 0 to 1.",
+        ..RuleInfo::new("modelling-default-range", Level::Warning, "`default` outside 0 to 1")
+    },
+    check: Check::Base(run),
+};
+
+fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for bound in groups::hand_made(base) {
+        let slider = bound.slider;
+        let Some(default) = slider.default else { continue };
+        let lowest = if slider.decr.is_some() && !slider.is_macro() { -1.0 } else { 0.0 };
+        if (lowest..=1.0).contains(&default) {
+            continue;
+        }
+        let message = format!("`{}` has the default {default}, outside {lowest} to 1", slider.key);
+        let help = if (1.0..=100.0).contains(&default) {
+            format!("values are not in percent: {} is meant?", default / 100.0)
+        } else {
+            format!("write a number from {lowest} to 1")
+        };
+        let place = Place::pointer([&slider.key, "default"]);
+        out.push(RULE.at(bound.file, place, message).key(&slider.key).help(help));
+    }
+}

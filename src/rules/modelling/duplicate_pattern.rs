@@ -1,0 +1,51 @@
+//! Every pattern must be registered once.
+
+use std::collections::BTreeMap;
+
+use super::super::{Check, Rule, RuleCx};
+use super::with_patterns;
+use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::repo::{Base, BoundSlider, Repository};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(
+            Application::Makehuman2,
+            "saves and loads only the last of the sliders; what is set with the others is lost",
+        )],
+        docs: "The pattern of an entry is its name in saved models, presets, symmetry and macros: the texts of `barycentric`, or \
+            `macro`, or `<decr>|<ending>` for a pair of targets, or `incr`.\n\nTwo entries with one pattern both get a slider, \
+            but only the last is known by the name. A model that was saved with another of them moved has lost that \
+            value, without a message.\n\nRemove one entry, or give it targets of its own.",
+        ..RuleInfo::new("modelling-duplicate-pattern", Level::Error, "two entries produce one pattern")
+    },
+    check: Check::Base(run),
+};
+
+fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let mut by_pattern: BTreeMap<&str, Vec<&BoundSlider<'_>>> = BTreeMap::new();
+    for slider in with_patterns(base).unwrap_or_default() {
+        for name in slider.pattern.names() {
+            by_pattern.entry(name).or_default().push(slider);
+        }
+    }
+    for (pattern, sliders) in by_pattern {
+        let [hidden @ .., last] = sliders.as_slice() else { continue };
+        let Some(first) = hidden.first() else { continue };
+        let (key, winner) = (first.slider.key.as_str(), last.slider.key.as_str());
+        let message = if std::ptr::eq(*first, *last) {
+            format!("`{key}` has the pattern `{pattern}` twice")
+        } else {
+            format!("`{key}` and `{winner}` have the same pattern `{pattern}`")
+        };
+        let mut finding = RULE
+            .at(last.file, Place::key([winner]), message)
+            .key(pattern)
+            .help("remove one of the entries, or give it targets of its own");
+        for other in hidden.iter().filter(|other| !std::ptr::eq(**other, *last)) {
+            let place = Place::key([&other.slider.key]);
+            finding = finding.related(other.file.path.clone(), place, "cannot be saved or loaded");
+        }
+        out.push(finding);
+    }
+}

@@ -1,0 +1,72 @@
+//! An item of `target_cat.json` should have a slider to show.
+
+use std::collections::BTreeSet;
+
+use super::super::{Check, Rule, RuleCx};
+use super::groups::{self, Groups, USER_CATEGORY};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::formats::target_cat::Category;
+use crate::repo::{Base, FileFacts, Repository};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(Application::Makehuman2, "shows an entry in the tree with nothing behind it")],
+        docs: "Every item of `target_cat.json` shows the sliders whose `group` equals its `group|cat`.\n\nAn item without such a slider, or a \
+            category without items, is an entry that leads nowhere. A category of one's own called `User` is a \
+            warning: MakeHuman 2 always replaces it with the one it generates from user targets, so its items vanish. An \
+            item that a misspelt slider was meant for is not reported here but with the slider.\n\nRemove the item, \
+            or give a slider its group.",
+        ..RuleInfo::new("modelling-empty-category", Level::Info, "a category item has no slider")
+    },
+    check: Check::Base(run),
+};
+
+fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let (Some((file, model)), Some(groups)) = (base.categories.winner(), groups::of(base)) else { return };
+    for category in &model.categories {
+        if category.name == USER_CATEGORY {
+            // One root may be a user's folder; the file is then the generated one.
+            if !repository.is_one_root() {
+                out.push(replaced(file, base, &groups));
+            }
+        } else if category.items.is_empty() {
+            let message = format!("category `{}` has no items", category.name);
+            let help = "add items, or remove the category";
+            out.push(RULE.at(file, Place::key([&category.name]), message).key(&category.name).help(help));
+        } else if base.modelling.winner().is_some() {
+            empty_items(file, base, &groups, category, out);
+        }
+    }
+}
+
+fn empty_items(
+    file: &FileFacts,
+    base: &Base<'_>,
+    groups: &Groups<'_, '_>,
+    category: &Category,
+    out: &mut Vec<Finding>,
+) {
+    let used: BTreeSet<&str> = base.sliders.iter().filter_map(|slider| slider.slider.group.as_deref()).collect();
+    for (index, item) in category.items.iter().enumerate() {
+        let Some(group) = category.group_of(item) else { continue };
+        if used.contains(group.as_str()) || groups.is_excused(&group) {
+            continue;
+        }
+        let message = format!("no slider has the group `{group}`");
+        let place = Place::pointer([&category.name, "items", &index.to_string(), "cat"]);
+        out.push(RULE.at(file, place, message).key(&group).help("remove the item, or give a slider this group"));
+    }
+}
+
+fn replaced(file: &FileFacts, base: &Base<'_>, groups: &Groups<'_, '_>) -> Finding {
+    let lost = base.sliders.iter().filter(|slider| {
+        let group = slider.slider.group.as_deref();
+        group.is_some_and(|group| groups.replaced.contains(group) && !groups.offered.contains(group))
+    });
+    RULE.at(file, Place::key([USER_CATEGORY]), "category `User` is always replaced by the generated one")
+        .key(USER_CATEGORY)
+        .level(Level::Warning)
+        .breaks(Application::Makehuman2, "drops the category and never shows the sliders under it")
+        .help("give the category another name")
+        .evidence(Evidence::of_cases(lost.map(|slider| &slider.slider.key)))
+}

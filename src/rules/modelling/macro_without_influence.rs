@@ -1,0 +1,72 @@
+//! A macro slider must name a macro definition that it influences.
+
+use super::super::{Check, Rule, RuleCx};
+use crate::diag::{Application, Confidence, Finding, Level, Place, RuleInfo};
+use crate::formats::macro_json::MacroFile;
+use crate::repo::{Base, BoundSlider, Pattern, Repository};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(
+            Application::Makehuman2,
+            "shows the character without any macro shape when the slider is opened, until another macro slider moves",
+        )],
+        docs: "`macro_influence` lists the positions of the macro definitions that a macro slider takes part in.\n\nMakeHuman 2 always evaluates \
+            all of them; it only asks whether the list is empty. A macro slider without the list, or with an empty one, is treated like \
+            an ordinary slider: opening it shows the mesh without macros, so the character melts to the neutral base.\n\n\
+            List the macro definitions that use the slider.",
+        ..RuleInfo::new("modelling-macro-without-influence", Level::Warning, "a macro slider without `macro_influence`")
+    },
+    check: Check::Base(run),
+};
+
+fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some((_, macros)) = base.macro_file().filter(|(_, macros)| !macros.macrodefs.is_empty()) else { return };
+    for bound in &base.sliders {
+        let slider = bound.slider;
+        // A list of wrong positions or of a wrong type is a finding of its own.
+        let is_empty = slider.macro_influence.as_ref().is_some_and(Vec::is_empty);
+        if slider.has("macro_influence") && !is_empty {
+            continue;
+        }
+        let confidence = match &bound.pattern {
+            Pattern::Macro(_) => Confidence::High,
+            Pattern::Barycentric(_) if !users(macros, bound).is_empty() => Confidence::Medium,
+            _ => continue,
+        };
+        let (what, member) = if is_empty { ("an empty", "macro_influence") } else { ("no", "macro") };
+        let place = match &bound.pattern {
+            Pattern::Barycentric(_) if !is_empty => Place::key([&slider.key]),
+            _ => Place::pointer([&slider.key, member]),
+        };
+        let message = format!("the macro slider `{}` has {what} `macro_influence`", slider.key);
+        let finding = RULE.at(bound.file, place, message).key(&slider.key).help(help(&users(macros, bound)));
+        out.push(finding.confidence(confidence));
+    }
+}
+
+/// Positions of the macro definitions with a component that reads the slider.
+fn users(macros: &MacroFile, bound: &BoundSlider<'_>) -> Vec<usize> {
+    let reads = |name: &String| {
+        let components = macros.components.iter().filter(|component| component.name == *name);
+        components.into_iter().any(|component| {
+            let pattern = component.pattern.as_deref().unwrap_or_default();
+            let ends = component.sum.as_deref().filter(|_| component.steps.is_none());
+            let patterns: Vec<String> = match ends {
+                Some(ends) => ends.iter().map(|end| format!("{pattern}{end}")).collect(),
+                None => vec![pattern.to_owned()],
+            };
+            patterns.iter().any(|pattern| bound.pattern.names().contains(pattern))
+        })
+    };
+    let using = macros.macrodefs.iter().filter(|macrodef| macrodef.components.iter().any(reads));
+    using.map(|macrodef| macrodef.index).collect()
+}
+
+fn help(users: &[usize]) -> String {
+    if users.is_empty() {
+        return "no component of macro.json reads the slider; name its macro definitions, or remove `macro`".to_owned();
+    }
+    let list: Vec<String> = users.iter().map(usize::to_string).collect();
+    format!("add `\"macro_influence\": [{}]`", list.join(", "))
+}

@@ -1,0 +1,63 @@
+//! Files of sliders that do not exist, one cause at a time: a folder that is missing as a whole is one.
+
+use std::collections::BTreeMap;
+
+use crate::diag::nearest;
+use crate::repo::{Base, FileFacts, Reference, ReferenceKind, Repository, Resolution};
+
+/// Missing files that have one cause.
+pub(super) struct Group<'r, 'a> {
+    /// The folder, relative to its data root, if nothing at all is in it.
+    pub(super) folder: Option<String>,
+    /// The references, in order; never empty.
+    pub(super) references: Vec<&'r Reference<'a>>,
+}
+
+/// References of the wanted kinds that lead to nothing, in order of their first appearance.
+pub(super) fn groups<'r, 'a>(
+    repository: &'r Repository<'a>,
+    base: &'r Base<'a>,
+    wanted: fn(ReferenceKind) -> bool,
+) -> Vec<Group<'r, 'a>> {
+    let mut groups: Vec<Group<'r, 'a>> = Vec::new();
+    let mut by_folder: BTreeMap<(&str, String), usize> = BTreeMap::new();
+    let references = repository.references_of(base).filter(|reference| wanted(reference.kind));
+    for reference in references.filter(|reference| matches!(reference.resolution, Resolution::Missing)) {
+        let folder = folder_of(&reference.rel);
+        if !is_empty(repository, &folder) {
+            groups.push(Group { folder: None, references: vec![reference] });
+            continue;
+        }
+        let at = *by_folder.entry((reference.from.path.as_str(), folder.clone())).or_insert_with(|| {
+            groups.push(Group { folder: Some(folder), references: Vec::new() });
+            groups.len() - 1
+        });
+        if let Some(group) = groups.get_mut(at) {
+            group.references.push(reference);
+        }
+    }
+    for group in &mut groups {
+        if group.references.len() == 1 {
+            group.folder = None;
+        }
+    }
+    groups
+}
+
+fn folder_of(rel: &str) -> String {
+    rel.rsplit_once('/').map_or(String::new(), |(folder, _)| folder.to_owned())
+}
+
+fn is_empty(repository: &Repository<'_>, folder: &str) -> bool {
+    repository.strongest_first().all(|layer| layer.below(folder).next().is_none())
+}
+
+/// The file beside the missing one that is most like it, by name without folder.
+pub(super) fn neighbour(repository: &Repository<'_>, reference: &Reference<'_>) -> Option<String> {
+    let folder = folder_of(&reference.rel);
+    let wanted = reference.rel.rsplit('/').next().unwrap_or_default();
+    let layers: Vec<_> = repository.strongest_first().collect();
+    let files = layers.iter().flat_map(|layer| layer.below(&folder));
+    let names = files.filter(|file| !file.kind.is_json()).map(FileFacts::file_name);
+    nearest(wanted, names).map(str::to_owned)
+}

@@ -1,0 +1,40 @@
+//! `icon` must name a picture that exists.
+
+use super::super::{Check, Rule, RuleCx};
+use super::missing;
+use crate::diag::{Application, Evidence, Finding, Level, RuleInfo};
+use crate::repo::{Base, ReferenceKind, Repository};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(Application::Makehuman2, "shows a button without size instead of the picture")],
+        docs: "`icon` names a picture in the folder `icons` of the target folder in use.\n\nMakeHuman 2 does not check \
+            that it exists: the slider then has a picture button of no size, which cannot be hit. An entry \
+            without `icon` gets a neutral picture, so leaving it out is better than naming nothing.\n\nCorrect the name, add \
+            the picture, or remove the key.",
+        ..RuleInfo::new("modelling-missing-icon", Level::Warning, "`icon` names a picture that does not exist")
+    },
+    check: Check::Base(run),
+};
+
+fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for group in missing::groups(repository, base, |kind| kind == ReferenceKind::Icon) {
+        let Some(first) = group.references.first() else { continue };
+        // Written anew by MakeHuman 2 whenever a target or a picture changes.
+        if base.user_modelling.file().is_some_and(|file| std::ptr::eq(file, first.from)) {
+            continue;
+        }
+        let (message, key) = match &group.folder {
+            Some(folder) => {
+                (format!("nothing is in `{folder}`, but {} icons are read from it", group.references.len()), &**folder)
+            }
+            None => (format!("the icon `{}` of `{}` does not exist", first.text, first.owner), first.owner),
+        };
+        let help = match missing::neighbour(repository, first) {
+            Some(near) => format!("did you mean `{near}`?"),
+            None => "add the picture, or remove the key to get the neutral one".to_owned(),
+        };
+        let evidence = Evidence::of_cases(group.references.iter().map(|reference| reference.text));
+        out.push(RULE.at(first.from, first.place.clone(), message).key(key).help(help).evidence(evidence));
+    }
+}

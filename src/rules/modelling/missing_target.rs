@@ -1,0 +1,92 @@
+//! `incr` and `decr` must name targets that exist.
+
+use super::super::{Check, Rule, RuleCx};
+use super::missing::{self, Group};
+use crate::diag::{Application, Evidence, Finding, Level, RuleInfo};
+use crate::repo::{Base, Reference, ReferenceKind, Repository};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(
+            Application::Makehuman2,
+            "stops with an AttributeError when the slider moves, or at start if the start model sets it",
+        )],
+        docs: "`incr` and `decr` name a target by its path below the target folder, with `/` and without `.target`.\n\nMakeHuman 2 \
+            writes a missing file into its log and keeps an empty stand-in. The slider looks normal; as soon as it \
+            moves, or the start model moves it, the program meets the stand-in and raises an exception. Where the \
+            targets come from is decided by the `macro.json` in use, entries with `user` are read from the user's \
+            target folder. A folder with a `compressedtargets.npz` is not judged, because the archive may hold the target.\n\n\
+            Correct the path, add the target, or remove the entry.",
+        ..RuleInfo::new("modelling-missing-target", Level::Error, "`incr` or `decr` names a target that does not exist")
+    },
+    check: Check::Base(run),
+};
+
+fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let is_target = |kind| matches!(kind, ReferenceKind::Incr | ReferenceKind::Decr);
+    for group in missing::groups(repository, base, is_target) {
+        if !is_archived(base, &group) {
+            out.extend(finding(repository, base, &group));
+        }
+    }
+}
+
+/// Whether an archive, which is asked before the text files, may hold the targets.
+fn is_archived(base: &Base<'_>, group: &Group<'_, '_>) -> bool {
+    let folders = [base.targets, base.user_targets].into_iter().flatten();
+    let mut archives = folders.filter_map(|folder| {
+        let own = format!("{}/", folder.rel());
+        let archive = folder.layer.file(&format!("{own}compressedtargets.npz"))?;
+        (archive.size > 0).then_some(own)
+    });
+    archives.any(|own| group.references.iter().any(|reference| reference.rel.starts_with(&own)))
+}
+
+fn finding(repository: &Repository<'_>, base: &Base<'_>, group: &Group<'_, '_>) -> Option<Finding> {
+    let first = group.references.first()?;
+    let count = group.references.len();
+    let (message, key) = match &group.folder {
+        Some(folder) => (format!("nothing is in `{folder}`, but {count} targets are read from it"), folder.as_str()),
+        None => (format!("`{}` moves `{}`, which does not exist", first.owner, first.rel), first.owner),
+    };
+    let mut finding = RULE
+        .at(first.from, first.place.clone(), message)
+        .key(format!("{key} {}", if group.folder.is_some() { "" } else { side(first) }).trim_end())
+        .evidence(Evidence::of_cases(group.references.iter().map(|reference| reference.text)));
+    finding = finding.help(help(repository, first));
+    if is_generated(base, first) {
+        finding = finding.level(Level::Warning).help(
+            "this file is generated: delete both generated JSON files, MakeHuman 2 writes them anew from the targets",
+        );
+    } else if is_unused(base, first) {
+        finding = finding.level(Level::Warning).breaks(
+            Application::Makehuman2,
+            "writes a line into its log; the targets of an entry with `macro` or `barycentric` are never applied",
+        );
+    }
+    Some(finding)
+}
+
+fn side(reference: &Reference<'_>) -> &'static str {
+    if reference.kind == ReferenceKind::Incr { "incr" } else { "decr" }
+}
+
+fn help(repository: &Repository<'_>, reference: &Reference<'_>) -> String {
+    if reference.text.is_empty() {
+        "the name is empty: name a target or remove the key".to_owned()
+    } else if let Some(stem) = reference.text.strip_suffix(".target") {
+        format!("write it without the suffix: `{stem}`")
+    } else if let Some(near) = missing::neighbour(repository, reference) {
+        format!("did you mean `{near}`?")
+    } else {
+        "correct the path, add the target, or remove the entry".to_owned()
+    }
+}
+
+fn is_generated(base: &Base<'_>, reference: &Reference<'_>) -> bool {
+    base.user_modelling.file().is_some_and(|file| std::ptr::eq(file, reference.from))
+}
+
+fn is_unused(base: &Base<'_>, reference: &Reference<'_>) -> bool {
+    base.sliders.iter().any(|slider| slider.slider.key == reference.owner && slider.slider.is_macro())
+}

@@ -1,0 +1,54 @@
+//! Rules on `modelling.json`, `target_cat.json` and user targets of MakeHuman 2.
+//!
+//! What they share: which of the files can be judged at all when another one is damaged, and the groups and
+//! patterns that exist.
+
+pub(super) mod barycentric_arity;
+pub(super) mod blank_in_name;
+pub(super) mod decr_only;
+pub(super) mod default_range;
+pub(super) mod duplicate_pattern;
+pub(super) mod empty_category;
+mod groups;
+pub(super) mod macro_without_influence;
+pub(super) mod measure;
+mod missing;
+pub(super) mod missing_icon;
+pub(super) mod missing_target;
+pub(super) mod no_effect;
+pub(super) mod one_sided_symmetry;
+pub(super) mod opposites;
+pub(super) mod text_slot;
+pub(super) mod unknown_group;
+pub(super) mod unknown_symmetry;
+pub(super) mod unsafe_formula;
+pub(super) mod user_key_collision;
+mod user_scan;
+
+use crate::diag::nearest;
+use crate::repo::{Base, BoundSlider, Overlaid};
+
+/// Whether one of the files is refused. What is then in use is not what the author meant, and everything
+/// that follows from it follows from the damage.
+fn is_damaged<T>(overlaid: &Overlaid<'_, T>) -> bool {
+    overlaid.contarget.is_refused() || overlaid.is_broken()
+}
+
+/// The sliders, if their patterns can be told: `base.json` declares which pairs of targets make one slider.
+fn with_patterns<'b, 'a>(base: &'b Base<'a>) -> Option<&'b [BoundSlider<'a>]> {
+    base.settings().filter(|_| !is_damaged(&base.modelling)).map(|_| base.sliders.as_slice())
+}
+
+/// What could be meant by an unknown pattern.
+fn advice(base: &Base<'_>, name: &str) -> String {
+    if let Some(slider) = base.sliders.iter().find(|slider| slider.slider.key == name)
+        && let [pattern, ..] = slider.pattern.names()
+    {
+        return format!("`{name}` is the key of an entry; write its pattern `{pattern}`");
+    }
+    let patterns = base.sliders.iter().flat_map(|slider| slider.pattern.names()).map(String::as_str);
+    match nearest(name, patterns) {
+        Some(near) => format!("did you mean `{near}`?"),
+        None => "a pattern is the `macro` of an entry, its `incr`, or `<decr>|<ending of incr>` for a pair".to_owned(),
+    }
+}

@@ -1,0 +1,55 @@
+//! A status text needs a line of its own, 1 to 5.
+
+use std::collections::BTreeMap;
+
+use super::super::{Check, Rule, RuleCx};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::repo::{Base, BoundSlider, Repository};
+
+/// Lines of the status area.
+const SLOTS: std::ops::RangeInclusive<f64> = 1.0..=5.0;
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(Application::Makehuman2, "does not show the text")],
+        docs: "`display.slot` is the line of the status area that a slider writes to, from 1 to 5.\n\nA text for any other line is \
+            ignored. Of two sliders with one line only the last is shown.\n\nChoose a free line from 1 to 5.",
+        ..RuleInfo::new("modelling-text-slot", Level::Warning, "`display.slot` outside 1 to 5 or taken twice")
+    },
+    check: Check::Base(run),
+};
+
+fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let mut by_slot: BTreeMap<i64, Vec<&BoundSlider<'_>>> = BTreeMap::new();
+    for bound in &base.sliders {
+        let Some(slot) = bound.slider.display.as_ref().and_then(|display| display.slot) else { continue };
+        if slot.fract() != 0.0 {
+            // Not an integer: the schema's finding.
+            continue;
+        }
+        if SLOTS.contains(&slot) {
+            #[expect(clippy::cast_possible_truncation, reason = "an integer from 1 to 5")]
+            by_slot.entry(slot as i64).or_default().push(bound);
+        } else {
+            let key = bound.slider.key.as_str();
+            let message = format!("`{key}` writes to line {slot} of the status area, which has 1 to 5");
+            let help = "choose a free line from 1 to 5";
+            out.push(RULE.at(bound.file, place(bound), message).key(key).help(help));
+        }
+    }
+    for (slot, sliders) in by_slot {
+        let [.., hidden, last] = sliders.as_slice() else { continue };
+        let (key, winner) = (hidden.slider.key.as_str(), last.slider.key.as_str());
+        let message = format!("`{key}` and `{winner}` both write to line {slot} of the status area");
+        let finding = RULE.at(last.file, place(last), message).key(format!("slot {slot}"));
+        out.push(
+            finding
+                .related(hidden.file.path.clone(), place(hidden), "is not shown")
+                .help("give each a line of its own"),
+        );
+    }
+}
+
+fn place(bound: &BoundSlider<'_>) -> Place {
+    Place::pointer([&bound.slider.key, "display", "slot"])
+}

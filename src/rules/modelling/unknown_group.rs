@@ -1,0 +1,94 @@
+//! The group of a slider must be shown by an item of `target_cat.json`.
+
+use super::super::{Check, Rule, RuleCx};
+use super::groups::{self, Groups};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::repo::{Base, BoundSlider, FileFacts, Repository};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(Application::Makehuman2, "never shows the slider; only saved models can still set it")],
+        docs: "A slider is shown under the item of `target_cat.json` whose `group|cat` equals the slider's `group`, \
+            letter by letter.\n\nA group that no item has, or none at all, hides the slider without a word. Without any \
+            `target_cat.json` no slider is shown. A group with two `|` also stops the random character view with a ValueError \
+            (an error here, although shown sliders otherwise work).\n\nCorrect the group, or add an item for it.",
+        ..RuleInfo::new("modelling-unknown-group", Level::Warning, "`group` of a slider is in no category")
+    },
+    check: Check::Base(run),
+};
+
+fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    two_bars(base, out);
+    if let Some(groups) = groups::of(base) {
+        for (group, sliders) in groups.unknown.iter().filter(|(group, _)| group.matches('|').count() < 2) {
+            out.extend(unknown(repository, base, &groups, group, sliders));
+        }
+    }
+    no_categories(repository, base, out);
+}
+
+fn unknown(
+    repository: &Repository<'_>,
+    base: &Base<'_>,
+    groups: &Groups<'_, '_>,
+    group: &str,
+    sliders: &[&BoundSlider<'_>],
+) -> Option<Finding> {
+    let first = sliders.first()?;
+    let keys = Evidence::of_cases(sliders.iter().map(|slider| &slider.slider.key));
+    let subject = match sliders {
+        [only] => format!("`{}` is", only.slider.key),
+        more => format!("{} sliders are", more.len()),
+    };
+    let message = match group {
+        "" => format!("{subject} never shown: no `group`"),
+        group => format!("{subject} never shown: no item of target_cat.json has the group `{group}`"),
+    };
+    let help = match groups.meant(group) {
+        Some(near) => format!("did you mean `{near}`?"),
+        None if group.is_empty() => "name the group `category|subcategory` of an item".to_owned(),
+        None if !group.contains('|') => "a group is `category|subcategory`".to_owned(),
+        None => "correct the group, or add an item to target_cat.json".to_owned(),
+    };
+    let (file, place) = whose(repository, base, first)?;
+    Some(RULE.at(file, place, message).key(group).help(help).evidence(keys))
+}
+
+/// The slider, or the categories if only they are the author's.
+fn whose<'a>(repository: &Repository<'_>, base: &Base<'a>, slider: &BoundSlider<'a>) -> Option<(&'a FileFacts, Place)> {
+    if repository.is_judged(slider.file) {
+        let key = slider.slider.key.as_str();
+        let place = if slider.slider.has("group") { Place::pointer([key, "group"]) } else { Place::key([key]) };
+        return Some((slider.file, place));
+    }
+    base.categories.winner().map(|(file, _)| (file, Place::File))
+}
+
+/// Shown or not, the random character view splits the group in two.
+fn two_bars(base: &Base<'_>, out: &mut Vec<Finding>) {
+    for slider in groups::hand_made(base) {
+        let Some(group) = slider.slider.group.as_deref().filter(|group| group.matches('|').count() > 1) else {
+            continue;
+        };
+        let key = slider.slider.key.as_str();
+        out.push(
+            RULE.at(slider.file, Place::pointer([key, "group"]), format!("`{key}` has a group of more than two parts"))
+                .key(key)
+                .level(Level::Error)
+                .breaks(Application::Makehuman2, "stops with a ValueError when a random character is made")
+                .help(format!("`{group}` must be `category|subcategory`")),
+        );
+    }
+}
+
+fn no_categories(repository: &Repository<'_>, base: &Base<'_>, out: &mut Vec<Finding>) {
+    let absent = [base.categories.contarget.file(), base.categories.system.file()].iter().all(Option::is_none);
+    let Some((file, modelling)) = base.modelling.winner() else { return };
+    // Only system data can prove that there is none.
+    if !absent || repository.system.is_none() || repository.is_one_root() || modelling.sliders.is_empty() {
+        return;
+    }
+    let message = format!("there is no target_cat.json: none of {} sliders is shown", modelling.sliders.len());
+    let help = "add a target_cat.json with an item for every group of the sliders";
+    out.push(RULE.at(file, Place::File, message).help(help));
+}

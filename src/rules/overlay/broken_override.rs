@@ -1,0 +1,72 @@
+//! An override that the application ignores without a word.
+
+use super::super::{Check, Rule, RuleCx};
+use super::{Override, SystemFolder, overrides, system_folder};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::formats::json_file::JsonFault;
+use crate::repo::{Base, Content, FileFacts, Repository};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(Application::Makehuman2, "ignores the override without a word and takes the system's file")],
+        docs: "macro.json, modelling.json and target_cat.json in `contarget/<base>/` replace those of the system. MakeHuman 2 \
+            takes the first of the two that it can read and that is not empty, each file for itself. A syntax error, a byte \
+            order mark or an empty object is only a line in the log: the system's file is used as if there were no \
+            override.\n\nThe target files do not fall back with it. If macro.json is the one that is refused, all targets \
+            are searched in the system's folder again, where those of the override are not; and a base that lives in user \
+            space alone stops the program at start, because there is no such folder.\n\nMend the file at the place that is \
+            shown, or remove it. (Bytes that are no UTF-8 are worse: MakeHuman 2 stops; see `file-not-utf8`.)",
+        ..RuleInfo::new("overlay-broken-override", Level::Error, "a contarget file that MakeHuman 2 silently ignores")
+    },
+    check: Check::Base(run),
+};
+
+fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for each in overrides(base) {
+        let Some(file) = each.file.filter(|file| file.is_ignored_override()) else { continue };
+        let (place, fault, help) = fault(file);
+        let message = format!("the override `{}` is ignored: {fault}", file.rel);
+        let finding = RULE.at(file, place, message).key(each.name).help(help);
+        let finding = finding.breaks(Application::Makehuman2, effect(repository, base, &each));
+        out.push(match each.system {
+            Some(system) => finding.related(system.path.clone(), Place::File, "this file is used instead"),
+            None => finding,
+        });
+    }
+}
+
+fn fault(file: &FileFacts) -> (Place, String, &'static str) {
+    match &file.content {
+        Content::Broken(JsonFault::ByteOrderMark) => (
+            Place::Span(0..3),
+            "it starts with a byte order mark, which Python refuses".to_owned(),
+            "save it as UTF-8 without byte order mark",
+        ),
+        Content::Broken(JsonFault::Syntax(fault)) => {
+            (Place::Span(fault.span.clone()), fault.to_string(), "mend the JSON at this place, or remove the file")
+        }
+        Content::Broken(_) => (Place::File, "it is empty".to_owned(), "fill it, or remove it"),
+        _ => (
+            Place::Pointer(String::new()),
+            "there is nothing in it, and an empty value counts as no file".to_owned(),
+            "fill it, or remove it; a base without macros writes `{\"components\": {}, \"macrodef\": []}`",
+        ),
+    }
+}
+
+fn effect(repository: &Repository<'_>, base: &Base<'_>, broken: &Override<'_>) -> String {
+    let folder = system_folder(repository, base);
+    let instead = match (broken.system.is_some(), folder) {
+        (true, _) => "takes the system's file instead, without a word",
+        (false, SystemFolder::Unknown) => "takes the system's file instead if there is one, without a word",
+        (false, _) => "goes on without such a file, without a word",
+    };
+    match (broken.name, folder) {
+        ("macro.json", SystemFolder::Absent) => format!(
+            "{instead}, then stops (FileNotFoundError): it looks for the targets in `target/{}` of the system",
+            base.name
+        ),
+        ("macro.json", _) => format!("{instead}, and searches all targets of the base in the system's folder"),
+        _ => instead.to_owned(),
+    }
+}

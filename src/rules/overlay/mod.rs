@@ -1,0 +1,80 @@
+//! Rules on overrides: contarget over target, user over system (formats/makehuman2.md §1.2).
+
+pub(super) mod broken_override;
+pub(super) mod needs_system;
+pub(super) mod partial_override;
+pub(super) mod shadowed;
+pub(super) mod targets_not_in_layer;
+pub(super) mod user_key_clash;
+pub(super) mod user_target_too_deep;
+
+use crate::repo::{Base, Candidate, FileFacts, Overlaid, Reference, Repository, Resolution};
+
+/// One of the three files that contarget can override, whatever is in it.
+struct Override<'a> {
+    /// Its name.
+    name: &'static str,
+    /// The file in contarget.
+    file: Option<&'a FileFacts>,
+    /// Whether the file in contarget is in use. One that is no object is taken, too, but stops the
+    /// application; nothing can be said about what it would do.
+    active: bool,
+    /// The system's file, if the application would accept it.
+    system: Option<&'a FileFacts>,
+}
+
+/// `macro.json`, `modelling.json` and `target_cat.json` of a base.
+fn overrides<'a>(base: &Base<'a>) -> [Override<'a>; 3] {
+    fn of<'a, T>(name: &'static str, both: &Overlaid<'a, T>) -> Override<'a> {
+        let system = both.system.accepted().map(|(file, _)| file);
+        let file = both.contarget.file();
+        let wrong_root = |file: &FileFacts| {
+            file.schema.faults.iter().any(|fault| fault.pointer.is_empty() && fault.keyword == "/type")
+        };
+        Override { name, file, active: both.is_overridden() && !file.is_some_and(wrong_root), system }
+    }
+    [of("macro.json", &base.macros), of("modelling.json", &base.modelling), of("target_cat.json", &base.categories)]
+}
+
+/// Whether an override is there and not in use: what follows from that is no finding of its own.
+fn has_broken_override(base: &Base<'_>) -> bool {
+    overrides(base).iter().any(|each| each.file.is_some() && !each.active)
+}
+
+/// Targets that exist in the layer that lost and not in the one in use.
+fn in_other_layer<'s, 'a>(
+    repository: &'s Repository<'a>,
+    base: &'s Base<'a>,
+) -> impl Iterator<Item = &'s Reference<'a>> {
+    let references = repository.references_of(base);
+    references
+        .filter(|reference| reference.kind.is_target() && matches!(reference.resolution, Resolution::OtherLayer(_)))
+}
+
+/// What is known of the system's target folder of a base.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum SystemFolder {
+    /// It is there.
+    Exists,
+    /// The base lives in user space alone.
+    Absent,
+    /// No system data was given.
+    Unknown,
+}
+
+fn system_folder(repository: &Repository<'_>, base: &Base<'_>) -> SystemFolder {
+    let rel = format!("target/{}", base.name);
+    let Some(system) = repository.system.filter(|_| base.has_system) else { return SystemFolder::Unknown };
+    let exists = system.folders.contains(&rel) || system.below(&rel).next().is_some();
+    if exists { SystemFolder::Exists } else { SystemFolder::Absent }
+}
+
+/// Number of sliders in the user's generated `modelling.json`.
+fn user_sliders(base: &Base<'_>) -> usize {
+    if let Candidate::Accepted(_, model) = &base.user_modelling { model.sliders.len() } else { 0 }
+}
+
+/// `1 target`, `3 targets`.
+fn counted(count: usize, what: &str) -> String {
+    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
+}

@@ -1,0 +1,114 @@
+//! An override that lacks the files it needs beside it.
+
+use super::super::{Check, Rule, RuleCx};
+use super::{SystemFolder, counted, has_broken_override, in_other_layer, overrides, system_folder, user_sliders};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::repo::{Base, FileFacts, Repository};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(Application::Makehuman2, "mixes the override with files of the system that were not made for it")],
+        docs: "The files of a base in `contarget/<base>/` belong together, but MakeHuman 2 chooses each JSON for itself and \
+            takes the target files and icons from the folder whose macro.json won.\n\nWithout macro.json the override's \
+            sliders load the system's targets, and targets beside them are never read; if the system has no such base, \
+            the program stops at start, because it wants to write an archive into a folder that is not there. Such a base \
+            needs a macro.json even without macros: `{\"components\": {}, \"macrodef\": []}`. Without modelling.json the \
+            system's sliders look for their targets in contarget.\n\nAdd the missing files. Where all names resolve in spite of the gap nothing is wrong \
+            today, so that is an info.",
+        ..RuleInfo::new("overlay-partial-override", Level::Warning, "an override without the files it needs beside it")
+    },
+    check: Check::Base(run),
+};
+
+/// A gap: how bad, what is wrong, what MakeHuman 2 does, what to do.
+type Gap = (Level, String, &'static str, &'static str);
+
+fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    // What follows from a broken file, or shows as targets in the wrong layer, is said by those rules.
+    let system = system_folder(repository, base);
+    let [macros, sliders, categories] = overrides(base);
+    let stops = !macros.active && system == SystemFolder::Absent;
+    if has_broken_override(base) || !stops && in_other_layer(repository, base).next().is_some() {
+        return;
+    }
+    let found = match (macros.active, sliders.active, categories.active) {
+        (true, false, _) => macros.file.zip(without_sliders(base, system)),
+        (false, true, _) => sliders.file.zip(without_macros(base, system)),
+        (false, false, true) => categories.file.map(|file| (file, categories_alone(base, system))),
+        (false, false, false) => user_targets_alone(base, system),
+        (true, true, _) => None,
+    };
+    if let Some((file, (level, message, effect, help))) = found {
+        let finding = RULE.at(file, Place::File, message).key(base.name).level(level);
+        out.push(finding.breaks(Application::Makehuman2, effect).help(help));
+    }
+}
+
+fn without_sliders(base: &Base<'_>, system: SystemFolder) -> Option<Gap> {
+    let folder = format!("contarget/{}", base.name);
+    let help = "add a modelling.json whose sliders fit the targets in contarget";
+    if base.modelling.winner().is_some() {
+        let message = format!("no modelling.json beside it: the system's sliders take their targets from `{folder}`");
+        return Some((Level::Info, message, "uses the system's sliders with the targets in contarget", help));
+    }
+    if system == SystemFolder::Unknown {
+        let message = format!("no modelling.json beside it: all targets of the system's sliders must be in `{folder}`");
+        let effect =
+            "searches all targets of the system's sliders in contarget and cannot load those that are not there";
+        return Some((Level::Warning, message, effect, help));
+    }
+    let has_macros = base.macro_file().is_some_and(|(_, file)| !file.macrodefs.is_empty());
+    let message = "no modelling.json beside it nor in the system data: nothing moves these macros".to_owned();
+    has_macros.then_some((Level::Warning, message, "offers no sliders for the base", help))
+}
+
+fn without_macros(base: &Base<'_>, system: SystemFolder) -> Option<Gap> {
+    let folder = format!("target/{}", base.name);
+    let help = "add a macro.json to contarget; without macros write `{\"components\": {}, \"macrodef\": []}`";
+    let own = base.other_targets.map_or(0, |contarget| contarget.targets().count());
+    match system {
+        SystemFolder::Absent => {
+            let message = format!("no macro.json beside it, and the system has no folder `{folder}`");
+            let effect = "stops at start (FileNotFoundError): it wants to write an archive into the system's folder";
+            Some((Level::Error, message, effect, help))
+        }
+        SystemFolder::Exists if own > 0 => {
+            let own = counted(own, "target file");
+            let message =
+                format!("no macro.json beside it: targets come from `{folder}`, and {own} in contarget never");
+            Some((Level::Warning, message, "loads the system's targets of the same names", help))
+        }
+        SystemFolder::Exists => {
+            let message = format!("no macro.json beside it: targets and icons come from `{folder}` of the system");
+            Some((Level::Info, message, "uses these sliders with the system's targets", help))
+        }
+        // Its references are those that `overlay-needs-system` counts.
+        SystemFolder::Unknown => None,
+    }
+}
+
+fn categories_alone(base: &Base<'_>, system: SystemFolder) -> Gap {
+    let help = "add the modelling.json that these categories are for";
+    let shown = "shows the system's sliders under these categories";
+    if base.modelling.winner().is_some() {
+        let message = "only the categories are overridden; sliders and targets are the system's".to_owned();
+        (Level::Info, message, shown, help)
+    } else if system == SystemFolder::Unknown {
+        let message = "only the categories are overridden; they must fit the system's sliders (`--system`)".to_owned();
+        (Level::Info, message, shown, help)
+    } else {
+        let message = "no modelling.json beside it nor in the system data: nothing to categorise".to_owned();
+        (Level::Warning, message, "offers no sliders for the base", help)
+    }
+}
+
+/// No override at all, but user targets for a base of user space: they lead to the same folder.
+fn user_targets_alone<'a>(base: &Base<'a>, system: SystemFolder) -> Option<(&'a FileFacts, Gap)> {
+    let file = base.user_modelling.file()?;
+    let dead = system == SystemFolder::Absent && user_sliders(base) > 0 && base.base_json.is_some();
+    let message =
+        format!("user targets, but neither `contarget/{0}/macro.json` nor `target/{0}` in the system data", base.name);
+    let effect = "stops at start (FileNotFoundError): it wants to write an archive into the system's folder";
+    let help = "add a macro.json to contarget; without macros write `{\"components\": {}, \"macrodef\": []}`";
+    dead.then_some((file, (Level::Error, message, effect, help)))
+}

@@ -1,0 +1,68 @@
+//! A file that is there and not read, because another one replaces it.
+
+use super::super::{Check, Rule, RuleCx};
+use super::{Override, counted, overrides};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::repo::{Base, Repository};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(Application::Makehuman2, "reads the file in contarget and not the system's")],
+        docs: "macro.json, modelling.json and target_cat.json in `contarget/<base>/` replace the system's files of the same \
+            names as a whole; nothing is merged. With macro.json the target files change as well: all of the system's \
+            become unreachable. That is what overrides are for; the finding says what is no longer there.\n\nA macro.json \
+            in the user's `target/<base>/` is another matter: MakeHuman 2 never reads it, whatever is in it. Move it to \
+            `contarget/<base>/` together with the targets it names.",
+        ..RuleInfo::new("overlay-shadowed", Level::Info, "a file that another one replaces")
+    },
+    check: Check::Base(run),
+};
+
+fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let all = overrides(base);
+    let replaced: Vec<&Override<'_>> = all.iter().filter(|each| each.active && each.system.is_some()).collect();
+    if let Some(finding) = replaced_by_contarget(base, &replaced) {
+        out.push(finding);
+    }
+    let layer = base.user_targets.map(|folder| folder.layer);
+    if let Some(file) = layer.and_then(|layer| layer.file(&format!("target/{}/macro.json", base.name))) {
+        let message = format!("`{}` of the user's folder is never read", file.rel);
+        out.push(
+            RULE.at(file, Place::File, message)
+                .key("never read")
+                .level(Level::Warning)
+                .help(format!("move it to `contarget/{}`, together with its targets", base.name))
+                .breaks(Application::Makehuman2, "does not look for macros there; nothing in the file has an effect"),
+        );
+    }
+}
+
+/// One finding for all files that a base overrides, at the most consequential one.
+fn replaced_by_contarget(base: &Base<'_>, replaced: &[&Override<'_>]) -> Option<Finding> {
+    let file = replaced.first()?.file?;
+    let names: Vec<&str> = replaced.iter().map(|each| each.name).collect();
+    let (what, lost) = unreachable(base);
+    let message = format!("contarget replaces the system's {} for base `{}`{what}", names.join(", "), base.name);
+    let mut finding = RULE.at(file, Place::File, message).key(base.name);
+    for system in replaced.iter().filter_map(|each| each.system) {
+        finding = finding.related(system.path.clone(), Place::File, "replaced");
+    }
+    Some(finding.evidence(Evidence::of_cases(lost)))
+}
+
+/// What of the loser is no longer reachable: sliders that the winner does not have, and target files.
+fn unreachable(base: &Base<'_>) -> (String, Vec<String>) {
+    let loser = base.modelling.system.accepted().filter(|_| base.modelling.is_overridden());
+    let keys = loser.map(|(_, model)| model.sliders.as_slice()).unwrap_or_default().iter().map(|slider| &slider.key);
+    let mut lost: Vec<String> =
+        keys.filter(|key| !base.sliders.iter().any(|bound| bound.slider.key == **key)).cloned().collect();
+    let sliders = lost.len();
+    if let Some(folder) = base.other_targets.filter(|_| base.macros.is_overridden()) {
+        lost.extend(folder.targets().filter_map(|file| folder.name_of(file)).map(str::to_owned));
+    }
+    let parts = [(sliders, "slider"), (lost.len() - sliders, "target")];
+    let parts = parts.iter().filter(|(count, _)| *count > 0).map(|(count, what)| counted(*count, what));
+    let parts: Vec<String> = parts.collect();
+    let text = if parts.is_empty() { String::new() } else { format!("; out of reach: {}", parts.join(", ")) };
+    (text, lost)
+}

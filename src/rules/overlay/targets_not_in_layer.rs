@@ -1,0 +1,85 @@
+//! Targets that exist only in the layer that lost.
+
+use super::super::{Check, Rule, RuleCx};
+use super::{SystemFolder, counted, in_other_layer, system_folder};
+use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
+use crate::repo::{Base, Reference, ReferenceKind, Repository};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(
+            Application::Makehuman2,
+            "cannot load the targets: stops at start if the start character uses one (AttributeError), otherwise as soon as \
+                one gets weight",
+        )],
+        docs: "MakeHuman 2 loads all targets of a base, macro and modelling, from one folder: `contarget/<base>` if a \
+            macro.json there is in use, otherwise `target/<base>` of the system. There is no fallback for a single file. \
+            Sliders and macros can still come from the other layer, as each JSON is chosen for itself; then they name \
+            targets that lie where nobody looks.\n\nAn override of macro.json therefore needs every target that any slider \
+            or combination in use names. Copy the missing ones beside it, take them out of the JSON, or give up the \
+            override of macro.json. The other way round, an override of modelling.json alone uses the system's targets: \
+            with targets of its own it needs a macro.json beside it.",
+        ..RuleInfo::new(
+            "overlay-targets-not-in-layer",
+            Level::Error,
+            "targets that exist only in the layer that is not in use",
+        )
+    },
+    check: Check::Base(run),
+};
+
+fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    // A macro.json that is refused is the cause, and `overlay-broken-override` says so; without any folder
+    // to load from the program does not get as far as the targets (`overlay-partial-override`).
+    let no_folder = !base.macros.is_overridden() && system_folder(repository, base) == SystemFolder::Absent;
+    if base.macros.contarget.is_refused() || no_folder {
+        return;
+    }
+    let lost: Vec<&Reference<'_>> = in_other_layer(repository, base).collect();
+    let (Some(used), Some(other)) = (base.targets, base.other_targets) else { return };
+    if lost.is_empty() {
+        return;
+    }
+    let message = format!(
+        "{} ({}) not in `{}`, the folder in use, but only in `{}`",
+        counted(lost.len(), "target"),
+        by_source(&lost),
+        used.layer.display(&used.rel()),
+        other.layer.display(&other.rel()),
+    );
+    let mut finding = finding_where_to_act(repository, base, &lost, message).key(base.name);
+    for reference in lost.iter().take(EXAMPLES) {
+        let text = format!("needs `{}`", reference.rel);
+        finding = finding.related(reference.from.path.clone(), reference.place.clone(), text);
+    }
+    let of = repository.references_of(base).filter(|reference| reference.kind.is_target()).count();
+    out.push(finding.evidence(Evidence::of_cases(lost.iter().map(|lost| &lost.rel)).out_of(of)));
+}
+
+/// `5 of macro.json, 3 of modelling.json`.
+fn by_source(lost: &[&Reference<'_>]) -> String {
+    let macros = lost.iter().filter(|reference| reference.kind == ReferenceKind::MacroTarget).count();
+    let parts = [(macros, "macro.json"), (lost.len() - macros, "modelling.json")];
+    let parts = parts.iter().filter(|(count, _)| *count > 0).map(|(count, file)| format!("{count} of {file}"));
+    parts.collect::<Vec<_>>().join(", ")
+}
+
+/// At the `macro.json` that moved the folder, or at the sliders that count on a folder nothing moved to.
+fn finding_where_to_act(
+    repository: &Repository<'_>,
+    base: &Base<'_>,
+    lost: &[&Reference<'_>],
+    message: String,
+) -> Finding {
+    if let Some((file, _)) = base.macros.contarget.accepted() {
+        let help = "an active macro.json in contarget moves all targets there: copy the missing ones into it";
+        return RULE.at(file, Place::File, message).help(help);
+    }
+    let help = "contarget has no macro.json, so its targets are not read: add one (it may be that of the system)";
+    if let Some(first) = lost.iter().find(|reference| repository.is_judged(reference.from)) {
+        return RULE.at(first.from, first.place.clone(), message).help(help);
+    }
+    let folder = base.other_targets.or(base.targets);
+    let rel = folder.map(|folder| folder.rel()).unwrap_or_default();
+    RULE.in_layer(repository.judged, &rel, message).help(help)
+}

@@ -1,0 +1,46 @@
+//! A joint needs vertices.
+
+use super::super::{Check, Rule, RuleCx};
+use super::rigs;
+use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::repo::{Base, Repository};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(
+            Application::Makehuman2,
+            "drops the joint and stops with a KeyError at the first bone that needs it",
+        )],
+        docs: "A joint is the mean position of the vertices that it lists.\n\nMakeHuman 2 drops joints with an \
+            empty list, and such as are no list at all, without a word. A bone that names one then stops the \
+            program: the default skeleton while the base is loaded, others when they are chosen. Where no bone \
+            needs the joint this is harmless (`info`).\n\nList the vertices of the joint, usually the eight \
+            corners of its cube in the base mesh.",
+        ..RuleInfo::new("skeleton-empty-joint", Level::Error, "a joint lists no vertices")
+    },
+    check: Check::Base(run),
+};
+
+fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for rig in rigs(repository, base) {
+        let asked = rig.asked_joints();
+        for joint in rig.skeleton.joints.iter().filter(|joint| joint.listed == 0) {
+            let what = if joint.vertices.is_some() { "lists no vertices" } else { "is no list of vertices" };
+            let place = Place::pointer(["joints", &joint.name]);
+            let finding = RULE
+                .at(rig.file, place, format!("joint `{}` {what}", joint.name))
+                .key(&joint.name)
+                .help("list the vertices of the base mesh whose mean is the joint, or remove it");
+            out.push(if asked.contains(joint.name.as_str()) {
+                finding.breaks(
+                    Application::Makehuman2,
+                    rig.stops_with("a KeyError at the first bone that needs the joint"),
+                )
+            } else {
+                finding
+                    .level(Level::Info)
+                    .breaks(Application::Makehuman2, "drops the joint without a word; no bone needs it")
+            });
+        }
+    }
+}

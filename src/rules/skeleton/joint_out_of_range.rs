@@ -1,0 +1,101 @@
+//! Vertices of joints must exist in the base mesh.
+
+use std::collections::BTreeMap;
+
+use super::super::{Check, Rule, RuleCx};
+use super::{Rig, rigs};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::repo::{Base, Repository};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(Application::Makehuman2, "stops with an IndexError when it computes the position of the joint")],
+        docs: "The entries of a joint are vertex indices of the base mesh, from 0.\n\nMakeHuman 2 stops with an \
+            IndexError beyond the last vertex, and for an index that is written with a point (`12.0`). Loading a \
+            mesh adds duplicates of vertices along its texture seams: an index in that range, and a negative one \
+            (counted from the end), is accepted and means a vertex nobody intended (`warning`).\n\nUsually the \
+            skeleton was made for another base mesh.",
+        ..RuleInfo::new(
+            "skeleton-joint-out-of-range",
+            Level::Error,
+            "a joint lists a vertex that the base mesh does not have",
+        )
+    },
+    check: Check::Base(run),
+};
+
+fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some((_, mesh)) = base.mesh.filter(|(_, mesh)| mesh.facts.vertices > 0) else { return };
+    let sizes = (mesh.facts.vertices, mesh.facts.vertices + mesh.facts.seam_duplicates);
+    for rig in rigs(repository, base) {
+        let mut faults: BTreeMap<Fault, Vec<(&str, usize, i64)>> = BTreeMap::new();
+        let asked = rig.asked_joints();
+        for joint in rig.skeleton.joints.iter().filter(|joint| asked.contains(joint.name.as_str())) {
+            for (at, vertex) in joint.vertices.iter().flatten().enumerate() {
+                let Some(fault) = fault(*vertex, sizes) else { continue };
+                faults.entry(fault).or_default().push((&joint.name, at, *vertex));
+            }
+            for at in &joint.floats {
+                faults.entry(Fault::Float).or_default().push((&joint.name, *at, 0));
+            }
+        }
+        out.extend(faults.iter().filter_map(|(fault, cases)| finding(&rig, *fault, cases, sizes.0)));
+    }
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Fault {
+    Beyond,
+    Float,
+    Seam,
+    Negative,
+}
+
+fn fault(vertex: i64, (vertices, with_seams): (usize, usize)) -> Option<Fault> {
+    let below_zero = vertex < 0;
+    match usize::try_from(vertex.unsigned_abs()).unwrap_or(usize::MAX) {
+        index if below_zero && index > with_seams => Some(Fault::Beyond),
+        _ if below_zero => Some(Fault::Negative),
+        index if index >= with_seams => Some(Fault::Beyond),
+        index if index >= vertices => Some(Fault::Seam),
+        _ => None,
+    }
+}
+
+fn finding(rig: &Rig<'_>, fault: Fault, cases: &[(&str, usize, i64)], vertices: usize) -> Option<Finding> {
+    let (joint, at, vertex) = cases.first()?;
+    let more = if cases.len() > 1 { format!(" ({} entries like it)", cases.len()) } else { String::new() };
+    let (key, what, effect) = match fault {
+        Fault::Beyond => {
+            ("beyond", format!("vertex {vertex}, but the base mesh has {vertices}"), rig.stops_with("an IndexError"))
+        }
+        Fault::Float => ("float", "a vertex number with a point".to_owned(), rig.stops_with("an IndexError")),
+        Fault::Seam => (
+            "seam",
+            format!("vertex {vertex}, a seam duplicate: the base mesh has {vertices}"),
+            "takes the position of a duplicate along a texture seam".to_owned(),
+        ),
+        Fault::Negative => (
+            "negative",
+            format!("the negative vertex {vertex}"),
+            "takes a vertex counted from the end of the mesh".to_owned(),
+        ),
+    };
+    let wrong_only = matches!(fault, Fault::Seam | Fault::Negative);
+    let names = cases.iter().map(|(joint, at, _)| format!("{joint}[{at}]"));
+    Some(
+        RULE.at(
+            rig.file,
+            Place::pointer(["joints", joint, &at.to_string()]),
+            format!("joint `{joint}` lists {what}{more}"),
+        )
+        .key(key)
+        .level(if wrong_only { Level::Warning } else { Level::Error })
+        .help(format!(
+            "list vertices from 0 to {}; was the skeleton made for another mesh?",
+            vertices.saturating_sub(1)
+        ))
+        .evidence(Evidence::of_cases(names))
+        .breaks(Application::Makehuman2, effect),
+    )
+}

@@ -1,0 +1,57 @@
+//! A plane is three joints.
+
+use super::super::{Check, Rule, RuleCx};
+use super::{Rig, rigs};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::repo::{Base, Repository};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(
+            Application::Makehuman2,
+            "stops with a TypeError or KeyError when it computes the bones that use the plane",
+        )],
+        docs: "A plane is a list of three joint names; the first three count.\n\nMakeHuman 2 refuses a skeleton in \
+            which a bone uses the plane `[null, null, null]` (old exporters wrote it for 'no plane'). With fewer \
+            than three joints, something that is no name among them, or something that is no list, the program \
+            stops. A plane that no bone uses is never looked at (`info`).\n\nName three joints that are not in \
+            one line, or remove the plane and `rotation_plane` of the bones.",
+        ..RuleInfo::new("skeleton-malformed-plane", Level::Error, "a plane is not a list of three joints")
+    },
+    check: Check::Base(run),
+};
+
+fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for rig in rigs(repository, base) {
+        let asked = rig.asked_planes();
+        for plane in &rig.skeleton.planes {
+            let Some((what, effect)) = fault(&rig, plane.joints.as_deref()) else { continue };
+            let finding = RULE
+                .at(rig.file, Place::pointer(["planes", &plane.name]), format!("plane `{}` {what}", plane.name))
+                .key(&plane.name)
+                .help("name three joints that are not in one line, or remove the plane and let the bones use the vertical");
+            out.push(if asked.contains(plane.name.as_str()) {
+                finding.breaks(Application::Makehuman2, effect)
+            } else {
+                finding.level(Level::Info).breaks(Application::Makehuman2, "never looks at the plane: no bone uses it")
+            });
+        }
+    }
+}
+
+/// What is wrong with a plane, and what becomes of it.
+fn fault(rig: &Rig<'_>, joints: Option<&[Option<String>]>) -> Option<(String, String)> {
+    let Some(joints) = joints else {
+        return Some(("is no list of joints".to_owned(), rig.stops_with("an exception")));
+    };
+    if joints.len() == 3 && joints.iter().all(Option::is_none) {
+        return Some(("is `[null, null, null]`".to_owned(), RULE_REFUSES.to_owned()));
+    }
+    if joints.len() < 3 {
+        return Some((format!("has {} of three joints", joints.len()), rig.stops_with("a TypeError")));
+    }
+    let unnamed = joints.iter().take(3).position(Option::is_none)?;
+    Some((format!("has no joint name at position {unnamed}"), rig.stops_with("a KeyError")))
+}
+
+const RULE_REFUSES: &str = "refuses the skeleton with a line in its log";

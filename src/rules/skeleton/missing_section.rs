@@ -1,0 +1,66 @@
+//! A skeleton needs `bones` and `joints`, a bone `head` and `tail`.
+
+use super::super::{Check, Rule, RuleCx};
+use super::{Rig, rigs};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::formats::mhskel::Section;
+use crate::repo::{Base, Repository};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(
+            Application::Makehuman2,
+            "refuses the skeleton with a line in its log; poses and exports do without it",
+        )],
+        docs: "A skeleton needs `bones` and `joints`, and every bone needs a `head` and a `tail`.\n\nMakeHuman 2 \
+            checks for them before anything else and refuses the whole skeleton when one is missing. An empty \
+            file (`{}`) is worse: the scan of all assets at start stops on it.\n\nAdd the part. A bone that has \
+            no end of its own can end at the joint where the next bone begins.",
+        ..RuleInfo::new(
+            "skeleton-missing-section",
+            Level::Error,
+            "a part without which the skeleton is refused is missing",
+        )
+    },
+    check: Check::Base(run),
+};
+
+fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for rig in rigs(repository, base) {
+        missing_sections(&rig, out);
+        for member in ["head", "tail"] {
+            let bones = rig.skeleton.bones.iter().filter(|bone| bone.missing.contains(&member));
+            let names: Vec<&str> = bones.map(|bone| bone.name.as_str()).collect();
+            let Some(first) = names.first() else { continue };
+            let message = match names.len() {
+                1 => format!("bone `{first}` has no `{member}`"),
+                count => format!("{count} bones have no `{member}`, the first is `{first}`"),
+            };
+            out.push(
+                RULE.at(rig.file, Place::pointer(["bones", first]), message)
+                    .key(member)
+                    .help(format!(
+                        "name the joint at the {} of the bone as `{member}`",
+                        if member == "head" { "beginning" } else { "end" }
+                    ))
+                    .evidence(Evidence::of_cases(&names).out_of(rig.skeleton.bones.len())),
+            );
+        }
+    }
+}
+
+fn missing_sections(rig: &Rig<'_>, out: &mut Vec<Finding>) {
+    if rig.file.json.falsy {
+        let finding = RULE.at(rig.file, Place::File, "the skeleton is empty: neither `bones` nor `joints`");
+        let effect =
+            "stops at start with an AttributeError while it scans the assets; afterwards all assets are missing";
+        out.push(finding.breaks(Application::Makehuman2, effect).help("remove the file or write the skeleton"));
+        return;
+    }
+    for (name, section) in [("bones", rig.skeleton.bones_section), ("joints", rig.skeleton.joints_section)] {
+        if section == Section::Absent {
+            let message = format!("the skeleton has no `{name}`");
+            out.push(RULE.at(rig.file, Place::File, message).key(name).help(format!("add an object `{name}`")));
+        }
+    }
+}

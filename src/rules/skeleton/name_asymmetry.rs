@@ -1,0 +1,48 @@
+//! Bones of the left and right side come in pairs.
+
+use std::collections::BTreeSet;
+
+use super::super::{Check, Rule, RuleCx};
+use super::rigs;
+use crate::diag::{Evidence, Finding, Level, Place, RuleInfo, nearest};
+use crate::repo::{Base, Repository};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        docs: "Bones of the left and right side are told apart by their names: `hand.L` and `hand.R`, `hand_l` and \
+            `hand_r`, `l-hand` and `r-hand`. Tools mirror poses by these names.\n\nA bone whose partner is \
+            missing is usually misspelt or forgotten. It works in MakeHuman 2; mirrored poses leave it out.",
+        ..RuleInfo::new("skeleton-name-asymmetry", Level::Info, "a bone of one side has no partner on the other")
+    },
+    check: Check::Base(run),
+};
+
+fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for rig in rigs(repository, base) {
+        let names: BTreeSet<&str> = rig.skeleton.bones.iter().map(|bone| bone.name.as_str()).collect();
+        let lonely = names.iter().filter_map(|name| Some((*name, partner(name)?)));
+        let lonely: Vec<(&str, String)> = lonely.filter(|(_, partner)| !names.contains(partner.as_str())).collect();
+        let Some((name, partner)) = lonely.first() else { continue };
+        let message = match lonely.len() {
+            1 => format!("bone `{name}` has no partner `{partner}`"),
+            count => format!("{count} bones have no partner on the other side: `{name}` no `{partner}` …"),
+        };
+        let help = match nearest(partner, names.iter().copied().filter(|other| other != name)) {
+            Some(other) => format!("is `{other}` meant to be it?"),
+            None => format!("add `{partner}`, or drop the mark of the side from `{name}`"),
+        };
+        let evidence = Evidence::of_cases(lonely.iter().map(|(name, _)| name)).out_of(names.len());
+        out.push(RULE.at(rig.file, Place::key(["bones", name]), message).help(help).evidence(evidence));
+    }
+}
+
+/// The name on the other side, if the name has a side.
+fn partner(name: &str) -> Option<String> {
+    let ends = SIDES.iter().flat_map(|(left, right)| [(left, right), (right, left)]);
+    let ends = ends.filter_map(|(own, other)| Some(format!("{}{other}", name.strip_suffix(own)?)));
+    let begins = [("l-", "r-"), ("r-", "l-")].into_iter();
+    ends.chain(begins.filter_map(|(own, other)| Some(format!("{other}{}", name.strip_prefix(own)?)))).next()
+}
+
+/// Endings that mark a side, as exporters write them.
+const SIDES: [(&str, &str); 4] = [(".L", ".R"), (".l", ".r"), ("_L", "_R"), ("_l", "_r")];

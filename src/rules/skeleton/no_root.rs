@@ -1,0 +1,44 @@
+//! One bone of a skeleton must be its root.
+
+use super::super::{Check, Rule, RuleCx};
+use super::hierarchy::hierarchy;
+use super::rigs;
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::formats::mhskel::Section;
+use crate::repo::{Base, Repository};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(Application::Makehuman2, "refuses the skeleton with a line in its log")],
+        docs: "A skeleton hangs on one bone without parent, the root: `parent` is null or missing.\n\nMakeHuman 2 \
+            refuses a skeleton in which every bone has a parent (their parents then run in a circle), and one \
+            that has no bones at all.\n\nGive the bone that carries all others the parent null. A circle of \
+            parents beside a root is `skeleton-cycle`; parents that do not exist are `skeleton-unknown-parent`.",
+        ..RuleInfo::new("skeleton-no-root", Level::Error, "no bone of a skeleton is the root")
+    },
+    check: Check::Base(run),
+};
+
+fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for rig in rigs(repository, base) {
+        let hierarchy = hierarchy(rig.skeleton);
+        if rig.skeleton.bones_section != Section::Present || rig.file.json.falsy || !hierarchy.lacks_root() {
+            continue;
+        }
+        let place = Place::pointer(["bones"]);
+        let Some(ring) = hierarchy.rings.first() else {
+            out.push(RULE.at(rig.file, place, "the skeleton has no bone at all").help("add at least the root bone"));
+            continue;
+        };
+        let bones = rig.skeleton.bones.len();
+        let message = format!(
+            "none of the {bones} bones is a root: the parents of `{}` run in a circle",
+            ring.bones.first().unwrap_or(&"")
+        );
+        out.push(
+            RULE.at(rig.file, place, message)
+                .help("set `parent` of the bone that carries all others to null")
+                .evidence(Evidence::of_cases(&ring.bones).out_of(bones)),
+        );
+    }
+}

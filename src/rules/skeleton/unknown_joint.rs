@@ -1,0 +1,69 @@
+//! Joints that bones and planes name must exist.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::super::{Check, Rule, RuleCx};
+use super::{Rig, rigs};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, nearest};
+use crate::formats::mhskel::Section;
+use crate::repo::{Base, Repository};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(
+            Application::Makehuman2,
+            "stops with a KeyError: the default skeleton while the base is loaded, others when they are chosen",
+        )],
+        docs: "`head` and `tail` of a bone, and the three corners of the plane that it names, are names of `joints` \
+            of the same file.\n\nMakeHuman 2 looks joints up without checking. For the skeleton that `base.json` \
+            names the program stops while it loads the base, for others when the user chooses them.\n\nCorrect \
+            the name or add the joint. A joint that is listed but empty is `skeleton-empty-joint`.",
+        ..RuleInfo::new("skeleton-unknown-joint", Level::Error, "a bone or its plane names a joint that does not exist")
+    },
+    check: Check::Base(run),
+};
+
+fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for rig in rigs(repository, base).iter().filter(|rig| rig.skeleton.joints_section == Section::Present) {
+        let known: BTreeSet<&str> = rig.skeleton.joints.iter().map(|joint| joint.name.as_str()).collect();
+        for (joint, uses) in uses(rig).into_iter().filter(|(joint, _)| !known.contains(joint)) {
+            let Some((place, owner)) = uses.first() else { continue };
+            let message = match uses.len() {
+                1 => format!("{owner} names joint `{joint}`, which does not exist"),
+                count => format!("{owner} names joint `{joint}`, which does not exist ({count} uses)"),
+            };
+            let help = match nearest(joint, known.iter().copied()) {
+                Some(name) => format!("did you mean `{name}`?"),
+                None => "add it to `joints`, or name one of the joints there".to_owned(),
+            };
+            out.push(
+                RULE.at(rig.file, place.clone(), message)
+                    .key(joint)
+                    .help(help)
+                    .evidence(Evidence::of_cases(uses.iter().map(|(_, owner)| owner)))
+                    .breaks(Application::Makehuman2, rig.stops_with("a KeyError")),
+            );
+        }
+    }
+}
+
+/// Joints that are looked up, with the places that name them.
+fn uses<'a>(rig: &Rig<'a>) -> BTreeMap<&'a str, Vec<(Place, String)>> {
+    let mut uses: BTreeMap<&str, Vec<(Place, String)>> = BTreeMap::new();
+    for bone in &rig.skeleton.bones {
+        for (member, joint) in [("head", &bone.head), ("tail", &bone.tail)] {
+            let Some(joint) = joint else { continue };
+            let place = Place::pointer(["bones", &bone.name, member]);
+            uses.entry(joint).or_default().push((place, format!("`{member}` of bone `{}`", bone.name)));
+        }
+    }
+    let planes = rig.asked_planes();
+    for plane in rig.skeleton.planes.iter().filter(|plane| planes.contains(plane.name.as_str())) {
+        for (index, joint) in plane.joints.iter().flatten().take(3).enumerate() {
+            let Some(joint) = joint else { continue };
+            let place = Place::pointer(["planes", &plane.name, &index.to_string()]);
+            uses.entry(joint).or_default().push((place, format!("plane `{}`", plane.name)));
+        }
+    }
+    uses
+}

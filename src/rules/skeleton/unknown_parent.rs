@@ -1,0 +1,41 @@
+//! The parent of a bone must be a bone of the skeleton.
+
+use super::super::{Check, Rule, RuleCx};
+use super::hierarchy::hierarchy;
+use super::rigs;
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, nearest};
+use crate::repo::{Base, Repository};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(Application::Makehuman2, "refuses the skeleton with a line in its log")],
+        docs: "`parent` of a bone is the name of another bone of the same file; exactly one bone, the root, has \
+            none.\n\nMakeHuman 2 refuses the whole skeleton when a parent does not exist.\n\nCorrect the name, \
+            or add the missing bone. Names must agree in every letter, capitals included.",
+        ..RuleInfo::new("skeleton-unknown-parent", Level::Error, "a bone names a parent that does not exist")
+    },
+    check: Check::Base(run),
+};
+
+fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for rig in rigs(repository, base) {
+        let names = || rig.skeleton.bones.iter().map(|bone| bone.name.as_str());
+        for (parent, bones) in hierarchy(rig.skeleton).unknown_parents {
+            let Some(first) = bones.first() else { continue };
+            let message = match bones.len() {
+                1 => format!("parent `{parent}` of bone `{first}` does not exist"),
+                count => format!("`{parent}`, the parent of {count} bones, does not exist"),
+            };
+            let help = match nearest(parent, names()) {
+                Some(name) => format!("did you mean `{name}`?"),
+                None => "name a bone of this skeleton, or null for the root".to_owned(),
+            };
+            out.push(
+                RULE.at(rig.file, Place::pointer(["bones", first, "parent"]), message)
+                    .key(parent)
+                    .help(help)
+                    .evidence(Evidence::of_cases(&bones).out_of(rig.skeleton.bones.len())),
+            );
+        }
+    }
+}

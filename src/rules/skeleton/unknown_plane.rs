@@ -1,0 +1,46 @@
+//! The plane that a bone names must exist.
+
+use std::collections::BTreeSet;
+
+use super::super::{Check, Rule, RuleCx};
+use super::rigs;
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, nearest};
+use crate::formats::mhskel::{Bone, RotationPlane};
+use crate::repo::{Base, Repository};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(Application::Makehuman2, "refuses the skeleton with a line in its log")],
+        docs: "`rotation_plane` of a bone names one of `planes`; its normal fixes the roll of the \
+            bone.\n\nMakeHuman 2 refuses the whole skeleton when the plane does not exist. To go without a plane \
+            leave the key out: the bone then uses the vertical.\n\nCorrect the name, add the plane, or remove \
+            the key.",
+        ..RuleInfo::new("skeleton-unknown-plane", Level::Error, "a bone names a plane that does not exist")
+    },
+    check: Check::Base(run),
+};
+
+fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for rig in rigs(repository, base) {
+        let known: BTreeSet<&str> = rig.skeleton.planes.iter().map(|plane| plane.name.as_str()).collect();
+        for plane in rig.asked_planes().into_iter().filter(|plane| !known.contains(plane)) {
+            let names_it = |bone: &&Bone| matches!(&bone.rotation_plane, RotationPlane::Named(name) if name == plane);
+            let bones: Vec<&str> = rig.skeleton.bones.iter().filter(names_it).map(|bone| bone.name.as_str()).collect();
+            let Some(first) = bones.first() else { continue };
+            let message = match bones.len() {
+                1 => format!("bone `{first}` names plane `{plane}`, which does not exist"),
+                count => format!("{count} bones name plane `{plane}`, which does not exist"),
+            };
+            let help = match nearest(plane, known.iter().copied()) {
+                Some(name) => format!("did you mean `{name}`?"),
+                None => "add it to `planes`, or remove `rotation_plane` to use the vertical".to_owned(),
+            };
+            out.push(
+                RULE.at(rig.file, Place::pointer(["bones", first, "rotation_plane"]), message)
+                    .key(plane)
+                    .help(help)
+                    .evidence(Evidence::of_cases(&bones).out_of(rig.skeleton.bones.len())),
+            );
+        }
+    }
+}

@@ -1,0 +1,76 @@
+//! Referenced bones must exist in the default skeleton.
+
+use std::collections::BTreeSet;
+
+use super::super::{Check, Rule, RuleCx};
+use super::{Rig, pose_skeleton, rigs};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, nearest};
+use crate::formats::mhskel::Bone;
+use crate::repo::{Base, Repository};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(
+            Application::Makehuman2,
+            "ignores the names; weights and poses of the bone come from the remaining ones, or not at all",
+        )],
+        docs: "`reference` and `weights_reference` list bones of the default skeleton (`pose-skeleton` of \
+            `base.json`) whose poses and weights a bone takes over.\n\nMakeHuman 2 ignores names that the \
+            default skeleton does not have. A text in place of the list is read letter by letter: `'head'` means \
+            the bones `h`, `e`, `a` and `d`. (MakeHuman 1 takes a single name.)\n\nCorrect the names; write a \
+            single name as a list.",
+        ..RuleInfo::new(
+            "skeleton-unknown-reference",
+            Level::Warning,
+            "a bone refers to bones that the default skeleton does not have",
+        )
+    },
+    check: Check::Base(run),
+};
+
+fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(pose) = pose_skeleton(repository, base).and_then(|file| file.skeleton()) else { return };
+    let known: BTreeSet<&str> = pose.bones.iter().map(|bone| bone.name.as_str()).collect();
+    if known.is_empty() {
+        return;
+    }
+    for rig in rigs(repository, base) {
+        let mut unknown = Vec::new();
+        for bone in &rig.skeleton.bones {
+            for (member, names) in [("reference", &bone.reference), ("weights_reference", &bone.weights_reference)] {
+                let text = bone.text_references.iter().find(|(key, _)| *key == member);
+                let names: Vec<&String> =
+                    names.iter().flatten().filter(|name| !known.contains(name.as_str())).collect();
+                match text {
+                    Some((_, text)) if !names.is_empty() => out.push(spelled_out(&rig, bone, member, text)),
+                    Some(_) => {}
+                    None => unknown.extend(names.into_iter().map(|name| (bone.name.as_str(), member, name.as_str()))),
+                }
+            }
+        }
+        out.extend(finding(&rig, &unknown, &known));
+    }
+}
+
+fn spelled_out(rig: &Rig<'_>, bone: &Bone, member: &str, text: &str) -> Finding {
+    let message = format!("`{member}` of bone `{}` is the text `{text}`, which is read letter by letter", bone.name);
+    RULE.at(rig.file, Place::pointer(["bones", &bone.name, member]), message)
+        .key(format!("{}/{member}", bone.name))
+        .help(format!("write a list: [\"{text}\"]"))
+}
+
+fn finding(rig: &Rig<'_>, unknown: &[(&str, &str, &str)], known: &BTreeSet<&str>) -> Option<Finding> {
+    let (bone, member, name) = unknown.first()?;
+    let more = if unknown.len() > 1 { format!(" ({} names like it)", unknown.len()) } else { String::new() };
+    let message = format!("`{member}` of bone `{bone}` names `{name}`, which the default skeleton does not have{more}");
+    let help = match nearest(name, known.iter().copied()) {
+        Some(name) => format!("did you mean `{name}`?"),
+        None => "name bones of the default skeleton".to_owned(),
+    };
+    let cases = unknown.iter().map(|(bone, _, name)| format!("{bone}: {name}"));
+    Some(
+        RULE.at(rig.file, Place::pointer(["bones", bone, member]), message)
+            .help(help)
+            .evidence(Evidence::of_cases(cases)),
+    )
+}

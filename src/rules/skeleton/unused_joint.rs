@@ -1,0 +1,43 @@
+//! Joints that nothing uses.
+
+use std::collections::BTreeSet;
+
+use super::super::{Check, Rule, RuleCx};
+use super::rigs;
+use crate::diag::{Evidence, Finding, Level, Place, RuleInfo};
+use crate::formats::mhskel::Section;
+use crate::repo::{Base, Repository};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        docs: "A joint that neither a bone (`head`, `tail`) nor a plane names has no effect. It is either left \
+            over, or a bone that should use it names another one.\n\nRemove it, or use it.",
+        ..RuleInfo::new("skeleton-unused-joint", Level::Info, "no bone and no plane uses a joint")
+    },
+    check: Check::Base(run),
+};
+
+fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for rig in rigs(repository, base).iter().filter(|rig| rig.skeleton.bones_section == Section::Present) {
+        let mut used = rig.asked_joints();
+        let joints: BTreeSet<&str> = rig.skeleton.joints.iter().map(|joint| joint.name.as_str()).collect();
+        // A joint that is asked for under a name that does not exist may be the one that seems unused.
+        if rig.skeleton.bones.is_empty() || !used.is_subset(&joints) {
+            continue;
+        }
+        let corners = rig.skeleton.planes.iter().flat_map(|plane| plane.joints.iter().flatten());
+        used.extend(corners.filter_map(Option::as_deref));
+        let filled = rig.skeleton.joints.iter().filter(|joint| joint.listed > 0).map(|joint| joint.name.as_str());
+        let unused: Vec<&str> = filled.filter(|name| !used.contains(name)).collect();
+        let Some(first) = unused.first() else { continue };
+        let message = match unused.len() {
+            1 => format!("no bone or plane uses joint `{first}`"),
+            count => format!("no bone or plane uses {count} of {} joints, the first is `{first}`", joints.len()),
+        };
+        out.push(
+            RULE.at(rig.file, Place::key(["joints", first]), message)
+                .help("remove the joint, or name it where it was meant")
+                .evidence(Evidence::of_cases(&unused).out_of(joints.len())),
+        );
+    }
+}

@@ -1,0 +1,55 @@
+//! The header of a target names the base mesh it was made for.
+
+use std::collections::BTreeMap;
+
+use super::super::{Check, Rule, RuleCx};
+use super::{target_folder, targets};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::repo::{FileFacts, Layer};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(
+            Application::Makehuman2,
+            "does not read the header and moves whatever vertices have these numbers in the mesh of the folder",
+        )],
+        docs: "The line `# basemesh NAME` says which mesh a target was made for, and the folder says which it is used for. Here \
+            they differ.\n\nVertex numbers mean something only together with their mesh. MakeHuman 2 ignores the header and \
+            applies the rows to the mesh of the folder; if the target was copied from another base, it moves the wrong \
+            vertices.\n\nMove the file to the folder of its mesh. If it fits this one and only the header is old, correct the header.",
+        ..RuleInfo::new(
+            "target-basemesh-mismatch",
+            Level::Warning,
+            "a target in the folder of another base mesh than its header names",
+        )
+    },
+    check: Check::Layer(run),
+};
+
+fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let mut found: BTreeMap<(&str, &str), Vec<(&FileFacts, u32)>> = BTreeMap::new();
+    for (file, facts) in targets(layer) {
+        if let (Some(base), Some((line, named))) = (file.base.as_deref(), &facts.basemesh)
+            && !named.eq_ignore_ascii_case(base)
+        {
+            found.entry((target_folder(file), named)).or_default().push((file, *line));
+        }
+    }
+    for ((folder, named), files) in found {
+        out.extend(finding(layer, folder, named, &files));
+    }
+}
+
+fn finding(layer: &Layer, folder: &str, named: &str, files: &[(&FileFacts, u32)]) -> Option<Finding> {
+    let base = files.first()?.0.base.as_deref()?;
+    let finding = if let [(file, line)] = files {
+        let message = format!("made for base mesh `{named}`, but lies in the folder of `{base}`");
+        RULE.at(file, Place::Line(*line), message)
+    } else {
+        let message = format!("{} targets made for base mesh `{named}` lie in the folder of `{base}`", files.len());
+        RULE.in_layer(layer, folder, message)
+    };
+    let evidence = Evidence::of_cases(files.iter().map(|(file, _)| &file.rel));
+    let help = format!("move it to the targets of `{named}`, or correct the header if it fits `{base}`");
+    Some(finding.key(named).help(help).evidence(evidence))
+}

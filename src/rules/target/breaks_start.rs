@@ -1,0 +1,43 @@
+//! A target that nothing uses and that stops the program all the same.
+
+use super::super::{Check, Rule, RuleCx};
+use super::{decoded, syntax, usage};
+use crate::diag::{Application, Finding, Level, RuleInfo};
+use crate::formats::npz::Archive;
+use crate::repo::{Base, FileFacts, Repository};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(
+            Application::Makehuman2,
+            "stops at start with a ValueError although nothing uses the file, and leaves an empty compressedtargets.npz \
+             behind, which stops every later start",
+        )],
+        docs: "A target that no slider and no macro uses, and that cannot be parsed.\n\nIt looks harmless and is not: to make \
+            its archive, MakeHuman 2 parses every file ending in `.target` below the folder, at any depth, before \
+            anything is shown. One that it cannot read ends the program, and the empty archive that stays behind ends \
+            every later start, too, until somebody deletes it by hand.\n\nMend the file, or move it out of the target folder \
+            (another ending such as `.target.bak` does as well), and delete a compressedtargets.npz of 0 bytes. While a \
+            sound archive lies in the folder the file is not parsed; then this is a warning.",
+        ..RuleInfo::new("target-breaks-start", Level::Error, "a target nobody uses stops the program at start")
+    },
+    check: Check::Base(run),
+};
+
+fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for (file, facts) in usage::unused(repository, base).into_iter().filter_map(decoded) {
+        let Some(mut finding) = syntax::finding(&RULE, file, facts) else { continue };
+        finding.message.push_str(", and MakeHuman 2 parses this file at start although nothing uses it");
+        if has_sound_archive(base, file) {
+            let effect = "stops at start as soon as the archive of the folder is deleted to be made anew";
+            finding = finding.level(Level::Warning).breaks(Application::Makehuman2, effect);
+        }
+        out.push(finding.help("mend the row, or move the file out of the target folder"));
+    }
+}
+
+fn has_sound_archive(base: &Base<'_>, file: &FileFacts) -> bool {
+    let folders = [base.targets, base.user_targets].into_iter().flatten();
+    let mut own = folders.filter(|folder| folder.layer.file(&file.rel).is_some_and(|own| std::ptr::eq(own, file)));
+    own.any(|folder| folder.archive().and_then(FileFacts::archive).is_some_and(Archive::is_sound))
+}

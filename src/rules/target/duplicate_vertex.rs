@@ -1,0 +1,35 @@
+//! A target names each vertex once.
+
+use super::super::{Check, Rule, RuleCx};
+use super::{first_row, targets};
+use crate::diag::{Application, Finding, FixKind, Level, RuleInfo};
+use crate::repo::Layer;
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        fix: FixKind::Unsafe,
+        breaks: &[(Application::Makehuman2, "applies only the last row of the vertex, not the sum")],
+        docs: "One vertex on two rows of a target.\n\nMakeHuman 2 hands all rows to NumPy at once, which keeps the last one and \
+            forgets the others. Other programs add them up, so the same file gives two shapes.\n\nKeep one row for each \
+            vertex: the last, if the shape in MakeHuman 2 is right, or the sum, if it was made elsewhere.",
+        ..RuleInfo::new("target-duplicate-vertex", Level::Warning, "a vertex twice in a target")
+    },
+    check: Check::Layer(run),
+};
+
+fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for (file, facts) in targets(layer) {
+        let Some((_, index)) = facts.duplicate.first.first() else { continue };
+        let message = match facts.duplicate.count {
+            1 => format!("vertex {index} is named twice; only the last row counts"),
+            count => {
+                format!("{count} rows name a vertex again, the first vertex {index}; only the last row of each counts")
+            }
+        };
+        out.push(
+            RULE.at(file, first_row(&facts.duplicate), message)
+                .help("keep one row for each vertex")
+                .evidence(facts.duplicate.evidence(facts.rows)),
+        );
+    }
+}

@@ -1,0 +1,92 @@
+//! What is made for the left is made for the right.
+
+use std::collections::BTreeMap;
+
+use super::super::{Check, Rule, RuleCx};
+use super::{parent, usage};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::discover::Kind;
+use crate::repo::{Base, FileFacts, Repository};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(
+            Application::Makehuman2,
+            "offers the slider on one side only; symmetry leaves the other side as it is",
+        )],
+        docs: "A target for the left (`l-…`, or `-l-` inside the name) without the one for the right in the same folder, or the \
+            reverse.\n\nThe program does not mind, but people do: one ear can be changed and the other cannot, and making the \
+            figure symmetric does not work for it.\n\nMirror the target and save it under the name of the other side.",
+        ..RuleInfo::new("target-missing-side", Level::Warning, "a target for one side without its partner")
+    },
+    check: Check::Base(run),
+};
+
+/// Words that stand for a side, between dashes.
+const SIDES: [(&str, &str); 4] = [("l", "r"), ("r", "l"), ("left", "right"), ("right", "left")];
+
+fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let unused: Vec<&str> = usage::unused(repository, base).iter().map(|file| file.path.as_str()).collect();
+    let mut lone: BTreeMap<(&str, String), Vec<(&FileFacts, String)>> = BTreeMap::new();
+    for file in repository.judged.files.values() {
+        let is_own = file.kind == Kind::Target && file.base.as_deref() == Some(base.name);
+        let Some(partner) = partner_of(file.stem()).filter(|_| is_own) else { continue };
+        let folder = parent(&file.rel);
+        let rel = format!("{folder}/{partner}.target");
+        let exists = repository.judged.file(&rel).is_some() || repository.judged.file_ignoring_case(&rel).is_some();
+        // A partner that a slider asks for is a missing file; a target that nothing uses has nothing to mirror.
+        if !exists && !unused.contains(&file.path.as_str()) && !usage::is_missed(repository, base, &rel) {
+            lone.entry((folder, without_ending(base, &partner))).or_default().push((file, partner));
+        }
+    }
+    out.extend(lone.iter().filter_map(|((_, stem), files)| finding(stem, files)));
+}
+
+/// Both halves of a slider lack their partners for one reason.
+fn finding(stem: &str, files: &[(&FileFacts, String)]) -> Option<Finding> {
+    let (first, partner) = files.first()?;
+    let message = match files {
+        [_] => format!("`{}` has no partner `{partner}` on the other side", first.stem()),
+        _ => format!("{} targets have no partners on the other side (`{}` and so on)", files.len(), partner),
+    };
+    let mut finding = RULE.at(first, Place::File, message).key(stem);
+    for (file, partner) in files.iter().skip(1) {
+        finding = finding.related(&file.path, Place::File, format!("no `{partner}` either"));
+    }
+    let evidence = Evidence::of_cases(files.iter().map(|(_, partner)| partner));
+    Some(finding.help("mirror the target and save it under the name of the other side").evidence(evidence))
+}
+
+/// The name of the same target on the other side, if the name holds a side.
+fn partner_of(stem: &str) -> Option<String> {
+    let mut words: Vec<&str> = stem.split('-').collect();
+    let other = |word: &str| SIDES.iter().find(|(side, _)| *side == word).map(|(_, other)| *other);
+    let (at, other) = words.iter().enumerate().find_map(|(at, word)| Some((at, other(word)?)))?;
+    *words.get_mut(at)? = other;
+    Some(words.join("-"))
+}
+
+fn without_ending(base: &Base<'_>, stem: &str) -> String {
+    let opposites = base.settings().map(|(_, settings)| settings.opposites.as_slice()).unwrap_or_default();
+    let endings = opposites.iter().flat_map(|(decr, incr)| [decr.as_str(), incr.as_str()]).chain(["decr", "incr"]);
+    let mut cut = endings.filter_map(|ending| stem.strip_suffix(ending)?.strip_suffix('-'));
+    cut.next().unwrap_or(stem).to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_side_is_a_word_of_its_own() {
+        for (stem, partner) in [
+            ("l-ear-trans-in", Some("r-ear-trans-in")),
+            ("ear-r-up", Some("ear-l-up")),
+            ("left-arm", Some("right-arm")),
+            ("chin-cleft-decr", None),
+            ("lip", None),
+        ] {
+            assert_eq!(partner_of(stem).as_deref(), partner, "{stem}");
+        }
+    }
+}

@@ -1,0 +1,36 @@
+//! Displacements are finite numbers.
+
+use super::super::{Check, Rule, RuleCx};
+use super::{first_row, targets};
+use crate::diag::{Application, Finding, Level, RuleInfo};
+use crate::repo::Layer;
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(
+            Application::Makehuman2,
+            "puts the vertex nowhere as soon as the target is applied; normals, joints and clothes at it follow",
+        )],
+        docs: "`nan` or infinity as a displacement, or a number too large for 32 bit floats (beyond 3.4e38).\n\nPython reads \
+            such numbers without complaint and MakeHuman 2 adds them to the mesh. The vertex is lost, with it every face, \
+            joint and garment that depends on it.\n\n\
+            Usually an export divided by zero. Write the right numbers or remove the rows.",
+        ..RuleInfo::new("target-non-finite", Level::Error, "a displacement that is NaN or infinite")
+    },
+    check: Check::Layer(run),
+};
+
+fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for (file, facts) in targets(layer) {
+        let Some((_, index)) = facts.non_finite.first.first() else { continue };
+        let message = match facts.non_finite.count {
+            1 => format!("the displacement of vertex {index} is not finite"),
+            count => format!("{count} displacements are not finite, the first of vertex {index}"),
+        };
+        out.push(
+            RULE.at(file, first_row(&facts.non_finite), message)
+                .help("write finite numbers or remove the rows")
+                .evidence(facts.non_finite.evidence(facts.rows)),
+        );
+    }
+}

@@ -1,0 +1,94 @@
+//! `compressedtargets.npz` and the text files it was made from say the same.
+
+use super::super::{Check, Rule, RuleCx};
+use super::{counted, decoded, target_folder};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::discover::Kind;
+use crate::formats::npz::Archive;
+use crate::repo::{FileFacts, Layer};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(
+            Application::Makehuman2,
+            "applies the numbers of the archive and never looks at the text file, whichever is newer",
+        )],
+        docs: "MakeHuman 2 packs all targets of a folder into `compressedtargets.npz` when there is none, and from then on takes \
+            each target from there. It does not compare dates: an edited text file stays without effect, silently, until \
+            the archive is deleted.\n\nReported is one finding for each archive: members with other numbers than their text \
+            file (error), members whose text file is gone (warning: the target lives on in the archive only), and text \
+            files that the archive lacks (info: they are read as text). Numbers are compared as the program stores them, \
+            as 32 bit floats.\n\nDelete the archive; the program makes it anew. Do not keep it in version control.",
+        ..RuleInfo::new("target-stale-binary", Level::Error, "an archive of targets that differs from the text files")
+    },
+    check: Check::Layer(run),
+};
+
+/// Names of targets, sorted by what is wrong with them.
+#[derive(Default)]
+struct Stale<'a> {
+    differing: Vec<&'a str>,
+    without_text: Vec<&'a str>,
+    without_member: Vec<&'a str>,
+}
+
+fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for file in layer.files.values().filter(|file| file.kind == Kind::TargetArchive) {
+        // What cannot be read as a whole cannot be compared.
+        if let Some(archive) = file.archive().filter(|archive| archive.is_sound()) {
+            let stale = compare(layer, target_folder(file), archive);
+            out.extend(finding(file, archive, &stale));
+        }
+    }
+}
+
+fn compare<'a>(layer: &'a Layer, folder: &str, archive: &'a Archive) -> Stale<'a> {
+    let mut stale = Stale::default();
+    for member in &archive.members {
+        let text = layer.file(&format!("{folder}/{}.target", member.name));
+        match (text, &member.rows) {
+            (None, _) => stale.without_text.push(&member.name),
+            (Some(text), Ok(rows)) if differs(text, rows.content) => stale.differing.push(&member.name),
+            _ => {}
+        }
+    }
+    let texts = layer.below(folder).filter(|file| file.kind == Kind::Target);
+    for name in texts.filter_map(|file| file.rel.strip_prefix(folder)?.strip_prefix('/')?.strip_suffix(".target")) {
+        if archive.member(name).is_none() {
+            stale.without_member.push(name);
+        }
+    }
+    stale
+}
+
+/// A text that cannot be read completely has a finding of its own.
+fn differs(text: &FileFacts, content: u64) -> bool {
+    let whole = decoded(text).filter(|(_, facts)| facts.unreadable_rows == 0 && facts.negative.count == 0);
+    whole.is_some_and(|(_, facts)| facts.content != content)
+}
+
+fn finding(file: &FileFacts, archive: &Archive, stale: &Stale<'_>) -> Option<Finding> {
+    let groups = [
+        (&stale.differing, "with other numbers than the text file", Level::Error),
+        (&stale.without_text, "without a text file", Level::Warning),
+        (&stale.without_member, "missing from the archive", Level::Info),
+    ];
+    let found = groups.iter().filter(|(names, _, _)| !names.is_empty());
+    let parts: Vec<String> =
+        found.clone().map(|(names, what, _)| format!("{} {what}", counted(names.len() as u64, "target"))).collect();
+    let (first, _, level) = found.clone().next()?;
+    let effect = match level {
+        Level::Error => RULE.info.breaks.first()?.1,
+        Level::Warning => "takes the target from the archive; it is gone when the archive is made anew",
+        Level::Info => "reads these targets from their text files",
+    };
+    let names: Vec<&str> = found.flat_map(|(names, _, _)| names.iter().copied()).collect();
+    let message = format!("the archive is out of date: {} (first `{}`)", parts.join(", "), first.first()?);
+    Some(
+        RULE.at(file, Place::File, message)
+            .level(*level)
+            .breaks(Application::Makehuman2, effect)
+            .help("delete the archive; MakeHuman 2 makes it anew at the next start")
+            .evidence(Evidence::of_cases(names).out_of(archive.members.len() + stale.without_member.len())),
+    )
+}

@@ -1,0 +1,81 @@
+//! Targets that no slider and no macro uses.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::super::{Check, Rule, RuleCx};
+use super::{decoded, parent, usage};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, nearest};
+use crate::repo::{Base, FileFacts, Layer, Repository};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(
+            Application::Makehuman2,
+            "reads and packs it at every start without an archive, and never applies it",
+        )],
+        docs: "A target that neither modelling.json nor macro.json names, so nothing can move it.\n\nOften a slider was \
+            forgotten, or the file was renamed. MakeHuman 2 still parses it when it makes its archive, and a mistake in it \
+            stops the program (`target-breaks-start`).\n\nAdd a slider to modelling.json, or remove the file. User targets \
+            need no entry: those in `target/<base>/` of the user and in the folders directly below become sliders by \
+            themselves. Unused targets of macro folders are `macro-unreferenced-target`; a file that a name without file \
+            nearly fits is mentioned there. Nothing is reported while modelling.json or macro.json is missing or broken.",
+        ..RuleInfo::new("target-unreferenced", Level::Warning, "a target that no slider and no macro uses")
+    },
+    check: Check::Base(run),
+};
+
+fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(folder) = base.targets else { return };
+    let named = |file: &&FileFacts| folder.name_of(file).is_some_and(|name| !usage::is_in_macro_folder(base, name));
+    let own = |file: &&FileFacts| folder.layer.file(&file.rel).is_some_and(|own| std::ptr::eq(own, *file));
+    let unused: Vec<&FileFacts> = usage::unused(repository, base).into_iter().filter(own).filter(named).collect();
+    let meant = meant_by_missing(repository, base, &unused);
+    let mut folders: BTreeMap<&str, Vec<&FileFacts>> = BTreeMap::new();
+    for file in unused {
+        if !meant.contains(file.rel.as_str()) && !breaks_start(file) {
+            folders.entry(parent(&file.rel)).or_default().push(file);
+        }
+    }
+    for (path, files) in folders {
+        let all = folder.layer.below(path).filter(|file| file.target().is_some()).count();
+        if files.len() > 1 && files.len() == all {
+            out.push(whole_folder(folder.layer, path, &files));
+        } else {
+            out.extend(files.into_iter().map(|file| single(file, folder.name_of(file).unwrap_or_default())));
+        }
+    }
+}
+
+/// What cannot be parsed is worse than unused.
+fn breaks_start(file: &FileFacts) -> bool {
+    decoded(file).is_some_and(|(_, facts)| facts.unreadable_rows > 0)
+}
+
+/// Unused files that a name without file nearly fits, or would fit but for its path: that name is the
+/// fault to report.
+fn meant_by_missing<'a>(repository: &Repository<'_>, base: &Base<'_>, unused: &[&'a FileFacts]) -> BTreeSet<&'a str> {
+    let mut meant = BTreeSet::new();
+    for reference in repository.references_of(base).filter(|reference| reference.kind.is_target()) {
+        if usage::target_of(&reference.resolution).is_some() {
+            continue;
+        }
+        let stem = reference.text.rsplit(['/', '\\']).next();
+        let namesakes = unused.iter().filter(|file| Some(file.stem()) == stem);
+        meant.extend(namesakes.map(|file| file.rel.as_str()));
+        let rel = reference.rel.replace('\\', "/");
+        let beside = unused.iter().copied().filter(|file| parent(&file.rel) == parent(&rel));
+        meant.extend(nearest(&rel, beside.map(|file| file.rel.as_str())));
+    }
+    meant
+}
+
+fn whole_folder(layer: &Layer, path: &str, files: &[&FileFacts]) -> Finding {
+    let message = format!("no slider and no macro uses any of the {} targets of this folder", files.len());
+    let evidence = Evidence::of_cases(files.iter().map(|file| file.file_name())).out_of(files.len());
+    RULE.in_layer(layer, path, message).help("add sliders to modelling.json, or remove the folder").evidence(evidence)
+}
+
+fn single(file: &FileFacts, name: &str) -> Finding {
+    RULE.at(file, Place::File, format!("no slider and no macro uses `{name}`"))
+        .help(format!("add a slider with `\"incr\": \"{name}\"` to modelling.json, or remove the file"))
+}

@@ -1,0 +1,36 @@
+//! A target that moves nothing at all.
+
+use super::super::{Check, Rule, RuleCx};
+use super::{targets, usage};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::repo::{ReferenceKind, Repository};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(Application::Makehuman2, "loads it and changes nothing: the slider seems dead")],
+        docs: "Every row of the target is zero.\n\nMakeHuman 2 loads it, and moving its slider does nothing. Often the shape was \
+            exported before it was made, or against itself.\n\nExport it again, or remove the target and its slider. A file \
+            without rows is `file-empty`; a target of a macro is `macro-empty-target`.",
+        ..RuleInfo::new("target-without-effect", Level::Warning, "a target without any displacement")
+    },
+    check: Check::Repository(run),
+};
+
+fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let users = usage::users(repository);
+    for (file, facts) in targets(repository.judged) {
+        let is_macro = users.get(file.path.as_str()) == Some(&ReferenceKind::MacroTarget);
+        if is_macro || facts.zero.count == 0 || facts.zero.count != facts.rows as u64 {
+            continue;
+        }
+        let message = match facts.rows {
+            1 => "its only row is zero: the target moves nothing".to_owned(),
+            rows => format!("all {rows} rows are zero: the target moves nothing"),
+        };
+        out.push(
+            RULE.at(file, Place::File, message)
+                .help("export the shape again, or remove the target and its slider")
+                .evidence(facts.zero.evidence(facts.rows)),
+        );
+    }
+}

@@ -1,0 +1,61 @@
+//! Rows that move nothing in a target that moves something.
+
+use std::collections::BTreeMap;
+
+use super::super::{Check, Rule, RuleCx};
+use super::{counted, first_row, target_folder, targets};
+use crate::diag::{Application, EXAMPLES, Evidence, Finding, FixKind, Level, RuleInfo};
+use crate::formats::target::TargetFacts;
+use crate::repo::{FileFacts, Layer};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        fix: FixKind::Safe,
+        breaks: &[(Application::Makehuman2, "loads and adds the zeros; they cost a little time and room")],
+        docs: "Rows whose three numbers are zero.\n\nThey change nothing. Exporters write them for vertices that were touched and \
+            put back, or whose movement was rounded away.\n\nThe rows can be removed. All such rows of a target folder are \
+            one finding; it stands at the file if there is only one.",
+        ..RuleInfo::new("target-zero-delta", Level::Info, "rows of a target that move nothing")
+    },
+    check: Check::Layer(run),
+};
+
+fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let mut folders: BTreeMap<&str, Vec<(&FileFacts, &TargetFacts)>> = BTreeMap::new();
+    for (file, facts) in targets(layer) {
+        // A target of nothing but zeros is a finding of its own.
+        if facts.zero.count > 0 && facts.zero.count < facts.rows as u64 {
+            folders.entry(target_folder(file)).or_default().push((file, facts));
+        }
+    }
+    for (folder, found) in folders {
+        let finding = match found.as_slice() {
+            [(file, facts)] => one_file(file, facts),
+            files => many_files(layer, folder, files),
+        };
+        out.push(finding.help("the rows can be removed"));
+    }
+}
+
+fn one_file(file: &FileFacts, facts: &TargetFacts) -> Finding {
+    let message = match facts.zero.count {
+        1 => "1 zero row moves nothing".to_owned(),
+        count => format!("{count} zero rows move nothing"),
+    };
+    RULE.at(file, first_row(&facts.zero), message).evidence(facts.zero.evidence(facts.rows))
+}
+
+fn many_files(layer: &Layer, folder: &str, files: &[(&FileFacts, &TargetFacts)]) -> Finding {
+    let count: u64 = files.iter().map(|(_, facts)| facts.zero.count).sum();
+    let of: usize = files.iter().map(|(_, facts)| facts.rows).sum();
+    let message = format!("{count} zero rows in {} move nothing", counted(files.len() as u64, "target"));
+    let mut most: Vec<_> = files.iter().map(|(file, facts)| (facts.zero.count, file)).collect();
+    most.sort_by_key(|(count, file)| (std::cmp::Reverse(*count), &file.rel));
+    let mut evidence = Evidence::of_cases(most.iter().map(|(count, file)| format!("{} ({count})", file.rel)));
+    evidence.count = count;
+    let mut finding = RULE.in_layer(layer, folder, message).evidence(evidence.out_of(of));
+    for (file, facts) in files.iter().take(EXAMPLES * 2) {
+        finding = finding.related(&file.path, first_row(&facts.zero), counted(facts.zero.count, "zero row"));
+    }
+    finding
+}

@@ -1,0 +1,37 @@
+//! Weights must not be larger than 1.
+
+use super::super::{Check, Rule, RuleCx};
+use super::{pair_place, weights_files, worst};
+use crate::diag::{Application, Finding, Level, RuleInfo};
+use crate::repo::Layer;
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(
+            Application::Makehuman2,
+            "divides the weights of the vertex by their sum: the bone takes over more of the vertex than the \
+            others were meant to leave it",
+        )],
+        docs: "A weight says how much of a vertex moves with a bone, from 0 to 1. More is impossible; it is usually \
+            a percentage or a slip of the decimal point.\n\nMakeHuman 2 divides all weights of a vertex by their \
+            sum, so that the mesh holds together, but the shares are not the painted ones. Other programs clamp \
+            or keep the number.\n\nWrite the share as a number up to 1.",
+        ..RuleInfo::new("weights-above-one", Level::Warning, "a weight is larger than 1")
+    },
+    check: Check::Layer(run),
+};
+
+fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for (file, weights) in weights_files(layer) {
+        let tally = &weights.facts.above_one;
+        let (Some((bone, _, vertex, weight)), Some(place)) = (tally.first.first(), pair_place(tally)) else { continue };
+        let message = match tally.count {
+            1 => format!("vertex {vertex} has weight {weight} in bone `{bone}`, more than 1"),
+            count => {
+                format!("{count} weights are more than 1, the first is {weight} of vertex {vertex} in bone `{bone}`")
+            }
+        };
+        let evidence = worst(tally.evidence(weights.facts.pairs), tally);
+        out.push(RULE.at(file, place, message).help("write the share as a number from 0 to 1").evidence(evidence));
+    }
+}

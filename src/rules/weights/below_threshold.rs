@@ -1,0 +1,32 @@
+//! Weights that the loader drops.
+
+use super::super::{Check, Rule, RuleCx};
+use super::{pair_place, weights_files};
+use crate::diag::{Application, Finding, Level, RuleInfo};
+use crate::repo::Layer;
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(Application::Makehuman2, "drops the entry: it keeps weights above 0.0001 only")],
+        docs: "After dividing by the sum of a vertex, MakeHuman keeps weights above 0.0001. Smaller ones, zeros \
+            among them, only make the file larger; their share is not given to the other bones.\n\nRemove the \
+            entries.",
+        ..RuleInfo::new("weights-below-threshold", Level::Info, "a weight is too small to have an effect")
+    },
+    check: Check::Layer(run),
+};
+
+fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for (file, weights) in weights_files(layer) {
+        let tally = &weights.facts.below_threshold;
+        let (Some((bone, _, vertex, weight)), Some(place)) = (tally.first.first(), pair_place(tally)) else { continue };
+        let message = match tally.count {
+            1 => format!("weight {weight} of vertex {vertex} in bone `{bone}` is too small to be kept"),
+            count => format!(
+                "{count} of {} weights are too small to be kept, the first is {weight} of vertex {vertex} in bone `{bone}`",
+                weights.facts.pairs
+            ),
+        };
+        out.push(RULE.at(file, place, message).help("remove them").evidence(tally.evidence(weights.facts.pairs)));
+    }
+}

@@ -1,0 +1,35 @@
+//! A bone must list a vertex once.
+
+use super::super::{Check, Rule, RuleCx};
+use super::{pair_place, weights_files};
+use crate::diag::{Application, Finding, Level, RuleInfo};
+use crate::repo::Layer;
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(
+            Application::Makehuman2,
+            "uses only one of the two shares in pose mode: the vertex lacks the other and is pulled towards the \
+            origin (half way, if they are equal)",
+        )],
+        docs: "A bone lists a vertex once.\n\nMakeHuman 2 does not merge two entries of one vertex: both count for \
+            the sum that it divides by, but posing uses one of them. The missing share pulls the vertex towards \
+            the origin. (MakeHuman 1, and the transfer of weights to clothes, add the entries.)\n\nReplace the \
+            entries by one with their sum.",
+        ..RuleInfo::new("weights-duplicate-vertex", Level::Warning, "a bone lists a vertex twice")
+    },
+    check: Check::Layer(run),
+};
+
+fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for (file, weights) in weights_files(layer) {
+        let tally = &weights.facts.duplicate;
+        let (Some((bone, _, vertex, _)), Some(place)) = (tally.first.first(), pair_place(tally)) else { continue };
+        let message = match tally.count {
+            1 => format!("bone `{bone}` lists vertex {vertex} twice"),
+            count => format!("{count} entries list a vertex again, the first is vertex {vertex} of bone `{bone}`"),
+        };
+        let finding = RULE.at(file, place, message).help("replace the entries by one with the sum of their weights");
+        out.push(finding.evidence(tally.evidence(weights.facts.pairs)));
+    }
+}

@@ -1,0 +1,33 @@
+//! Bones without weights.
+
+use super::super::{Check, Rule, RuleCx};
+use super::weights_files;
+use crate::diag::{Evidence, Finding, Level, Place, RuleInfo};
+use crate::repo::Layer;
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        docs: "A bone with an empty list means the same as one that is not mentioned. It is harmless, even where \
+            the skeleton does not have the bone, but often a sign that painting it was forgotten.\n\nRemove the \
+            bone from the file, or paint it.",
+        ..RuleInfo::new("weights-empty-bone", Level::Info, "a bone of the weights has no entry")
+    },
+    check: Check::Layer(run),
+};
+
+fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for (file, weights) in weights_files(layer) {
+        let empty = weights.bones.iter().filter(|bone| bone.listed == 0 && bone.is_list);
+        let names: Vec<&str> = empty.map(|bone| bone.name.as_str()).collect();
+        let Some(first) = names.first() else { continue };
+        let message = match names.len() {
+            1 => format!("bone `{first}` has no weights"),
+            count => format!("{count} of {} bones have no weights, the first is `{first}`", weights.bones.len()),
+        };
+        out.push(
+            RULE.at(file, Place::key(["weights", first]), message)
+                .help("remove the bone, or paint it")
+                .evidence(Evidence::of_cases(&names).out_of(weights.bones.len())),
+        );
+    }
+}

@@ -1,0 +1,30 @@
+//! Name, version and licence of weights.
+
+use super::super::{Check, Rule, RuleCx};
+use super::weights_files;
+use crate::diag::{Finding, Level, Place, RuleInfo};
+use crate::repo::Layer;
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        docs: "`name`, `version` and `license` have no effect on the shape. They tell people what the weights are \
+            for and whether they may be passed on.\n\nAdd them beside `weights`.",
+        ..RuleInfo::new("weights-metadata", Level::Info, "weights do not say what they are")
+    },
+    check: Check::Layer(run),
+};
+
+fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for (file, weights) in weights_files(layer) {
+        let missing = EXPECTED.iter().filter(|key| !weights.metadata.iter().any(|known| known == *key));
+        let missing: Vec<String> = missing.map(|key| format!("`{key}`")).collect();
+        if missing.is_empty() {
+            continue;
+        }
+        let message = format!("the weights have no {}", missing.join(", no "));
+        out.push(RULE.at(file, Place::File, message).help("add them beside `weights`"));
+    }
+}
+
+/// Keys that every weights file should have.
+const EXPECTED: [&str; 3] = ["name", "version", "license"];

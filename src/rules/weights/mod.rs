@@ -1,0 +1,39 @@
+//! Rules on `.mhw`, and what they share: which files count, and where a pair stands.
+
+pub(super) mod above_one;
+pub(super) mod below_threshold;
+pub(super) mod duplicate_vertex;
+pub(super) mod empty_bone;
+pub(super) mod malformed_pair;
+pub(super) mod metadata;
+pub(super) mod negative;
+pub(super) mod non_finite;
+pub(super) mod not_normalized;
+pub(super) mod unbound;
+pub(super) mod unknown_bone;
+pub(super) mod unweighted_vertex;
+pub(super) mod vertex_out_of_range;
+
+use crate::diag::{Evidence, Place};
+use crate::formats::mhw::{PairTally, Weights};
+use crate::repo::{FileFacts, Layer};
+
+/// All weights of a layer that are an object of bones.
+fn weights_files(layer: &Layer) -> impl Iterator<Item = (&FileFacts, &Weights)> {
+    let files = layer.files.values().filter_map(|file| Some((file, file.weights()?)));
+    files.filter(|(_, weights)| weights.has_weights)
+}
+
+/// The first pair of a tally.
+fn pair_place(tally: &PairTally) -> Option<Place> {
+    let (bone, position, ..) = tally.first.first()?;
+    Some(Place::pointer(["weights", bone, &position.to_string()]))
+}
+
+/// Adds the largest number of a tally.
+fn worst(evidence: Evidence, tally: &PairTally) -> Evidence {
+    match &tally.worst {
+        Some((bone, vertex, weight)) => evidence.with_worst(f64::from(*weight), format!("{bone}[{vertex}]")),
+        None => evidence,
+    }
+}

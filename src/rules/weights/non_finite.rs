@@ -1,0 +1,37 @@
+//! Weights must be finite.
+
+use super::super::{Check, Rule, RuleCx};
+use super::{pair_place, weights_files};
+use crate::diag::{Application, Finding, Level, RuleInfo};
+use crate::repo::Layer;
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(
+            Application::Makehuman2,
+            "loses all weights of the vertex and does not give it to the root bone: in pose mode it lies at the \
+            origin",
+        )],
+        docs: "NaN and Infinity are read by Python's JSON reader, and a number beyond the range of float32 becomes \
+            infinite.\n\nMakeHuman 2 divides by the sum of the vertex, which is then no number either; every \
+            entry of the vertex is dropped, and it is not given to the root bone. Entering pose mode pulls the \
+            vertex to the origin. Other readers refuse the file.\n\nPaint the weight of the vertex again.",
+        ..RuleInfo::new("weights-non-finite", Level::Error, "a weight is not a number or infinite")
+    },
+    check: Check::Layer(run),
+};
+
+fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for (file, weights) in weights_files(layer) {
+        let tally = &weights.facts.non_finite;
+        let (Some((bone, _, vertex, weight)), Some(place)) = (tally.first.first(), pair_place(tally)) else { continue };
+        let message = match tally.count {
+            1 => format!("vertex {vertex} has weight {weight} in bone `{bone}`"),
+            count => {
+                format!("{count} weights are not finite, the first is {weight} of vertex {vertex} in bone `{bone}`")
+            }
+        };
+        let evidence = tally.evidence(weights.facts.pairs);
+        out.push(RULE.at(file, place, message).help("write a number from 0 to 1").evidence(evidence));
+    }
+}

@@ -1,0 +1,61 @@
+//! The weights of a vertex should add up to 1.
+
+use std::fmt::Write as _;
+
+use super::super::{Check, Rule, RuleCx};
+use crate::diag::{Application, Evidence, Finding, FixKind, Level, Place, RuleInfo};
+use crate::formats::mhw::FAR_SUMS;
+use crate::formats::obj::Mesh;
+use crate::repo::{Base, Repository};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(Application::Makehuman2, "divides the weights of every vertex by their sum, so nothing happens")],
+        fix: FixKind::Safe,
+        docs: "The weights of a vertex over all bones should add up to 1. Where they do not, and nobody repairs it, \
+            the vertex is pulled to the origin (less than 1) or pushed away from it (more) as soon as a skeleton \
+            is used.\n\nMakeHuman 2 divides by the sum when it loads the file, so this is a remark only \
+            (`info`); an exporter or engine that reads the file itself may not do so. A sum within 0.0001 of 1 \
+            counts as 1. Vertices without any weight, and such with a negative, infinite, too large or repeated \
+            entry, have rules of their own and are not counted here.\n\nNormalise the weights in the tool that \
+            painted them.",
+        ..RuleInfo::new("weights-not-normalized", Level::Info, "the weights of a vertex do not add up to 1")
+    },
+    check: Check::Base(run),
+};
+
+fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for file in &base.weights {
+        let Some(weights) = file.weights() else { continue };
+        let (sums, vertices) = (&weights.facts.sum, weights.facts.sums.len());
+        let Some((vertex, sum)) = sums.worst else { continue };
+        let message = if sums.off == 1 {
+            format!("the weights of vertex {vertex} add up to {sum}")
+        } else {
+            format!(
+                "the weights of {} of {vertices} vertices do not add up to 1; the worst is vertex {vertex} with {sum:.3}",
+                sums.off
+            )
+        };
+        let (least, most) = sums.range;
+        let [far, farther] = sums.far_off;
+        let mut help = format!(
+            "sums from {least:.3} to {most:.3}; {far} are off by more than {}, {farther} by more than {}",
+            FAR_SUMS[0], FAR_SUMS[1]
+        );
+        if let Some(distance) = base.mesh.and_then(|(_, mesh)| shift(mesh, vertex, sum)) {
+            let _ = write!(help, "; if nobody normalised, vertex {vertex} would move by {distance:.2} units");
+        }
+        let mut evidence =
+            Evidence::of_cases(&sums.first).out_of(vertices).with_worst(f64::from(sum), format!("vertex {vertex}"));
+        evidence.count = sums.off;
+        out.push(RULE.at(file, Place::pointer(["weights"]), message).help(help).evidence(evidence));
+    }
+}
+
+/// How far skinning moves a vertex at rest if its weights are used as they are: v' = sum * v.
+fn shift(mesh: &Mesh, vertex: u32, sum: f32) -> Option<f32> {
+    let [x, y, z] = mesh.positions.get(vertex as usize)?;
+    let distance = (sum - 1.0).abs() * (x * x + y * y + z * z).sqrt();
+    distance.is_finite().then_some(distance)
+}

@@ -1,0 +1,52 @@
+//! Weights should be used by a skeleton.
+
+use super::super::{Check, Rule, RuleCx};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::repo::{Base, Reference, ReferenceKind, Repository, Resolution};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(Application::Makehuman2, "never reads the file")],
+        docs: "Weights in `rigs/<base>/` are read when a skeleton names them in `weights_file` (without the key: \
+            `default_weights.mhw`).\n\nA file that no skeleton names has no effect. Often the name in the \
+            skeleton is misspelt, or points to an older file.\n\nName it in a skeleton, or remove it.",
+        ..RuleInfo::new("weights-unbound", Level::Warning, "no skeleton uses a weights file")
+    },
+    check: Check::Base(run),
+};
+
+fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    // A skeleton that cannot be read may name any file.
+    if base
+        .skeletons
+        .iter()
+        .any(|file| file.skeleton().is_none_or(|skeleton| !skeleton.is_object || skeleton.weights_file_misshapen))
+    {
+        return;
+    }
+    let used: Vec<&Reference<'_>> =
+        repository.references_of(base).filter(|reference| reference.kind == ReferenceKind::WeightsFile).collect();
+    // What is missing may be any of the files here, under another name; without `base.json` the base, and its
+    // skeletons with it, lie in system data that was not given.
+    if used.iter().any(|reference| matches!(reference.resolution, Resolution::Missing)) || base.base_json.is_none() {
+        return;
+    }
+    for file in &base.weights {
+        let is_meant = |reference: &&Reference<'_>| match reference.resolution {
+            Resolution::Found(found) | Resolution::CaseOnly(found) | Resolution::Backslash(Some(found)) => {
+                found.rel == file.rel
+            }
+            _ => false,
+        };
+        if used.iter().any(is_meant) {
+            continue;
+        }
+        let root = format!("rigs/{}/", base.name);
+        let name = file.rel.strip_prefix(root.as_str()).unwrap_or(&file.rel);
+        let message = format!("no skeleton of base `{}` uses these weights", base.name);
+        out.push(
+            RULE.at(file, Place::File, message)
+                .help(format!("name `{name}` as `weights_file` of a skeleton, or remove the file")),
+        );
+    }
+}

@@ -1,0 +1,81 @@
+//! Weights must be for bones of the skeleton.
+
+use std::collections::BTreeSet;
+
+use super::super::{Check, Rule, RuleCx};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, nearest};
+use crate::repo::{Base, FileFacts, Reference, ReferenceKind, Repository, Resolution};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(Application::Makehuman2, "stops with a KeyError when pose mode is entered")],
+        docs: "The bones of a weights file are those of the skeletons that name it in `weights_file`.\n\nMakeHuman \
+            2 loads weights for other bones, but stops with a KeyError as soon as the user enters pose mode. \
+            What counts is the skeleton that `base.json` names (`pose-skeleton`). Weights that only other \
+            skeletons use are never applied; a bone that none of them has is then a `warning`. A bone with an \
+            empty list is harmless.\n\nCorrect the name of the bone, here or in the skeleton.",
+        ..RuleInfo::new("weights-unknown-bone", Level::Error, "weights for a bone that the skeleton does not have")
+    },
+    check: Check::Base(run),
+};
+
+fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for file in &base.weights {
+        let Some(weights) = file.weights() else { continue };
+        let Some(Binding { known, level }) = binding(repository, base, file) else { continue };
+        let unknown = weights.bones.iter().filter(|bone| bone.listed > 0 && !known.contains(bone.name.as_str()));
+        let unknown: Vec<&str> = unknown.map(|bone| bone.name.as_str()).collect();
+        let Some(first) = unknown.first() else { continue };
+        let message = match unknown.len() {
+            1 => format!("the skeleton has no bone `{first}`"),
+            count => {
+                format!("the skeleton does not have {count} of {} bones, the first is `{first}`", weights.bones.len())
+            }
+        };
+        let help = match nearest(first, known.iter().copied()) {
+            Some(name) => format!("did you mean `{name}`?"),
+            None => "name bones of the skeleton that uses these weights".to_owned(),
+        };
+        let mut finding = RULE
+            .at(file, Place::key(["weights", first]), message)
+            .level(level)
+            .help(help)
+            .evidence(Evidence::of_cases(&unknown).out_of(weights.bones.len()));
+        if level == Level::Warning {
+            finding = finding
+                .breaks(Application::Makehuman2, "never applies these weights: the base is posed by another skeleton");
+        }
+        out.push(finding);
+    }
+}
+
+/// Bones that the weights may be for, and how bad another one is.
+struct Binding<'a> {
+    known: BTreeSet<&'a str>,
+    level: Level,
+}
+
+/// The skeletons that use a weights file; of these the one for poses alone, if it is among them.
+fn binding<'a>(repository: &Repository<'a>, base: &Base<'a>, file: &FileFacts) -> Option<Binding<'a>> {
+    let references: Vec<_> = repository.references_of(base).collect();
+    let binds = |reference: &&&Reference<'a>| {
+        let found = matches!(reference.resolution, Resolution::Found(found) if std::ptr::eq(found, file));
+        reference.kind == ReferenceKind::WeightsFile && found
+    };
+    let users: Vec<&'a FileFacts> = references.iter().filter(binds).map(|reference| reference.from).collect();
+    let pose = references.iter().find(|reference| reference.kind == ReferenceKind::PoseSkeleton);
+    let pose =
+        pose.and_then(|reference| if let Resolution::Found(file) = reference.resolution { Some(file) } else { None });
+    let is_pose = |user: &&&'a FileFacts| pose.is_some_and(|pose| std::ptr::eq(pose, **user));
+    let (chosen, level) = match users.iter().find(is_pose) {
+        Some(user) => (vec![*user], Level::Error),
+        None => (users, Level::Warning),
+    };
+    let mut known = BTreeSet::new();
+    for user in chosen {
+        // Without the bones of every user nothing can be said.
+        let skeleton = user.skeleton().filter(|skeleton| !skeleton.bones.is_empty())?;
+        known.extend(skeleton.bones.iter().map(|bone| bone.name.as_str()));
+    }
+    (!known.is_empty()).then_some(Binding { known, level })
+}

@@ -1,0 +1,59 @@
+//! Every vertex should have a weight.
+
+use std::collections::BTreeSet;
+
+use super::super::{Check, Rule, RuleCx};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::repo::{Base, Repository};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(
+            Application::Makehuman2,
+            "gives the vertex to the root bone: it stays behind when the body is posed",
+        )],
+        docs: "Every vertex of the base mesh should follow some bone.\n\nMakeHuman 2 gives vertices without \
+            weights, and such with zeros only, to the root bone. Part of a limb then stays at the hip when the \
+            limb moves. Where no visible group of the mesh is concerned (helpers, joints) it is a remark \
+            (`info`): clothes that are fitted to a helper follow it.\n\nVertices that no face uses are not counted.\n\nPaint the vertices.",
+        ..RuleInfo::new("weights-unweighted-vertex", Level::Warning, "a vertex has no weight at all")
+    },
+    check: Check::Base(run),
+};
+
+fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some((_, mesh)) = base.mesh.filter(|(_, mesh)| mesh.facts.unreadable_lines == 0) else { return };
+    let visible = base.settings().and_then(|(_, settings)| settings.visible_groups.as_ref());
+    for file in &base.weights {
+        let Some(weights) = file.weights() else { continue };
+        // Entries that cannot be read may be the missing ones.
+        if weights.facts.pairs == 0 || weights.facts.malformed.count > 0 {
+            continue;
+        }
+        // Vertices without a face are not seen.
+        let groups = mesh.groups_of(&weights.facts.sum.unweighted);
+        let vertices: BTreeSet<u32> = groups.values().flatten().copied().collect();
+        let Some(first) = vertices.first() else { continue };
+        let is_visible = |group: &str| visible.is_none_or(|visible| visible.iter().any(|name| name == group));
+        let named: Vec<String> = groups
+            .iter()
+            .take(GROUPS_NAMED)
+            .map(|(group, vertices)| format!("{} in `{group}`", vertices.len()))
+            .collect();
+        let named = named.join(", ");
+        let message = match vertices.len() {
+            1 => format!("vertex {first} has no weight ({named})"),
+            count => format!("{count} of {} vertices have no weight ({named})", weights.facts.sums.len()),
+        };
+        let level = if groups.keys().any(|group| is_visible(group)) { Level::Warning } else { Level::Info };
+        out.push(
+            RULE.at(file, Place::pointer(["weights"]), message)
+                .level(level)
+                .help("paint the vertices for the bones that should move them")
+                .evidence(Evidence::of_cases(&vertices).out_of(weights.facts.sums.len())),
+        );
+    }
+}
+
+/// How many mesh groups a message names.
+const GROUPS_NAMED: usize = 4;

@@ -1,0 +1,330 @@
+//! What the command promises: exit codes, streams, arguments. One function a promise, on the real binary.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may stop where it fails")]
+
+mod scratch;
+
+use std::fs;
+use std::io::Read;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+
+use scratch::{example, mhlint, project};
+
+/// A copy of the example repository with one error in it.
+fn broken() -> tempfile::TempDir {
+    let repository = example();
+    let path = repository.path().join("data/target/figure/macro.json");
+    let text = fs::read_to_string(&path).unwrap();
+    fs::write(&path, text.replacen("\"steps\": [0.0, 0.25, 0.5, 1.0]", "\"steps\": [0.0, 0.5, 1.0]", 1)).unwrap();
+    repository
+}
+
+fn code(output: &Output) -> Option<i32> {
+    output.status.code()
+}
+
+fn stdout(output: &Output) -> String {
+    String::from_utf8(output.stdout.clone()).unwrap()
+}
+
+fn stderr(output: &Output) -> String {
+    String::from_utf8(output.stderr.clone()).unwrap()
+}
+
+/// The run is refused: exit 2, nothing on standard output, `words` on standard error.
+#[track_caller]
+fn assert_refused(output: &Output, words: &[&str]) {
+    assert_eq!(code(output), Some(2), "{}", stderr(output));
+    assert_eq!(stdout(output), "");
+    for word in words {
+        assert!(stderr(output).contains(word), "no `{word}` in: {}", stderr(output));
+    }
+}
+
+#[test]
+fn a_faultless_repository_exits_0_and_says_nothing_on_stderr() {
+    let output = mhlint(&project("fixtures/makehuman2"), &[]);
+    assert_eq!((code(&output), stderr(&output).as_str()), (Some(0), ""));
+    assert!(stdout(&output).contains("Nothing found"), "{}", stdout(&output));
+}
+
+#[test]
+fn an_error_exits_1_and_goes_to_stdout() {
+    let output = mhlint(broken().path(), &["check", "."]);
+    assert_eq!((code(&output), stderr(&output).as_str()), (Some(1), ""));
+    assert!(stdout(&output).contains("error[macro-steps-length]"));
+}
+
+#[test]
+fn fail_on_moves_the_limit() {
+    let repository = broken();
+    let exit = |args: &[&str]| code(&mhlint(repository.path(), args));
+    let only = ["--only", "macro-steps-length"];
+    assert_eq!(exit(&[&only[..], &["--fail-on", "never"]].concat()), Some(0));
+    let info = [&only[..], &["--level", "macro-steps-length=info"]].concat();
+    assert_eq!(exit(&info), Some(0));
+    assert_eq!(exit(&[&info[..], &["--fail-on", "info"]].concat()), Some(1));
+    assert_eq!(exit(&[&info[..], &["--fail-on", "warning"]].concat()), Some(0));
+}
+
+#[test]
+fn max_warnings_bounds_the_warnings() {
+    let repository = broken();
+    let args = ["--only", "macro-steps-length", "--level", "macro-steps-length=warning", "--max-warnings"];
+    assert_eq!(code(&mhlint(repository.path(), &[&args[..], &["1"]].concat())), Some(0));
+    let output = mhlint(repository.path(), &[&args[..], &["0"]].concat());
+    assert_eq!(code(&output), Some(1));
+    assert!(stdout(&output).contains("--max-warnings allows 0"), "{}", stdout(&output));
+}
+
+#[test]
+fn only_skip_and_level_off_silence_a_rule() {
+    let repository = broken();
+    for args in [["--only", "target-syntax"], ["--skip", "macro-*"], ["--level", "macro-steps-length=off"]] {
+        let output = mhlint(repository.path(), &[&args[..], &["--report", "concise"]].concat());
+        assert!(!stdout(&output).contains("macro-steps-length"), "{args:?}: {}", stdout(&output));
+    }
+}
+
+#[test]
+fn nothing_to_check_exits_3_and_says_what_to_give() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = mhlint(folder.path(), &[]);
+    assert_eq!((code(&output), stdout(&output).as_str()), (Some(3), ""));
+    assert!(stderr(&output).contains("nothing to check"), "{}", stderr(&output));
+    assert!(stderr(&output).contains("give the folder"), "{}", stderr(&output));
+}
+
+#[test]
+fn nothing_to_check_is_no_pass_for_programs() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = mhlint(folder.path(), &["--report", "json"]);
+    assert_eq!(code(&output), Some(3));
+    assert!(stdout(&output).contains("\"verdict\": \"fail\""), "{}", stdout(&output));
+}
+
+#[test]
+fn data_of_another_application_are_named_as_not_judged() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::create_dir_all(folder.path().join("targets")).unwrap();
+    fs::write(folder.path().join("targets/target.json"), "{}").unwrap();
+    let output = mhlint(folder.path(), &[]);
+    assert_eq!(code(&output), Some(3));
+    assert!(stderr(&output).contains("MPFB"), "{}", stderr(&output));
+}
+
+#[test]
+fn a_missing_path_exits_2_and_is_named() {
+    assert_refused(&mhlint(&project("."), &["nowhere"]), &["nowhere", "No such file"]);
+    assert_refused(&mhlint(&project("fixtures"), &["makehuman2", "--system", "nowhere"]), &["nowhere"]);
+}
+
+#[test]
+fn a_misspelt_command_gets_a_suggestion() {
+    assert_refused(&mhlint(&project("."), &["explan"]), &["did you mean the command `explain`"]);
+}
+
+#[test]
+fn unknown_names_get_the_nearest_one() {
+    let repository = project("fixtures/makehuman2");
+    assert_refused(&mhlint(&repository, &["--only", "macro-step-length"]), &["did you mean `macro-steps-length`"]);
+    assert_refused(&mhlint(&repository, &["--level", "macro-steps-length=fatal"]), &["error, warning, info, off"]);
+    assert_refused(&mhlint(&repository, &["--level", "macro-steps-length"]), &["RULE=LEVEL"]);
+    assert_refused(&mhlint(&repository, &["--app", "makehuman3"]), &["makehuman2"]);
+    assert_refused(&mhlint(&repository, &["--base", "figur"]), &["figure"]);
+    assert_refused(&mhlint(&repository, &["--report", "jsom"]), &["did you mean `json`"]);
+    assert_refused(&mhlint(&repository, &["--quite"]), &["--quiet"]);
+    assert_refused(&mhlint(&repository, &["explain", "macro-step-length"]), &["did you mean `macro-steps-length`"]);
+    assert_refused(&mhlint(&repository, &["schema", "macros"]), &["did you mean `macro`"]);
+}
+
+#[test]
+fn a_report_goes_to_a_file_and_leaves_stdout_empty() {
+    let repository = broken();
+    let output = mhlint(repository.path(), &["--report", "json=out.json"]);
+    assert_eq!((code(&output), stdout(&output).as_str(), stderr(&output).as_str()), (Some(1), "", ""));
+    let report: serde_json::Value =
+        serde_json::from_slice(&fs::read(repository.path().join("out.json")).unwrap()).unwrap();
+    assert_eq!(report["format"], "mhlint-report/1");
+    assert_eq!(leftovers(repository.path()), Vec::<String>::new());
+}
+
+/// Hidden files in a folder: what an interrupted write would leave.
+fn leftovers(folder: &Path) -> Vec<String> {
+    let names = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
+    names.filter(|name| name.starts_with('.')).collect()
+}
+
+#[test]
+fn two_reports_one_to_a_file() {
+    let repository = broken();
+    let output = mhlint(repository.path(), &["--report", "human", "--report", "concise=out.txt"]);
+    assert_eq!(code(&output), Some(1));
+    assert!(stdout(&output).contains("Failed."));
+    let file = fs::read_to_string(repository.path().join("out.txt")).unwrap();
+    assert!(file.contains("error[macro-steps-length]") && file.contains("fail: "), "{file}");
+}
+
+#[test]
+fn reports_that_would_collide_are_refused() {
+    let repository = project("fixtures/makehuman2");
+    assert_refused(&mhlint(&repository, &["--report", "json", "--report", "human"]), &["--report FORMAT=FILE"]);
+    let same = ["--report", "json=/tmp/x", "--report", "human=/tmp/x"];
+    assert_refused(&mhlint(&repository, &same), &["give each its own file"]);
+}
+
+#[test]
+fn a_report_that_cannot_be_written_is_refused_before_the_run() {
+    let repository = example();
+    assert_refused(
+        &mhlint(repository.path(), &["--report", "json=no/such/r.json"]),
+        &["no folder `no/such`", "make it"],
+    );
+    assert_refused(&mhlint(repository.path(), &["--report", "json=data"]), &["is a folder", "name a file in it"]);
+    assert_refused(&mhlint(repository.path(), &["--report", "json="]), &["json=report.txt"]);
+}
+
+#[test]
+fn notes_go_to_stderr_for_programs_and_into_the_human_report() {
+    let repository = example();
+    fs::create_dir_all(repository.path().join("other/targets")).unwrap();
+    fs::write(repository.path().join("other/targets/target.json"), "{}").unwrap();
+    let human = mhlint(repository.path(), &[]);
+    assert!(stdout(&human).contains("note: other: MPFB data"), "{}", stdout(&human));
+    assert_eq!(stderr(&human), "");
+    let concise = mhlint(repository.path(), &["--report", "concise"]);
+    assert!(stderr(&concise).contains("mhlint: other: MPFB data"), "{}", stderr(&concise));
+    assert!(!stdout(&concise).contains("MPFB"));
+    assert_eq!(stderr(&mhlint(repository.path(), &["--report", "concise", "--quiet"])), "");
+}
+
+#[test]
+fn quiet_leaves_findings_and_verdict() {
+    let output = mhlint(broken().path(), &["--quiet", "--only", "macro-steps-length"]);
+    let text = stdout(&output);
+    assert!(text.contains("error[macro-steps-length]") && text.contains("Failed."), "{text}");
+    assert!(!text.contains("more: mhlint explain") && !text.contains(" files ("), "{text}");
+}
+
+#[test]
+fn timings_go_to_stderr() {
+    let output = mhlint(&project("fixtures/makehuman2"), &["--timings"]);
+    assert!(stderr(&output).contains(" ms  read") && stderr(&output).contains("target-syntax"));
+    assert!(!stdout(&output).contains(" ms  "));
+}
+
+#[test]
+fn piped_output_has_no_escape_sequences_unless_asked_for() {
+    let repository = broken();
+    let has_escapes = |args: &[&str]| mhlint(repository.path(), args).stdout.contains(&0x1b);
+    assert!(!has_escapes(&[]));
+    assert!(has_escapes(&["--color", "always"]));
+    assert!(!has_escapes(&["--color", "never"]));
+    assert!(has_escapes(&["explain", "macro-steps-length", "--color", "always"]));
+    assert!(!has_escapes(&["explain", "macro-steps-length"]));
+}
+
+#[test]
+fn the_environment_decides_on_colour_and_the_option_over_it() {
+    let repository = broken();
+    let has_escapes = |name: &str, args: &[&str]| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_mhlint"));
+        command.env_clear().env(name, "1").current_dir(repository.path()).args(args);
+        command.output().unwrap().stdout.contains(&0x1b)
+    };
+    assert!(has_escapes("CLICOLOR_FORCE", &[]));
+    assert!(!has_escapes("CLICOLOR_FORCE", &["--color", "never"]));
+    assert!(!has_escapes("NO_COLOR", &[]));
+    assert!(has_escapes("NO_COLOR", &["--color", "always"]));
+    assert!(!has_escapes("CI", &[]));
+}
+
+#[test]
+fn a_report_in_a_file_has_no_colour() {
+    let repository = broken();
+    mhlint(repository.path(), &["--color", "always", "--report", "human=out.txt"]);
+    assert!(!fs::read(repository.path().join("out.txt")).unwrap().contains(&0x1b));
+}
+
+#[test]
+fn a_closed_pipe_is_no_error() {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_mhlint"));
+    command.current_dir(project("fixtures/makehuman2")).args(["rules", "--format", "json"]);
+    let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    drop(child.stdout.take());
+    let mut text = String::new();
+    child.stderr.take().unwrap().read_to_string(&mut text).unwrap();
+    let status = child.wait().unwrap();
+    assert_eq!((status.code(), text.as_str()), (Some(0), ""));
+}
+
+#[test]
+fn every_rule_can_be_explained_by_its_fixtures() {
+    let output = mhlint(&project("."), &["rules", "--format", "json"]);
+    let rules: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    for rule in rules.as_array().unwrap() {
+        let id = rule["id"].as_str().unwrap();
+        let output = mhlint(&project("."), &["explain", id]);
+        let text = stdout(&output);
+        assert_eq!(code(&output), Some(0), "{id}");
+        for part in ["Bad: ", "gives", &format!("[{id}]"), "Good: "] {
+            assert!(text.contains(part), "no `{part}` in the page of {id}:\n{text}");
+        }
+    }
+}
+
+#[test]
+fn explain_shows_the_change_and_the_finding() {
+    let page = stdout(&mhlint(&project("."), &["explain", "macro-steps-length"]));
+    let text = page.replace("\n    `age`", " `age`");
+    for line in [
+        "    - \"steps\": [0.0, 0.25, 0.5, 1.0]",
+        "    + \"steps\": [0.0, 0.5, 1.0]",
+        "MakeHuman 2: stops with an IndexError",
+        "component `age` has 4 values but 3 steps",
+    ] {
+        assert!(text.contains(line), "no `{line}` in:\n{text}");
+    }
+}
+
+#[test]
+fn explain_lists_a_family() {
+    for name in ["macro", "macro-", "macro-*"] {
+        let output = mhlint(&project("."), &["explain", name]);
+        assert_eq!(code(&output), Some(0));
+        assert!(stdout(&output).contains("macro-steps-length") && !stdout(&output).contains("target-syntax"));
+    }
+}
+
+#[test]
+fn rules_come_as_table_json_and_markdown() {
+    let list = |format| stdout(&mhlint(&project("."), &["rules", "--format", format]));
+    assert!(list("table").lines().any(|line| line.starts_with("macro-steps-length") && line.contains("error")));
+    assert!(list("markdown").contains("| `macro-steps-length` | error |"));
+    let json: serde_json::Value = serde_json::from_str(&list("json")).unwrap();
+    let rules = json.as_array().unwrap();
+    assert!(rules.is_sorted_by_key(|rule| rule["id"].as_str().unwrap()));
+    for key in ["id", "family", "level", "summary", "fix", "unmutable", "breaks", "options"] {
+        assert!(rules.iter().all(|rule| !rule[key].is_null()), "{key}");
+    }
+}
+
+#[test]
+fn schemas_are_listed_and_printed() {
+    let names = stdout(&mhlint(&project("."), &["schema"]));
+    assert!(names.lines().any(|name| name == "report"));
+    for name in names.lines() {
+        let text = stdout(&mhlint(&project("."), &["schema", name]));
+        let schema: serde_json::Value = serde_json::from_str(&text).unwrap();
+        assert_eq!(schema["$schema"], "https://json-schema.org/draft/2020-12/schema", "{name}");
+    }
+}
+
+#[test]
+fn help_and_version_go_to_stdout() {
+    for (args, words) in [(["--help"], "Exit codes"), (["--version"], env!("CARGO_PKG_VERSION"))] {
+        let output = mhlint(&project("."), &args);
+        assert_eq!((code(&output), stderr(&output).as_str()), (Some(0), ""));
+        assert!(stdout(&output).contains(words));
+    }
+}

@@ -1,0 +1,104 @@
+//! Damage that no text file can describe: pipes, names that are no Unicode, links to the data itself, bombs.
+
+#![cfg(unix)]
+
+mod scratch;
+
+use std::fs;
+use std::io::{Write, copy, repeat};
+use std::os::unix::ffi::OsStrExt;
+use std::os::unix::fs::symlink;
+use std::path::Path;
+use std::process::Command;
+
+use flate2::{Compression, write::GzEncoder};
+use scratch::{example, findings, mhlint};
+
+fn check(root: &Path, args: &[&str]) -> Vec<String> {
+    let output = mhlint(root, &[args, &["--report", "concise", "--only", "file-*"]].concat());
+    assert!(matches!(output.status.code(), Some(0 | 1)), "{}", String::from_utf8_lossy(&output.stderr));
+    findings(&output)
+}
+
+#[test]
+fn a_pipe_is_never_opened() {
+    let root = example();
+    let pipe = root.path().join("data/target/figure/head/pipe.target");
+    assert!(Command::new("mkfifo").arg(&pipe).status().unwrap().success());
+    let expected = "data/target/figure/head/pipe.target: error[file-unreadable] cannot be read: is no regular file";
+    assert_eq!(check(root.path(), &["."]), [expected]);
+}
+
+#[test]
+fn a_name_that_is_no_unicode_is_named_and_its_file_is_read() {
+    let root = example();
+    let name = std::ffi::OsStr::from_bytes(b"J\xf6rg.target");
+    fs::write(root.path().join("data/target/figure/head").join(name), "").unwrap();
+    let path = "data/target/figure/head/J\u{fffd}rg.target";
+    let expected = [
+        format!("{path}: warning[file-empty] `J\u{fffd}rg.target` is empty (0 bytes)"),
+        format!("{path}: warning[file-unportable-name] `J\u{fffd}rg.target` is no Unicode"),
+    ];
+    assert_eq!(check(root.path(), &["."]), expected);
+}
+
+#[test]
+fn control_characters_of_names_do_not_reach_the_terminal() {
+    let root = example();
+    fs::write(root.path().join("data/target/figure/a\u{1b}[31mb\nc.txt"), "x").unwrap();
+    let output = mhlint(root.path(), &[".", "--report", "concise"]);
+    let text = String::from_utf8_lossy(&output.stdout);
+    assert!(text.contains("file-unportable-name"), "{text}");
+    assert!(text.lines().all(|line| !line.chars().any(char::is_control)), "{text:?}");
+}
+
+#[test]
+fn data_behind_a_link_is_judged_under_the_name_of_the_link() {
+    let root = example();
+    fs::write(root.path().join("data/target/figure/head/head-oval.target"), "").unwrap();
+    symlink("data", root.path().join("linked")).unwrap();
+    let expected =
+        "linked/target/figure/head/head-oval.target: warning[file-empty] `head-oval.target` is empty (0 bytes)";
+    assert_eq!(check(root.path(), &["linked"]), [expected]);
+    assert_eq!(check(root.path(), &["user", "--system", "linked"]), Vec::<String>::new());
+}
+
+#[test]
+fn a_bomb_is_given_up_at_the_ratio() {
+    let root = example();
+    let file = fs::File::create(root.path().join("data/target/figure/head/zeros.target.gz")).unwrap();
+    let mut encoder = GzEncoder::new(file, Compression::default());
+    copy(&mut std::io::Read::take(repeat(0), 300 << 20), &mut encoder).unwrap();
+    encoder.finish().unwrap().flush().unwrap();
+    let packed = fs::metadata(root.path().join("data/target/figure/head/zeros.target.gz")).unwrap().len();
+    let path = "data/target/figure/head/zeros.target.gz";
+    let limit = packed * 200 + 1;
+    let expected = format!("{path}: error[file-decompression-bomb] {packed} bytes unpack to {limit} bytes or more");
+    assert_eq!(check(root.path(), &["."]), [expected.as_str()]);
+    assert_eq!(check(root.path(), &[".", "--skip", "*"]), [expected.as_str()]);
+}
+
+#[test]
+fn an_archive_is_judged_by_the_sizes_in_its_directory() {
+    let root = example();
+    let path = "data/hair/figure/curls/curls.mhbin";
+    fs::create_dir_all(root.path().join(path).parent().unwrap()).unwrap();
+    let mut zip = zip::ZipWriter::new(fs::File::create(root.path().join(path)).unwrap());
+    zip.start_file("coord.npy", zip::write::SimpleFileOptions::default()).unwrap();
+    zip.write_all(&vec![0; 17 << 20]).unwrap();
+    zip.finish().unwrap();
+    let packed = fs::metadata(root.path().join(path)).unwrap().len();
+    let expected =
+        format!("{path}: error[file-decompression-bomb] {packed} bytes unpack to {} bytes or more", 17 << 20);
+    assert_eq!(check(root.path(), &["."]), [expected]);
+}
+
+#[test]
+fn an_endless_file_is_read_up_to_the_limit_only() {
+    let root = example();
+    let file = fs::File::create(root.path().join("data/target/figure/head/huge.target")).unwrap();
+    file.set_len(2 << 30).unwrap();
+    let path = "data/target/figure/head/huge.target";
+    let expected = format!("{path}: warning[file-too-large] target with 2147.5 MB: too large to be judged");
+    assert_eq!(check(root.path(), &["."]), [expected]);
+}

@@ -1,0 +1,40 @@
+//! What is generated is fresh: the rule table and the help in the README.
+//!
+//! `UPDATE=1 cargo test --test generated` rewrites them.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may stop where it fails")]
+
+mod scratch;
+
+use std::fs;
+
+use scratch::{mhlint, project};
+
+#[test]
+fn readme_holds_the_rule_table() {
+    let rules = mhlint(&project("."), &["rules", "--format", "markdown"]).stdout;
+    check("rules", &String::from_utf8(rules).unwrap());
+}
+
+#[test]
+fn readme_holds_the_help() {
+    let help = String::from_utf8(mhlint(&project("."), &["--help"]).stdout).unwrap();
+    let lines: Vec<&str> = help.lines().map(str::trim_end).collect();
+    check("help", &format!("```text\n{}\n```\n", lines.join("\n").trim_end()));
+}
+
+/// Compares what lies between `<!-- NAME -->` and `<!-- /NAME -->`, or rewrites it.
+fn check(name: &str, wanted: &str) {
+    let path = project("README.md");
+    let text = fs::read_to_string(&path).unwrap();
+    let [open, close] = [format!("<!-- {name} -->\n"), format!("<!-- /{name} -->")];
+    let (before, rest) = text.split_once(&open).unwrap_or_else(|| panic!("README.md lacks {open}"));
+    let (found, after) = rest.split_once(&close).unwrap_or_else(|| panic!("README.md lacks {close}"));
+    if found == wanted {
+        return;
+    }
+    assert!(
+        std::env::var_os("UPDATE").is_some(),
+        "README.md#{name} is not fresh: UPDATE=1 cargo test --test generated -- --test-threads 1"
+    );
+    fs::write(path, format!("{before}{open}{wanted}{close}{after}")).unwrap();
+}
