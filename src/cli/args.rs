@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Parser, Subcommand, ValueEnum};
 
+use super::eval::EvalCommand;
 use super::output::Target;
 use crate::diag::{Application, Level, nearest};
 
@@ -35,6 +36,9 @@ pub(super) enum Command {
     /// Judge data roots (what happens without a command).
     #[command(after_help = AFTER_HELP)]
     Check(CheckArgs),
+    /// Compute what the application would show.
+    #[command(subcommand)]
+    Eval(EvalCommand),
     /// Say what a rule means: consequence, remedy, a bad and a good example.
     Explain {
         /// A rule, or the start of its name to list a family.
@@ -55,7 +59,7 @@ pub(super) enum Command {
 
 impl Command {
     /// The words for the commands, to find slips of the pen.
-    pub(super) const WORDS: [&'static str; 5] = ["check", "explain", "rules", "schema", "help"];
+    pub(super) const WORDS: [&'static str; 6] = ["check", "eval", "explain", "rules", "schema", "help"];
 }
 
 /// Arguments of `check`.

@@ -37,6 +37,8 @@ pub(super) enum Failure {
     Run(engine::Error),
     /// The arguments cannot be meant so; the text names the remedy.
     Usage(String),
+    /// An evaluation could not be done.
+    Eval(engine::evaluate::Error),
     /// Writing failed.
     Io(io::Error),
 }
@@ -54,6 +56,12 @@ impl From<engine::Error> for Failure {
     }
 }
 
+impl From<engine::evaluate::Error> for Failure {
+    fn from(error: engine::evaluate::Error) -> Self {
+        Self::Eval(error)
+    }
+}
+
 impl From<io::Error> for Failure {
     fn from(error: io::Error) -> Self {
         Self::Io(error)
@@ -65,6 +73,7 @@ impl fmt::Display for Failure {
         match self {
             Self::Run(error) => error.fmt(f),
             Self::Usage(text) => f.write_str(text),
+            Self::Eval(error) => error.fmt(f),
             Self::Io(error) => write!(f, "cannot write: {error}"),
         }
     }

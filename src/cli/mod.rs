@@ -2,6 +2,7 @@
 
 mod args;
 mod check;
+mod eval;
 mod exit;
 mod explain;
 mod list;
@@ -50,6 +51,7 @@ fn run(args: &Args, panics: &Panics, err: &mut dyn Write) -> Result<Exit, Failur
     let exit = match &args.command {
         None => check::run(&args.check, terminal, panics, &mut out, err)?,
         Some(Command::Check(check)) => check::run(check, terminal, panics, &mut out, err)?,
+        Some(Command::Eval(command)) => eval::run(command, &mut out, err)?,
         Some(Command::Explain { rule }) => explain::run(rule, paint, terminal.width, &mut out)?,
         Some(Command::Rules { format }) => list::run(*format, paint, &mut out)?,
         Some(Command::Schema { name }) => schema::run(name.as_deref(), &mut out)?,

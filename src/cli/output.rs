@@ -73,14 +73,18 @@ fn folder_of(file: &Path) -> &Path {
     }
 }
 
-/// Writes beside the file first and then takes its place, so that nobody ever sees half a report.
+/// Writes a report to a file.
 pub(super) fn write_file(file: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    let shown = file.display();
+    replace(file, bytes).map_err(|error| Failure::Usage(format!("cannot write the report to `{shown}`: {error}")))
+}
+
+/// Writes beside the file first and then takes its place, so that nobody ever sees half a result.
+pub(super) fn replace(file: &Path, bytes: &[u8]) -> io::Result<()> {
     let name = file.file_name().unwrap_or_default().to_string_lossy();
     let beside = folder_of(file).join(format!(".{name}.{}.tmp", std::process::id()));
-    let written = fs::write(&beside, bytes).and_then(|()| fs::rename(&beside, file));
-    written.map_err(|error: io::Error| {
+    fs::write(&beside, bytes).and_then(|()| fs::rename(&beside, file)).inspect_err(|_| {
         // The error of the write is the one to tell; the remains may not exist at all.
         let _ = fs::remove_file(&beside);
-        Failure::Usage(format!("cannot write the report to `{}`: {error}", file.display()))
     })
 }

@@ -54,7 +54,7 @@ pub(super) fn compose(base: &Base<'_>, rows: &mut Rows) -> Option<Composed> {
     let pose = pose_skeleton(base);
     if let Some((file, skeleton)) = pose {
         scene.skeleton = skeleton_of(skeleton, mesh.positions.len());
-        let weights = weights_of(base, file, skeleton);
+        let weights = weights_of(base, file, skeleton).map(|(_, weights)| weights);
         scene.weights = scene.skeleton.as_ref().zip(weights).and_then(|(bones, weights)| bind(bones, weights, mesh));
     }
     let rigs = base.skeletons.iter().filter_map(|file| {
@@ -263,7 +263,7 @@ fn component(component: &crate::formats::macro_json::Component) -> Option<Compon
 }
 
 /// Whether the application could load and apply a target.
-fn is_usable(file: &FileFacts) -> bool {
+pub(super) fn is_usable(file: &FileFacts) -> bool {
     file.target()
         .is_some_and(|facts| facts.unreadable_rows == 0 && facts.negative.count == 0 && facts.out_of_range.count == 0)
 }
@@ -276,20 +276,25 @@ pub(super) fn pose_skeleton<'a>(base: &Base<'a>) -> Option<(&'a FileFacts, &'a S
     Some((file, file.skeleton()?))
 }
 
-fn weights_of<'a>(base: &Base<'a>, file: &FileFacts, skeleton: &Skeleton) -> Option<&'a Weights> {
+/// The weights file of a skeleton in `rigs/<base>/`, user before system.
+pub(super) fn weights_of<'a>(
+    base: &Base<'a>,
+    file: &FileFacts,
+    skeleton: &Skeleton,
+) -> Option<(&'a FileFacts, &'a Weights)> {
     let name = skeleton.weights_file.as_deref().unwrap_or("default_weights.mhw");
     let rel = format!("rigs/{}/{name}", base.name);
     let found = base.weights.iter().find(|weights| weights.rel == rel && weights.path != file.path)?;
-    found.weights().filter(|weights| weights.has_weights)
+    Some((found, found.weights().filter(|weights| weights.has_weights)?))
 }
 
 /// Bones in an order with parents first. `None` if the application refuses the skeleton or would stop.
 pub(super) fn skeleton_of(skeleton: &Skeleton, vertices: usize) -> Option<SceneSkeleton> {
     let mut out = SceneSkeleton::default();
     for joint in &skeleton.joints {
-        let list = joint.vertices.as_deref().unwrap_or_default();
-        let resolve = |vertex: &i64| joint_vertex(*vertex, vertices);
-        out.joints.push(list.iter().map(resolve).collect::<Option<Vec<u32>>>().filter(|list| !list.is_empty())?);
+        // A joint without vertices does not exist for the application; it matters only where a bone names it.
+        let Some(list) = joint.vertices.as_deref().filter(|list| !list.is_empty()) else { continue };
+        out.joints.push(list.iter().map(|vertex| joint_vertex(*vertex, vertices)).collect::<Option<Vec<u32>>>()?);
         out.joint_names.push(joint.name.clone());
     }
     let by_name = |name: &str| skeleton.bones.iter().position(|bone| bone.name == name);

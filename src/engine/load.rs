@@ -64,6 +64,13 @@ pub(super) fn load_targets(
     rows
 }
 
+/// Enters the targets into `layer` without reading them.
+pub(super) fn list_targets(place: Place<'_>, layer: &mut Layer) {
+    for (entry, rel) in place.files().filter(|(_, rel)| kind_of(rel).0 == Kind::Target) {
+        layer.files.insert(rel.to_owned(), read::empty(place.tree, entry, rel));
+    }
+}
+
 impl<'t> Place<'t> {
     /// Path of the root as reports print it.
     pub(super) fn path(self) -> String {

@@ -5,6 +5,7 @@
 mod catalogue;
 mod compose;
 mod data;
+pub mod evaluate;
 mod gauge;
 mod input;
 mod load;

@@ -37,7 +37,8 @@ pub(super) fn hash(tree: &Tree, entry: &Entry, limits: &Limits) -> Option<u64> {
     tree.read(entry, limits).ok().map(|bytes| xxh3_64(&bytes))
 }
 
-fn empty(tree: &Tree, entry: &Entry, rel: &str) -> FileFacts {
+/// The facts of a file that is not read.
+pub(super) fn empty(tree: &Tree, entry: &Entry, rel: &str) -> FileFacts {
     let (kind, base) = kind_of(rel);
     let path = if tree.label().is_empty() { entry.path.clone() } else { format!("{}/{}", tree.label(), entry.path) };
     FileFacts {

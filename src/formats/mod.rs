@@ -12,6 +12,7 @@ pub mod format_text;
 pub mod geometry;
 pub mod json_file;
 pub mod macro_json;
+pub mod mhclo;
 pub mod mhskel;
 pub mod mhw;
 mod mhw_facts;

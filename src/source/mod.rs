@@ -15,5 +15,5 @@ pub use gunzip::{GzipFault, gunzip, try_gunzip};
 pub use limits::Limits;
 pub use lines::{Position, excerpt, line_span, position};
 pub use text::Encoding;
-pub use tree::{Entry, EntryKind, ReadFault, Tree, WalkFault, WalkFaultKind};
+pub use tree::{Entry, EntryKind, ReadFault, Tree, WalkFault, WalkFaultKind, read_file};
 pub use zip_size::zip_bomb;

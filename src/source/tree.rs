@@ -153,6 +153,24 @@ impl Tree {
     }
 }
 
+/// The bytes of a single file that no listing is needed for.
+///
+/// # Errors
+/// As [`Tree::read`].
+pub fn read_file(path: &Path, limits: &Limits) -> Result<Vec<u8>, ReadFault> {
+    let metadata = fs::metadata(path).map_err(|error| ReadFault::Unreadable(error.to_string()))?;
+    if metadata.is_dir() {
+        return Err(ReadFault::Unreadable("is a folder".to_owned()));
+    }
+    if !metadata.is_file() {
+        return Err(ReadFault::Unreadable("is no regular file".to_owned()));
+    }
+    if metadata.len() > limits.file_bytes {
+        return Err(too_large(metadata.len(), limits));
+    }
+    read_bounded(path, metadata.len(), limits)
+}
+
 fn read_bounded(path: &Path, expected: u64, limits: &Limits) -> Result<Vec<u8>, ReadFault> {
     let unreadable = |error: io::Error| ReadFault::Unreadable(error.to_string());
     let file = fs::File::open(path).map_err(unreadable)?;

@@ -1,0 +1,50 @@
+//! `mhlint eval weights`.
+
+use std::io::Write;
+
+use serde_json::Value;
+
+use super::args::WeightsArgs;
+use super::{document, write};
+use crate::cli::exit::Failure;
+use crate::engine::evaluate::{
+    load_json, object, read_skeleton, read_weights, reduction_json, to_mhw, transferred, weights_json,
+};
+
+/// Root bone of weights without a skeleton, as the shipped skeletons call it.
+const ROOT: &str = "root";
+
+pub(super) fn run(args: &WeightsArgs, out: &mut dyn Write) -> Result<(), Failure> {
+    let lists = read_weights(&args.file)?;
+    let skeleton = args.skeleton.as_deref().map(read_skeleton).transpose()?;
+    let root = skeleton.as_ref().map_or(Ok(ROOT), |skeleton| skeleton.root())?;
+    let count = args.vertices.unwrap_or_else(|| lists.vertices_named());
+    let mut weights = lists.load(root, count)?;
+    let mut more = load_json(&weights);
+    if let Some(skeleton) = &skeleton {
+        let known = |name: &&String| !skeleton.model.bones.iter().any(|bone| bone.name == **name);
+        more.insert("unknown_bones".to_owned(), weights.names.iter().filter(known).cloned().collect());
+        if let Some(other) = &args.remap_to {
+            let lost;
+            (weights, lost) = transferred(&weights, skeleton, &read_skeleton(other)?)?;
+            more.insert("lost_bones".to_owned(), Value::from(lost));
+        }
+    }
+    if let Some(limit) = args.max_influences {
+        let reduction = weights.reduce(usize::from(limit), count)?;
+        more.insert("reduction".to_owned(), reduction_json(&reduction, usize::from(limit)));
+    }
+    let mut outputs = weights_json(&weights, count, &[])?;
+    outputs.remove("vertices");
+    outputs.extend(more);
+    if let Some(file) = &args.output {
+        let name = args.file.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+        write::write(to_mhw(&weights, &name).as_bytes(), Some(file), out)?;
+    }
+    let inputs = object([
+        ("file", Value::from(args.file.to_string_lossy())),
+        ("root", Value::from(root)),
+        ("vertex_count", Value::from(count)),
+    ]);
+    write::write(&document("weights", inputs, outputs), None, out)
+}

@@ -1,0 +1,30 @@
+//! What `mhlint eval` computes: one base mesh opened from data folders, settings applied by slider name,
+//! and the outcomes as plain numbers or JSON.
+//!
+//! Differs from a lint run in what damage means: here the first fault that stands in the way is an error
+//! with name and cause. Writes nothing.
+
+mod asset;
+mod cases;
+mod error;
+mod files;
+mod open;
+mod outputs;
+mod pose;
+mod rows;
+mod settings;
+mod skeleton;
+mod weights;
+
+pub use asset::{Asset, Fitted, read_asset};
+pub use cases::{CaseReport, CaseRun, Comparison, Deviation, Roots, run_cases};
+pub use error::Error;
+pub use files::{read_text, with_positions};
+pub use open::Evaluation;
+pub use outputs::{
+    fit_json, load_json, macros_json, mesh_json, object, reduction_json, skeleton_json, skin_json, weights_json,
+};
+pub use pose::{PosedBase, Poses, read_poses};
+pub use settings::{parse_setting, read_settings};
+pub use skeleton::{RestSkeleton, SkeletonFile, read_skeleton};
+pub use weights::{NamedWeights, WeightLists, read_weights, to_mhw, transferred};

@@ -1,0 +1,269 @@
+//! Outcomes as JSON, in the field names of the reference files of the applications.
+//!
+//! Results are rounded to 7 significant digits (what float32 storage holds) and -0 is written as 0; NaN and
+//! infinity become `null`, since JSON has no word for them.
+
+use std::collections::BTreeMap;
+
+use serde_json::{Map, Value, json};
+
+use super::asset::{Asset, Fitted};
+use super::error::Error;
+use super::open::Evaluation;
+use super::pose::PosedBase;
+use super::skeleton::RestSkeleton;
+use super::weights::NamedWeights;
+use crate::eval::influences::{Influences, Reduction};
+use crate::eval::macro_eval::{Fate, MacroResult};
+use crate::eval::macros::MacroTable;
+use crate::eval::surface::{bounding_box, coordinate_sum};
+use crate::eval::vector::{Mat4, Point, Vec3, widen};
+
+/// A number with 7 significant digits.
+pub(super) fn rounded(value: f64) -> Value {
+    let short = format!("{value:.6e}").parse::<f64>().unwrap_or(value);
+    Value::from(if short == 0.0 { 0.0 } else { short })
+}
+
+fn vector(v: Vec3) -> Value {
+    Value::from(v.map(rounded).to_vec())
+}
+
+fn point(p: Point) -> Value {
+    vector(widen(p))
+}
+
+fn matrix(m: &Mat4) -> Value {
+    m.iter().flatten().map(|x| rounded(*x)).collect()
+}
+
+/// An object of the given members.
+pub fn object<const N: usize>(members: [(&str, Value); N]) -> Map<String, Value> {
+    members.into_iter().map(|(key, value)| (key.to_owned(), value)).collect()
+}
+
+/// Chosen vertices, bounding box and sums of a mesh.
+///
+/// # Errors
+/// A chosen vertex that the mesh does not have.
+pub fn mesh_json(positions: &[Point], vertices: &[i64]) -> Result<Map<String, Value>, Error> {
+    let mut chosen = Vec::new();
+    for vertex in vertices {
+        let found = usize::try_from(*vertex).ok().and_then(|vertex| positions.get(vertex));
+        let outside = || Error::Input(format!("vertex {vertex} is outside the mesh of {} vertices", positions.len()));
+        chosen.push(point(*found.ok_or_else(outside)?));
+    }
+    let sum = coordinate_sum(positions);
+    Ok(object([
+        ("vertices", Value::from(chosen)),
+        ("bbox", bounding_box(positions).map_or(Value::Null, |(low, high)| json!([point(low), point(high)]))),
+        ("sum_xyz", vector(sum)),
+        ("sum", rounded(sum.iter().sum())),
+    ]))
+}
+
+impl Evaluation {
+    /// The box that MakeHuman 2 itself reports: positions of the vertices that are extreme in the unmorphed visible
+    /// body, where vertices of no visible face count as the origin.
+    pub(super) fn visible_box(&self, positions: &[Point]) -> Value {
+        let scene = &self.scene;
+        let mut shown = vec![[0.0_f32; 3]; scene.positions.len()];
+        for (face, group) in scene.faces().zip(&scene.face_groups) {
+            if scene.visible.get(*group as usize).copied().unwrap_or(false) {
+                for vertex in face.iter().map(|vertex| *vertex as usize) {
+                    if let (Some(place), Some(position)) = (shown.get_mut(vertex), scene.positions.get(vertex)) {
+                        *place = *position;
+                    }
+                }
+            }
+        }
+        let extreme = |axis: usize, low: bool| {
+            let better = |a: f32, b: f32| if low { a < b } else { a > b };
+            let first = |best: usize, v: usize| if better(shown[v][axis], shown[best][axis]) { v } else { best };
+            let vertex = (0..shown.len()).fold(0, first);
+            positions.get(vertex).map_or(Value::Null, |p| rounded(f64::from(p[axis])))
+        };
+        let side = |low: bool| Value::from([0, 1, 2].map(|axis| extreme(axis, low)).to_vec());
+        json!([side(true), side(false)])
+    }
+
+    /// Combinations, what was dropped, factors of targets, and sums of a macro evaluation.
+    pub(super) fn macro_outputs(&self, table: &MacroTable, result: &MacroResult) -> Map<String, Value> {
+        let kept = || result.combinations.iter().filter(|c| c.fate != Fate::BelowThreshold);
+        let dropped = || kept().filter(|c| !matches!(c.fate, Fate::Applied(_)));
+        let name = |c: &crate::eval::macro_eval::Combination| table.name(c.macrodef, c.number);
+        let mut folders: BTreeMap<String, f64> = BTreeMap::new();
+        let mut order: Vec<String> = Vec::new();
+        for (target, factor) in &result.factors {
+            let target = self.macro_target(*target);
+            let folder = target.rsplit_once('/').map_or("", |(folder, _)| folder).to_owned();
+            if !folders.contains_key(&folder) {
+                order.push(folder.clone());
+            }
+            *folders.entry(folder).or_default() += factor;
+        }
+        let by_folder = order.into_iter().map(|folder| {
+            let sum = rounded(folders.get(&folder).copied().unwrap_or_default());
+            (folder, sum)
+        });
+        let targets =
+            result.factors.iter().map(|(target, factor)| json!([self.macro_target(*target), rounded(*factor)]));
+        object([
+            ("raw", kept().map(|c| json!([name(c), rounded(c.factor)])).collect()),
+            ("dropped", dropped().map(name).collect()),
+            ("dropped_factor_sum", rounded(dropped().map(|c| c.factor).sum())),
+            ("targets", targets.collect()),
+            ("sum_by_folder", Value::Object(by_folder.collect())),
+            ("sum", rounded(result.factors.iter().map(|(_, factor)| factor).sum())),
+        ])
+    }
+
+    fn macro_target(&self, number: u32) -> &str {
+        let place = self.scene.macro_targets.get(number as usize);
+        place.and_then(|place| self.scene.targets.get(*place)).map_or("", |target| target.name.as_str())
+    }
+}
+
+/// As `macro_outputs`, with the fate of every combination and the components that dropped out.
+pub fn macros_json(evaluation: &Evaluation, table: &MacroTable, result: &MacroResult) -> Map<String, Value> {
+    let mut outputs = evaluation.macro_outputs(table, result);
+    let macrodefs = evaluation.macros.as_ref().map(|macros| macros.macrodefs.as_slice()).unwrap_or_default();
+    let title = |number: usize| macrodefs.get(number).and_then(|macrodef| macrodef.name.clone());
+    let fate = |fate: Fate| match fate {
+        Fate::Applied(_) => "applied",
+        Fate::Null => "null",
+        Fate::Missing => "missing",
+        Fate::BelowThreshold => "below threshold",
+    };
+    let combinations = result.combinations.iter().map(|c| {
+        let target = if let Fate::Applied(target) = c.fate { Some(evaluation.macro_target(target)) } else { None };
+        json!({ "macrodef": c.macrodef, "macrodef_name": title(c.macrodef), "name": table.name(c.macrodef, c.number),
+            "factor": rounded(c.factor), "fate": fate(c.fate), "target": target })
+    });
+    let dropped = result.dropped.iter().map(|dropped| {
+        let component = macrodefs.get(dropped.macrodef).and_then(|macrodef| macrodef.components.get(dropped.place));
+        json!({ "macrodef": dropped.macrodef, "macrodef_name": title(dropped.macrodef), "component": component,
+            "reason": dropped.reason.to_string() })
+    });
+    outputs.insert("combinations".to_owned(), combinations.collect());
+    outputs.insert("dropped_components".to_owned(), dropped.collect());
+    outputs
+}
+
+/// Joints and bones in rest pose.
+pub fn skeleton_json(rest: &RestSkeleton) -> Map<String, Value> {
+    let joints = rest.skeleton.joint_names.iter().zip(&rest.joints).map(|(name, p)| (name.clone(), point(*p)));
+    let bones = rest.skeleton.names.iter().zip(&rest.bones).map(|(name, bone)| {
+        let fields = object([
+            ("head", point(bone.head)),
+            ("tail", point(bone.tail)),
+            ("length", rounded(bone.length)),
+            ("matRestGlobal", matrix(&bone.global)),
+        ]);
+        (name.clone(), Value::Object(fields))
+    });
+    object([("joints", Value::Object(joints.collect())), ("bones", Value::Object(bones.collect()))])
+}
+
+/// A posed mesh and its posed bones.
+///
+/// # Errors
+/// As [`mesh_json`].
+pub fn skin_json(posed: &PosedBase, vertices: &[i64]) -> Result<Map<String, Value>, Error> {
+    let bones = posed.bones.iter().map(|(name, head, tail, moved)| {
+        let fields = object([("head", vector(*head)), ("tail", vector(*tail)), ("matPoseVerts", matrix(moved))]);
+        (name.clone(), Value::Object(fields))
+    });
+    let mut outputs = mesh_json(&posed.positions, vertices)?;
+    outputs.insert("bones".to_owned(), Value::Object(bones.collect()));
+    Ok(outputs)
+}
+
+/// A fitted asset.
+///
+/// # Errors
+/// As [`mesh_json`].
+pub fn fit_json(asset: &Asset, fitted: &Fitted, vertices: &[i64]) -> Result<Map<String, Value>, Error> {
+    let mut outputs = mesh_json(&fitted.positions, vertices)?;
+    outputs.extend(object([
+        ("scale", fitted.scales.map_or(Value::Null, vector)),
+        ("vertex_count", Value::from(asset.positions.len())),
+        ("ref_count", Value::from(asset.clothes.references.len())),
+        ("delete_verts", Value::from(fitted.deleted)),
+    ]));
+    Ok(outputs)
+}
+
+/// Entries and sum of every bone, bones of chosen vertices, and the range of the sums of vertices.
+///
+/// # Errors
+/// Weights of vertices beyond `count`.
+pub fn weights_json(weights: &NamedWeights, count: usize, vertices: &[i64]) -> Result<Map<String, Value>, Error> {
+    let name = |bone: usize| weights.names.get(bone).cloned().unwrap_or_default();
+    let bones = weights.loaded.bones.iter().map(|list| {
+        let sum: f64 = list.entries.iter().map(|(_, weight)| f64::from(*weight)).sum();
+        (name(list.bone), json!([list.entries.len(), rounded(sum)]))
+    });
+    let influences = Influences::new(&weights.loaded.bones, count)?;
+    let chosen = vertices.iter().map(|vertex| {
+        let of = u32::try_from(*vertex).map(|vertex| influences.of(vertex)).unwrap_or_default();
+        let pairs: Vec<Value> = of.iter().map(|(bone, w)| json!([name(*bone), rounded(f64::from(*w))])).collect();
+        json!([vertex, pairs])
+    });
+    let sums = influences.iter().map(|of| of.iter().map(|(_, weight)| f64::from(*weight)).sum::<f64>());
+    let (low, high) = sums.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), sum| (low.min(sum), high.max(sum)));
+    Ok(object([
+        ("bones", Value::Object(bones.collect())),
+        ("vertices", chosen.collect()),
+        ("vertex_sum_range", json!([rounded(low), rounded(high)])),
+    ]))
+}
+
+/// The lists themselves.
+pub(super) fn weight_lists_json(weights: &NamedWeights) -> Map<String, Value> {
+    let lists = weights.loaded.bones.iter().map(|list| {
+        let name = weights.names.get(list.bone).cloned().unwrap_or_default();
+        let pairs = list.entries.iter().map(|(vertex, weight)| json!([vertex, rounded(f64::from(*weight))]));
+        (name, pairs.collect::<Value>())
+    });
+    object([("weights", Value::Object(lists.collect()))])
+}
+
+/// What loading changed.
+pub fn load_json(weights: &NamedWeights) -> Map<String, Value> {
+    let loaded = &weights.loaded;
+    let lost = loaded.lost.iter().filter(|share| **share > 0.0).count();
+    let worst = (0_usize..).zip(&loaded.lost).filter(|(_, share)| **share > 0.0).max_by(|a, b| a.1.total_cmp(b.1));
+    let off = |sum: &&f32| (**sum - 1.0).abs() > 1e-4;
+    object([
+        ("vertices_not_summing_to_one", Value::from(loaded.raw_sums.iter().filter(off).count())),
+        ("vertices_to_root", Value::from(loaded.root_vertices.len())),
+        ("vertices_losing_weight", Value::from(lost)),
+        (
+            "largest_loss",
+            worst.map_or(
+                Value::Null,
+                |(vertex, share)| json!({ "vertex": vertex, "share": rounded(f64::from(*share)) }),
+            ),
+        ),
+    ])
+}
+
+/// What a reduction to fewer bones a vertex did.
+pub fn reduction_json(reduction: &Reduction, limit: usize) -> Value {
+    let worst = reduction.worst.map(|(vertex, share)| json!({ "vertex": vertex, "share": rounded(f64::from(share)) }));
+    json!({ "max_influences": limit, "most_before": reduction.most, "vertices_reduced": reduction.reduced, "worst": worst })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn seven_digits_and_no_negative_zero() {
+        assert_eq!(rounded(12.345_678_91).to_string(), "12.34568");
+        assert_eq!(rounded(-0.0).to_string(), "0.0");
+        assert_eq!(rounded(-1e-30).to_string(), "-1e-30");
+        assert_eq!(rounded(f64::NAN), Value::Null);
+    }
+}

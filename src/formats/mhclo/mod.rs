@@ -1,0 +1,201 @@
+//! `.mhclo` and `.proxy`: an asset tied to the vertices of a base mesh, as MakeHuman 2 reads it
+//! (formats/makehuman2.md §15.1).
+//!
+//! Words split at white space; a keyword may have a colon behind it. Faults are kept with their lines and
+//! never end the reading: what the application would do at a fault is in [`FaultKind::effect`].
+
+mod reader;
+
+use std::fmt;
+
+use serde::Serialize;
+
+/// The file.
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+pub struct Clothes {
+    /// Keywords with a text or a file name in file order, tags included: keyword, rest of the line, line.
+    pub texts: Vec<Text>,
+    /// The author that the asset library shows: of a line `# author …`.
+    pub comment_author: Option<Text>,
+    /// `z_depth`, as far as it is an integer.
+    pub z_depth: Option<i64>,
+    /// `x_scale`, `y_scale`, `z_scale`.
+    pub scales: [Option<Scale>; 3],
+    /// The vertex lines: one for each vertex of the asset.
+    pub references: Vec<Reference>,
+    /// Runs of base vertices to hide, both ends included, as written.
+    pub deleted: Vec<(i64, i64)>,
+    /// What the loader stops at or drops.
+    pub faults: Vec<Fault>,
+    /// Keywords that the loader does not know: the word and its line.
+    pub unknown: Vec<(String, u32)>,
+}
+
+/// A keyword with text.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize)]
+pub struct Text {
+    /// The keyword without colon.
+    pub keyword: String,
+    /// Rest of the line, words joined by one blank.
+    pub text: String,
+    /// Line from 1.
+    pub line: u32,
+    /// Whether a colon follows the keyword, which the asset library does not accept.
+    pub colon: bool,
+}
+
+/// Two base vertices and the distance they had on an axis.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Scale {
+    /// The vertices.
+    pub vertices: [i64; 2],
+    /// The distance, decimetres.
+    pub distance: f32,
+    /// Line from 1.
+    pub line: u32,
+}
+
+/// A vertex of the asset in terms of the base mesh.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Reference {
+    /// Base vertices; three times the same for a line with one number.
+    pub vertices: [i64; 3],
+    /// Their weights.
+    pub weights: [f32; 3],
+    /// Displacement.
+    pub offset: [f32; 3],
+    /// Line from 1.
+    pub line: u32,
+}
+
+/// A line that the loader cannot take.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Fault {
+    /// Line from 1.
+    pub line: u32,
+    /// What is wrong.
+    pub kind: FaultKind,
+}
+
+/// The kinds of [`Fault`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub enum FaultKind {
+    /// A vertex line with 2 to 5, 7 or 8 words.
+    FieldCount(usize),
+    /// A word that is no number where one must be.
+    NoNumber,
+    /// A scale or a keyword without its values.
+    MissingValue,
+    /// `-` with nothing before it in the delete section.
+    OpenRange,
+    /// A keyword in the delete section.
+    KeywordInDelete,
+    /// A line of the vertex section that begins with no plain number: dropped, all later vertices shift.
+    Dropped,
+    /// `weights`: a format that is no longer read.
+    OldFormat,
+}
+
+impl FaultKind {
+    /// The exception that stops the application; `None` if it goes on without the line.
+    pub const fn effect(self) -> Option<&'static str> {
+        match self {
+            Self::FieldCount(_) | Self::MissingValue => Some("IndexError"),
+            Self::NoNumber | Self::KeywordInDelete | Self::OldFormat => Some("ValueError"),
+            Self::OpenRange => Some("UnboundLocalError"),
+            Self::Dropped => None,
+        }
+    }
+}
+
+impl fmt::Display for FaultKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::FieldCount(count) => write!(f, "a vertex line has 1, 6 or at least 9 words, here are {count}"),
+            Self::NoNumber => f.write_str("a word is no number"),
+            Self::MissingValue => f.write_str("a keyword lacks its values"),
+            Self::OpenRange => f.write_str("a range begins with `-`"),
+            Self::KeywordInDelete => f.write_str("a keyword among the vertices to delete"),
+            Self::Dropped => f.write_str("the line begins with no vertex number and is dropped"),
+            Self::OldFormat => f.write_str("`weights` is a format that is no longer read"),
+        }
+    }
+}
+
+/// Parses an asset.
+pub fn parse(text: &[u8]) -> Clothes {
+    reader::read(text)
+}
+
+impl Clothes {
+    /// Text of a keyword; of several the last.
+    pub fn text(&self, keyword: &str) -> Option<&str> {
+        self.texts.iter().rev().find(|text| text.keyword == keyword).map(|text| text.text.as_str())
+    }
+
+    /// First word behind a keyword that names a file.
+    pub fn file(&self, keyword: &str) -> Option<&str> {
+        self.text(keyword)?.split(' ').next().filter(|word| !word.is_empty())
+    }
+
+    /// The first line that stops the application.
+    pub fn stops_at(&self) -> Option<(&Fault, &'static str)> {
+        self.faults.iter().find_map(|fault| Some((fault, fault.kind.effect()?)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::float_cmp, clippy::panic, reason = "tests choose numbers without rounding and may stop")]
+
+    use proptest::prelude::*;
+
+    use super::*;
+
+    #[test]
+    fn sections_and_faults() {
+        let text = "# author Ann Ex\nname: a shirt\nuuid 1\nobj_file shirt.obj\nx_scale 1 2 3.5\ny_scale 1\nverts 0\n\
+            5\n0 1 2 .5 .25 .25\n0 1 2 1 0 0 .1 .2 .3\n-5\n1 2\n# note\ndelete_verts\n1 2 - 4\n- 6\nname x\n";
+        let clothes = parse(text.as_bytes());
+        assert_eq!(clothes.text("name"), Some("a shirt"));
+        assert_eq!(clothes.file("obj_file"), Some("shirt.obj"));
+        assert_eq!(clothes.comment_author.unwrap().text, "Ann Ex");
+        assert_eq!(clothes.scales[0].unwrap().vertices, [1, 2]);
+        let lines: Vec<u32> = clothes.references.iter().map(|reference| reference.line).collect();
+        assert_eq!(lines, [8, 9, 10]);
+        assert_eq!(clothes.deleted, [(1, 1), (2, 2), (2, 4), (4, 6)]);
+        let faults: Vec<_> = clothes.faults.iter().map(|fault| (fault.line, fault.kind)).collect();
+        let kinds = [
+            (6, FaultKind::MissingValue),
+            (11, FaultKind::Dropped),
+            (12, FaultKind::FieldCount(2)),
+            (17, FaultKind::KeywordInDelete),
+        ];
+        assert_eq!(faults, kinds);
+    }
+
+    proptest! {
+        /// Every vertex line that is written is found again, whatever stands around it.
+        #[test]
+        fn vertex_lines_survive(rows in prop::collection::vec((0u32..9999, -9.0f32..9.0, any::<bool>()), 0..40), noise in "[ -~\n]{0,80}") {
+            let mut text = String::from("name n\nverts 0\n");
+            for (vertex, weight, short) in &rows {
+                let line = if *short { format!("{vertex}\n") } else { format!("{vertex} 1 2 {weight} 0 0 0 0 0\n") };
+                text.push_str(&line);
+            }
+            let whole = parse(text.as_bytes());
+            prop_assert_eq!(whole.references.len(), rows.len());
+            for (reference, (vertex, weight, short)) in whole.references.iter().zip(&rows) {
+                prop_assert_eq!(reference.vertices[0], i64::from(*vertex));
+                prop_assert_eq!(reference.weights[0], if *short { 1.0 } else { *weight });
+            }
+            parse(noise.as_bytes());
+            parse(format!("{text}delete_verts\n{noise}").as_bytes());
+        }
+
+        #[test]
+        fn no_bytes_stop_the_parser(bytes in prop::collection::vec(any::<u8>(), 0..200)) {
+            parse(&bytes);
+        }
+    }
+}

@@ -1,0 +1,191 @@
+//! The lines of an asset in turn: which section they stand in decides what they are.
+
+use super::{Clothes, Fault, FaultKind, Reference, Scale, Text};
+use crate::formats::fields::fields;
+use crate::formats::{python_float, python_int};
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Section {
+    Header,
+    Vertices,
+    Deleted,
+}
+
+struct Reader {
+    clothes: Clothes,
+    section: Section,
+    line: u32,
+    /// Last index of the delete section; a range may continue on the next line.
+    last: Option<i64>,
+    range: bool,
+}
+
+const TEXTS: [&str; 11] = [
+    "name",
+    "uuid",
+    "description",
+    "author",
+    "license",
+    "homepage",
+    "tag",
+    "obj_file",
+    "material",
+    "vertexboneweights_file",
+    "version",
+];
+const IGNORED: [&str; 4] = ["basemesh", "max_pole", "shapekey", "z_depth"];
+
+/// Reads all lines.
+pub(super) fn read(text: &[u8]) -> Clothes {
+    let mut reader =
+        Reader { clothes: Clothes::default(), section: Section::Header, line: 0, last: None, range: false };
+    for line in text.split(|byte| *byte == b'\n') {
+        reader.line = reader.line.saturating_add(1);
+        let words: Vec<&[u8]> = fields(line).into_iter().map(|(_, word)| word).collect();
+        reader.take(&words);
+    }
+    reader.clothes
+}
+
+impl Reader {
+    fn take(&mut self, words: &[&[u8]]) {
+        let [first, rest @ ..] = words else { return };
+        if first.starts_with(b"#") {
+            return self.comment(first, rest);
+        }
+        let colon = first.ends_with(b":");
+        let keyword =
+            String::from_utf8_lossy(if colon { first.get(..first.len() - 1).unwrap_or(first) } else { first });
+        match (self.section, keyword.as_ref()) {
+            (_, "verts") => self.section = Section::Vertices,
+            (Section::Deleted, _) => self.delete(words),
+            (_, "delete_verts") => self.section = Section::Deleted,
+            (Section::Vertices, word) if is_numeric(word) => self.vertex(words),
+            (_, word) => {
+                let word = word.to_owned();
+                self.keyword(&word, rest, colon);
+            }
+        }
+    }
+
+    fn fault(&mut self, kind: FaultKind) {
+        self.clothes.faults.push(Fault { line: self.line, kind });
+    }
+
+    fn comment(&mut self, first: &[u8], rest: &[&[u8]]) {
+        let inner = first.strip_prefix(b"#").filter(|inner| !inner.is_empty());
+        let words: Vec<&[u8]> = inner.into_iter().chain(rest.iter().copied()).collect();
+        if let [key, text @ ..] = words.as_slice()
+            && key.starts_with(b"author")
+        {
+            self.clothes.comment_author =
+                Some(Text { keyword: "author".to_owned(), text: joined(text), line: self.line, colon: false });
+        }
+    }
+
+    fn keyword(&mut self, word: &str, rest: &[&[u8]], colon: bool) {
+        match word {
+            "x_scale" => self.scale(0, rest),
+            "y_scale" => self.scale(1, rest),
+            "z_scale" => self.scale(2, rest),
+            "weights" => self.fault(FaultKind::OldFormat),
+            _ if TEXTS.contains(&word) || IGNORED.contains(&word) => {
+                let text = Text { keyword: word.to_owned(), text: joined(rest), line: self.line, colon };
+                self.clothes.texts.push(text);
+                if matches!(word, "z_depth" | "version") {
+                    self.integer(word, rest);
+                }
+            }
+            _ => {
+                if self.section == Section::Vertices && !word.starts_with(char::is_alphabetic) {
+                    self.fault(FaultKind::Dropped);
+                }
+                self.clothes.unknown.push((word.to_owned(), self.line));
+            }
+        }
+    }
+
+    fn integer(&mut self, word: &str, rest: &[&[u8]]) {
+        match rest.first().map(|value| python_int(value)) {
+            Some(Some(depth)) if word == "z_depth" => self.clothes.z_depth = Some(depth),
+            Some(Some(_)) => {}
+            Some(None) => self.fault(FaultKind::NoNumber),
+            None => self.fault(FaultKind::MissingValue),
+        }
+    }
+
+    fn scale(&mut self, axis: usize, rest: &[&[u8]]) {
+        let [a, b, distance, ..] = rest else { return self.fault(FaultKind::MissingValue) };
+        let read = python_int(a).zip(python_int(b)).zip(python_float(distance));
+        let Some(((a, b), distance)) = read else { return self.fault(FaultKind::NoNumber) };
+        if let Some(slot) = self.clothes.scales.get_mut(axis) {
+            *slot = Some(Scale { vertices: [a, b], distance: narrow(distance), line: self.line });
+        }
+    }
+
+    fn vertex(&mut self, words: &[&[u8]]) {
+        let (exact, offset) = match words.len() {
+            1 => (true, false),
+            6 => (false, false),
+            9.. => (false, true),
+            count => return self.fault(FaultKind::FieldCount(count)),
+        };
+        let reference = if exact { exact_vertex(words) } else { triple(words, offset) };
+        match reference {
+            Some(reference) => self.clothes.references.push(Reference { line: self.line, ..reference }),
+            None => self.fault(FaultKind::NoNumber),
+        }
+    }
+
+    fn delete(&mut self, words: &[&[u8]]) {
+        for word in words {
+            match (*word, python_int(word), self.last) {
+                (b"-", _, None) => self.fault(FaultKind::OpenRange),
+                (b"-", _, Some(_)) => self.range = true,
+                (_, Some(index), last) => {
+                    let first = last.filter(|_| self.range).unwrap_or(index);
+                    self.clothes.deleted.push((first, index));
+                    self.last = Some(index);
+                    self.range = false;
+                }
+                (word, None, _) => {
+                    let is_word = word.first().is_some_and(u8::is_ascii_alphabetic);
+                    return self.fault(if is_word { FaultKind::KeywordInDelete } else { FaultKind::NoNumber });
+                }
+            }
+        }
+    }
+}
+
+/// A line with one number is that base vertex itself.
+fn exact_vertex(words: &[&[u8]]) -> Option<Reference> {
+    let vertex = python_int(words.first()?)?;
+    Some(Reference { vertices: [vertex; 3], weights: [1.0, 0.0, 0.0], offset: [0.0; 3], line: 0 })
+}
+
+/// Three base vertices, their weights, and a displacement if there is one.
+fn triple(words: &[&[u8]], with_offset: bool) -> Option<Reference> {
+    let vertex = |place: usize| python_int(words.get(place)?);
+    let number = |place: usize| Some(narrow(python_float(words.get(place)?)?));
+    let numbers = |from: usize| Some([number(from)?, number(from + 1)?, number(from + 2)?]);
+    Some(Reference {
+        vertices: [vertex(0)?, vertex(1)?, vertex(2)?],
+        weights: numbers(3)?,
+        offset: if with_offset { numbers(6)? } else { [0.0; 3] },
+        line: 0,
+    })
+}
+
+/// Python's `isnumeric()`: no sign, no point.
+fn is_numeric(word: &str) -> bool {
+    !word.is_empty() && word.chars().all(char::is_numeric)
+}
+
+fn joined(words: &[&[u8]]) -> String {
+    words.iter().map(|word| String::from_utf8_lossy(word)).collect::<Vec<_>>().join(" ")
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "the application stores float32")]
+fn narrow(value: f64) -> f32 {
+    value as f32
+}

@@ -1,0 +1,303 @@
+//! `mhlint eval` through the real binary.
+#![allow(clippy::unwrap_used, reason = "tests may stop")]
+
+mod scratch;
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Output;
+
+use scratch::{mhlint, project};
+use serde_json::{Value, json};
+
+const DATA: &str = "fixtures/makehuman2/data";
+
+fn eval(args: &[&str]) -> Output {
+    let all: Vec<&str> = ["eval"].iter().chain(args).copied().collect();
+    mhlint(&project("."), &all)
+}
+
+fn json_of(output: &Output) -> Value {
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+fn error_of(args: &[&str]) -> String {
+    let output = eval(args);
+    let text = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(2), "{text}");
+    assert!(output.stdout.is_empty(), "{text}");
+    text
+}
+
+fn text(path: &Path) -> &str {
+    path.to_str().unwrap()
+}
+
+const EXAMPLE: [&str; 6] = [
+    "--set",
+    "macrodetails/Gender=0.75",
+    "--set",
+    "macrodetails/Age=0.5",
+    "--set",
+    "macrodetails-universal/Muscle=0.25",
+];
+
+#[test]
+fn worked_example_of_the_documentation() {
+    let mut args = vec!["macros", DATA];
+    args.extend(EXAMPLE);
+    let report = json_of(&eval(&args));
+    assert_eq!((&report["format"], &report["kind"]), (&json!("mhlint-eval/1"), &json!("macros")));
+    let combinations = report["outputs"]["combinations"].as_array().unwrap();
+    let found: Vec<Value> = combinations
+        .iter()
+        .filter(|combination| combination["macrodef"] == 1)
+        .map(|c| json!([c["name"], c["factor"], c["fate"]]))
+        .collect();
+    let expected = json!([
+        ["female-adult-minmuscle", 0.125, "applied"],
+        ["female-adult-averagemuscle", 0.125, "null"],
+        ["male-adult-minmuscle", 0.375, "applied"],
+        ["male-adult-averagemuscle", 0.375, "applied"],
+    ]);
+    assert_eq!(Value::from(found), expected);
+}
+
+#[test]
+fn keys_of_modelling_json_name_sliders_too() {
+    let by_key = json_of(&eval(&["macros", DATA, "--set", "Gender=0.75", "--set", "age=0.3"]));
+    let by_pattern =
+        json_of(&eval(&["macros", DATA, "--set", "macrodetails/Gender=0.75", "--set", "macrodetails/Age=0.3"]));
+    assert_eq!(by_key["outputs"], by_pattern["outputs"]);
+}
+
+#[test]
+fn a_component_above_its_last_step_is_reported_with_its_reason() {
+    let report = json_of(&eval(&["macros", DATA, "--set", "macrodetails/Age=1.5"]));
+    let dropped = &report["outputs"]["dropped_components"];
+    assert_eq!(dropped[0]["component"], "age");
+    assert!(dropped[0]["reason"].as_str().unwrap().contains("above the last step"));
+}
+
+#[test]
+fn errors_name_the_nearest() {
+    assert!(error_of(&["mesh", DATA, "--set", "head/head-size-decr|inc=1"]).contains("`head/head-size-decr|incr`?"));
+    assert!(error_of(&["mesh", DATA, "--base", "figur"]).contains("did you mean `figure`?"));
+    assert!(error_of(&["macros", DATA, "--set", "Gender"]).contains("NAME=VALUE"));
+    assert!(error_of(&["macros", DATA, "--set", "Gender=much"]).contains("no number"));
+    assert!(error_of(&["mesh", "fixtures/rules"]).contains("holds no MakeHuman 2 data"));
+    assert!(error_of(&["mesh", "nowhere"]).contains("nowhere"));
+    assert!(error_of(&["mesh", DATA, "-o", "nowhere/out.obj"]).contains("there is no folder `nowhere`"));
+}
+
+/// A copy of the example's data folder.
+fn copy() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    copy_into(&project(DATA), folder.path());
+    folder
+}
+
+fn copy_into(from: &Path, to: &Path) {
+    fs::create_dir_all(to).unwrap();
+    for entry in fs::read_dir(from).unwrap() {
+        let entry = entry.unwrap();
+        let place = to.join(entry.file_name());
+        if entry.path().is_dir() {
+            copy_into(&entry.path(), &place);
+        } else {
+            fs::copy(entry.path(), place).map(drop).unwrap();
+        }
+    }
+}
+
+#[test]
+fn a_target_that_is_missing_or_damaged_matters_only_when_it_is_used() {
+    let folder = copy();
+    let target = folder.path().join("target/figure/head/head-size-incr.target");
+    let root = text(folder.path());
+    let moved = ["mesh", root, "--format", "json", "--set", "head/head-size-decr|incr=0.5"];
+    fs::write(&target, "0 0.1 zero 0\n").unwrap();
+    let message = error_of(&moved);
+    assert!(message.contains("head-size-incr.target") && message.contains("line 1: `zero` is no number"), "{message}");
+    fs::remove_file(&target).unwrap();
+    assert!(error_of(&moved).contains("target `head/head-size-incr` is needed by this setting and has no file"));
+    json_of(&eval(&["mesh", root, "--format", "json", "--set", "head/head-size-decr|incr=-0.5"]));
+}
+
+#[test]
+fn a_written_mesh_reloads_to_the_same_coordinates() {
+    let folder = copy();
+    let root = text(folder.path());
+    let mesh = folder.path().join("base/figure/base.obj");
+    let before = fs::read_to_string(&mesh).unwrap();
+    let set = ["--set", "head/head-size-decr|incr=-0.5", "--set", "macrodetails/Gender=0.9"];
+    let morphed = json_of(&eval(&[&["mesh", root, "--format", "json", "--vertices", "0,17,100"], &set[..]].concat()));
+    assert_eq!(eval(&[&["mesh", root, "-o", text(&mesh)], &set[..]].concat()).status.code(), Some(0));
+    let after = fs::read_to_string(&mesh).unwrap();
+    let others =
+        |text: &str| text.lines().filter(|line| !line.starts_with("v ")).map(str::to_owned).collect::<Vec<_>>();
+    assert_eq!(others(&before), others(&after));
+    assert_ne!(before, after);
+    // Without macros and details the written mesh stands as it is.
+    fs::remove_file(folder.path().join("target/figure/macro.json")).unwrap();
+    let reloaded = json_of(&eval(&["mesh", root, "--format", "json", "--vertices", "0,17,100"]));
+    assert_eq!(reloaded["outputs"]["vertices"], morphed["outputs"]["vertices"]);
+    assert_eq!(reloaded["outputs"]["bbox"], morphed["outputs"]["bbox"]);
+}
+
+#[test]
+fn written_weights_reload_to_the_same_weights() {
+    let folder = tempfile::tempdir().unwrap();
+    let (once, twice) = (folder.path().join("a.mhw"), folder.path().join("b.mhw"));
+    let skeleton = format!("{DATA}/rigs/figure/default.mhskel");
+    let file = format!("{DATA}/rigs/figure/default_weights.mhw");
+    let first = json_of(&eval(&["weights", &file, "--skeleton", &skeleton, "-o", text(&once)]));
+    let second = json_of(&eval(&["weights", text(&once), "--skeleton", &skeleton, "-o", text(&twice)]));
+    assert!(!first["outputs"]["bones"].as_object().unwrap().is_empty());
+    assert_eq!(first["outputs"]["bones"], second["outputs"]["bones"]);
+    let weights = |path: &Path| -> Value { serde_json::from_slice(&fs::read(path).unwrap()).unwrap() };
+    assert_eq!(weights(&once)["weights"], weights(&twice)["weights"]);
+    let reduced = json_of(&eval(&["weights", &file, "--skeleton", &skeleton, "--max-influences", "1"]));
+    assert_eq!(reduced["outputs"]["vertex_sum_range"], json!([1.0, 1.0]));
+}
+
+#[test]
+fn the_rest_pose_gives_the_mesh_back() {
+    let folder = tempfile::tempdir().unwrap();
+    let pose = folder.path().join("pose.json");
+    fs::write(&pose, "{}").unwrap();
+    let chosen = ["--vertices", "0,50,100,150"];
+    let rest = json_of(&eval(&[&["mesh", DATA], &chosen[..]].concat()));
+    let skinned = json_of(&eval(&[&["skin", DATA, "--pose", text(&pose)], &chosen[..]].concat()));
+    let numbers = |value: &Value| -> Vec<f64> {
+        let points = value["outputs"]["vertices"].as_array().unwrap().iter();
+        points.flat_map(|point| point.as_array().unwrap()).map(|x| x.as_f64().unwrap()).collect()
+    };
+    for (a, b) in numbers(&rest).iter().zip(numbers(&skinned)) {
+        assert!((a - b).abs() < 1e-4, "{a} {b}");
+    }
+    fs::write(&pose, r#"{"neck": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "nek": []}"#).unwrap();
+    assert!(error_of(&["skin", DATA, "--pose", text(&pose)]).contains("`nek` is not three rows"));
+}
+
+#[test]
+fn an_exact_asset_lies_on_the_base_mesh() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("x.obj"), "v 9 9 9\nv 9 9 9\nv 9 9 9\nf 1 2 3\n").unwrap();
+    let asset = folder.path().join("x.mhclo");
+    fs::write(&asset, "name x\nobj_file x.obj\nverts 0\n3\n7\n3 7 9 0.5 0.5 0 0 1 0\n").unwrap();
+    let mesh = json_of(&eval(&["mesh", DATA, "--vertices", "3,7"]));
+    let vertices = |value: &Value| value["outputs"]["vertices"].clone();
+    let fitted = json_of(&eval(&["fit", text(&asset), "--base-mesh", DATA, "--vertices", "0,1"]));
+    assert_eq!(vertices(&fitted), vertices(&mesh));
+    let plain = format!("{DATA}/base/figure/base.obj");
+    assert!(error_of(&["fit", text(&asset), "--base-mesh", &plain, "--set", "a=1"]).contains("an OBJ has no sliders"));
+    let obj = eval(&["fit", text(&asset), "--base-mesh", &plain]);
+    assert!(String::from_utf8(obj.stdout).unwrap().ends_with("\nf 1 2 3\n"));
+    fs::write(&asset, "name x\nobj_file x.obj\nverts 0\n3 4\n").unwrap();
+    assert!(error_of(&["fit", text(&asset), "--base-mesh", DATA]).contains("line 4"));
+}
+
+/// Cases over the example repository, with outputs as printed by mhlint itself.
+fn own_cases(folder: &Path) -> (PathBuf, String) {
+    let file = folder.join("cases.json");
+    let cases = r#"{"kind": "mh2_macro_weights",
+"inputs": {"modifiers": "a list"},
+"cases": [
+{"name": "defaults", "inputs": {"modifiers": []}, "outputs": {"sum": 0}},
+{"name": "some", "inputs": {"modifiers": [["macrodetails/Gender", 0.3], ["macrodetails/Age", NaN]]}, "outputs": {}}
+]
+}
+"#;
+    fs::write(&file, cases).unwrap();
+    let output = eval(&["cases", text(&file), "--root", &format!("makehuman2={DATA}")]);
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    let printed = String::from_utf8(output.stdout).unwrap();
+    fs::write(&file, &printed).unwrap();
+    (file, printed)
+}
+
+#[test]
+fn printed_cases_agree_with_themselves_and_altered_ones_do_not() {
+    let folder = tempfile::tempdir().unwrap();
+    let (file, printed) = own_cases(folder.path());
+    assert_eq!(printed.lines().count(), 7);
+    let root = format!("makehuman2={}", "fixtures/makehuman2");
+    let code = |root: &str| eval(&["cases", text(&file), "--compare", "--root", root]).status.code();
+    assert_eq!(code(&root), Some(0));
+    let altered = printed.replacen("\"sum\":", "\"sum\":1", 1);
+    assert_ne!(altered, printed);
+    fs::write(&file, altered).unwrap();
+    assert_eq!(code(&root), Some(1));
+}
+
+#[test]
+fn cases_that_cannot_be_computed_say_why() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("cases.json");
+    let run = |content: &str, more: &[&str]| {
+        fs::write(&file, content).unwrap();
+        let output = eval(&[&["cases", text(&file)], more].concat());
+        (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
+    };
+    let (code, message) = run(r#"{"kind": "mpfb_rig", "cases": []}"#, &[]);
+    assert!(code == Some(2) && message.contains("`mpfb_rig` are not supported yet"), "{message}");
+    let no_fields = r#"{"kind": "mh2_fit", "cases": [{}, 7, {"name": "x", "inputs": {"modifiers": [[1]]}}]}"#;
+    let (code, message) = run(no_fields, &[]);
+    assert!(code == Some(2) && message.contains("`inputs.modifiers`"), "{message}");
+    let file_only = r#"{"kind": "mh2_weights", "cases": [{"name": "x", "inputs": {"file": "base/a.mhw", "root": "r", "vertex_count": 3}}]}"#;
+    let (code, message) = run(file_only, &["--compare"]);
+    assert_eq!(code, Some(2), "{message}");
+    let (_, message) = run(file_only, &[]);
+    assert!(message.contains("--root makehuman-assets=DIR"), "{message}");
+    for broken in ["", "[]", "{}", r#"{"kind": "mh2_morph"}"#, r#"{"kind": "mh2_morph", "cases": 3}"#] {
+        assert_eq!(run(broken, &[]).0, Some(2), "{broken}");
+    }
+}
+
+#[test]
+fn exceptions_of_the_application_are_outputs() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("cases.json");
+    let wanted = [
+        ("[]", "AttributeError"),
+        (r#"{"a": [[0, 1], [9, 1]]}"#, "IndexError"),
+        (r#"{"a": [[-1, 1]]}"#, "OverflowError"),
+        (r#"{"a": [[0, 1, 2]]}"#, "ValueError"),
+        (r#"{"a": [[0.5, 1]]}"#, "IndexError"),
+    ];
+    for (weights, error) in wanted {
+        let inputs = format!(r#"{{"root": "root", "vertex_count": 2, "weights": {weights}}}"#);
+        let cases = format!(r#"{{"kind": "mh2_weights", "cases": [{{"name": "x", "inputs": {inputs}}}]}}"#);
+        fs::write(&file, cases).unwrap();
+        let printed = json_of(&eval(&["cases", text(&file)]));
+        assert_eq!(printed["cases"][0]["outputs"], json!({ "error": error }), "{weights}");
+    }
+}
+
+/// The whole of the reference files of MakeHuman 2, where they and the corpora are at hand.
+#[test]
+fn reference_files_agree_within_their_tolerances() {
+    let reference = std::env::var_os("MHLINT_REFERENCE").map_or_else(|| project("../shared/reference"), PathBuf::from);
+    let Some(corpora) = std::env::var_os("MHLINT_CORPORA").map(PathBuf::from).filter(|_| reference.is_dir()) else {
+        println!("skipped: MHLINT_CORPORA is not set, or there are no reference files");
+        return;
+    };
+    let mut files = BTreeMap::new();
+    for entry in fs::read_dir(&reference).unwrap() {
+        let path = entry.unwrap().path();
+        let name = path.file_name().unwrap().to_str().unwrap().to_owned();
+        if name.starts_with("mh2_") && path.extension().is_some_and(|ending| ending == "json") {
+            files.insert(name, path);
+        }
+    }
+    assert!(!files.is_empty(), "no mh2_*.json in {}", reference.display());
+    let root = |name: &str| format!("{name}={}", corpora.join(name).display());
+    for (name, path) in files {
+        let roots = [root("makehuman2"), root("makehuman-assets")];
+        let output = eval(&["cases", text(&path), "--compare", "--root", &roots[0], "--root", &roots[1]]);
+        assert_eq!(output.status.code(), Some(0), "{name}\n{}", String::from_utf8_lossy(&output.stdout));
+    }
+}
