@@ -77,6 +77,15 @@ pub(super) struct CheckArgs {
     /// Report only this base mesh; repeatable.
     #[arg(long = "base", value_name = "NAME")]
     pub(super) bases: Vec<String>,
+    /// Leave out everything that needs evaluation.
+    #[arg(long)]
+    pub(super) no_eval: bool,
+    /// Random slider settings to look at besides the deliberate ones.
+    #[arg(long, value_name = "N", conflicts_with = "no_eval")]
+    pub(super) samples: Option<usize>,
+    /// Look at every corner of the slider space.
+    #[arg(long, conflicts_with = "no_eval")]
+    pub(super) exhaustive: bool,
     /// Run only rules that fit the glob; repeatable.
     #[arg(long, value_name = "GLOB")]
     pub(super) only: Vec<String>,

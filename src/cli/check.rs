@@ -46,6 +46,9 @@ fn options(args: &CheckArgs) -> Options {
         only: args.only.clone(),
         skip: args.skip.clone(),
         levels: args.levels.clone(),
+        no_eval: args.no_eval,
+        samples: args.samples,
+        exhaustive: args.exhaustive,
         ..Options::default()
     }
 }

@@ -27,7 +27,8 @@ use terminal::Terminal;
 pub fn main() -> ExitCode {
     let args = Args::parse();
     let panics = Panics::watch();
-    let mut err = io::stderr().lock();
+    // Not locked: another thread that says something would wait for ever.
+    let mut err = io::stderr();
     let ended = catch_unwind(AssertUnwindSafe(|| run(&args, &panics, &mut err)));
     let result = match ended {
         Ok(Ok(exit)) => Ok(exit),
