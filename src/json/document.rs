@@ -68,6 +68,9 @@ pub struct Member {
 }
 
 /// Parses a whole text.
+///
+/// # Errors
+/// The first place at which it is no JSON.
 pub fn parse(text: &[u8]) -> Result<Document, SyntaxFault> {
     let mut builder = Builder { reader: Reader::new(text), duplicates: Vec::new(), pointer: String::new() };
     let root = builder.value()?;
