@@ -16,7 +16,7 @@ use crate::formats::macro_json::MacroFile;
 use crate::formats::mhskel::{RotationPlane, Skeleton};
 use crate::formats::mhw::Weights;
 use crate::formats::obj::Mesh;
-use crate::formats::target::Row;
+use crate::formats::target::{OUTLIER_RATIO, Row, TargetFacts, extent};
 use crate::repo::{Base, FileFacts, Pattern, TargetFolder};
 
 /// Rows of targets by printed path.
@@ -44,7 +44,8 @@ pub(super) struct Rig {
 /// The scene of a base, taking its rows out of `rows`. `None` without a mesh.
 pub(super) fn compose(base: &Base<'_>, rows: &mut Rows) -> Option<Composed> {
     let (_, mesh) = base.mesh?;
-    let mut composer = Composer { rows, mesh, by_path: BTreeMap::new(), scene: Scene::default() };
+    let mut composer =
+        Composer { rows, mesh, size: extent(&mesh.positions), by_path: BTreeMap::new(), scene: Scene::default() };
     composer.mesh(base);
     let registered = composer.sliders(base);
     if let Some((_, file)) = base.macro_file() {
@@ -96,6 +97,8 @@ fn without_weights(scene: &Scene, skeleton: &Skeleton) -> Vec<String> {
 struct Composer<'r, 'm> {
     rows: &'r mut Rows,
     mesh: &'m Mesh,
+    /// Longest side of the mesh.
+    size: Option<f32>,
     by_path: BTreeMap<String, usize>,
     scene: Scene,
 }
@@ -179,9 +182,16 @@ impl Composer<'_, '_> {
         let rows = rows.map(|rows| rows.into_iter().filter(in_mesh).map(|row| (row.index, row.delta)).collect());
         let place = self.scene.targets.len();
         self.by_path.insert(path.clone(), place);
-        let suspect = file.is_some_and(is_suspect);
+        let suspect = file.is_some_and(|file| self.is_suspect(file));
         self.scene.targets.push(MorphTarget { name: name.to_owned(), path, rows, suspect });
         place
+    }
+
+    /// Rows that rules report for themselves: looking at them again in every setting would say it many times.
+    fn is_suspect(&self, file: &FileFacts) -> bool {
+        let size = self.size;
+        let oversize = |facts: &TargetFacts| size.is_some_and(|size| facts.oversize(size, OUTLIER_RATIO).is_some());
+        file.target().is_some_and(|facts| facts.non_finite.count > 0 || oversize(facts))
     }
 
     fn macros(&mut self, base: &Base<'_>, file: &MacroFile, registered: &BTreeMap<String, Slider>) {
@@ -241,11 +251,6 @@ fn dimensions(
         Some((dimension, component.values.len()))
     };
     names.iter().map(one).collect::<Option<Vec<_>>>().unwrap_or_default().into_iter().unzip()
-}
-
-/// Rows that rules report for themselves: looking at them again in every setting would say it many times.
-fn is_suspect(file: &FileFacts) -> bool {
-    file.target().is_some_and(|facts| facts.non_finite.count > 0)
 }
 
 fn component(component: &crate::formats::macro_json::Component) -> Option<Component<'_>> {

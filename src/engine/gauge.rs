@@ -6,6 +6,7 @@ use rayon::prelude::*;
 
 use super::compose::Rig;
 use super::run::Options;
+use crate::eval::culprit::most_moving;
 use crate::eval::macro_survey::{dead_ranges, jumps, losses, sums_off};
 use crate::eval::measure::{chain_length, closing_gap};
 use crate::eval::measures::{ChainMeasure, MacroMeasure, Measures, PairMeasure, Seen, SkeletonMeasure, SpaceMeasure};
@@ -69,13 +70,18 @@ fn survey(scene: &Scene, settings: &[Setting]) -> Option<SpaceMeasure> {
     let mut survey = Survey::default();
     parts.into_iter().for_each(|part| survey.merge(part));
     let told = |number: usize| settings.get(number).map(|setting| describe(scene, setting)).unwrap_or_default();
-    let seen = |worst: Option<Worst>, name: &dyn Fn(usize) -> String| {
+    let blame = |setting: usize, vertices: &[u32]| {
+        let target = most_moving(scene, settings.get(setting)?, vertices)?;
+        scene.targets.get(target).map(|target| target.path.clone())
+    };
+    let seen = |worst: Option<Worst>, name: &dyn Fn(usize) -> String, vertices: &dyn Fn(usize) -> Vec<u32>| {
         worst.map(|worst| Seen {
             value: worst.value,
             element: worst.element,
             name: name(worst.element),
             count: worst.count,
             setting: told(worst.setting),
+            target: blame(worst.setting, &vertices(worst.element)),
         })
     };
     let group = |face: usize| {
@@ -85,22 +91,30 @@ fn survey(scene: &Scene, settings: &[Setting]) -> Option<SpaceMeasure> {
     let skeleton = scene.skeleton.as_ref();
     let joint = |joint: usize| skeleton.and_then(|s| s.joint_names.get(joint)).cloned().unwrap_or_default();
     let bone = |bone: usize| skeleton.and_then(|s| s.names.get(bone)).cloned().unwrap_or_default();
+    let vertex = |vertex: usize| u32::try_from(vertex).into_iter().collect();
+    let face = |face: usize| scene.face(face).to_vec();
+    let of_joint = |joint: usize| skeleton.and_then(|s| s.joints.get(joint)).cloned().unwrap_or_default();
+    let of_bone = |bone: usize| {
+        let bone = skeleton.and_then(|s| s.bones.get(bone));
+        let joints = bone.map(|bone| [bone.head, bone.tail].into_iter().chain(bone.plane.into_iter().flatten()));
+        joints.into_iter().flatten().flat_map(of_joint).collect()
+    };
     Some(SpaceMeasure {
         settings: survey.settings,
         stopped: survey.stopped.map(told),
-        non_finite: seen(survey.non_finite, &|_| String::new()),
-        collapsed: seen(survey.collapsed, &group),
-        flipped: seen(survey.flipped, &group),
-        exploded: seen(survey.exploded, &|_| String::new()),
-        drifted: seen(survey.drifted, &joint),
-        short_bone: seen(survey.short_bone, &bone),
-        flat_plane: seen(survey.flat_plane, &bone),
+        non_finite: seen(survey.non_finite, &|_| String::new(), &vertex),
+        collapsed: seen(survey.collapsed, &group, &face),
+        flipped: seen(survey.flipped, &group, &face),
+        exploded: seen(survey.exploded, &|_| String::new(), &vertex),
+        drifted: seen(survey.drifted, &joint, &of_joint),
+        short_bone: seen(survey.short_bone, &bone, &of_bone),
+        flat_plane: seen(survey.flat_plane, &bone, &of_bone),
     })
 }
 
 fn macro_measure(scene: &Scene, settings: &[Setting]) -> MacroMeasure {
     let Some(table) = &scene.macros else { return MacroMeasure::default() };
-    let lost = losses(table, settings).into_iter();
+    let lost = losses(table, &scene.macrodefs, settings, &scene.defaults()).into_iter();
     MacroMeasure {
         dead: dead_ranges(table, &scene.macrodefs),
         sums: sums_off(&scene.macrodefs, &scene.value_counts, &scene.macro_defaults),

@@ -224,27 +224,87 @@ fn jump(table: &MacroTable, place: usize, at: f64, defaults: &[f64]) -> Option<(
         .max_by(|a, b| a.1.total_cmp(&b.1))
 }
 
-/// For each macrodef the setting, among those given, at which the cut-off throws away most.
-pub fn losses(table: &MacroTable, settings: &[Setting]) -> Vec<Loss> {
-    let mut worst: Vec<Option<Loss>> = vec![None; table.macrodef_count()];
+/// For each macrodef a setting of its sliders at which the cut-off throws away most: the worst of those given,
+/// other sliders back at their defaults, and from there uphill one slider after the other.
+pub fn losses(table: &MacroTable, macrodefs: &[Vec<Dimension>], settings: &[Setting], rest: &Setting) -> Vec<Loss> {
     let mut result = MacroResult::default();
+    let mut worst: Vec<(f64, &Setting)> = vec![(0.0, rest); table.macrodef_count()];
     for setting in settings {
-        if table.evaluate(&setting.macros, &mut result).is_err() {
-            continue;
-        }
-        let mut lost = vec![0.0; table.macrodef_count()];
-        for combination in result.combinations.iter().filter(|combination| combination.fate == Fate::BelowThreshold) {
-            if let Some(sum) = lost.get_mut(combination.macrodef) {
-                *sum += combination.factor;
-            }
-        }
-        for (macrodef, (lost, worst)) in lost.into_iter().zip(&mut worst).enumerate() {
-            if lost > worst.as_ref().map_or(0.0, |worst| worst.lost) {
-                *worst = Some(Loss { macrodef, lost, setting: setting.clone() });
+        if table.evaluate(&setting.macros, &mut result).is_ok() {
+            for (lost, worst) in lost(&result, worst.len()).into_iter().zip(&mut worst) {
+                if lost > worst.0 {
+                    *worst = (lost, setting);
+                }
             }
         }
     }
-    worst.into_iter().flatten().collect()
+    let mut found = Vec::new();
+    for (macrodef, (dimensions, (_, start))) in macrodefs.iter().zip(worst).enumerate() {
+        let mut climb = Climb { table, macrodef, at: rest.macros.clone(), lost: 0.0, result: MacroResult::default() };
+        dimensions.iter().for_each(|dimension| dimension.copy(&start.macros, &mut climb.at));
+        climb.lost = climb.lost_at(&climb.at.clone());
+        for _ in 0..CLIMBS {
+            dimensions.iter().for_each(|dimension| climb.along(dimension));
+        }
+        if climb.lost > 0.0 {
+            let setting = Setting { macros: climb.at, details: rest.details.clone() };
+            found.push(Loss { macrodef, lost: climb.lost, setting });
+        }
+    }
+    found
+}
+
+/// How often each slider of a macrodef is tried again.
+const CLIMBS: usize = 3;
+/// Positions of a slider that are tried inside its interval.
+const POSITIONS: u32 = 24;
+
+/// Sums of the factors below the limit, by macrodef.
+fn lost(result: &MacroResult, macrodefs: usize) -> Vec<f64> {
+    let mut lost = vec![0.0; macrodefs];
+    for combination in result.combinations.iter().filter(|combination| combination.fate == Fate::BelowThreshold) {
+        if let Some(sum) = lost.get_mut(combination.macrodef) {
+            *sum += combination.factor;
+        }
+    }
+    lost
+}
+
+/// A walk to the setting at which a macrodef loses most.
+struct Climb<'t> {
+    table: &'t MacroTable,
+    macrodef: usize,
+    at: Vec<f64>,
+    lost: f64,
+    result: MacroResult,
+}
+
+impl Climb<'_> {
+    fn lost_at(&mut self, macros: &[f64]) -> f64 {
+        if self.table.evaluate(macros, &mut self.result).is_err() {
+            return 0.0;
+        }
+        lost(&self.result, self.table.macrodef_count()).get(self.macrodef).copied().unwrap_or(0.0)
+    }
+
+    /// Moves one slider inside its interval to where most is lost.
+    fn along(&mut self, dimension: &Dimension) {
+        let Dimension::Steps { place, steps } = dimension else { return };
+        let Some(here) = self.at.get(*place).copied() else { return };
+        let interval = steps.windows(2).find(|pair| here <= pair[1]).map(|pair| (pair[0], pair[1]));
+        let Some((from, to)) = interval else { return };
+        for number in 0..POSITIONS {
+            let mut macros = self.at.clone();
+            let position = from + (to - from) * (f64::from(number) + 0.5) / f64::from(POSITIONS);
+            if let Some(slot) = macros.get_mut(*place) {
+                *slot = position;
+            }
+            let lost = self.lost_at(&macros);
+            if lost > self.lost {
+                (self.at, self.lost) = (macros, lost);
+            }
+        }
+    }
 }
 
 #[cfg(test)]
@@ -299,9 +359,10 @@ mod tests {
     fn small_factors_are_lost_where_they_are_many() {
         let table = table(vec![("child-f", Some(0))]);
         let setting = |macros: [f64; 2]| Setting { macros: macros.to_vec(), details: Vec::new() };
-        let found = losses(&table, &[setting([0.5, 0.5]), setting([0.0025, 0.5])]);
-        assert!((found[0].lost - 0.005).abs() < 1e-9, "{found:?}");
-        assert_eq!(found[0].setting, setting([0.0025, 0.5]));
+        let found = losses(&table, &dimensions(), &[setting([0.5, 0.5]), setting([0.0025, 0.5])], &setting([0.5, 0.5]));
+        // Three combinations of 0.01 at most: the rest of a share that is next to nothing, times one that is not.
+        assert!(found[0].lost > 0.01 && found[0].lost < 0.02, "{found:?}");
+        assert_eq!(losses(&table, &dimensions(), &[], &setting([0.5, 0.0])), []);
     }
 
     #[test]

@@ -41,11 +41,11 @@ pub struct SpaceMeasure {
     pub non_finite: Option<Seen>,
     /// Visible faces without area.
     pub collapsed: Option<Seen>,
-    /// Visible faces that look the other way.
+    /// Visible faces that look the other way; the value is their part of the visible area.
     pub flipped: Option<Seen>,
     /// Vertex outside the figure; the value is in diagonals of its box.
     pub exploded: Option<Seen>,
-    /// Joint away from its skin; the value is in radii of that skin.
+    /// Joint away from its skin; the value is in stands (distance plus radius of that skin at rest).
     pub drifted: Option<Seen>,
     /// Bone without length; the value is 1 / length.
     pub short_bone: Option<Seen>,
@@ -66,6 +66,8 @@ pub struct Seen {
     pub count: usize,
     /// The setting, in the application's own slider names.
     pub setting: String,
+    /// Printed path of the target that moves the element most at that setting.
+    pub target: Option<String>,
 }
 
 /// What macros do over the range of their sliders.

@@ -20,6 +20,7 @@
 )]
 
 pub mod component;
+pub mod culprit;
 pub mod error;
 pub mod fit;
 mod grid;

@@ -64,6 +64,23 @@ impl Dimension {
         }
     }
 
+    /// Copies the positions of its sliders.
+    pub(super) fn copy(&self, from: &[f64], to: &mut [f64]) {
+        let one;
+        let places: &[usize] = match self {
+            Self::Steps { place, .. } => {
+                one = [*place];
+                &one
+            }
+            Self::Corners(places) => places,
+        };
+        for place in places {
+            if let (Some(from), Some(to)) = (from.get(*place), to.get_mut(*place)) {
+                *to = *from;
+            }
+        }
+    }
+
     /// Puts a setting to a corner.
     fn put(&self, setting: &mut Setting, corner: usize) {
         match self {

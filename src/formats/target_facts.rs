@@ -67,3 +67,45 @@ pub struct Largest {
     /// Vertex.
     pub index: i64,
 }
+
+/// How many times the median of its target a displacement may be, where nobody sets another number.
+pub const OUTLIER_RATIO: f32 = 20.0;
+/// Share of the mesh's size below which nothing is oversized: no detail of a face is torn by less.
+const SMALLEST_SHARE: f32 = 0.05;
+/// How many times the length that all but the longest rows keep an outlier must have. In the shipped
+/// targets the longest row is at most twice as long.
+const ISOLATION: f32 = 4.0;
+
+/// What a displacement is out of proportion to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Oversize {
+    /// The whole base mesh.
+    Mesh,
+    /// The rest of its target, and a considerable part of the mesh.
+    Target,
+}
+
+impl TargetFacts {
+    /// Whether the largest displacement is out of all proportion to a mesh of `size` (longest side, decimetres).
+    pub fn oversize(&self, size: f32, ratio: f32) -> Option<Oversize> {
+        let length = self.largest?.length;
+        if length > size {
+            return Some(Oversize::Mesh);
+        }
+        let is_outlier = length > ratio * self.median_length
+            && length > ISOLATION * self.tail_length
+            && length > SMALLEST_SHARE * size;
+        is_outlier.then_some(Oversize::Target)
+    }
+}
+
+/// The longest side of the box around a mesh, in decimetres.
+pub fn extent(positions: &[[f32; 3]]) -> Option<f32> {
+    let range = |axis: fn(&[f32; 3]) -> f32| {
+        let values = positions.iter().map(axis).filter(|value| value.is_finite());
+        let (low, high) = values.fold((f32::MAX, f32::MIN), |(low, high), value| (low.min(value), high.max(value)));
+        high - low
+    };
+    let size = range(|[x, _, _]| *x).max(range(|[_, y, _]| *y)).max(range(|[_, _, z]| *z));
+    (size > 0.0 && size.is_finite()).then_some(size)
+}

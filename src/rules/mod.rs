@@ -9,6 +9,7 @@ mod json;
 mod macros;
 mod mesh;
 mod modelling;
+mod numeric;
 mod overlay;
 mod rule;
 mod skeleton;
@@ -99,6 +100,16 @@ pub(crate) static RULES: &[&Rule] = &[
     &modelling::unknown_symmetry::RULE,
     &modelling::unsafe_formula::RULE,
     &modelling::user_key_collision::RULE,
+    &numeric::collapsed_faces::RULE,
+    &numeric::dead_range::RULE,
+    &numeric::discontinuity::RULE,
+    &numeric::exploded_vertex::RULE,
+    &numeric::joint_drift::RULE,
+    &numeric::non_finite::RULE,
+    &numeric::rest_skinning::RULE,
+    &numeric::threshold_loss::RULE,
+    &numeric::weights_sum::RULE,
+    &numeric::zero_length_bone::RULE,
     &overlay::broken_override::RULE,
     &overlay::needs_system::RULE,
     &overlay::partial_override::RULE,

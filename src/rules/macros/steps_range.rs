@@ -32,7 +32,8 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
             continue;
         }
         let Some(fault) = fault(steps) else { continue };
-        let message = format!("`steps` of `{}` {fault}", component.name);
+        let slider = component.pattern.as_deref().map(|pattern| format!(" (slider `{pattern}`)")).unwrap_or_default();
+        let message = format!("`steps` of `{}`{slider} {fault}", component.name);
         let place = Place::pointer(["components", &component.name, "steps"]);
         let finding = RULE.at(file, place, message).key(&component.name).help("let the first step be 0 and the last 1");
         out.push(weigh(finding, macros, component));
@@ -51,9 +52,9 @@ fn fault(steps: &[f64]) -> Option<String> {
         return Some(format!("hold {last} alone: without an interval the component is dropped, and nothing applies"));
     }
     if last.total_cmp(&1.0).is_lt() {
-        Some(format!("end at {last}: beyond it nothing of the macrodef applies"))
+        Some(format!("end at {last}: from there to 1 nothing of the macrodef applies"))
     } else if first.partial_cmp(&0.0) == Some(Ordering::Greater) {
-        Some(format!("begin at {first}: below it the first value has more than its full weight"))
+        Some(format!("begin at {first}: from 0 to there the first value has more than its full weight"))
     } else if first.partial_cmp(&0.0) == Some(Ordering::Less) {
         Some(format!("begin at {first}: the first value never has its full weight"))
     } else if last.total_cmp(&1.0).is_gt() {

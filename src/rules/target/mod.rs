@@ -16,6 +16,7 @@ pub(super) mod missing_side;
 pub(super) mod negative_index;
 pub(super) mod non_finite;
 pub(super) mod oversized_delta;
+mod shown;
 pub(super) mod stale_binary;
 pub(super) mod syntax;
 pub(super) mod unreferenced;
@@ -23,6 +24,8 @@ mod usage;
 pub(super) mod vertex_out_of_range;
 pub(super) mod without_effect;
 pub(super) mod zero_delta;
+
+use shown::shown_by;
 
 /// Targets of a layer that the loader can decode. For others the encoding is the one fault to name.
 fn targets(layer: &Layer) -> impl Iterator<Item = (&FileFacts, &TargetFacts)> {

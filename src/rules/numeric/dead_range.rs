@@ -1,0 +1,92 @@
+//! Stretches of a slider in which a macrodef applies nothing.
+
+use super::super::{Check, Rule, RuleCx};
+use super::{component, has_sound_steps, title};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::eval::macro_survey::DeadRange;
+use crate::eval::measures::Measures;
+use crate::formats::macro_json::{Component, MacroFile, Macrodef};
+use crate::repo::{Base, Repository};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(
+            Application::Makehuman2,
+            "applies nothing of the macrodef in that part of the slider, without a word",
+        )],
+        docs: "A macrodef applies nothing while a slider stands at certain values, wherever its other sliders are, although \
+            it applies something elsewhere on that slider.\n\nA single value whose combinations are all `null` or not \
+            listed is mostly meant (a neutral value, `male` in a macro for breasts): the shape fades out towards that \
+            position and is gone there. That is told as an info, with the position and how many combinations are \
+            `null` or not listed, so that it can be compared with what was meant. Two neighbouring values without any \
+            combination make a whole part of the slider dead (warning), unless all of it is written as `null`.\n\nList the \
+            combinations, or write `null` where nothing is meant. A last step below 1 makes a dead part as well: \
+            `macro-steps-range` names it.",
+        ..RuleInfo::new("numeric-dead-range", Level::Warning, "a macrodef applies nothing in a part of a slider")
+    },
+    check: Check::Numeric(run),
+};
+
+fn run(_: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some((file, macros)) = base.macro_file() else { return };
+    for (number, macrodef) in macros.macrodefs.iter().enumerate() {
+        let judged = |range: &&DeadRange| range.macrodef == number && is_sound(macros, macrodef);
+        let ranges: Vec<&DeadRange> = measures.macros.dead.iter().filter(judged).collect();
+        let Some(parts) = ranges.iter().map(|range| told(macros, range)).collect::<Option<Vec<_>>>() else { continue };
+        if parts.is_empty() {
+            continue;
+        }
+        let is_wide = ranges.iter().any(|range| range.values.len() > 1 && range.missing > 0);
+        let message = format!("macrodef `{}` applies nothing {}", title(macrodef), parts.join(", nor "));
+        let place = Place::pointer(["macrodef", &macrodef.index.to_string(), "comp"]);
+        let finding = RULE.at(file, place, message).key(title(macrodef)).evidence(Evidence::of_cases(&parts));
+        out.push(if is_wide {
+            finding.help("list the combinations, or write `null` where no shape is meant")
+        } else {
+            let effect = "fades the shape out towards this position and applies nothing of the macrodef there";
+            let finding = finding.level(Level::Info).breaks(Application::Makehuman2, effect);
+            finding.help("nothing needs to be done if no shape is meant there")
+        });
+    }
+}
+
+/// `at … = 0 (value baby: 54 combinations not listed)`. `None` where the steps themselves are at fault.
+fn told(macros: &MacroFile, range: &DeadRange) -> Option<String> {
+    let (_, component) = component(macros, range.macrodef, range.position).filter(|(_, c)| has_sound_steps(c))?;
+    let steps = component.steps.as_ref()?;
+    let (first, last) = (*range.values.first()?, *range.values.last()?);
+    let pattern = component.pattern.as_deref()?;
+    let stretch = if first == last {
+        format!("at `{pattern}` = {}", steps.get(first)?)
+    } else {
+        format!("from `{pattern}` = {} to {}", steps.get(first)?, steps.get(last)?)
+    };
+    let names = component.values.get(first..=last)?.join("`, `");
+    let counts = match (range.missing, range.null) {
+        (1, 0) => "1 combination not listed".to_owned(),
+        (0, 1) => "1 combination null".to_owned(),
+        (missing, 0) => format!("{missing} combinations not listed"),
+        (0, null) => format!("{null} combinations null"),
+        (missing, null) => format!("{missing} combinations not listed, {null} null"),
+    };
+    Some(format!("{stretch} (`{names}`: {counts})"))
+}
+
+/// Whether the names of a macrodef are those of its components: others are the cause then.
+fn is_sound(macros: &MacroFile, macrodef: &Macrodef) -> bool {
+    let named = |name: &String| macros.components.iter().rev().find(|component| component.name == *name);
+    let Some(components) = macrodef.components.iter().map(named).collect::<Option<Vec<_>>>() else { return false };
+    let spelled = macrodef.links.iter().all(|link| is_spelled(&link.name, &components));
+    spelled && macrodef.unusable.is_empty() && macrodef.incomplete.is_empty()
+}
+
+fn is_spelled(name: &str, components: &[&Component]) -> bool {
+    match components {
+        [] => false,
+        [last] => last.values.iter().any(|value| value == name),
+        [first, rest @ ..] => first.values.iter().any(|value| {
+            let tail = name.strip_prefix(value.as_str()).and_then(|tail| tail.strip_prefix('-'));
+            tail.is_some_and(|tail| is_spelled(tail, rest))
+        }),
+    }
+}

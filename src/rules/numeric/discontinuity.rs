@@ -1,0 +1,46 @@
+//! The shape jumps where a slider passes a step.
+
+use super::super::{Check, Rule, RuleCx};
+use super::{component, has_sound_steps, percent, title};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::eval::measures::Measures;
+use crate::repo::{Base, Repository};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(
+            Application::Makehuman2,
+            "lets the shape snap from one form to another at one position of the slider",
+        )],
+        docs: "Between two steps MakeHuman 2 blends, so the shape follows the slider without a break; at the steps its own \
+            limits make jumps of up to 0.01, which nobody sees. Here the weight of a target changes by more than 0.02 \
+            between 0.000001 below and above a step, other sliders at their defaults.\n\nMostly two steps are so close that \
+            there is nothing between them. Move them apart. Equal steps are `macro-steps-order`.",
+        ..RuleInfo::new("numeric-discontinuity", Level::Warning, "the shape jumps where a slider passes a step")
+    },
+    check: Check::Numeric(run),
+};
+
+fn run(_: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some((file, macros)) = base.macro_file() else { return };
+    let mut told: Vec<&str> = Vec::new();
+    for jump in &measures.macros.jumps {
+        let Some((macrodef, component)) = component(macros, jump.macrodef, jump.position) else { continue };
+        // Steps out of order or range are the cause then; a component jumps once, whatever uses it.
+        if !has_sound_steps(component) || told.contains(&component.name.as_str()) {
+            continue;
+        }
+        told.push(&component.name);
+        let pattern = component.pattern.as_deref().unwrap_or_default();
+        let message = format!(
+            "macrodef `{}` jumps at `{pattern}` = {}: the weight of a target changes by {}",
+            title(macrodef),
+            jump.at,
+            percent(jump.by)
+        );
+        let place = Place::pointer(["components", &component.name, "steps"]);
+        out.push(RULE.at(file, place, message).key(&component.name).help("move the steps apart").evidence(
+            Evidence { count: 1, ..Evidence::default() }.with_worst(jump.by, format!("{pattern} = {}", jump.at)),
+        ));
+    }
+}

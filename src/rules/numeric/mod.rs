@@ -1,0 +1,109 @@
+//! Rules on what evaluation measured: what a setting of the sliders does to shape, joints and weights.
+//!
+//! A finding names the setting in the application's slider names and stands at the target that moves the thing most,
+//! because that is where an author can act. What a damaged target does to several things at once is told once: by the
+//! first rule in the order of [`in_order`].
+
+use crate::diag::{Finding, Place};
+use crate::eval::measures::{Seen, SpaceMeasure};
+use crate::formats::macro_json::{Component, MacroFile, Macrodef};
+use crate::repo::Base;
+
+use super::Rule;
+
+pub(super) mod collapsed_faces;
+pub(super) mod dead_range;
+pub(super) mod discontinuity;
+pub(super) mod exploded_vertex;
+pub(super) mod joint_drift;
+pub(super) mod non_finite;
+pub(super) mod rest_skinning;
+pub(super) mod threshold_loss;
+pub(super) mod weights_sum;
+pub(super) mod zero_length_bone;
+
+/// `message` and the setting that shows it, at the target that moves the thing most; without one, at the mesh.
+fn at_setting(rule: &Rule, base: &Base<'_>, seen: &Seen, message: &str) -> Finding {
+    let mesh = || base.mesh.map(|(file, _)| file.path.clone());
+    let path = seen.target.clone().or_else(mesh).unwrap_or_default();
+    Finding::new(&rule.info, path, Place::File, format!("{message}; shown by {}", setting(&seen.setting)))
+}
+
+/// A setting as a message shows it.
+fn setting(text: &str) -> String {
+    if text.contains(" = ") { format!("`{text}`") } else { text.to_owned() }
+}
+
+/// What was seen, the gravest first.
+fn in_order(space: &SpaceMeasure) -> [&Option<Seen>; 7] {
+    [
+        &space.non_finite,
+        &space.exploded,
+        &space.short_bone,
+        &space.flat_plane,
+        &space.collapsed,
+        &space.flipped,
+        &space.drifted,
+    ]
+}
+
+/// What a rule may tell: `seen`, unless something graver is told of the same target.
+fn untold<'s>(space: &SpaceMeasure, seen: &'s Option<Seen>) -> Option<&'s Seen> {
+    let seen = seen.as_ref()?;
+    let graver = in_order(space).into_iter().flatten().take_while(|other| !std::ptr::eq(*other, seen));
+    let same = |other: &Seen| other.target.is_some() && other.target == seen.target;
+    (!graver.into_iter().any(same)).then_some(seen)
+}
+
+/// A component of a macrodef by its position in `comp`.
+fn component<'m>(macros: &'m MacroFile, macrodef: usize, position: usize) -> Option<(&'m Macrodef, &'m Component)> {
+    let macrodef = macros.macrodefs.get(macrodef)?;
+    let name = macrodef.components.get(position)?;
+    Some((macrodef, macros.components.iter().rev().find(|component| component.name == *name)?))
+}
+
+/// Whether the steps of a component are as they must be, so that no other rule speaks of them.
+fn has_sound_steps(component: &Component) -> bool {
+    component.steps.as_ref().is_some_and(|steps| {
+        steps.len() == component.values.len()
+            && steps.is_sorted_by(|a, b| a < b)
+            && steps.first() == Some(&0.0)
+            && steps.last() == Some(&1.0)
+    })
+}
+
+/// What a macrodef is called in messages and keys.
+fn title(macrodef: &Macrodef) -> String {
+    macrodef.components.join("-")
+}
+
+/// A share in percent, with a decimal where it is small.
+fn percent(share: f64) -> String {
+    let percent = share * 100.0;
+    if percent < 10.0 { format!("{percent:.1} %") } else { format!("{percent:.0} %") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn seen(target: &str) -> Option<Seen> {
+        Some(Seen {
+            value: 1.0,
+            element: 0,
+            name: String::new(),
+            count: 1,
+            setting: String::new(),
+            target: Some(target.to_owned()),
+        })
+    }
+
+    #[test]
+    fn one_target_is_told_once_by_the_gravest() {
+        let space =
+            SpaceMeasure { short_bone: seen("a"), flat_plane: seen("b"), drifted: seen("a"), ..Default::default() };
+        assert!(untold(&space, &space.short_bone).is_some());
+        assert!(untold(&space, &space.flat_plane).is_some());
+        assert!(untold(&space, &space.drifted).is_none());
+    }
+}

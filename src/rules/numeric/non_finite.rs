@@ -1,0 +1,54 @@
+//! A setting at which something is no number although every file holds numbers.
+
+use super::super::{Check, Rule, RuleCx};
+use super::{at_setting, untold};
+use crate::diag::{Application, Evidence, Finding, Level, RuleInfo};
+use crate::eval::measures::Measures;
+use crate::repo::{Base, Repository};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(
+            Application::Makehuman2,
+            "loses what hangs on it without a word: vertices that are nowhere, or a bone whose whole skin vanishes in pose mode",
+        )],
+        docs: "At some setting of the sliders a vertex or the matrix of a bone is not a number, although all files hold \
+            numbers and the default character is fine.\n\nFor a bone this means that the three joints of its rotation \
+            plane come to lie in one line, or on one point: the plane has no normal then, MakeHuman 2 divides by zero and \
+            goes on (sine of the angle below 1e-7, which is zero in its 32 bit floats). For a vertex it means that \
+            displacements add up beyond what a 32 bit float holds.\n\nThe finding stands at the target that moves the \
+            joints or the vertex most at that setting. Look at its rows there. Planes that are in line already on the \
+            default character, and displacements that are not finite, have rules of their own.",
+        ..RuleInfo::new(
+            "numeric-non-finite",
+            Level::Error,
+            "a slider setting at which a vertex or matrix is not finite",
+        )
+    },
+    check: Check::Numeric(run),
+};
+
+fn run(_: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(space) = &measures.space else { return };
+    if let Some(seen) = untold(space, &space.non_finite) {
+        let message = format!("{} vertices are not finite, the first is {}", seen.count, seen.element);
+        out.push(
+            at_setting(&RULE, base, seen, &message)
+                .key("vertices")
+                .help("look for displacements that add up beyond all measure")
+                .evidence(Evidence { count: seen.count as u64, ..Evidence::default() }),
+        );
+    }
+    if let Some(seen) = untold(space, &space.flat_plane) {
+        let message =
+            format!("the rotation plane of bone `{}` has no normal: its three joints lie in one line", seen.name);
+        out.push(
+            at_setting(&RULE, base, seen, &message)
+                .key(&seen.name)
+                .help("let the target move the joint cubes with the limb, so that the joints keep an angle")
+                .evidence(
+                    Evidence { count: 1, ..Evidence::default() }.with_worst(1.0 / seen.value, "sine of the angle"),
+                ),
+        );
+    }
+}

@@ -1,0 +1,59 @@
+//! Skinning with all bones at rest must give the mesh back.
+
+use super::super::{Check, Rule, RuleCx};
+use crate::diag::{Application, Element, Evidence, Finding, Level, Place, RuleInfo};
+use crate::eval::measures::Measures;
+use crate::eval::skeleton::PARALLEL_SINE;
+use crate::eval::survey::SHORTEST_BONE;
+use crate::repo::{Base, Repository};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(
+            Application::Makehuman2,
+            "deforms the figure as soon as pose mode is entered, before any pose is loaded",
+        )],
+        docs: "With every bone at rest, skinning must leave each vertex where it is. Here it does not: a vertex of the default \
+            character moves by more than 0.0001 decimetres, or is no number afterwards. What the cut-off of small weights \
+            takes from a vertex is left out of this comparison, it has a rule of its own.\n\nThe fault is in the rest \
+            matrices: mostly a bone along the world's z axis whose rotation plane has the same direction, so that it has no \
+            sideways axis; or a mesh so far from the origin, or in such small units, that 32 bit floats do not hold \
+            it.\n\nBones without length and planes in line are reported for themselves.",
+        ..RuleInfo::new("numeric-rest-skinning", Level::Error, "skinning the rest pose does not give the mesh back")
+    },
+    check: Check::Numeric(run),
+};
+
+/// How far a vertex may move, decimetres: float32 holds 1e-6 at the size of a figure, a chain of matrices loses
+/// a little of it.
+const TOLERANCE: f64 = 1e-4;
+
+fn run(_: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some((vertex, moved)) = measures.weights.as_ref().and_then(|weights| weights.rest_distance) else { return };
+    // A default character that is not finite, and duplicates in weights, are the causes then, and told as such.
+    let is_told =
+        base.weights.iter().filter_map(|file| file.weights()).any(|weights| weights.facts.duplicate.count > 0);
+    if measures.space.is_none() || is_told {
+        return;
+    }
+    let pose = base.settings().and_then(|(_, settings)| settings.pose_skeleton.as_deref());
+    let skeleton = pose.and_then(|name| {
+        let rel = format!("rigs/{}/{name}", base.name);
+        base.skeletons.iter().find(|file| file.rel == rel)
+    });
+    let Some(skeleton) = skeleton.filter(|_| !(moved <= TOLERANCE)) else { return };
+    let known = measures.skeletons.iter().filter(|measure| measure.path == skeleton.path).flat_map(|m| &m.bones);
+    let mut known = known
+        .filter(|bone| !(bone.length >= SHORTEST_BONE) || bone.plane_sine.is_some_and(|sine| !(sine > PARALLEL_SINE)));
+    if known.next().is_some() {
+        return;
+    }
+    let how = if moved.is_nan() { "is no number".to_owned() } else { format!("moves by {moved:.4}") };
+    let place = Place::Element(Element { kind: "vertex", index: u64::from(vertex) });
+    out.push(
+        RULE.at(skeleton, place, format!("with all bones at rest, vertex {vertex} {how} after skinning"))
+            .key("rest")
+            .help("look at the rotation planes of the bones that move this vertex")
+            .evidence(Evidence { count: 1, ..Evidence::default() }.with_worst(moved, format!("vertex {vertex}"))),
+    );
+}
