@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 
 use crate::eval::macro_def::{Blend, Component, Macrodef, Slider};
 use crate::eval::macros::MacroTable;
+use crate::eval::proportion::{Lengths, MEDIAN_RATIO, extent, oversize};
 use crate::eval::scene::{MorphTarget, Scene, SceneSkeleton, SceneSlider, SliderKind};
 use crate::eval::settings::Dimension;
 use crate::eval::skeleton::{Bone, hierarchy};
@@ -44,7 +45,8 @@ pub(super) struct Rig {
 /// The scene of a base, taking its rows out of `rows`. `None` without a mesh.
 pub(super) fn compose(base: &Base<'_>, rows: &mut Rows) -> Option<Composed> {
     let (_, mesh) = base.mesh?;
-    let mut composer = Composer { rows, mesh, by_path: BTreeMap::new(), scene: Scene::default() };
+    let mut composer =
+        Composer { rows, mesh, extent: extent(&mesh.positions), by_path: BTreeMap::new(), scene: Scene::default() };
     composer.mesh(base);
     let registered = composer.sliders(base);
     if let Some((_, file)) = base.macro_file() {
@@ -96,6 +98,8 @@ fn without_weights(scene: &Scene, skeleton: &Skeleton) -> Vec<String> {
 struct Composer<'r, 'm> {
     rows: &'r mut Rows,
     mesh: &'m Mesh,
+    /// The longest side of the mesh.
+    extent: Option<f32>,
     by_path: BTreeMap<String, usize>,
     scene: Scene,
 }
@@ -179,7 +183,7 @@ impl Composer<'_, '_> {
         let rows = rows.map(|rows| rows.into_iter().filter(in_mesh).map(|row| (row.index, row.delta)).collect());
         let place = self.scene.targets.len();
         self.by_path.insert(path.clone(), place);
-        let suspect = file.is_some_and(is_suspect);
+        let suspect = file.is_some_and(|file| is_suspect(file, self.extent));
         self.scene.targets.push(MorphTarget { name: name.to_owned(), path, rows, suspect });
         place
     }
@@ -244,8 +248,15 @@ fn dimensions(
 }
 
 /// Rows that rules report for themselves: looking at them again in every setting would say it many times.
-fn is_suspect(file: &FileFacts) -> bool {
-    file.target().is_some_and(|facts| facts.non_finite.count > 0)
+fn is_suspect(file: &FileFacts, extent: Option<f32>) -> bool {
+    let Some(facts) = file.target() else { return false };
+    let lengths = facts.largest.map(|largest| Lengths {
+        longest: largest.length,
+        median: facts.median_length,
+        tail: facts.tail_length,
+    });
+    let oversized = lengths.zip(extent).is_some_and(|(lengths, size)| oversize(lengths, size, MEDIAN_RATIO).is_some());
+    facts.non_finite.count > 0 || oversized
 }
 
 fn component(component: &crate::formats::macro_json::Component) -> Option<Component<'_>> {

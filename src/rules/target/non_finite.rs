@@ -1,9 +1,10 @@
 //! Displacements are finite numbers.
 
 use super::super::{Check, Rule, RuleCx};
+use super::shown::shown_by;
 use super::{first_row, targets};
 use crate::diag::{Application, Finding, Level, RuleInfo};
-use crate::repo::Layer;
+use crate::repo::Repository;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -17,18 +18,19 @@ pub(in crate::rules) static RULE: Rule = Rule {
             Usually an export divided by zero. Write the right numbers or remove the rows.",
         ..RuleInfo::new("target-non-finite", Level::Error, "a displacement that is NaN or infinite")
     },
-    check: Check::Layer(run),
+    check: Check::Repository(run),
 };
 
-fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for (file, facts) in targets(layer) {
+fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for (file, facts) in targets(repository.judged) {
         let Some((_, index)) = facts.non_finite.first.first() else { continue };
         let message = match facts.non_finite.count {
             1 => format!("the displacement of vertex {index} is not finite"),
             count => format!("{count} displacements are not finite, the first of vertex {index}"),
         };
+        let shown = shown_by(repository, file).map(|setting| format!(", seen at {setting}")).unwrap_or_default();
         out.push(
-            RULE.at(file, first_row(&facts.non_finite), message)
+            RULE.at(file, first_row(&facts.non_finite), message + &shown)
                 .help("write finite numbers or remove the rows")
                 .evidence(facts.non_finite.evidence(facts.rows)),
         );
