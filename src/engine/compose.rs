@@ -44,7 +44,8 @@ pub(super) struct Rig {
 
 /// The scene of a base, taking its rows out of `rows`. `None` without a mesh.
 pub(super) fn compose(base: &Base<'_>, rows: &mut Rows) -> Option<Composed> {
-    let (_, mesh) = base.mesh?;
+    // With lines that could not be read, vertices have other numbers than their author meant.
+    let (_, mesh) = base.mesh.filter(|(_, mesh)| mesh.facts.unreadable_lines == 0)?;
     let mut composer =
         Composer { rows, mesh, extent: extent(&mesh.positions), by_path: BTreeMap::new(), scene: Scene::default() };
     composer.mesh(base);

@@ -26,7 +26,7 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &Ru
     let Some(default) = pose_skeleton(repository, base).and_then(|file| file.skeleton()) else { return };
     for rig in measured(base, measures) {
         let bare = |bone: &&Bone| rig.measure.without_weights.contains(&bone.name);
-        let bones = rig.skeleton.bones.iter().filter(bare).filter(|bone| names_nothing(bone, default));
+        let bones = rig.bones().map(|(bone, _)| bone).filter(bare).filter(|bone| names_nothing(bone, default));
         let bones: Vec<&str> = bones.filter(|bone| is_end(bone, rig.skeleton)).map(|bone| bone.name.as_str()).collect();
         out.extend(finding(&rig, &bones));
     }

@@ -31,10 +31,10 @@ fn finding(repository: &Repository<'_>, pair: &PairMeasure) -> Option<Finding> {
     let on_body = pair.body.different > 0;
     let difference = if on_body { pair.body } else { pair.difference };
     let (vertex, worst) = difference.worst.filter(|_| difference.different > 0)?;
-    let what = if on_body { "vertices of the body" } else { "vertices, all of them of helpers," };
+    let on = if on_body { "vertices of the body differ" } else { "vertices differ, all on helpers" };
     let shown = shown_by(repository, left).map(|setting| format!(" (seen at {setting})")).unwrap_or_default();
     let message = format!(
-        "not the mirror image of `{}`: {} of {} {what} differ, most vertex {vertex} by {worst:.3} units{shown}",
+        "not the mirror image of `{}`: {} of {} {on}, most vertex {vertex} by {worst:.3} units{shown}",
         right.file_name(),
         difference.different,
         difference.compared,

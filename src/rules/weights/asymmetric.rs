@@ -4,6 +4,7 @@ use super::super::{Check, Rule, RuleCx};
 use super::measured::pose_weights;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::measures::Measures;
+use crate::formats::mhw::Weights;
 use crate::repo::{Base, Repository};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -20,6 +21,14 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(repository: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((weights, file)) = measures.weights.as_ref().zip(pose_weights(repository, base)) else { return };
+    // Weights that name a bone twice at a vertex, or bones the skeleton drops, are uneven for that reason.
+    let is_whole = |weights: &Weights| {
+        let known = |name: &String| measures.bones.contains(name);
+        weights.facts.duplicates.count == 0 && weights.bones.iter().all(|bone| known(&bone.name))
+    };
+    if !file.weights().is_some_and(is_whole) {
+        return;
+    }
     let name = |bone: usize| measures.bones.get(bone).map_or("", String::as_str);
     let Some(worst) = weights.asymmetric.iter().max_by(|a, b| a.worst.1.total_cmp(&b.worst.1)) else { return };
     let (vertex, difference) = worst.worst;
