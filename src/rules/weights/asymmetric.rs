@@ -24,7 +24,7 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &Ru
     // Weights that name a bone twice at a vertex, or bones the skeleton drops, are uneven for that reason.
     let is_whole = |weights: &Weights| {
         let known = |name: &String| measures.bones.contains(name);
-        weights.facts.duplicates.count == 0 && weights.bones.iter().all(|bone| known(&bone.name))
+        weights.facts.duplicate.count == 0 && weights.bones.iter().all(|bone| known(&bone.name))
     };
     if !file.weights().is_some_and(is_whole) {
         return;
