@@ -128,8 +128,8 @@ fn long_lists_are_cut_with_a_word_on_the_rest() {
     for number in 0..14 {
         fs::write(folder.join(format!("broken{number}.target")), "1 2 x 4\n").unwrap();
     }
-    let text = run(repository.path(), &["--only", "target-syntax"]);
-    assert_eq!(text.matches("error[target-syntax]").count(), 10, "{text}");
-    assert!(text.contains("and 4 more like it: `--only target-syntax --report concise` lists all"), "{text}");
+    let text = run(repository.path(), &["--only", "target-breaks-start"]);
+    assert_eq!(text.matches("error[target-breaks-start]").count(), 10, "{text}");
+    assert!(text.contains("and 4 more like it: `--only target-breaks-start --report concise` lists all"), "{text}");
     assert!(text.contains("14 errors, "), "{text}");
 }

@@ -98,7 +98,8 @@ fn check(fixture: &Fixture) -> Option<String> {
 }
 
 fn compare(title: &str, path: &Path, found: &[String]) -> Option<String> {
-    let text: String = found.iter().map(|line| format!("{line}\n")).collect();
+    let mut text = found.join("\n");
+    text.push_str(if found.is_empty() { "" } else { "\n" });
     let expected = fs::read_to_string(path).unwrap_or_default();
     if text == expected {
         return None;

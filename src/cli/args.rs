@@ -64,6 +64,7 @@ impl Command {
 
 /// Arguments of `check`.
 #[derive(Debug, clap::Args)]
+#[expect(clippy::struct_excessive_bools, reason = "each is a flag of the command line")]
 pub(super) struct CheckArgs {
     /// Folders or files; the current directory if none is given.
     #[arg(value_name = "PATH")]

@@ -27,7 +27,7 @@ impl Selection {
                 .map(|(text, level)| Ok((selector(text)?, *level)))
                 .collect::<Result<_, _>>()?,
         };
-        selection.refuse_muted_safety(options)?;
+        refuse_muted_safety(options)?;
         Ok(selection)
     }
 
@@ -45,19 +45,18 @@ impl Selection {
         let set = self.levels.iter().rev().find(|(glob, _)| glob.is_match(rule));
         set.map_or(Some(level), |(_, set)| *set)
     }
+}
 
-    /// Naming a safety rule to mute it is refused aloud; a wide glob just does not reach it.
-    fn refuse_muted_safety(&self, options: &Options) -> Result<(), Error> {
-        let levels = options.levels.iter().map(|(text, _)| text);
-        let named = options.skip.iter().chain(levels).find(|text| is_unmutable(text));
-        named.map_or(Ok(()), |text| {
-            Err(Error::Selector {
-                text: text.clone(),
-                reason: "this rule guards against running foreign code or filling memory and cannot be muted"
-                    .to_owned(),
-            })
+/// Naming a safety rule to mute it is refused aloud; a wide glob just does not reach it.
+fn refuse_muted_safety(options: &Options) -> Result<(), Error> {
+    let levels = options.levels.iter().map(|(text, _)| text);
+    let named = options.skip.iter().chain(levels).find(|text| is_unmutable(text));
+    named.map_or(Ok(()), |text| {
+        Err(Error::Selector {
+            text: text.clone(),
+            reason: "this rule guards against running foreign code or filling memory and cannot be muted".to_owned(),
         })
-    }
+    })
 }
 
 fn is_unmutable(rule: &str) -> bool {

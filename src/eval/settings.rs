@@ -108,7 +108,7 @@ impl Plan {
 
     fn alone(&mut self, scene: &Scene, dimension: &Dimension) {
         let Dimension::Steps { place, steps } = dimension else { return };
-        let middles = steps.windows(2).map(|pair| (pair[0] + pair[1]) / 2.0);
+        let middles = steps.windows(2).map(|pair| f64::midpoint(pair[0], pair[1]));
         let sides = steps.iter().flat_map(|step| [step - BESIDE, step + BESIDE]);
         let inside = sides.filter(|value| (0.0..=1.0).contains(value));
         for value in steps.iter().copied().chain([0.0, 1.0]).chain(middles).chain(inside) {

@@ -34,6 +34,9 @@ pub struct JsonFacts {
 }
 
 /// Reads a JSON text as the applications do.
+///
+/// # Errors
+/// The fault that keeps an application from reading it.
 pub fn parse(text: &[u8], encoding: &Encoding) -> Result<Document, JsonFault> {
     if encoding.lfs_pointer {
         Err(JsonFault::LfsPointer)

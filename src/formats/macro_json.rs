@@ -123,7 +123,7 @@ fn read_links(node: &Node, macrodef: &mut Macrodef) {
         match (text(entry, "name"), entry.get("t").map(|t| &t.value)) {
             (Some(name), Some(Value::Null)) => macrodef.links.push(Link { index, name, target: None }),
             (Some(name), Some(Value::String(target))) => {
-                macrodef.links.push(Link { index, name, target: Some(target.clone()) })
+                macrodef.links.push(Link { index, name, target: Some(target.clone()) });
             }
             (None, _) | (_, None) => macrodef.incomplete.push(index),
             // `t` of another type stops the program; the schema says so.

@@ -72,6 +72,9 @@ impl<'a> Reader<'a> {
     }
 
     /// Enters an array or object (the opening bracket is next).
+    ///
+    /// # Errors
+    /// Nesting beyond the limit.
     pub fn open(&mut self) -> Step<()> {
         self.depth += 1;
         if self.depth > DEEPEST {
@@ -83,6 +86,9 @@ impl<'a> Reader<'a> {
 
     /// After [`Reader::open`] or an element: whether another element follows. Consumes the comma or
     /// the closing bracket.
+    ///
+    /// # Errors
+    /// Anything but a comma or the closing bracket; a comma before it.
     pub fn more(&mut self, first: bool, close: u8) -> Step<bool> {
         match self.peek() {
             Some(byte) if byte == close => {
@@ -107,6 +113,9 @@ impl<'a> Reader<'a> {
     }
 
     /// A member key with its colon. Gives the key and its span (with quotes).
+    ///
+    /// # Errors
+    /// No key in double quotes, or no colon behind it.
     pub fn key(&mut self) -> Step<(Cow<'a, str>, Range<usize>)> {
         if self.peek() != Some(b'"') {
             return Err(self.expected("a key in double quotes"));
@@ -122,6 +131,9 @@ impl<'a> Reader<'a> {
     }
 
     /// A string (the opening quote is next).
+    ///
+    /// # Errors
+    /// A string that does not end, a raw control character, a bad escape.
     pub fn string(&mut self) -> Step<Cow<'a, str>> {
         let start = self.at + 1;
         let rest = self.text.get(start..).unwrap_or_default();
@@ -210,6 +222,9 @@ impl<'a> Reader<'a> {
 
     /// A number; `None` if the next token is none. Gives its value and whether it is written as an integer.
     /// `NaN` and the infinities are accepted as Python does and noted in [`Reader::specials`].
+    ///
+    /// # Errors
+    /// A sign without a number.
     pub fn number(&mut self) -> Step<Option<(f64, bool)>> {
         self.peek();
         let rest = self.text.get(self.at..).unwrap_or_default();
@@ -242,6 +257,9 @@ impl<'a> Reader<'a> {
     }
 
     /// Makes sure that nothing but white space follows.
+    ///
+    /// # Errors
+    /// Something follows.
     pub fn finish(&mut self) -> Step<()> {
         match self.peek() {
             None => Ok(()),

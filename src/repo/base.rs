@@ -73,7 +73,7 @@ impl<'a> Layers<'a> {
 }
 
 /// Names of all bases in the layers.
-pub(super) fn base_names<'a>(layers: Layers<'a>) -> BTreeSet<&'a str> {
+pub(super) fn base_names(layers: Layers<'_>) -> BTreeSet<&str> {
     let files = [layers.system, layers.user].into_iter().flatten().flat_map(|layer| layer.files.values());
     files
         .filter(|file| ["base/", "target/", "contarget/", "rigs/"].iter().any(|folder| file.rel.starts_with(folder)))
@@ -171,12 +171,11 @@ fn bind_sliders<'a>(
     for (file, model) in modelling.winner().into_iter().chain(user.accepted()) {
         for (index, slider) in model.sliders.iter().enumerate() {
             let bound = BoundSlider { slider, file, pattern: Pattern::of(slider, opposites), index };
-            match by_key.get(slider.key.as_str()).and_then(|at| sliders.get_mut(*at)) {
-                Some(place) => *place = bound,
-                None => {
-                    by_key.insert(&slider.key, sliders.len());
-                    sliders.push(bound);
-                }
+            if let Some(place) = by_key.get(slider.key.as_str()).and_then(|at| sliders.get_mut(*at)) {
+                *place = bound
+            } else {
+                by_key.insert(&slider.key, sliders.len());
+                sliders.push(bound);
             }
         }
     }

@@ -86,11 +86,11 @@ pub(super) fn collect<'a>(repository: &Repository<'a>, base: &Base<'a>) -> Vec<R
 fn macro_references<'a>(base: &Base<'a>, out: &mut Vec<Reference<'a>>) {
     let Some((from, file)) = base.macro_file() else { return };
     for macrodef in &file.macrodefs {
-        let folder = macrodef.effective_folder.as_deref().unwrap_or_default();
+        let folder = macrodef.effective_folder.as_deref();
         for link in &macrodef.links {
             // An empty name is a finding of its own, not a missing file.
             let Some(text) = link.target.as_deref().filter(|text| !text.is_empty()) else { continue };
-            let name = format!("{folder}/{text}");
+            let name = folder.map_or_else(|| text.to_owned(), |folder| format!("{folder}/{text}"));
             let (rel, resolution) = resolve_target(base, base.targets, &name);
             out.push(Reference {
                 kind: ReferenceKind::MacroTarget,

@@ -8,9 +8,7 @@ use serde_json::{Map, Value};
 use super::args::{Attached, FitArgs, SettingArgs};
 use super::{document, open_root, write};
 use crate::cli::exit::Failure;
-use crate::engine::evaluate::{Error, fit_json, object, read_asset, read_text, with_positions};
-use crate::eval::vector::Point;
-use crate::formats::obj;
+use crate::engine::evaluate::{Error, Point, fit_json, object, read_asset, read_positions, read_text, with_positions};
 
 pub(super) fn run(args: &FitArgs, out: &mut dyn Write) -> Result<(), Failure> {
     let asset = read_asset(&args.file)?;
@@ -40,7 +38,7 @@ fn meshes(base: &Path, setting: &SettingArgs) -> Result<Meshes, Error> {
             let reason = "an OBJ has no sliders; give a data folder as --base-mesh to set them".to_owned();
             return Err(Error::Input(reason));
         }
-        let plain = obj::parse(&read_text(base)?).positions;
+        let plain = read_positions(base)?;
         let inputs = object([("base_mesh", Value::from(base.to_string_lossy()))]);
         return Ok(Meshes { morphed: plain.clone(), plain, inputs });
     }

@@ -17,8 +17,7 @@ use serde_json::{Map, Value};
 pub(super) use args::EvalCommand;
 
 use super::exit::{Exit, Failure};
-use crate::engine::evaluate::{Error, Evaluation, object, parse_setting, read_settings};
-use crate::eval::scene::Setting;
+use crate::engine::evaluate::{Error, Evaluation, Setting, object, parse_setting, read_settings};
 use args::{BaseArgs, SettingArgs};
 
 /// Runs one of the commands.

@@ -5,6 +5,7 @@ use std::path::Path;
 use super::error::Error;
 use crate::eval::vector::Point;
 use crate::formats::json_file::{self, JsonFault};
+use crate::formats::obj;
 use crate::json::{Document, SyntaxFault, SyntaxKind};
 use crate::source::{Encoding, Limits, ReadFault, position, read_file};
 
@@ -14,6 +15,14 @@ use crate::source::{Encoding, Limits, ReadFault, position, read_file};
 /// A file that cannot be read, with its path.
 pub fn read_text(path: &Path) -> Result<Vec<u8>, Error> {
     read_file(path, &Limits::default()).map_err(|fault| Error::file(shown(path), read_cause(&fault)))
+}
+
+/// Vertex positions of an OBJ file, decimetres.
+///
+/// # Errors
+/// A file that cannot be read, with its path.
+pub fn read_positions(path: &Path) -> Result<Vec<Point>, Error> {
+    Ok(obj::parse(&read_text(path)?).positions)
 }
 
 /// A JSON file as a tree.

@@ -16,10 +16,12 @@ mod settings;
 mod skeleton;
 mod weights;
 
+pub use crate::eval::scene::Setting;
+pub use crate::eval::vector::Point;
 pub use asset::{Asset, Fitted, read_asset};
 pub use cases::{CaseReport, CaseRun, Comparison, Deviation, Roots, run_cases};
 pub use error::Error;
-pub use files::{read_text, with_positions};
+pub use files::{read_positions, read_text, with_positions};
 pub use open::Evaluation;
 pub use outputs::{
     fit_json, load_json, macros_json, mesh_json, object, reduction_json, skeleton_json, skin_json, weights_json,

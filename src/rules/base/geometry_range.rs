@@ -65,7 +65,8 @@ fn unlike(file: &FileFacts, section: &str, range: &Range, mesh: &Mesh, group: Op
         let message = format!("`{}` covers {first} to {last}, but the mesh has {vertices} vertices", range.name);
         return Some(at(message).help("a range is the first and the last vertex, counted from 0"));
     }
-    let group = group.filter(|group| !is_mixed(mesh, &group.name))?;
+    // Faces with vertices that do not exist make a group look larger than it is; they are reported for themselves.
+    let group = group.filter(|group| mesh.facts.face_out_of_range.count == 0 && !is_mixed(mesh, &group.name))?;
     let (lowest, highest) = group.vertices.map(|(lowest, highest)| (i64::from(lowest), i64::from(highest)))?;
     if (lowest, highest) == (first, last) {
         return None;

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx};
 use super::loader::{extension, opens};
-use crate::diag::{Application, Evidence, Finding, Level, RuleInfo};
+use crate::diag::{Application, Evidence, Finding, Level, RuleInfo, nearest};
 use crate::discover::Kind;
 use crate::repo::{Base, FileFacts, ReferenceKind, Repository, Resolution, TargetFolder};
 
@@ -57,8 +57,8 @@ fn reason(repository: &Repository<'_>, file: &FileFacts, used: &BTreeSet<String>
         return None;
     }
     if file.kind == Kind::TargetIcon {
-        return (is_icon_store(repository, file) && !used.contains(&file.rel))
-            .then(|| "no slider has this icon".to_owned());
+        let idle = is_icon_store(repository, file) && !used.contains(&file.rel) && !is_misspelt(repository, name);
+        return idle.then(|| "no slider has this icon".to_owned());
     }
     if !is_judged_folder(&file.rel) || opens(&file.rel) {
         return None;
@@ -101,6 +101,13 @@ fn is_icon_store(repository: &Repository<'_>, file: &FileFacts) -> bool {
         let known = base.modelling.winner().is_some() && !base.modelling.contarget.is_refused();
         (known && inside(base.targets)) || inside(base.user_targets)
     })
+}
+
+/// Whether a slider asks for an icon that is not there and must mean this one: that name is the fault.
+fn is_misspelt(repository: &Repository<'_>, name: &str) -> bool {
+    let icons = repository.references.iter().filter(|reference| reference.kind == ReferenceKind::Icon);
+    let mut missing = icons.filter(|reference| matches!(reference.resolution, Resolution::Missing));
+    missing.any(|reference| nearest(reference.text, [name]).is_some())
 }
 
 fn icons_in_use(repository: &Repository<'_>) -> BTreeSet<String> {

@@ -24,7 +24,10 @@ pub(super) fn of<'b, 'a>(base: &'b Base<'a>) -> Option<Groups<'b, 'a>> {
     if is_damaged(&base.categories) || is_damaged(&base.modelling) {
         return None;
     }
-    let (_, categories) = base.categories.winner()?;
+    let (file, categories) = base.categories.winner()?;
+    if !file.schema.faults.is_empty() {
+        return None;
+    }
     let mut offered = BTreeSet::new();
     let mut replaced = BTreeSet::new();
     for category in &categories.categories {
@@ -51,6 +54,11 @@ impl Groups<'_, '_> {
     /// What an unknown group was probably meant to be.
     pub(super) fn meant(&self, group: &str) -> Option<&str> {
         nearest(group, self.offered.iter().map(String::as_str))
+    }
+
+    /// Whether some item shows a group of this category.
+    pub(super) fn knows_category(&self, category: &str) -> bool {
+        self.offered.iter().any(|group| group.split('|').next() == Some(category))
     }
 
     /// Whether an empty item was probably meant for a slider whose group is reported.

@@ -1,5 +1,7 @@
 //! The group of a slider must be shown by an item of `target_cat.json`.
 
+use std::collections::BTreeMap;
+
 use super::super::{Check, Rule, RuleCx};
 use super::groups::{self, Groups};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
@@ -20,11 +22,39 @@ pub(in crate::rules) static RULE: Rule = Rule {
 fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     two_bars(base, out);
     if let Some(groups) = groups::of(base) {
+        let mut lost: BTreeMap<&str, Vec<&BoundSlider<'_>>> = BTreeMap::new();
         for (group, sliders) in groups.unknown.iter().filter(|(group, _)| group.matches('|').count() < 2) {
-            out.extend(unknown(repository, base, &groups, group, sliders));
+            match group.split_once('|') {
+                Some((category, _)) if groups.meant(group).is_none() && !groups.knows_category(category) => {
+                    lost.entry(if groups.offered.is_empty() { "" } else { category }).or_default().extend(sliders);
+                }
+                _ => out.extend(unknown(repository, base, &groups, group, sliders)),
+            }
         }
+        out.extend(lost.iter().filter_map(|(category, sliders)| lost_category(repository, base, category, sliders)));
     }
     no_categories(repository, base, out);
+}
+
+/// A whole category that no item shows is one cause, however many groups it has.
+fn lost_category(
+    repository: &Repository<'_>,
+    base: &Base<'_>,
+    category: &str,
+    sliders: &[&BoundSlider<'_>],
+) -> Option<Finding> {
+    let keys = Evidence::of_cases(sliders.iter().map(|slider| &slider.slider.key));
+    let subject = match sliders {
+        [only] => format!("`{}` is", only.slider.key),
+        more => format!("{} sliders are", more.len()),
+    };
+    let message = match category {
+        "" => format!("{subject} never shown: target_cat.json has no item at all"),
+        category => format!("{subject} never shown: target_cat.json has no category `{category}`"),
+    };
+    let (file, place) = whose(repository, base, sliders.first()?)?;
+    let help = "add the category with an item for every group, or correct the groups";
+    Some(RULE.at(file, place, message).key(category).help(help).evidence(keys))
 }
 
 fn unknown(
