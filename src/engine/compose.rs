@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 
 use crate::eval::macro_def::{Blend, Component, Macrodef, Slider};
 use crate::eval::macros::MacroTable;
+use crate::eval::proportion::{Lengths, MEDIAN_RATIO, extent, oversize};
 use crate::eval::scene::{MorphTarget, Scene, SceneSkeleton, SceneSlider, SliderKind};
 use crate::eval::settings::Dimension;
 use crate::eval::skeleton::{Bone, hierarchy};
@@ -16,7 +17,7 @@ use crate::formats::macro_json::MacroFile;
 use crate::formats::mhskel::{RotationPlane, Skeleton};
 use crate::formats::mhw::Weights;
 use crate::formats::obj::Mesh;
-use crate::formats::target::{OUTLIER_RATIO, Row, TargetFacts, extent};
+use crate::formats::target::Row;
 use crate::repo::{Base, FileFacts, Pattern, TargetFolder};
 
 /// Rows of targets by printed path.
@@ -43,9 +44,10 @@ pub(super) struct Rig {
 
 /// The scene of a base, taking its rows out of `rows`. `None` without a mesh.
 pub(super) fn compose(base: &Base<'_>, rows: &mut Rows) -> Option<Composed> {
-    let (_, mesh) = base.mesh?;
+    // With lines that could not be read, vertices have other numbers than their author meant.
+    let (_, mesh) = base.mesh.filter(|(_, mesh)| mesh.facts.unreadable_lines == 0)?;
     let mut composer =
-        Composer { rows, mesh, size: extent(&mesh.positions), by_path: BTreeMap::new(), scene: Scene::default() };
+        Composer { rows, mesh, extent: extent(&mesh.positions), by_path: BTreeMap::new(), scene: Scene::default() };
     composer.mesh(base);
     let registered = composer.sliders(base);
     if let Some((_, file)) = base.macro_file() {
@@ -97,8 +99,8 @@ fn without_weights(scene: &Scene, skeleton: &Skeleton) -> Vec<String> {
 struct Composer<'r, 'm> {
     rows: &'r mut Rows,
     mesh: &'m Mesh,
-    /// Longest side of the mesh.
-    size: Option<f32>,
+    /// The longest side of the mesh.
+    extent: Option<f32>,
     by_path: BTreeMap<String, usize>,
     scene: Scene,
 }
@@ -182,16 +184,9 @@ impl Composer<'_, '_> {
         let rows = rows.map(|rows| rows.into_iter().filter(in_mesh).map(|row| (row.index, row.delta)).collect());
         let place = self.scene.targets.len();
         self.by_path.insert(path.clone(), place);
-        let suspect = file.is_some_and(|file| self.is_suspect(file));
+        let suspect = file.is_some_and(|file| is_suspect(file, self.extent));
         self.scene.targets.push(MorphTarget { name: name.to_owned(), path, rows, suspect });
         place
-    }
-
-    /// Rows that rules report for themselves: looking at them again in every setting would say it many times.
-    fn is_suspect(&self, file: &FileFacts) -> bool {
-        let size = self.size;
-        let oversize = |facts: &TargetFacts| size.is_some_and(|size| facts.oversize(size, OUTLIER_RATIO).is_some());
-        file.target().is_some_and(|facts| facts.non_finite.count > 0 || oversize(facts))
     }
 
     fn macros(&mut self, base: &Base<'_>, file: &MacroFile, registered: &BTreeMap<String, Slider>) {
@@ -251,6 +246,18 @@ fn dimensions(
         Some((dimension, component.values.len()))
     };
     names.iter().map(one).collect::<Option<Vec<_>>>().unwrap_or_default().into_iter().unzip()
+}
+
+/// Rows that rules report for themselves: looking at them again in every setting would say it many times.
+fn is_suspect(file: &FileFacts, extent: Option<f32>) -> bool {
+    let Some(facts) = file.target() else { return false };
+    let lengths = facts.largest.map(|largest| Lengths {
+        longest: largest.length,
+        median: facts.median_length,
+        tail: facts.tail_length,
+    });
+    let oversized = lengths.zip(extent).is_some_and(|(lengths, size)| oversize(lengths, size, MEDIAN_RATIO).is_some());
+    facts.non_finite.count > 0 || oversized
 }
 
 fn component(component: &crate::formats::macro_json::Component) -> Option<Component<'_>> {

@@ -1,6 +1,6 @@
 //! A scene to its measures: the pure functions of `eval`, run in parallel and merged in order.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use rayon::prelude::*;
 
@@ -8,15 +8,14 @@ use super::compose::Rig;
 use super::run::Options;
 use crate::eval::culprit::most_moving;
 use crate::eval::macro_survey::{dead_ranges, jumps, losses, sums_off};
-use crate::eval::measure::{chain_length, closing_gap};
-use crate::eval::measures::{ChainMeasure, MacroMeasure, Measures, PairMeasure, Seen, SkeletonMeasure, SpaceMeasure};
+use crate::eval::measures::{MacroMeasure, Measures, PairMeasure, Seen, SkeletonMeasure, SpaceMeasure};
 use crate::eval::rig_measure::{bone_pairs, bones, weights};
-use crate::eval::scene::{Scene, Setting};
+use crate::eval::scene::{MorphTarget, Scene, Setting};
 use crate::eval::settings::{DEFAULT_SAMPLES, describe, plan};
 use crate::eval::survey::{Scratch, Survey, Surveyor, Worst};
-use crate::eval::symmetry::{MirrorMap, mirror_difference};
+use crate::eval::symmetry::MirrorMap;
 use crate::eval::target_measure::{Parts, TargetMeasure, cubes_of};
-use crate::repo::Base;
+use crate::eval::vector::Point;
 
 /// How far from its exact mirror image a vertex may be, mesh units: meshes are written with four decimals.
 const MIRROR_TOLERANCE: f32 = 1e-3;
@@ -28,13 +27,14 @@ const WEIGHT_TOLERANCE: f32 = 0.01;
 const CHUNK: usize = 32;
 
 /// Measures a scene.
-pub(super) fn gauge(base: &Base<'_>, scene: &Scene, rigs: &[Rig], options: &Options) -> Measures {
+pub(super) fn gauge(scene: &Scene, rigs: &[Rig], options: &Options) -> Measures {
     let settings = plan(scene, &scene.macrodefs, options.samples.unwrap_or(DEFAULT_SAMPLES), options.exhaustive);
     let mirror = MirrorMap::new(&scene.positions, scene.faces(), MIRROR_TOLERANCE);
+    let (parts, cubes) = parts(scene, &mirror);
     let rest = scene.morphed(&scene.defaults()).unwrap_or_else(|_| scene.positions.clone());
-    let (space, (macros, (targets, cubes))) = rayon::join(
+    let (space, (macros, targets)) = rayon::join(
         || survey(scene, &settings),
-        || rayon::join(|| macro_measure(scene, &settings), || target_measures(scene, &mirror)),
+        || rayon::join(|| macro_measure(scene, &settings), || target_measures(scene, &parts)),
     );
     let weights = scene.skeleton.as_ref().zip(scene.weights.as_ref()).and_then(|(skeleton, loaded)| {
         weights(loaded, skeleton, &rest, &mirror, &bone_pairs(&skeleton.names), WEIGHT_TOLERANCE)
@@ -42,14 +42,13 @@ pub(super) fn gauge(base: &Base<'_>, scene: &Scene, rigs: &[Rig], options: &Opti
     Measures {
         space,
         macros,
-        pairs: pair_measures(scene, &mirror),
+        pairs: pair_measures(scene, &parts),
         targets,
         unmirrored: mirror.unresolved(),
         cubes,
         skeletons: rigs.iter().filter_map(|rig| skeleton_measure(rig, &rest)).collect(),
         weights,
         bones: scene.skeleton.as_ref().map(|skeleton| skeleton.names.clone()).unwrap_or_default(),
-        chains: chain_measures(base, &rest),
     }
 }
 
@@ -123,7 +122,8 @@ fn macro_measure(scene: &Scene, settings: &[Setting]) -> MacroMeasure {
     }
 }
 
-fn target_measures(scene: &Scene, mirror: &MirrorMap) -> (Vec<TargetMeasure>, Vec<String>) {
+/// Parts of the mesh that targets are measured against, and the names of the joint cubes.
+fn parts<'s>(scene: &Scene, mirror: &'s MirrorMap) -> (Parts<'s>, Vec<String>) {
     let groups = scene.face_groups.iter().map(|group| scene.groups.get(*group as usize).map_or("", String::as_str));
     let mut cubes = cubes_of(groups.zip(scene.faces()));
     // A cube that no joint of the skeleton uses (the ground) may be deformed at will.
@@ -137,19 +137,22 @@ fn target_measures(scene: &Scene, mirror: &MirrorMap) -> (Vec<TargetMeasure>, Ve
     };
     for (face, group) in scene.faces().zip(&scene.face_groups) {
         if scene.visible.get(*group as usize) == Some(&true) {
-            face.iter()
-                .filter_map(|vertex| Some(*vertex as usize))
-                .for_each(|vertex| mark(&mut parts.body, vertex, true));
+            face.iter().for_each(|vertex| mark(&mut parts.body, *vertex as usize, true));
         }
     }
     for (number, (_, vertices)) in (0..).zip(&cubes) {
         vertices.iter().for_each(|vertex| mark(&mut parts.cube_of, *vertex as usize, Some(number)));
     }
-    let measures = scene.targets.par_iter().filter_map(|target| {
+    (parts, cubes.into_iter().map(|(name, _)| name).collect())
+}
+
+/// Every target that no other rule reports for its rows.
+fn target_measures(scene: &Scene, parts: &Parts<'_>) -> Vec<TargetMeasure> {
+    let measures = scene.targets.par_iter().filter(|target| !target.suspect).filter_map(|target| {
         let measure = parts.measure(target.rows.as_deref()?, DELTA_TOLERANCE);
         Some(TargetMeasure { name: target.name.clone(), path: target.path.clone(), ..measure })
     });
-    (measures.collect(), cubes.into_iter().map(|(name, _)| name).collect())
+    measures.collect()
 }
 
 fn mark<T>(list: &mut [T], at: usize, value: T) {
@@ -158,38 +161,41 @@ fn mark<T>(list: &mut [T], at: usize, value: T) {
     }
 }
 
-/// Targets named alike but for `l-` and `r-` at the beginning of the file name.
-fn pair_measures(scene: &Scene, mirror: &MirrorMap) -> Vec<PairMeasure> {
-    let right_of = |name: &str| {
-        let (folder, file) = name.rsplit_once('/').unwrap_or(("", name));
-        let right = format!("r-{}", file.strip_prefix("l-")?);
-        Some(if folder.is_empty() { right } else { format!("{folder}/{right}") })
-    };
-    let by_name: std::collections::BTreeMap<&str, usize> =
-        scene.targets.iter().enumerate().map(|(place, target)| (target.name.as_str(), place)).collect();
-    let pair = |left: &crate::eval::scene::MorphTarget| {
-        let right = scene.targets.get(*by_name.get(right_of(&left.name)?.as_str())?)?;
+/// Targets of one folder named alike but for their side.
+fn pair_measures(scene: &Scene, parts: &Parts<'_>) -> Vec<PairMeasure> {
+    let usable = scene.targets.iter().filter(|target| !target.suspect);
+    let by_path: BTreeMap<&str, &MorphTarget> = usable.map(|target| (target.path.as_str(), target)).collect();
+    let pair = |left: &MorphTarget| {
+        let right = by_path.get(right_of(&left.path)?.as_str())?;
         let (ours, theirs) = (left.rows.as_deref()?, right.rows.as_deref()?);
-        let difference = mirror_difference(mirror, ours.iter().copied(), theirs.iter().copied(), DELTA_TOLERANCE);
-        Some(PairMeasure { left: left.path.clone(), right: right.path.clone(), difference })
+        let moves = |rows: &[(u32, Point)]| rows.iter().any(|(_, delta)| delta.iter().any(|part| *part != 0.0));
+        // A target without effect is a fault of its own.
+        let (both, body) = parts.pair(ours, theirs, DELTA_TOLERANCE);
+        let measure = PairMeasure { left: left.path.clone(), right: right.path.clone(), difference: both, body };
+        (moves(ours) && moves(theirs)).then_some(measure)
     };
-    scene.targets.par_iter().filter_map(pair).collect()
+    scene.targets.par_iter().filter(|target| !target.suspect).filter_map(pair).collect()
 }
 
-fn skeleton_measure(rig: &Rig, rest: &[crate::eval::vector::Point]) -> Option<SkeletonMeasure> {
+/// Path of the target for the other side, if the file name says left.
+fn right_of(path: &str) -> Option<String> {
+    let (folder, file) = path.rsplit_once('/').unwrap_or(("", path));
+    let (stem, suffix) = file.split_once('.').unwrap_or((file, ""));
+    let mut words: Vec<&str> = stem.split('-').collect();
+    let (word, right) = words.iter_mut().find_map(|word| match *word {
+        "l" => Some((word, "r")),
+        "left" => Some((word, "right")),
+        _ => None,
+    })?;
+    *word = right;
+    let file = format!("{}.{suffix}", words.join("-"));
+    Some(if folder.is_empty() { file } else { format!("{folder}/{file}") })
+}
+
+fn skeleton_measure(rig: &Rig, rest: &[Point]) -> Option<SkeletonMeasure> {
     Some(SkeletonMeasure {
         path: rig.path.clone(),
         bones: bones(&rig.skeleton, rest)?,
         without_weights: rig.without_weights.clone(),
     })
-}
-
-fn chain_measures(base: &Base<'_>, rest: &[crate::eval::vector::Point]) -> Vec<ChainMeasure> {
-    let measure = |key: &str, chain: &[i64]| {
-        let chain: Vec<u32> = chain.iter().map(|vertex| u32::try_from(*vertex).ok()).collect::<Option<_>>()?;
-        let (length, gap) = (chain_length(rest, &chain).ok()?, closing_gap(rest, &chain).ok()?);
-        Some(ChainMeasure { key: key.to_owned(), length, gap })
-    };
-    let sliders = base.sliders.iter().map(|bound| bound.slider);
-    sliders.filter_map(|slider| measure(&slider.key, slider.measure.as_deref()?)).collect()
 }

@@ -64,7 +64,7 @@ fn measure_base(
         let own = if Some(number) == last { &mut rows } else { &mut rows.clone() };
         if let Some(composed) = compose(&base, own) {
             let Composed { scene, rigs } = composed;
-            found.insert(name.to_owned(), gauge(&base, &scene, &rigs, options));
+            found.insert(name.to_owned(), gauge(&scene, &rigs, options));
         }
     }
 }

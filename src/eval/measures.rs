@@ -26,8 +26,6 @@ pub struct Measures {
     pub weights: Option<WeightMeasure>,
     /// Names of the bones of the pose skeleton, as `weights` numbers them.
     pub bones: Vec<String>,
-    /// Polylines of measure sliders on the default character.
-    pub chains: Vec<ChainMeasure>,
 }
 
 /// What was seen over the slider space.
@@ -92,6 +90,8 @@ pub struct PairMeasure {
     pub right: String,
     /// How far the left one is from the mirror image of the right one.
     pub difference: MirrorDifference,
+    /// The same for the visible body alone.
+    pub body: MirrorDifference,
 }
 
 /// A skeleton on the default character.
@@ -103,15 +103,4 @@ pub struct SkeletonMeasure {
     pub bones: Vec<BoneMeasure>,
     /// For a skeleton whose weights come through references: bones that receive nothing.
     pub without_weights: Vec<String>,
-}
-
-/// A polyline of a measure slider.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ChainMeasure {
-    /// Key of the slider.
-    pub key: String,
-    /// Length, mesh units.
-    pub length: f64,
-    /// Distance between its ends, mesh units.
-    pub gap: f64,
 }

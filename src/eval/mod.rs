@@ -33,6 +33,7 @@ pub mod macros;
 pub mod measure;
 pub mod measures;
 pub mod morph;
+pub mod proportion;
 pub mod rig_measure;
 pub mod scene;
 pub mod settings;

@@ -36,12 +36,23 @@ pub struct WeightMeasure {
     pub worst_reduction: Option<(u32, f32)>,
     /// Vertices that lose something to the threshold of the loader.
     pub losing: usize,
-    /// Vertex and share that it loses.
-    pub worst_loss: Option<(u32, f32)>,
+    /// The vertex that is pulled farthest by what it loses.
+    pub worst_loss: Option<Loss>,
     /// Pairs of bones (left, right by number) whose weights are not mirrored: vertices and largest difference.
     pub asymmetric: Vec<AsymmetricPair>,
     /// Vertex farthest from its place after skinning with all bones at rest, and how far, mesh units.
     pub rest_distance: Option<(u32, f64)>,
+}
+
+/// What a vertex loses to the threshold of the loader.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Loss {
+    /// The vertex.
+    pub vertex: u32,
+    /// Share of its weight, 0..1.
+    pub share: f32,
+    /// How far that pulls it towards the origin in the rest pose, mesh units.
+    pub pull: f64,
 }
 
 /// Bones weighted unlike their mirror.
@@ -91,13 +102,18 @@ pub fn weights(
 ) -> Option<WeightMeasure> {
     let reduction = Influences::new(&loaded.bones, positions.len()).ok()?.reduce(ENGINE_INFLUENCES);
     let losing = loaded.lost.iter().filter(|lost| **lost > 0.0).count();
-    let worst = (0..).zip(loaded.lost.iter().copied()).max_by(|a: &(u32, f32), b| a.1.total_cmp(&b.1));
+    let losses = (0..).zip(loaded.lost.iter().zip(positions)).filter(|(_, (lost, _))| **lost > 0.0);
+    let losses = losses.map(|(vertex, (share, place))| Loss {
+        vertex,
+        share: *share,
+        pull: f64::from(*share) * distance(*place, [0.0; 3]),
+    });
     Some(WeightMeasure {
         most: reduction.most,
         over: reduction.reduced,
         worst_reduction: reduction.worst,
         losing,
-        worst_loss: worst.filter(|(_, lost)| *lost > 0.0),
+        worst_loss: losses.max_by(|a, b| a.pull.total_cmp(&b.pull)),
         asymmetric: pairs.iter().filter_map(|pair| asymmetry(&loaded.bones, *pair, mirror, tolerance)).collect(),
         rest_distance: rest_distance(loaded, skeleton, positions),
     })

@@ -77,6 +77,16 @@ impl Parts<'_> {
         measure
     }
 
+    /// Compares a left target with its right partner: all vertices, and those of the visible body alone.
+    pub fn pair(&self, left: &[Row], right: &[Row], tolerance: f64) -> (MirrorDifference, MirrorDifference) {
+        let rows = |rows: &[Row], all: bool| -> Vec<Row> {
+            let is_body = |vertex: u32| self.body.get(vertex as usize).is_some_and(|body| *body);
+            rows.iter().filter(|(vertex, _)| all || is_body(*vertex)).copied().collect()
+        };
+        let compare = |all| mirror_difference(self.mirror, rows(left, all), rows(right, all), tolerance);
+        (compare(true), compare(false))
+    }
+
     /// The cube and its largest inner difference, unless all its vertices move alike.
     fn tear(&self, group: &[(u32, u32, Point)]) -> Option<(usize, f64)> {
         let (cube, _, first) = *group.first()?;

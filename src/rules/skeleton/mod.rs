@@ -1,21 +1,26 @@
 //! Rules on `.mhskel`, and what they share: which skeletons count, and what becomes of a user of them.
 
 pub(super) mod cycle;
+pub(super) mod degenerate_plane;
 pub(super) mod empty_joint;
 mod hierarchy;
 pub(super) mod joint_out_of_range;
 pub(super) mod malformed_plane;
+mod measured;
 pub(super) mod missing_section;
 pub(super) mod missing_weights;
 pub(super) mod multiple_roots;
 pub(super) mod name_asymmetry;
 pub(super) mod no_root;
+pub(super) mod noisy_roll;
 pub(super) mod unknown_joint;
 pub(super) mod unknown_parent;
 pub(super) mod unknown_plane;
 pub(super) mod unknown_reference;
 pub(super) mod unreachable_bone;
 pub(super) mod unused_joint;
+pub(super) mod unweighted_bone;
+pub(super) mod zero_length_bone;
 
 use std::collections::BTreeSet;
 

@@ -7,16 +7,20 @@ use crate::diag::{Element, Place, Tally};
 use crate::formats::target::TargetFacts;
 use crate::repo::{FileFacts, Layer};
 
+pub(super) mod asymmetric;
+pub(super) mod asymmetric_pair;
 pub(super) mod basemesh_mismatch;
 pub(super) mod breaks_start;
 pub(super) mod duplicate_vertex;
 pub(super) mod field_count;
 pub(super) mod missing_opposite;
 pub(super) mod missing_side;
+pub(super) mod moves_helpers_only;
 pub(super) mod negative_index;
 pub(super) mod non_finite;
 pub(super) mod oversized_delta;
 mod shown;
+pub(super) mod splits_joint_cube;
 pub(super) mod stale_binary;
 pub(super) mod syntax;
 pub(super) mod unreferenced;
@@ -24,8 +28,6 @@ mod usage;
 pub(super) mod vertex_out_of_range;
 pub(super) mod without_effect;
 pub(super) mod zero_delta;
-
-use shown::shown_by;
 
 /// Targets of a layer that the loader can decode. For others the encoding is the one fault to name.
 fn targets(layer: &Layer) -> impl Iterator<Item = (&FileFacts, &TargetFacts)> {

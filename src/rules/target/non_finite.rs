@@ -1,7 +1,8 @@
 //! Displacements are finite numbers.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{first_row, shown_by, targets};
+use super::shown::shown_by;
+use super::{first_row, targets};
 use crate::diag::{Application, Finding, Level, RuleInfo};
 use crate::repo::Repository;
 
@@ -27,8 +28,7 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             1 => format!("the displacement of vertex {index} is not finite"),
             count => format!("{count} displacements are not finite, the first of vertex {index}"),
         };
-        let base = repository.bases.iter().find(|base| file.base.as_deref() == Some(base.name));
-        let shown = base.map(|base| shown_by(base, file)).unwrap_or_default();
+        let shown = shown_by(repository, file).map(|setting| format!(", seen at {setting}")).unwrap_or_default();
         out.push(
             RULE.at(file, first_row(&facts.non_finite), message + &shown)
                 .help("write finite numbers or remove the rows")

@@ -1,9 +1,11 @@
 //! Displacements out of all proportion: a lost decimal point, a wrong unit.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{decoded, shown_by};
+use super::decoded;
+use super::shown::shown_by;
 use crate::diag::{Application, Confidence, Element, Evidence, Finding, Level, OptionInfo, Place, RuleInfo};
-use crate::formats::target::{Largest, OUTLIER_RATIO, Oversize, TargetFacts, extent};
+use crate::eval::proportion::{Lengths, MEDIAN_RATIO, Oversize, extent, oversize};
+use crate::formats::target::{Largest, TargetFacts};
 use crate::repo::{Base, FileFacts, Repository};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -17,7 +19,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
             the row; if the shape is meant, raise `ratio`.\n\nWithout the base mesh (`--system`) this is not judged.",
         options: &[OptionInfo {
             name: "ratio",
-            default: OUTLIER_RATIO as f64,
+            default: MEDIAN_RATIO as f64,
             docs: "how many times its target's median displacement a vertex may move",
         }],
         ..RuleInfo::new("target-oversized-delta", Level::Warning, "a displacement out of proportion to mesh and target")
@@ -32,16 +34,18 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut 
     let own = repository.judged.files.values().filter(|file| file.base.as_deref() == Some(base.name));
     for (file, facts) in own.filter_map(decoded) {
         let Some(largest) = facts.largest else { continue };
-        let times = largest.length / facts.median_length;
-        let shown = shown_by(base, file);
-        match facts.oversize(size, ratio) {
-            Some(Oversize::Mesh) => {
-                let message = format!("{}, farther than the whole base mesh is large ({size:.1})", moves(&largest));
-                out.push(finding(file, facts, &largest, message + &shown));
+        let lengths = Lengths { longest: largest.length, median: facts.median_length, tail: facts.tail_length };
+        let shown = shown_by(repository, file).map(|setting| format!(" at {setting}")).unwrap_or_default();
+        match oversize(lengths, size, ratio) {
+            Some(Oversize::BeyondMesh) => {
+                let message =
+                    format!("{}{shown}, farther than the whole base mesh is large ({size:.1})", moves(&largest));
+                out.push(finding(file, facts, &largest, message));
             }
-            Some(Oversize::Target) => {
-                let message = format!("{}, {times:.0} times the median of this target", moves(&largest));
-                out.push(finding(file, facts, &largest, message + &shown).confidence(Confidence::Medium));
+            Some(Oversize::Outlier) => {
+                let times = largest.length / facts.median_length;
+                let message = format!("{}{shown}, {times:.0} times the median of this target", moves(&largest));
+                out.push(finding(file, facts, &largest, message).confidence(Confidence::Medium));
             }
             None => {}
         }

@@ -1,71 +1,83 @@
-//! Which slider shows a target: what somebody must move to see it.
+//! Which slider shows a target: names a setting at which it is applied, as the application spells sliders.
 //!
-//! Gets a base and the file of a target, returns words to append to a message; empty where nothing shows it, which is
-//! a finding of its own.
+//! Gets a repository and the facts of a target; returns `head/head-oval = 1`, or the corner of the macro sliders.
 
-use crate::formats::macro_json::{Component, MacroFile, Macrodef};
-use crate::repo::{Base, FileFacts, Pattern};
+use crate::formats::macro_json::MacroFile;
+use crate::repo::{Base, FileFacts, Reference, ReferenceKind, Repository};
 
-/// `; shown by ...` with one slider setting that applies the target in full.
-pub(super) fn shown_by(base: &Base<'_>, file: &FileFacts) -> String {
-    match by_slider(base, file).or_else(|| by_macro(base, file)) {
-        Some(setting) => format!("; shown by {setting}"),
-        None => String::new(),
+/// A setting that applies the target fully; `None` if nothing uses it.
+pub(super) fn shown_by(repository: &Repository<'_>, file: &FileFacts) -> Option<String> {
+    let leads_here = |reference: &&Reference<'_>| {
+        let found = super::usage::target_of(&reference.resolution);
+        reference.kind.is_target() && found.is_some_and(|found| found.path == file.path)
+    };
+    let reference = repository.references.iter().find(leads_here)?;
+    let base = repository.bases.iter().find(|base| base.name == reference.base)?;
+    match reference.kind {
+        ReferenceKind::MacroTarget => Some(corner(base.macro_file()?.1, reference.owner)),
+        ReferenceKind::Decr => side(base, reference.owner, "-1"),
+        _ => side(base, reference.owner, "1"),
     }
 }
 
-fn by_slider(base: &Base<'_>, file: &FileFacts) -> Option<String> {
-    base.sliders.iter().find_map(|bound| {
-        let folder = base.folder_of(bound)?;
-        let is_file = |name: &Option<String>| {
-            name.as_deref().and_then(|name| folder.target(name)).is_some_and(|found| std::ptr::eq(found, file))
-        };
-        let pattern = match &bound.pattern {
-            Pattern::Pair(pattern) | Pattern::Single(pattern) => pattern,
-            Pattern::Barycentric(_) | Pattern::Macro(_) | Pattern::None => return None,
-        };
-        let is_pair = matches!(bound.pattern, Pattern::Pair(_));
-        if is_file(&bound.slider.incr) {
-            Some(format!("`{pattern}` = 1"))
-        } else if is_pair && is_file(&bound.slider.decr) {
-            Some(format!("`{pattern}` = -1"))
-        } else {
-            None
-        }
-    })
+fn side(base: &Base<'_>, key: &str, value: &str) -> Option<String> {
+    let slider = base.sliders.iter().find(|slider| slider.slider.key == key)?;
+    Some(format!("`{}` = {value}", slider.pattern.names().first()?))
 }
 
-fn by_macro(base: &Base<'_>, file: &FileFacts) -> Option<String> {
-    let (_, macros) = base.macro_file()?;
-    let folder = base.targets?;
-    macros.macrodefs.iter().find_map(|macrodef| {
-        let place = macrodef.effective_folder.as_deref()?;
-        let is_file = |target: &String| {
-            folder.target(&format!("{place}/{target}")).is_some_and(|found| std::ptr::eq(found, file))
-        };
-        let link = macrodef.links.iter().find(|link| link.target.as_ref().is_some_and(is_file))?;
-        Some(combination(macros, macrodef, &link.name))
-    })
-}
-
-/// The slider positions of a combination, or its name where they cannot be told.
-fn combination(macros: &MacroFile, macrodef: &Macrodef, name: &str) -> String {
-    let component = |name: &String| macros.components.iter().rev().find(|component| component.name == *name);
-    let components: Option<Vec<&Component>> = macrodef.components.iter().map(component).collect();
-    let values: Vec<&str> = name.split('-').collect();
-    let positions = components.filter(|components| components.len() == values.len()).and_then(|components| {
-        let position = |(component, value): (&&Component, &&str)| position(component, value);
-        components.iter().zip(&values).map(position).collect::<Option<Vec<String>>>()
+/// The macro sliders at which a combination is applied alone.
+fn corner(file: &MacroFile, combination: &str) -> String {
+    let mut macrodefs = file.macrodefs.iter();
+    let macrodef = macrodefs.find(|macrodef| macrodef.links.iter().any(|link| link.name == combination));
+    let settings = macrodef.and_then(|macrodef| {
+        let mut rest = combination;
+        let settings = macrodef.components.iter().map(|name| {
+            let component = file.components.iter().find(|component| component.name == *name)?;
+            let fits = |value: &&String| {
+                rest.strip_prefix(value.as_str()).is_some_and(|left| left.is_empty() || left.starts_with('-'))
+            };
+            // The longest value that fits: one may be the beginning of another.
+            let value = component.values.iter().filter(fits).max_by_key(|value| value.len())?;
+            let place = component.values.iter().position(|other| other == value)?;
+            rest = rest.strip_prefix(value.as_str())?.trim_start_matches('-');
+            let pattern = component.pattern.as_deref()?;
+            match (&component.steps, &component.sum) {
+                (Some(steps), _) => Some(format!("`{pattern}` = {}", steps.get(place)?)),
+                (None, Some(ends)) => Some(format!("`{pattern}{}` = 1", ends.get(place)?)),
+                (None, None) => None,
+            }
+        });
+        settings.collect::<Option<Vec<String>>>()
     });
-    positions.map_or_else(|| format!("the combination `{name}`"), |positions| positions.join(", "))
+    settings.map_or_else(|| format!("the macro combination `{combination}`"), |settings| settings.join(", "))
 }
 
-fn position(component: &Component, value: &str) -> Option<String> {
-    let at = component.values.iter().position(|other| other == value)?;
-    let pattern = component.pattern.as_deref()?;
-    match (&component.steps, &component.sum) {
-        (Some(steps), _) => Some(format!("`{pattern}` = {}", steps.get(at)?)),
-        (None, Some(sum)) => Some(format!("`{pattern}{}` = 1", sum.get(at)?)),
-        (None, None) => None,
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::formats::macro_json::{Component, Link, Macrodef};
+
+    #[test]
+    fn a_combination_is_told_by_its_sliders() {
+        let texts = |list: &[&str]| list.iter().map(|text| (*text).to_owned()).collect::<Vec<_>>();
+        let steps = Component {
+            name: "age".to_owned(),
+            pattern: Some("macro/Age".to_owned()),
+            values: texts(&["old", "older"]),
+            steps: Some(vec![0.0, 1.0]),
+            ..Component::default()
+        };
+        let sum = Component {
+            name: "type".to_owned(),
+            pattern: Some("macro/".to_owned()),
+            values: texts(&["a", "b", "c"]),
+            sum: Some(texts(&["A", "B", "C"])),
+            ..Component::default()
+        };
+        let link = Link { index: 0, name: "older-b".to_owned(), target: None };
+        let macrodef = Macrodef { components: texts(&["age", "type"]), links: vec![link], ..Macrodef::default() };
+        let file = MacroFile { components: vec![steps, sum], macrodefs: vec![macrodef] };
+        assert_eq!(corner(&file, "older-b"), "`macro/Age` = 1, `macro/B` = 1");
+        assert_eq!(corner(&file, "x"), "the macro combination `x`");
     }
 }

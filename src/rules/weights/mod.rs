@@ -1,14 +1,18 @@
 //! Rules on `.mhw`, and what they share: which files count, and where a pair stands.
 
 pub(super) mod above_one;
+pub(super) mod asymmetric;
 pub(super) mod below_threshold;
 pub(super) mod duplicate_vertex;
 pub(super) mod empty_bone;
+pub(super) mod lost_after_threshold;
 pub(super) mod malformed_pair;
+mod measured;
 pub(super) mod metadata;
 pub(super) mod negative;
 pub(super) mod non_finite;
 pub(super) mod not_normalized;
+pub(super) mod too_many_influences;
 pub(super) mod unbound;
 pub(super) mod unknown_bone;
 pub(super) mod unweighted_vertex;

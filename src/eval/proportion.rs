@@ -1,0 +1,86 @@
+//! Displacements out of all proportion to their mesh and their target.
+//!
+//! Gets a few numbers of a target, says whether its longest displacement can be meant. Used where such targets are
+//! reported and where they would spoil everything else that is measured.
+
+use super::surface::bounding_box;
+use super::vector::Point;
+
+/// How many times its target's median displacement a vertex may move, unless somebody says otherwise.
+pub const MEDIAN_RATIO: f32 = 20.0;
+/// Share of the mesh's size below which nothing is oversized: no detail of a face is torn by less.
+const SMALLEST_SHARE: f32 = 0.05;
+/// How many times the length that all but the longest rows keep an outlier must have. In shipped targets the
+/// longest row is at most twice as long.
+const ISOLATION: f32 = 4.0;
+
+/// Lengths of the displacements of a target, mesh units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Lengths {
+    /// The longest.
+    pub longest: f32,
+    /// Half are longer.
+    pub median: f32,
+    /// What all but the longest few keep.
+    pub tail: f32,
+}
+
+/// Why a displacement is out of proportion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Oversize {
+    /// Farther than the mesh is large.
+    BeyondMesh,
+    /// It stands out of its own target.
+    Outlier,
+}
+
+/// Judges the longest displacement; `size` is the longest side of the mesh, `ratio` as [`MEDIAN_RATIO`].
+pub fn oversize(lengths: Lengths, size: f32, ratio: f32) -> Option<Oversize> {
+    let Lengths { longest, median, tail } = lengths;
+    if longest > size {
+        return Some(Oversize::BeyondMesh);
+    }
+    let stands_out = longest > ratio * median && longest > ISOLATION * tail && longest > SMALLEST_SHARE * size;
+    stands_out.then_some(Oversize::Outlier)
+}
+
+/// The longest side of the box around the mesh; `None` without vertices or extent.
+pub fn extent(positions: &[Point]) -> Option<f32> {
+    let finite = |point: &&Point| point.iter().all(|part| part.is_finite());
+    let finite: Vec<Point> = positions.iter().filter(finite).copied().collect();
+    let (low, high) = bounding_box(&finite)?;
+    let size = low.iter().zip(high).map(|(low, high)| high - low).fold(0.0, f32::max);
+    (size > 0.0).then_some(size)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const LENGTHS: Lengths = Lengths { longest: 1.0, median: 0.04, tail: 0.2 };
+
+    #[test]
+    fn a_lonely_long_row_stands_out() {
+        assert_eq!(oversize(LENGTHS, 10.0, MEDIAN_RATIO), Some(Oversize::Outlier));
+        for lengths in [
+            Lengths { median: 0.06, ..LENGTHS },
+            Lengths { tail: 0.3, ..LENGTHS },
+            Lengths { longest: 0.4, median: 0.01, tail: 0.01 },
+        ] {
+            assert_eq!(oversize(lengths, 10.0, MEDIAN_RATIO), None, "{lengths:?}");
+        }
+    }
+
+    #[test]
+    fn nothing_moves_farther_than_the_mesh_is_large() {
+        let wide = Lengths { longest: 3.0, median: 3.0, tail: 3.0 };
+        assert_eq!(oversize(wide, 2.0, MEDIAN_RATIO), Some(Oversize::BeyondMesh));
+        assert_eq!(oversize(wide, 4.0, MEDIAN_RATIO), None);
+    }
+
+    #[test]
+    fn extent_is_the_longest_side() {
+        assert_eq!(extent(&[[0.0; 3], [1.0, 3.0, 2.0], [f32::NAN; 3]]), Some(3.0));
+        assert_eq!(extent(&[[1.0; 3]]), None);
+    }
+}

@@ -1,0 +1,59 @@
+//! Skeletons as evaluation measured them on the default character: what the numeric rules of this family share.
+
+use crate::eval::measures::{Measures, SkeletonMeasure};
+use crate::eval::rig_measure::BoneMeasure;
+use crate::formats::mhskel::{Bone, RotationPlane, Skeleton};
+use crate::repo::{Base, FileFacts};
+
+/// Head and tail closer than this are one point, mesh units: a rounding step of 32 bit floats at the size of a body.
+pub(super) const NO_LENGTH: f64 = 1e-6;
+
+/// A skeleton with its measures.
+pub(super) struct Measured<'a> {
+    pub(super) file: &'a FileFacts,
+    pub(super) skeleton: &'a Skeleton,
+    pub(super) measure: &'a SkeletonMeasure,
+}
+
+/// Skeletons of the base that could be measured. Those on a mesh that is not finite are left out: mesh and targets
+/// are at fault there.
+pub(super) fn measured<'a>(base: &Base<'a>, measures: &'a Measures) -> Vec<Measured<'a>> {
+    let measured = |measure: &'a SkeletonMeasure| {
+        let file = base.skeletons.iter().find(|file| file.path == measure.path)?;
+        let is_finite = measure.bones.iter().all(|bone| bone.length.is_finite());
+        Some(Measured { file, skeleton: file.skeleton()?, measure }).filter(|_| is_finite)
+    };
+    measures.skeletons.iter().filter_map(measured).collect()
+}
+
+impl<'a> Measured<'a> {
+    /// Bones with their measures, in the order of the file.
+    pub(super) fn bones(&self) -> impl Iterator<Item = (&'a Bone, &'a BoneMeasure)> {
+        let measures = &self.measure.bones;
+        self.skeleton
+            .bones
+            .iter()
+            .filter_map(|bone| Some((bone, measures.iter().find(|measure| measure.name == bone.name)?)))
+    }
+
+    /// Head and tail of the bones without length.
+    pub(super) fn collapsed(&self) -> Vec<(&'a str, &'a str)> {
+        let short = self.bones().filter(|(_, measure)| measure.length < NO_LENGTH);
+        short.filter_map(|(bone, _)| Some((bone.head.as_deref()?, bone.tail.as_deref()?))).collect()
+    }
+}
+
+/// The plane that a bone names.
+pub(super) fn plane_of(bone: &Bone) -> Option<&str> {
+    if let RotationPlane::Named(plane) = &bone.rotation_plane { Some(plane) } else { None }
+}
+
+/// `bone `a``, `bones `a`, `b` and 3 more`.
+pub(super) fn named(bones: &[&str]) -> String {
+    let quoted: Vec<String> = bones.iter().take(3).map(|bone| format!("`{bone}`")).collect();
+    match (bones.len(), quoted.as_slice()) {
+        (1, _) => format!("bone {}", quoted.concat()),
+        (2 | 3, [first @ .., last]) => format!("bones {} and {last}", first.join(", ")),
+        (count, _) => format!("bones {} and {} more", quoted.join(", "), count.saturating_sub(3)),
+    }
+}

@@ -1,0 +1,53 @@
+//! A bone stands across the normal that gives its roll.
+
+use super::super::{Check, Rule, RuleCx};
+use super::measured::{NO_LENGTH, measured, plane_of};
+use crate::diag::{Application, Evidence, Finding, Level, OptionInfo, Place, RuleInfo};
+use crate::eval::measures::Measures;
+use crate::repo::{Base, Repository};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(Application::Makehuman2, "rolls the bone by small differences that may change with every morph")],
+        docs: "A bone is almost parallel to the normal of its plane; without `rotation_plane` the normal is straight up \
+            (0, 1, 0), so this concerns upright bones.\n\nThe roll comes from the part of the normal across the bone. Where \
+            hardly any is left, the smallest change of a joint turns the bone around itself: poses and exported rigs differ \
+            between characters and between left and right.\n\nGive such bones a `rotation_plane` through three joints of \
+            their limb.",
+        options: &[OptionInfo {
+            name: "cosine",
+            default: 0.999,
+            docs: "cosine of the angle between bone and normal beyond which the roll counts as noise",
+        }],
+        ..RuleInfo::new("skeleton-noisy-roll", Level::Info, "bones almost parallel to the normal that gives their roll")
+    },
+    check: Check::Numeric(run),
+};
+
+fn run(_: &Repository<'_>, base: &Base<'_>, measures: &Measures, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let cosine = cx.option(&RULE, "cosine");
+    let sine = (1.0 - cosine * cosine).max(0.0).sqrt();
+    for rig in measured(base, measures) {
+        let noisy = |measure: f64, length: f64| measure < sine && length >= NO_LENGTH;
+        let bones: Vec<_> = rig.bones().filter(|(_, bone)| noisy(bone.roll_sine, bone.length)).collect();
+        // Exactly parallel has a rule of its own in the application and does not jitter while it lasts.
+        let nearest = |a: f64| if a == 0.0 { f64::INFINITY } else { a };
+        let worst = bones.iter().min_by(|a, b| nearest(a.1.roll_sine).total_cmp(&nearest(b.1.roll_sine)));
+        let Some((bone, measure)) = worst else { continue };
+        let without = bones.iter().filter(|(bone, _)| plane_of(bone).is_none()).count();
+        let message = format!(
+            "the roll of {} of {} bones is noise: within |cos| > {cosine} of their normal, {without} of them without \
+             `rotation_plane`; most of all `{}` (sine {:.1e})",
+            bones.len(),
+            rig.skeleton.bones.len(),
+            bone.name,
+            measure.roll_sine
+        );
+        let evidence = Evidence::of_cases(bones.iter().map(|(bone, _)| &bone.name)).out_of(rig.skeleton.bones.len());
+        out.push(
+            RULE.at(rig.file, Place::key(["bones", &bone.name]), message)
+                .help("give these bones a `rotation_plane` through three joints of their limb")
+                .evidence(evidence.with_worst(measure.roll_sine, &bone.name)),
+        );
+    }
+}

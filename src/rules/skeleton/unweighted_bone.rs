@@ -1,0 +1,57 @@
+//! A bone of another skeleton gets weights from the default one.
+
+use super::super::{Check, Rule, RuleCx};
+use super::measured::{Measured, measured, named};
+use super::pose_skeleton;
+use crate::diag::{Application, Confidence, Evidence, Finding, Level, Place, RuleInfo};
+use crate::eval::measures::Measures;
+use crate::formats::mhskel::{Bone, Skeleton};
+use crate::repo::{Base, Repository};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(Application::Makehuman2, "exports the bone without a vertex: it moves nothing")],
+        docs: "MakeHuman 2 weights an exported skeleton with the weights of the default skeleton (`pose-skeleton` of \
+            base.json): a bone takes those of the default bone of its name, or of the bones in `reference` and \
+            `weights_reference`. Its own weights file is loaded and not used.\n\nA bone without a name in common and without \
+            references receives nothing. Its limb stays with the nearest bone above. The root and bones above others (which may \
+            be there to hold them together) are not reported.\n\nName the default bones in `reference`. A bone that is only a \
+            handle or a socket may stay without.",
+        ..RuleInfo::new("skeleton-unweighted-bone", Level::Warning, "a bone receives no weights through its references")
+    },
+    check: Check::Numeric(run),
+};
+
+fn run(repository: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(default) = pose_skeleton(repository, base).and_then(|file| file.skeleton()) else { return };
+    for rig in measured(base, measures) {
+        let bare = |bone: &&Bone| rig.measure.without_weights.contains(&bone.name);
+        let bones = rig.bones().map(|(bone, _)| bone).filter(bare).filter(|bone| names_nothing(bone, default));
+        let bones: Vec<&str> = bones.filter(|bone| is_end(bone, rig.skeleton)).map(|bone| bone.name.as_str()).collect();
+        out.extend(finding(&rig, &bones));
+    }
+}
+
+/// A bone that names default bones takes what they have, be it nothing; names that do not exist are reported as such.
+fn names_nothing(bone: &Bone, default: &Skeleton) -> bool {
+    let lists = [&bone.reference, &bone.weights_reference];
+    lists.iter().all(|list| list.iter().all(Vec::is_empty))
+        && !default.bones.iter().any(|other| other.name == bone.name)
+}
+
+fn is_end(bone: &Bone, skeleton: &Skeleton) -> bool {
+    bone.parent.is_some() && !skeleton.bones.iter().any(|other| other.parent.as_deref() == Some(&bone.name))
+}
+
+fn finding(rig: &Measured<'_>, bones: &[&str]) -> Option<Finding> {
+    let first = bones.first()?;
+    let receive = if bones.len() == 1 { "receives" } else { "receive" };
+    let message =
+        format!("{} {receive} no weights: no default bone has the name, and none is referred to", named(bones));
+    Some(
+        RULE.at(rig.file, Place::key(["bones", first]), message)
+            .confidence(Confidence::Medium)
+            .help("name bones of the default skeleton in `reference`")
+            .evidence(Evidence::of_cases(bones).out_of(rig.skeleton.bones.len())),
+    )
+}

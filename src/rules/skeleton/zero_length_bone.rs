@@ -1,0 +1,55 @@
+//! Head and tail of a bone are two places.
+
+use std::collections::BTreeMap;
+
+use super::super::{Check, Rule, RuleCx};
+use super::measured::{Measured, NO_LENGTH, measured, named};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::eval::measures::Measures;
+use crate::repo::{Base, Repository};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(
+            Application::Makehuman2,
+            "divides by zero without a word: in pose mode every vertex of the bone and of those below it is gone",
+        )],
+        docs: "Head and tail of a bone lie at the same place on the default character.\n\nThe direction of the bone is not a \
+            number then, and neither is its rest matrix. Mostly both ends name the same joint, or two joints list the same \
+            vertices.\n\nGive the bone two different joints. That a bone collapses only at some setting of the sliders is \
+            `numeric-zero-length-bone`.",
+        ..RuleInfo::new("skeleton-zero-length-bone", Level::Error, "head and tail of a bone coincide")
+    },
+    check: Check::Numeric(run),
+};
+
+fn run(_: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for rig in measured(base, measures) {
+        let mut ends: BTreeMap<(&str, &str), Vec<&str>> = BTreeMap::new();
+        for (bone, _) in rig.bones().filter(|(_, measure)| measure.length < NO_LENGTH) {
+            if let (Some(head), Some(tail)) = (&bone.head, &bone.tail) {
+                ends.entry((head, tail)).or_default().push(&bone.name);
+            }
+        }
+        out.extend(ends.iter().filter_map(|(ends, bones)| finding(&rig, *ends, bones)));
+    }
+}
+
+fn finding(rig: &Measured<'_>, (head, tail): (&str, &str), bones: &[&str]) -> Option<Finding> {
+    let first = bones.first()?;
+    let length = rig.bones().find(|(bone, _)| bone.name == **first)?.1.length;
+    let have = if bones.len() == 1 { "has" } else { "have" };
+    let why = if head == tail {
+        format!("head and tail are both joint `{head}`")
+    } else {
+        format!("the joints `{head}` and `{tail}` coincide")
+    };
+    let message = format!("{} {have} no length: {why}", named(bones));
+    let evidence = Evidence::of_cases(bones).out_of(rig.skeleton.bones.len()).with_worst(length, *first);
+    Some(
+        RULE.at(rig.file, Place::key(["bones", first]), message)
+            .key(*first)
+            .help("give the bone two joints at different places")
+            .evidence(evidence),
+    )
+}

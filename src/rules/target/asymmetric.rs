@@ -1,0 +1,94 @@
+//! A target that names no side moves both sides alike.
+
+use super::super::{Check, Rule, RuleCx};
+use super::shown::shown_by;
+use crate::diag::{Application, Evidence, Finding, Level, OptionInfo, Place, RuleInfo};
+use crate::eval::measures::Measures;
+use crate::eval::target_measure::TargetMeasure;
+use crate::repo::{Base, FileFacts, Repository};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(Application::Makehuman2, "makes the figure uneven; symmetry cannot even it out")],
+        docs: "A target whose name says no side (no `l`, `r`, `left`, `right`) moves one side otherwise than the other.\n\n\
+            Targets whose names end as `nonsym` under `random` of base.json says are meant to be so and left alone. A target \
+            of which more than the given share differs is named; the others, where a few vertices were missed, are counted \
+            in one line for the base mesh.\n\nIf it is meant, give the name a side or add its ending to `nonsym`: the \
+            randomizer then knows as well. Otherwise make the target symmetric.",
+        options: &[OptionInfo {
+            name: "share",
+            default: 0.1,
+            docs: "share of the moved vertices (0 to 1) that must differ for a target to be named by itself",
+        }],
+        ..RuleInfo::new("target-asymmetric", Level::Info, "a target without a side is one-sided")
+    },
+    check: Check::Numeric(run),
+};
+
+/// Words of a name that say a side.
+const SIDES: [&str; 4] = ["l", "r", "left", "right"];
+
+fn run(repository: &Repository<'_>, base: &Base<'_>, measures: &Measures, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let share = cx.option(&RULE, "share");
+    let mut slight: Vec<(&FileFacts, &TargetMeasure)> = Vec::new();
+    let mut judged = 0;
+    for target in measures.targets.iter().filter(|target| !is_meant(base, &target.name)) {
+        let Some(file) = repository.judged.files.values().find(|file| file.path == target.path) else { continue };
+        judged += 1;
+        let mirror = target.own_mirror;
+        if mirror.different == 0 {
+            continue;
+        }
+        if mirror.different as f64 > share * mirror.compared as f64 {
+            out.extend(one_sided(repository, file, target));
+        } else {
+            slight.push((file, target));
+        }
+    }
+    out.extend(uneven(base, &slight, judged));
+}
+
+/// Whether the name says that it is not symmetric.
+fn is_meant(base: &Base<'_>, name: &str) -> bool {
+    let random = base.settings().and_then(|(_, settings)| settings.random.as_ref());
+    let mut nonsym = random.map(|random| random.nonsym.as_slice()).unwrap_or_default().iter();
+    nonsym.any(|ending| name.ends_with(ending.as_str()))
+        || name.split(['/', '-', '_']).any(|word| SIDES.contains(&word))
+}
+
+fn one_sided(repository: &Repository<'_>, file: &FileFacts, target: &TargetMeasure) -> Option<Finding> {
+    let mirror = target.own_mirror;
+    let (vertex, worst) = mirror.worst?;
+    let shown = shown_by(repository, file).map(|setting| format!(" (seen at {setting})")).unwrap_or_default();
+    let message = format!(
+        "not symmetric: {} of {} vertices differ from their mirror image, most vertex {vertex} by {worst:.3} units{shown}",
+        mirror.different, mirror.compared
+    );
+    let evidence = Evidence { count: mirror.different as u64, ..Evidence::default() }.out_of(mirror.compared);
+    Some(
+        RULE.at(file, Place::File, message)
+            .help("make it symmetric, name the side, or add the ending to `nonsym` under `random` of base.json")
+            .evidence(evidence.with_worst(worst, format!("vertex {vertex}"))),
+    )
+}
+
+/// One line for all targets in which a few vertices were missed; it stands at the worst.
+fn uneven(base: &Base<'_>, slight: &[(&FileFacts, &TargetMeasure)], judged: usize) -> Option<Finding> {
+    let worst = |target: &TargetMeasure| target.own_mirror.worst.map_or(0.0, |(_, worst)| worst);
+    let (file, target) = slight.iter().max_by(|a, b| worst(a.1).total_cmp(&worst(b.1)))?;
+    let (vertex, distance) = target.own_mirror.worst?;
+    let message = format!(
+        "{} of {judged} targets without a side are uneven in a few vertices, most `{}` (vertex {vertex} by {distance:.3} units)",
+        slight.len(),
+        target.name
+    );
+    let evidence = Evidence::of_cases(slight.iter().map(|(_, target)| {
+        format!("{} ({} of {})", target.name, target.own_mirror.different, target.own_mirror.compared)
+    }));
+    Some(
+        RULE.at(file, Place::File, message)
+            .key(base.name)
+            .help("make these vertices symmetric")
+            .evidence(evidence.out_of(judged).with_worst(distance, format!("{} vertex {vertex}", target.name))),
+    )
+}

@@ -1,0 +1,50 @@
+//! A target changes something that is seen.
+
+use super::super::{Check, Rule, RuleCx};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::eval::measures::Measures;
+use crate::repo::{Base, Repository};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(
+            Application::Makehuman2,
+            "changes nothing to be seen: helpers are hidden and only carry clothes and joints",
+        )],
+        docs: "The target moves helper geometry or joint cubes, but no vertex of the body (`visible groups` of base.json).\n\n\
+            That can be meant: a target for what clothes cover, or for the place of a joint. Otherwise the shape was made on \
+            the wrong part of the mesh, and the slider seems dead.\n\nA joint that stays behind while its limb moves is the \
+            matter of `numeric-joint-drift`.",
+        ..RuleInfo::new("target-moves-helpers-only", Level::Info, "a target moves helpers but not the body")
+    },
+    check: Check::Numeric(run),
+};
+
+fn run(repository: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    // Where nothing moves the body, the groups are the fault, not the targets.
+    if measures.targets.iter().all(|target| target.body == 0) {
+        return;
+    }
+    let hidden = measures.targets.iter().filter(|target| target.body == 0 && target.joints + target.helpers > 0);
+    let own = |path: &str| repository.judged.files.values().find(|file| file.path == path);
+    let hidden: Vec<_> = hidden.filter_map(|target| Some((own(&target.path)?, target))).collect();
+    let Some((file, first)) = hidden.first() else { return };
+    let message = match hidden.as_slice() {
+        [_] => format!("`{}` moves {} and no vertex of the body", first.name, moved(first.joints, first.helpers)),
+        _ => format!("{} targets move no vertex of the body but helpers, the first is `{}`", hidden.len(), first.name),
+    };
+    let evidence = Evidence::of_cases(hidden.iter().map(|(_, target)| &target.name)).out_of(measures.targets.len());
+    let mut finding = RULE.at(file, Place::File, message).key(base.name).evidence(evidence);
+    for (file, target) in hidden.iter().skip(1) {
+        finding = finding.related(&file.path, Place::File, moved(target.joints, target.helpers));
+    }
+    out.push(finding.help("if the body should change, make the shape on the visible mesh"));
+}
+
+fn moved(joints: usize, helpers: usize) -> String {
+    match (joints, helpers) {
+        (0, helpers) => format!("{helpers} vertices of helpers"),
+        (joints, 0) => format!("{joints} vertices of joint cubes"),
+        _ => format!("{helpers} vertices of helpers and {joints} of joint cubes"),
+    }
+}

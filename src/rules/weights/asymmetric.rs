@@ -1,0 +1,53 @@
+//! Left bones are weighted as right ones.
+
+use super::super::{Check, Rule, RuleCx};
+use super::measured::pose_weights;
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::eval::measures::Measures;
+use crate::formats::mhw::Weights;
+use crate::repo::{Base, Repository};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(Application::Makehuman2, "bends the two sides differently in mirrored poses")],
+        docs: "Bones that are named alike but for their side (`.L` and `.R`, `_l` and `_r`, `Left` and `Right` …) move mirrored \
+            vertices with different weights.\n\nWhich vertices mirror each other is found from the base mesh. Weights are \
+            compared as MakeHuman 2 holds them after loading (scaled to a sum of 1) and may differ by 0.01.\n\nMirror the \
+            weights of one side. A figure that is meant to be uneven can leave it so.",
+        ..RuleInfo::new("weights-asymmetric", Level::Info, "left and right bones weighted unlike their mirror")
+    },
+    check: Check::Numeric(run),
+};
+
+fn run(repository: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some((weights, file)) = measures.weights.as_ref().zip(pose_weights(repository, base)) else { return };
+    // Weights that name a bone twice at a vertex, or bones the skeleton drops, are uneven for that reason.
+    let is_whole = |weights: &Weights| {
+        let known = |name: &String| measures.bones.contains(name);
+        weights.facts.duplicate.count == 0 && weights.bones.iter().all(|bone| known(&bone.name))
+    };
+    if !file.weights().is_some_and(is_whole) {
+        return;
+    }
+    let name = |bone: usize| measures.bones.get(bone).map_or("", String::as_str);
+    let Some(worst) = weights.asymmetric.iter().max_by(|a, b| a.worst.1.total_cmp(&b.worst.1)) else { return };
+    let (vertex, difference) = worst.worst;
+    let pairs = match weights.asymmetric.len() {
+        1 => "1 pair of bones is".to_owned(),
+        count => format!("{count} pairs of bones are"),
+    };
+    let message = format!(
+        "{pairs} weighted unlike the mirror, most `{}` and `{}`: {} vertices differ, vertex {vertex} by {difference:.3}",
+        name(worst.left),
+        name(worst.right),
+        worst.vertices
+    );
+    let evidence = Evidence::of_cases(
+        weights.asymmetric.iter().map(|pair| format!("{} ({} vertices)", name(pair.left), pair.vertices)),
+    );
+    out.push(
+        RULE.at(file, Place::key(["weights", name(worst.left)]), message)
+            .help("mirror the weights of one side")
+            .evidence(evidence.with_worst(f64::from(difference), format!("{}[{vertex}]", name(worst.left)))),
+    );
+}
