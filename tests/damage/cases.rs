@@ -1,4 +1,4 @@
-//! The table: what is damaged and what must be said about it, at present without evaluation.
+//! The tables: what is damaged and what must be said about it, without evaluation and with it.
 
 /// One damage.
 pub(crate) struct Case {
@@ -164,4 +164,43 @@ pub(crate) static CASES: &[Case] = &[
         &[],
     ),
     case("line ends of Windows", "mh2bot", &[Replace("target/mh2bot/armslegs/upperarms-length-incr.target", "1628 0 -3.303 0\n", "1628 0 -3.303 0\r\n")], &[], &[]),
+];
+
+/// Damage judged with evaluation. A case runs once every rule that it expects exists.
+pub(crate) static NUMERIC: &[Case] = &[
+    case(
+        "a NaN is no matter of the settings",
+        "hm08",
+        &[Replace("target/hm08/nose/nose-hump-incr.target", "109 0 -.008 0", "109 0 nan 0")],
+        &["target-non-finite target/hm08/nose/nose-hump-incr.target"],
+        &[],
+    ),
+    case(
+        "a displacement of a million is no matter of the settings",
+        "hm08",
+        &[Replace("target/hm08/nose/nose-hump-incr.target", "109 0 -.008 0", "109 0 1000000 0")],
+        &["target-oversized-delta target/hm08/nose/nose-hump-incr.target"],
+        &[],
+    ),
+    case(
+        "steps that leave a dead range",
+        "hm08",
+        &[Replace("target/hm08/macro.json", "[0.0, 0.1875, 0.5, 1.0]", "[0.0, 0.1875, 0.5, 0.9]")],
+        &["macro-steps-range target/hm08/macro.json"],
+        &[],
+    ),
+    case(
+        "a torn joint cube",
+        "hm08",
+        &[Replace("target/hm08/nose/nose-hump-incr.target", "109 0 -.008 0", "109 0 -.008 0\n13654 0 0.5 0")],
+        &["target-splits-joint-cube target/hm08/nose/nose-hump-incr.target"],
+        &[],
+    ),
+    case(
+        "a left target that is not the mirror of the right one",
+        "hm08",
+        &[Replace("target/hm08/ears/l-ear-flap-incr.target", "7565 -.003 -.001 -.003", "7565 -.003 -.5 -.003")],
+        &["target-asymmetric-pair target/hm08/ears/l-ear-flap-incr.target"],
+        &[],
+    ),
 ];
