@@ -7,6 +7,7 @@ use super::args::{CheckArgs, Command};
 use super::exit::{Exit, Failure};
 use super::output::{Target, targets, write_file};
 use super::panics::Panics;
+use super::progress::Progress;
 use super::terminal::Terminal;
 use crate::diag::nearest;
 use crate::engine::{Error, Options, Outcome, lint, rule_infos};
@@ -22,7 +23,10 @@ pub(super) fn run(
     let targets = targets(&args.reports)?;
     let here = vec![PathBuf::from(".")];
     let paths = if args.paths.is_empty() { &here } else { &args.paths };
-    let outcome = lint(paths, &options(args)).map_err(|error| mistaken_command(error, paths))?;
+    let progress = Progress::start("reading and evaluating");
+    let outcome = lint(paths, &options(args));
+    drop(progress);
+    let outcome = outcome.map_err(|error| mistaken_command(error, paths))?;
     let exit = exit(&outcome, args, &panics.noted());
     for target in &targets {
         write_report(target, &outcome, args, exit, terminal, out)?;

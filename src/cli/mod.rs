@@ -8,6 +8,7 @@ mod explain;
 mod list;
 mod output;
 mod panics;
+mod progress;
 mod schema;
 mod terminal;
 

@@ -292,6 +292,8 @@ impl Builder<'_> {
 
 #[cfg(test)]
 mod tests {
+    use proptest::prelude::*;
+
     use super::super::SyntaxKind;
     use super::*;
 
@@ -359,6 +361,25 @@ mod tests {
         let text = br#"{"a": [1, -2.5e3, "x\u0041", true, null], "b": {}}"#;
         for length in 0..text.len() {
             assert!(parse(&text[..length]).is_err(), "{length}");
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn no_text_stops_the_reader(bytes in prop::collection::vec(any::<u8>(), 0..200)) {
+            let _ = parse(&bytes);
+        }
+
+        #[test]
+        fn texts_of_json_signs_agree_with_the_library(text in r#"[\[\]{},:"0-9.eE+\- \\untrealsf]{0,24}"#) {
+            let ours = parse(text.as_bytes());
+            if serde_json::from_str::<serde_json::Value>(&text).is_ok() {
+                prop_assert!(ours.is_ok(), "{text}");
+            } else if let Ok(document) = ours {
+                // Python takes numbers beyond the range of f64 and lone surrogates; nothing else is let through.
+                let beyond = text.contains(['e', 'E']) || text.contains("\\u");
+                prop_assert!(beyond || !document.specials.is_empty(), "{text}");
+            }
         }
     }
 }
