@@ -40,3 +40,63 @@ fn makehuman2_ends_with_a_verdict_that_its_counts_bear_out() {
     let listed = report["findings"].as_array().unwrap().iter();
     assert_eq!(listed.filter(|finding| finding["level"] == "error").count() as u64, errors);
 }
+
+/// `rule message` of the findings about a file below `data/`, without what evaluation says.
+fn said<'r>(report: &'r serde_json::Value, rule: &str, path: &str) -> Vec<&'r str> {
+    let of_file = report["findings"].as_array().unwrap().iter();
+    let of_rule =
+        of_file.filter(|finding| finding["rule"] == rule && finding["path"] == format!("data/{path}").as_str());
+    of_rule.map(|finding| finding["message"].as_str().unwrap()).collect()
+}
+
+#[test]
+fn makehuman2_shows_its_known_defects() {
+    let Some(corpus) = corpus("makehuman2") else { return };
+    let report = report(&corpus, &["data", "--no-eval"]);
+    let expected = [
+        ("macro-missing-combination", "target/hm08/macro.json", &["108 of 216", "72 of 216", "432 of 648"][..]),
+        ("macro-alias-suspect", "target/hm08/macro.json", &["averagecup-maxfirmness", "averagecup-minfirmness"]),
+        ("base-unknown-preset", "base/hm08/base.json", &["`shapes|fale hormonal`"]),
+        ("base-barycentric-presets", "base/hm08/base.json", &["0.99"]),
+        ("base-vertex-count", "base/mh2bot/base.json", &["`numverts` is 7267, but the base mesh has 7259"]),
+        ("mesh-reopened-group", "base/hm08/base.obj", &["5 groups are opened again: 93 faces"]),
+        ("base-geometry-range", "base/hm08/geometry.json", &["l-upper.leg"]),
+        ("target-zero-delta", "target/hm08", &["163 zero rows"]),
+        ("weights-not-normalized", "rigs/hm08/default_weights.mhw", &["5799 of 19158"]),
+        ("weights-not-normalized", "rigs/mh2bot/default_weights.mhw", &["4 of 7259"]),
+        ("file-unreferenced", "target/hm08/icons/bodyshapes-elvs-man-diamond.png", &["is not used"]),
+    ];
+    for (rule, path, texts) in expected {
+        let said = said(&report, rule, path);
+        let fits = said.len() == texts.len() && said.iter().zip(texts).all(|(said, text)| said.contains(text));
+        assert!(fits, "{rule} {path}: {said:?}");
+    }
+    for side in ["maxfirmness", "minfirmness"] {
+        let path = format!("target/hm08/macro_fembreast/child-minmuscle-averageweight-averagecup-{side}.target");
+        assert_eq!(said(&report, "macro-unreferenced-target", &path).len(), 1, "{path}");
+    }
+}
+
+#[test]
+fn nothing_else_in_makehuman2_is_an_error_or_a_warning() {
+    let Some(corpus) = corpus("makehuman2") else { return };
+    let report = report(&corpus, &["data", "--no-eval"]);
+    let loud = report["findings"].as_array().unwrap().iter().filter(|finding| finding["level"] != "info");
+    let mut rules: Vec<&str> = loud.map(|finding| finding["rule"].as_str().unwrap()).collect();
+    rules.sort_unstable();
+    let known = [
+        "base-barycentric-presets",
+        "base-geometry-range",
+        "base-unknown-preset",
+        "base-vertex-count",
+        "macro-alias-suspect",
+        "macro-alias-suspect",
+        "macro-unreferenced-target",
+        "macro-unreferenced-target",
+        "mesh-reopened-group",
+    ];
+    assert_eq!(rules, known);
+    assert_eq!(mhlint(&corpus, &["data", "--no-eval"]).status.code(), Some(1), "one real error");
+    let systematic = said(&report, "macro-missing-combination", "target/hm08/macro.json");
+    assert!(systematic.iter().all(|message| message.contains("systematically")), "{systematic:?}");
+}

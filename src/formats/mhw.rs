@@ -3,7 +3,7 @@
 //! Read through the pull reader, pair by pair, without a tree: the files are large. Faults of single
 //! pairs are counted; a shape that is no weights file at all is left to the schema.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::json_file::JsonFault;
 pub use super::mhw_facts::{FAR_SUMS, PairTally, SumFacts, THRESHOLD, WeightsFacts};
@@ -78,9 +78,13 @@ fn read_file(reader: &mut Reader<'_>, weights: &mut Weights) -> Step<()> {
     }
     reader.open()?;
     let mut first = true;
+    let mut keys = BTreeSet::new();
     while reader.more(first, b'}')? {
         first = false;
         let (key, _) = reader.key()?;
+        if !keys.insert(key.clone()) {
+            note_duplicate(&mut weights.facts, format!("/{}", key.replace('~', "~0").replace('/', "~1")));
+        }
         if key == "weights" {
             weights.bones.clear();
             weights.has_shapeless_bone = false;
@@ -191,14 +195,18 @@ fn skip(reader: &mut Reader<'_>) -> Step<()> {
     }
 }
 
+/// Notes that a key occurs twice; the schema reader, which is then asked, knows the places.
+fn note_duplicate(facts: &mut WeightsFacts, pointer: String) {
+    facts.json.duplicates.push(Duplicate { pointer, lost: 0..0, kept: 0..0, equal: false });
+}
+
 /// Python's reader keeps the last of equal keys; the schema reader reports them.
 fn keep_last_of_equal_bones(weights: &mut Weights) {
     let mut last = BTreeMap::new();
     for (index, bone) in weights.bones.iter().enumerate() {
-        if let Some(lost) = last.insert(bone.name.clone(), index) {
+        if last.insert(bone.name.clone(), index).is_some() {
             let pointer = format!("/weights/{}", bone.name.replace('~', "~0").replace('/', "~1"));
-            let duplicate = Duplicate { pointer, lost: lost..lost, kept: index..index, equal: false };
-            weights.facts.json.duplicates.push(duplicate);
+            note_duplicate(&mut weights.facts, pointer);
         }
     }
     if last.len() < weights.bones.len() {

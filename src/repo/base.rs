@@ -194,6 +194,15 @@ impl<'a> Base<'a> {
         self.sliders.iter().rev().find(registers)
     }
 
+    /// Whether a pattern may be missing only because a barycentric set of its folder is too short.
+    pub fn misses_in_barycentric(&self, pattern: &str) -> bool {
+        let folder = |pattern: &str| pattern.rsplit_once('/').map(|(folder, _)| folder.to_owned());
+        self.sliders.iter().any(|bound| {
+            let short = bound.slider.barycentric.is_some() && bound.slider.barycentric_len < 3;
+            short && bound.pattern.names().iter().any(|name| folder(name) == folder(pattern))
+        })
+    }
+
     /// Whether a pattern is missing only because `target-opposites` does not declare its pair.
     pub fn names_undeclared_pair(&self, pattern: &str) -> bool {
         self.sliders.iter().any(|slider| slider.would_register(pattern))

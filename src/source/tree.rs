@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use super::{Limits, walk};
 
@@ -19,7 +20,7 @@ pub struct Tree {
 #[derive(Debug)]
 enum Backend {
     Disk(PathBuf),
-    Memory(BTreeMap<String, Vec<u8>>),
+    Memory(BTreeMap<String, Arc<[u8]>>),
 }
 
 /// One thing in a tree.
@@ -99,9 +100,12 @@ impl Tree {
         Self { label: label.into(), backend: Backend::Disk(root), entries, faults }
     }
 
-    /// A tree of files held in memory.
-    pub fn in_memory(label: impl Into<String>, files: impl IntoIterator<Item = (String, Vec<u8>)>) -> Self {
-        let files: BTreeMap<_, _> = files.into_iter().collect();
+    /// A tree of files held in memory: `Vec<u8>`, or `Arc<[u8]>` where several trees share their bytes.
+    pub fn in_memory<B: Into<Arc<[u8]>>>(
+        label: impl Into<String>,
+        files: impl IntoIterator<Item = (String, B)>,
+    ) -> Self {
+        let files: BTreeMap<_, _> = files.into_iter().map(|(path, bytes)| (path, bytes.into())).collect();
         Self {
             label: label.into(),
             entries: memory_entries(&files),
@@ -146,9 +150,10 @@ impl Tree {
         }
         match &self.backend {
             Backend::Disk(root) => read_bounded(&root.join(&entry.native), entry.size, limits),
-            Backend::Memory(files) => {
-                files.get(&entry.path).cloned().ok_or_else(|| ReadFault::Unreadable("is gone".to_owned()))
-            }
+            Backend::Memory(files) => files
+                .get(&entry.path)
+                .map(|bytes| bytes.to_vec())
+                .ok_or_else(|| ReadFault::Unreadable("is gone".to_owned())),
         }
     }
 }
@@ -187,7 +192,7 @@ fn too_large(size: u64, limits: &Limits) -> ReadFault {
     ReadFault::TooLarge { size, limit: limits.file_bytes }
 }
 
-fn memory_entries(files: &BTreeMap<String, Vec<u8>>) -> Vec<Entry> {
+fn memory_entries(files: &BTreeMap<String, Arc<[u8]>>) -> Vec<Entry> {
     let mut entries: BTreeMap<String, Entry> = BTreeMap::new();
     for (path, bytes) in files {
         for (at, _) in path.match_indices('/') {

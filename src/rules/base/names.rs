@@ -30,7 +30,9 @@ impl Unknown {
 impl Names<'_, '_> {
     /// A pattern; one that is missing only because its endings are not declared has a finding of its own.
     pub(super) fn pattern(&self, pattern: &str) -> Option<Unknown> {
-        if self.base.slider(pattern).is_some() || self.base.names_undeclared_pair(pattern) {
+        let base = self.base;
+        let follows = || base.names_undeclared_pair(pattern) || base.misses_in_barycentric(pattern);
+        if base.slider(pattern).is_some() || follows() {
             return None;
         }
         let patterns = self.base.sliders.iter().flat_map(|slider| slider.pattern.names()).map(String::as_str);

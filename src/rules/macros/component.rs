@@ -50,7 +50,8 @@ pub(super) fn unknown_patterns(base: &Base<'_>, component: &Component) -> Vec<St
     if base.modelling.winner().is_none() {
         return Vec::new();
     }
-    patterns(component).into_iter().filter(|pattern| base.slider(pattern).is_none()).collect()
+    let unknown = |pattern: &String| base.slider(pattern).is_none() && !base.misses_in_barycentric(pattern);
+    patterns(component).into_iter().filter(unknown).collect()
 }
 
 /// Patterns of all macro sliders.

@@ -1,0 +1,248 @@
+//! Bad input of every kind on the example repository: no panic, no failed rule, no hang; a finding with a
+//! place wherever something is lost, silence only where the loader does not mind.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may stop where it fails")]
+
+mod scratch;
+
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use flate2::{Compression, write::GzEncoder};
+use mhlint::{Options, Outcome, Tree, lint_trees};
+use scratch::{example, findings, mhlint, project};
+use serde_json::{Value, json};
+
+type Files = BTreeMap<String, Arc<[u8]>>;
+
+/// Text formats of the example.
+const TEXT: [&str; 6] = ["json", "target", "mhskel", "mhw", "obj", "mhm"];
+const JSON: [&str; 3] = ["json", "mhskel", "mhw"];
+
+/// The system data of the example, in memory.
+fn files() -> Files {
+    let root = project("fixtures/makehuman2/data");
+    let listed = walkdir::WalkDir::new(&root).into_iter().map(Result::unwrap);
+    listed
+        .filter(|entry| entry.file_type().is_file())
+        .map(|entry| {
+            let path = entry.path().strip_prefix(&root).unwrap().to_str().unwrap().replace('\\', "/");
+            (path, std::fs::read(entry.path()).unwrap().into())
+        })
+        .collect()
+}
+
+fn is_one_of(path: &str, kinds: &[&str]) -> bool {
+    Path::new(path).extension().is_some_and(|ext| kinds.iter().any(|kind| ext == *kind))
+}
+
+/// The run on the example with one file replaced; every finding lies in the tree.
+fn run(files: &Files, path: &str, bytes: Vec<u8>) -> Outcome {
+    let shared = files.iter().map(|(path, bytes)| (path.clone(), Arc::clone(bytes)));
+    let changed = shared.filter(|(other, _)| other != path).chain([(path.to_owned(), bytes.into())]);
+    let options = Options { no_eval: true, ..Options::default() };
+    let outcome = lint_trees(vec![Tree::in_memory("", changed)], None, &options).unwrap();
+    assert!(outcome.failed_rules.is_empty(), "{path}: {:?}", outcome.failed_rules);
+    outcome
+}
+
+/// Whether the run says something about the file.
+fn speaks(outcome: &Outcome, path: &str) -> bool {
+    outcome.findings.iter().any(|finding| finding.path == path)
+}
+
+#[test]
+fn the_example_is_silent_in_memory() {
+    let files = files();
+    let outcome = run(&files, "base/figure/base.json", files["base/figure/base.json"].to_vec());
+    assert_eq!(outcome.findings, []);
+}
+
+#[test]
+fn truncation_of_json_is_always_a_finding() {
+    let files = files();
+    let documents = files.iter().filter(|(path, _)| is_one_of(path, &JSON));
+    for (path, bytes) in documents {
+        let end = bytes.trim_ascii_end().len();
+        for cut in [0, 1, end / 3, end / 2, end - 1] {
+            let outcome = run(&files, path, bytes[..cut].to_vec());
+            assert!(!outcome.findings.is_empty(), "{path} cut at {cut} of {end}");
+        }
+    }
+}
+
+#[test]
+fn truncation_of_lines_never_fails() {
+    let files = files();
+    let mut per_format: BTreeMap<&str, usize> = BTreeMap::new();
+    for (path, bytes) in files.iter().filter(|(path, _)| is_one_of(path, &TEXT) && !is_one_of(path, &JSON)) {
+        let kind = path.rsplit('.').next().unwrap();
+        let seen = per_format.entry(kind).or_default();
+        *seen += 1;
+        if *seen > 4 {
+            continue;
+        }
+        for cut in [0, 1, bytes.len() / 2, bytes.len() / 2 + 1, bytes.len().saturating_sub(2)] {
+            let outcome = run(&files, path, bytes[..cut].to_vec());
+            let placed = outcome.findings.iter().all(|finding| !finding.path.is_empty());
+            assert!(placed, "{path} cut at {cut}");
+        }
+    }
+    assert!(per_format.len() >= 3, "{per_format:?}");
+}
+
+/// Pointers to every value; of long lists only the first two entries and the last.
+fn pointers(value: &Value, at: &str, found: &mut Vec<String>) {
+    found.push(at.to_owned());
+    match value {
+        Value::Array(items) => {
+            let chosen = items.iter().enumerate().filter(|(index, _)| *index < 2 || index + 1 == items.len());
+            chosen.for_each(|(index, item)| pointers(item, &format!("{at}/{index}"), found));
+        }
+        Value::Object(members) => {
+            for (key, member) in members.iter().take(12) {
+                let key = key.replace('~', "~0").replace('/', "~1");
+                pointers(member, &format!("{at}/{key}"), found);
+            }
+        }
+        _ => {}
+    }
+}
+
+#[test]
+fn wrong_types_at_any_place_fail_no_rule() {
+    let files = files();
+    let others = [json!(null), json!(true), json!(-1), json!(1e300), json!("text"), json!([]), json!({}), json!([[0]])];
+    let (mut loud, mut all) = (0, 0);
+    for (path, bytes) in files.iter().filter(|(path, _)| is_one_of(path, &JSON)) {
+        let whole: Value = serde_json::from_slice(bytes).unwrap();
+        let mut places = Vec::new();
+        pointers(&whole, "", &mut places);
+        // Every place is visited, the replacing type goes round: eight times the runs would show no more.
+        for (number, place) in places.iter().enumerate() {
+            let mut damaged = whole.clone();
+            *damaged.pointer_mut(place).unwrap() = others[number % others.len()].clone();
+            let outcome = run(&files, path, serde_json::to_vec(&damaged).unwrap());
+            loud += usize::from(!outcome.findings.is_empty());
+            all += 1;
+        }
+    }
+    assert!(all > 100, "{all} places");
+    // Free texts (names, tips, licences) may be anything; what the loader reads may not.
+    assert!(loud * 2 > all, "{loud} of {all} places speak");
+}
+
+#[test]
+fn line_ends_of_windows_are_silent() {
+    let files = files();
+    for (path, bytes) in files.iter().filter(|(path, _)| is_one_of(path, &TEXT)).step_by(5) {
+        let text = std::str::from_utf8(bytes).unwrap().replace('\n', "\r\n");
+        let outcome = run(&files, path, text.into_bytes());
+        assert_eq!(outcome.findings, [], "{path}");
+    }
+}
+
+#[test]
+fn bytes_that_do_not_belong_are_named_in_every_document() {
+    let files = files();
+    for (path, bytes) in files.iter().filter(|(path, _)| is_one_of(path, &JSON)) {
+        let behind_brace = |junk: &[u8]| [&bytes[..1], junk, &bytes[1..]].concat();
+        let damaged = [
+            [b"\xef\xbb\xbf", &bytes[..]].concat(),
+            behind_brace(b"\"\xe9\": 1,"),
+            behind_brace(b"\0"),
+            behind_brace(b"\"twice\": 1, \"twice\": 2,"),
+            behind_brace(b"\"n\": 1e400 1,"),
+        ];
+        for bytes in damaged {
+            assert!(speaks(&run(&files, path, bytes.clone()), path), "{path}: {:?}", bytes.get(..30));
+        }
+    }
+}
+
+#[test]
+fn numbers_beyond_sense_in_targets_are_named() {
+    let files = files();
+    let path = files.keys().find(|path| path.ends_with(".target")).unwrap();
+    for row in [
+        "0 nan 0 0",
+        "0 inf 0 0",
+        "0 1e400 0 0",
+        "-1 1 0 0",
+        "99999999 1 0 0",
+        "99999999999999999999999 1 0 0",
+        "1.5 1 0 0",
+        "x 1 0 0",
+        "0 1 0",
+        "0 0,5 0 0",
+        "\0 1 0 0",
+        "0 1 \u{0} 0",
+        "0x10 1 0 0",
+    ] {
+        let bytes = [&files[path][..], row.as_bytes(), b"\n"].concat();
+        assert!(speaks(&run(&files, path, bytes), path), "{row:?}");
+    }
+}
+
+#[test]
+fn a_million_brackets_are_refused_at_once() {
+    let files = files();
+    for (path, _) in files.iter().filter(|(path, _)| is_one_of(path, &JSON)) {
+        for open in ["[", "{\"a\":"] {
+            let started = Instant::now();
+            assert!(speaks(&run(&files, path, open.repeat(1_000_000).into_bytes()), path), "{path}");
+            assert!(started.elapsed() < Duration::from_secs(20), "{path}: {:?}", started.elapsed());
+        }
+    }
+}
+
+#[test]
+fn a_folder_where_a_file_is_expected_is_no_file() {
+    let files = files();
+    for (path, _) in files.iter().filter(|(path, _)| path.starts_with("base/") || path.starts_with("rigs/")) {
+        let mut rest = files.clone();
+        rest.remove(path);
+        run(&rest, &format!("{path}/inside.txt"), b"x".to_vec());
+    }
+}
+
+#[test]
+fn a_file_where_a_folder_is_expected_ends_with_a_verdict() {
+    for folder in ["target/figure", "rigs", "target", "base/figure"] {
+        let root = example();
+        let path = root.path().join("data").join(folder);
+        std::fs::remove_dir_all(&path).unwrap();
+        std::fs::write(&path, "no folder").unwrap();
+        let output = mhlint(root.path(), &["data", "--report", "concise", "--no-eval"]);
+        assert!(matches!(output.status.code(), Some(0..=2)), "{}", String::from_utf8_lossy(&output.stderr));
+    }
+}
+
+#[test]
+fn four_gibibytes_of_zeros_in_four_megabytes_are_given_up() {
+    let mut encoder = GzEncoder::new(Vec::new(), Compression::fast());
+    std::io::Write::write_all(&mut encoder, &vec![0; 16 << 20]).unwrap();
+    let member = encoder.finish().unwrap();
+    // 256 members of 16 MiB are 4 GiB; packed they take a few megabytes.
+    let bomb = member.repeat(256);
+    let files = files();
+    let path = "target/figure/head/zeros.target.gz";
+    let started = Instant::now();
+    let outcome = run(&files, path, bomb);
+    let rules: Vec<_> = outcome.findings.iter().filter(|finding| finding.path == path).map(|f| f.rule).collect();
+    assert!(rules.contains(&"file-decompression-bomb"), "{rules:?}");
+    assert!(started.elapsed() < Duration::from_secs(60), "{:?}", started.elapsed());
+}
+
+#[cfg(unix)]
+#[test]
+fn links_in_a_circle_end_and_are_named() {
+    let root = example();
+    let target = root.path().join("data/target/figure");
+    std::os::unix::fs::symlink("..", target.join("up")).unwrap();
+    std::os::unix::fs::symlink("self.target", target.join("self.target")).unwrap();
+    let output = mhlint(root.path(), &["data", "--report", "concise", "--only", "file-link-loop"]);
+    let lines = findings(&output);
+    assert_eq!(lines.iter().filter(|line| line.contains("[file-link-loop]")).count(), 2, "{lines:?}");
+}
