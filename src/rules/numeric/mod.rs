@@ -56,7 +56,7 @@ fn untold<'s>(space: &SpaceMeasure, seen: &'s Option<Seen>) -> Option<&'s Seen> 
 }
 
 /// A component of a macrodef by its position in `comp`.
-fn component<'m>(macros: &'m MacroFile, macrodef: usize, position: usize) -> Option<(&'m Macrodef, &'m Component)> {
+fn component(macros: &MacroFile, macrodef: usize, position: usize) -> Option<(&Macrodef, &Component)> {
     let macrodef = macros.macrodefs.get(macrodef)?;
     let name = macrodef.components.get(position)?;
     Some((macrodef, macros.components.iter().rev().find(|component| component.name == *name)?))
@@ -87,6 +87,7 @@ fn percent(share: f64) -> String {
 mod tests {
     use super::*;
 
+    #[expect(clippy::unnecessary_wraps, reason = "stands where measures have an option")]
     fn seen(target: &str) -> Option<Seen> {
         Some(Seen {
             value: 1.0,
