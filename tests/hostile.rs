@@ -232,7 +232,7 @@ fn four_gibibytes_of_zeros_in_four_megabytes_are_given_up() {
     let outcome = run(&files, path, bomb);
     let rules: Vec<_> = outcome.findings.iter().filter(|finding| finding.path == path).map(|f| f.rule).collect();
     assert!(rules.contains(&"file-decompression-bomb"), "{rules:?}");
-    assert!(started.elapsed() < Duration::from_secs(60), "{:?}", started.elapsed());
+    assert!(started.elapsed() < Duration::from_mins(1), "{:?}", started.elapsed());
 }
 
 #[cfg(unix)]
