@@ -208,7 +208,7 @@ impl<'s> Surveyor<'s> {
             return;
         }
         let positions = &scratch.positions;
-        if self.non_finite(number, positions, survey) {
+        if Self::non_finite(number, positions, survey) {
             return;
         }
         self.faces(number, positions, survey);
@@ -219,7 +219,7 @@ impl<'s> Surveyor<'s> {
         }
     }
 
-    fn non_finite(&self, setting: usize, positions: &[Point], survey: &mut Survey) -> bool {
+    fn non_finite(setting: usize, positions: &[Point], survey: &mut Survey) -> bool {
         let bad = |point: &Point| !(point[0] + point[1] + point[2]).is_finite();
         let Some(element) = positions.iter().position(bad) else { return false };
         let count = positions.iter().filter(|point| bad(point)).count();
@@ -332,9 +332,7 @@ impl Survey {
             (&mut self.flat_plane, later.flat_plane),
         ];
         for (slot, found) in pairs {
-            if let Some(found) = found {
-                keep(slot, found);
-            }
+            found.into_iter().for_each(|found| keep(slot, found));
         }
     }
 }
