@@ -137,11 +137,15 @@ fn parts<'s>(scene: &Scene, mirror: &'s MirrorMap) -> (Parts<'s>, Vec<String>) {
     };
     for (face, group) in scene.faces().zip(&scene.face_groups) {
         if scene.visible.get(*group as usize) == Some(&true) {
-            face.iter().for_each(|vertex| mark(&mut parts.body, *vertex as usize, true));
+            for vertex in face {
+                mark(&mut parts.body, *vertex as usize, true);
+            }
         }
     }
     for (number, (_, vertices)) in (0..).zip(&cubes) {
-        vertices.iter().for_each(|vertex| mark(&mut parts.cube_of, *vertex as usize, Some(number)));
+        for vertex in vertices {
+            mark(&mut parts.cube_of, *vertex as usize, Some(number));
+        }
     }
     (parts, cubes.into_iter().map(|(name, _)| name).collect())
 }

@@ -147,8 +147,8 @@ fn read_all(
 
 fn own_sizes(files: &ByRel) -> MeshSizes {
     let meshes = files.values().filter_map(|file| Some((file.base.clone()?, file.mesh()?)));
-    // Against a mesh without vertices every index would be wrong; the mesh itself is the fault then.
-    let meshes = meshes.filter(|(_, mesh)| mesh.facts.vertices > 0);
+    // Against a damaged mesh every index would be wrong; the mesh itself is the fault then.
+    let meshes = meshes.filter(|(_, mesh)| mesh.is_sound());
     meshes
         .map(|(base, mesh)| {
             let vertices = mesh.facts.vertices;

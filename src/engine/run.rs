@@ -142,13 +142,22 @@ fn places<'t>(
                 continue;
             }
             if root.application == Application::Makehuman2 {
-                wanted.push((place, input.narrow.clone()));
+                want(&mut wanted, place, &input.narrow);
             } else {
                 note_unjudged(&place.path(), root.application, outcome);
             }
         }
     }
     wanted
+}
+
+/// A root that two PATHs lead to is judged once, for everything that either asks for.
+fn want<'t>(wanted: &mut Vec<(Place<'t>, Vec<String>)>, place: Place<'t>, narrow: &[String]) {
+    match wanted.iter_mut().find(|(known, _)| known.path() == place.path()) {
+        Some((_, known)) if known.is_empty() || narrow.is_empty() => known.clear(),
+        Some((_, known)) => known.extend_from_slice(narrow),
+        None => wanted.push((place, narrow.to_vec())),
+    }
 }
 
 fn is_asked_for(application: Application, options: &Options) -> bool {

@@ -77,6 +77,17 @@ pub fn parse(text: &[u8]) -> Mesh {
     parser.finish()
 }
 
+impl Mesh {
+    /// Whether the application gets through the file. Nothing can be measured against a mesh it stops at.
+    pub fn is_sound(&self) -> bool {
+        let facts = &self.facts;
+        facts.unreadable_lines == 0
+            && facts.face_out_of_range.count == 0
+            && facts.vertices > 0
+            && !self.faces.is_empty()
+    }
+}
+
 #[derive(Default)]
 struct Parser {
     mesh: Mesh,

@@ -158,11 +158,11 @@ impl Node {
         if let Value::Number(number, _) = self.value { Some(number) } else { None }
     }
 
-    /// The value of a number that is written as an integer and fits.
+    /// The value of a number that is written as an integer; beyond 64 bits it saturates.
     pub fn as_i64(&self) -> Option<i64> {
         match self.value {
-            #[expect(clippy::cast_possible_truncation, reason = "bounded to the exactly representable integers")]
-            Value::Number(number, true) if number.abs() < 9e15 => Some(number as i64),
+            #[expect(clippy::cast_possible_truncation, reason = "saturates, which is as far out of any range")]
+            Value::Number(number, true) => Some(number as i64),
             _ => None,
         }
     }

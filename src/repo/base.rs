@@ -19,7 +19,7 @@ pub struct Base<'a> {
     pub has_system: bool,
     /// `base.json`, user before system; the model only if it could be read.
     pub base_json: Option<(&'a FileFacts, Option<&'a BaseJson>)>,
-    /// `base.obj`, user before system.
+    /// `base.obj`, user before system, if the application gets through it.
     pub mesh: Option<(&'a FileFacts, &'a Mesh)>,
     /// `macro.json`.
     pub macros: Overlaid<'a, MacroFile>,
@@ -113,7 +113,7 @@ pub(super) fn resolve<'a>(name: &'a str, layers: Layers<'a>) -> Base<'a> {
         name,
         has_system: system.is_some(),
         base_json,
-        mesh: first(format!("base/{name}/base.obj")).and_then(|file| Some((file, file.mesh()?))),
+        mesh: first(format!("base/{name}/base.obj")).and_then(|file| Some((file, sound_mesh(file)?))),
         macros,
         modelling,
         categories,
@@ -141,13 +141,26 @@ fn overlaid<'a, T>(
 ) -> Overlaid<'a, T> {
     Overlaid {
         contarget: Candidate::find(layers.user, &format!("contarget/{base}/{file}"), &model),
-        system: Candidate::find(layers.system, &format!("target/{base}/{file}"), &model),
+        system: match Candidate::find(layers.system, &format!("target/{base}/{file}"), &model) {
+            // The program stops there; nothing inside can be judged.
+            Candidate::Accepted(found, _) if is_misshapen(found) => Candidate::Refused(found),
+            found => found,
+        },
     }
+}
+
+/// Whether the top level of a JSON is of a wrong type, or lacks a section without which nothing is read.
+fn is_misshapen(file: &FileFacts) -> bool {
+    file.schema.faults.iter().any(|fault| fault.pointer.is_empty())
+}
+
+fn sound_mesh(file: &FileFacts) -> Option<&Mesh> {
+    file.mesh().filter(|mesh| mesh.is_sound() && file.encoding.invalid_utf8_at.is_none())
 }
 
 fn model_of_base(file: &FileFacts) -> Option<&BaseJson> {
     match &file.content {
-        Content::BaseJson(model) if !file.json.falsy => Some(model),
+        Content::BaseJson(model) if !file.json.falsy && !is_misshapen(file) => Some(model),
         _ => None,
     }
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::{Base, FileFacts, Reference};
 use crate::diag::Application;
-use crate::discover::Kind;
+use crate::discover::{Kind, kind_of};
 use crate::source::WalkFault;
 
 /// One data root with the facts of its files.
@@ -70,6 +70,17 @@ impl Layer {
     /// Path of something in this layer as reports print it.
     pub fn display(&self, rel: &str) -> String {
         if self.path.is_empty() { rel.to_owned() } else { format!("{}/{rel}", self.path) }
+    }
+
+    /// Whether something other than a file stands at a path, or above it something that could not be walked.
+    pub fn has_unusable(&self, rel: &str) -> bool {
+        let is_here = |fault: &WalkFault| {
+            let below = rel.strip_prefix(fault.path.as_str());
+            below.is_some_and(|rest| rest.is_empty() || rest.starts_with('/'))
+        };
+        // Folders with other names, such as those of images, are not reported.
+        let is_folder = kind_of(rel).0.is_text() && self.folders.iter().any(|folder| folder == rel);
+        is_folder || self.walk_faults.iter().any(is_here)
     }
 
     /// Whether a path as reports print it lies in this layer.

@@ -58,6 +58,8 @@ pub enum Resolution<'a> {
     Escapes,
     /// Nothing in the folder in use, but the file exists in the layer that lost.
     OtherLayer(&'a FileFacts),
+    /// Something that cannot be opened: a folder, a broken link, a link that leaves the root.
+    Unusable,
     /// Nothing.
     Missing,
     /// Only system data that was not given could tell.
@@ -222,6 +224,9 @@ fn resolve<'a>(layers: &[&'a Layer], text: &str, rel: &str) -> Resolution<'a> {
     };
     if let Some(file) = layers.iter().find_map(|layer| layer.file(&normal)) {
         return Resolution::Found(file);
+    }
+    if layers.iter().any(|layer| layer.has_unusable(&normal)) {
+        return Resolution::Unusable;
     }
     if text.contains('\\') {
         let Some(slashed) = normalized(&rel.replace('\\', "/")) else {

@@ -60,7 +60,11 @@ fn named(repository: &Repository<'_>, base: &Base<'_>, reference: &Reference<'_>
 fn unnamed(repository: &Repository<'_>, base: &Base<'_>) -> Option<Finding> {
     let judged = repository.judged;
     let folder = format!("base/{}", base.name);
-    let exists = |file: &str| repository.first_existing(&format!("{folder}/{file}")).is_some();
+    // What is there but cannot be opened has a finding of its own.
+    let exists = |file: &str| {
+        let rel = format!("{folder}/{file}");
+        repository.strongest_first().any(|layer| layer.file(&rel).is_some() || layer.has_unusable(&rel))
+    };
     let (settings, mesh) = (exists("base.json"), exists("base.obj") || exists("base.mhbin"));
     let has_base = judged.below(&folder).next().is_some();
     match (settings, mesh) {

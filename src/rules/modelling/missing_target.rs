@@ -15,7 +15,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
             writes a missing file into its log and keeps an empty stand-in. The slider looks normal; as soon as it \
             moves, or the start model moves it, the program meets the stand-in and raises an exception. Where the \
             targets come from is decided by the `macro.json` in use, entries with `user` are read from the user's \
-            target folder. A folder with a `compressedtargets.npz` is not judged, because the archive may hold the target.\n\n\
+            target folder. A target that only `compressedtargets.npz` holds counts as there.\n\n\
             Correct the path, add the target, or remove the entry.",
         ..RuleInfo::new("modelling-missing-target", Level::Error, "`incr` or `decr` names a target that does not exist")
     },
@@ -25,21 +25,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
 fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let is_target = |kind| matches!(kind, ReferenceKind::Incr | ReferenceKind::Decr);
     for group in missing::groups(repository, base, is_target) {
-        if !is_archived(base, &group) {
-            out.extend(finding(repository, base, &group));
-        }
+        out.extend(finding(repository, base, &group));
     }
-}
-
-/// Whether an archive, which is asked before the text files, may hold the targets.
-fn is_archived(base: &Base<'_>, group: &Group<'_, '_>) -> bool {
-    let folders = [base.targets, base.user_targets].into_iter().flatten();
-    let mut archives = folders.filter_map(|folder| {
-        let own = format!("{}/", folder.rel());
-        let archive = folder.layer.file(&format!("{own}compressedtargets.npz"))?;
-        (archive.size > 0).then_some(own)
-    });
-    archives.any(|own| group.references.iter().any(|reference| reference.rel.starts_with(&own)))
 }
 
 fn finding(repository: &Repository<'_>, base: &Base<'_>, group: &Group<'_, '_>) -> Option<Finding> {

@@ -4,6 +4,7 @@ use super::super::{Check, Rule, RuleCx};
 use super::{at_setting, untold};
 use crate::diag::{Application, Evidence, Finding, Level, RuleInfo};
 use crate::eval::measures::Measures;
+use crate::eval::skeleton::PARALLEL_SINE;
 use crate::repo::{Base, Repository};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -39,7 +40,7 @@ fn run(_: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &RuleCx<'_>,
                 .evidence(Evidence { count: seen.count as u64, ..Evidence::default() }),
         );
     }
-    if let Some(seen) = untold(space, space.flat_plane.as_ref()) {
+    if let Some(seen) = untold(space, space.flat_plane.as_ref()).filter(|seen| !is_flat_at_rest(measures, &seen.name)) {
         let message =
             format!("the rotation plane of bone `{}` has no normal: its three joints lie in one line", seen.name);
         out.push(
@@ -51,4 +52,10 @@ fn run(_: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &RuleCx<'_>,
                 ),
         );
     }
+}
+
+/// A plane that has no normal at rest is reported with its skeleton.
+fn is_flat_at_rest(measures: &Measures, bone: &str) -> bool {
+    let bones = measures.skeletons.iter().flat_map(|skeleton| &skeleton.bones);
+    bones.filter(|known| known.name == bone).any(|known| known.plane_sine.is_some_and(|sine| !(sine > PARALLEL_SINE)))
 }

@@ -99,9 +99,10 @@ fn follow<'a>(
 }
 
 impl Hierarchy<'_> {
-    /// Whether the fault is that nothing is a root; not, if unknown parents or unreadable bones explain it.
+    /// Whether the fault is that nothing is a root; not, if unknown parents, unreadable bones or a bone that is its own parent explain it.
     pub(super) fn lacks_root(&self) -> bool {
-        self.roots.is_empty() && self.unknown_parents.is_empty() && self.unclear == 0
+        let is_own_parent = self.rings.iter().any(|ring| ring.bones.len() == 1);
+        self.roots.is_empty() && self.unknown_parents.is_empty() && self.unclear == 0 && !is_own_parent
     }
 }
 

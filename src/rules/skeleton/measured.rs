@@ -18,12 +18,12 @@ pub(super) struct Measured<'a> {
 /// Skeletons of the base that could be measured. Those on a mesh that is not finite are left out: mesh and targets
 /// are at fault there.
 pub(super) fn measured<'a>(base: &Base<'a>, measures: &'a Measures) -> Vec<Measured<'a>> {
-    let measured = |measure: &'a SkeletonMeasure| {
+    let with_file = |measure: &'a SkeletonMeasure| {
         let file = base.skeletons.iter().find(|file| file.path == measure.path)?;
         let is_finite = measure.bones.iter().all(|bone| bone.length.is_finite());
         Some(Measured { file, skeleton: file.skeleton()?, measure }).filter(|_| is_finite)
     };
-    measures.skeletons.iter().filter_map(measured).collect()
+    measures.skeletons.iter().filter_map(with_file).collect()
 }
 
 impl<'a> Measured<'a> {
@@ -48,7 +48,7 @@ pub(super) fn plane_of(bone: &Bone) -> Option<&str> {
     if let RotationPlane::Named(plane) = &bone.rotation_plane { Some(plane) } else { None }
 }
 
-/// `bone `a``, `bones `a`, `b` and 3 more`.
+/// "bone a", "bones a, b, c and 3 more", names in backticks.
 pub(super) fn named(bones: &[&str]) -> String {
     let quoted: Vec<String> = bones.iter().take(3).map(|bone| format!("`{bone}`")).collect();
     match (bones.len(), quoted.as_slice()) {

@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx};
+use super::hierarchy::hierarchy;
 use super::rigs;
 use crate::diag::{Evidence, Finding, Level, Place, RuleInfo, nearest};
 use crate::repo::{Base, Repository};
@@ -21,7 +22,10 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
     for rig in rigs(repository, base) {
         let names: BTreeSet<&str> = rig.skeleton.bones.iter().map(|bone| bone.name.as_str()).collect();
         let lonely = names.iter().filter_map(|name| Some((*name, partner(name)?)));
-        let lonely: Vec<(&str, String)> = lonely.filter(|(_, partner)| !names.contains(partner.as_str())).collect();
+        // A partner that others name as their parent is `skeleton-unknown-parent`.
+        let asked = hierarchy(rig.skeleton).unknown_parents;
+        let is_absent = |name: &str| !names.contains(name) && !asked.contains_key(name);
+        let lonely: Vec<(&str, String)> = lonely.filter(|(_, partner)| is_absent(partner)).collect();
         let Some((name, partner)) = lonely.first() else { continue };
         let message = match lonely.len() {
             1 => format!("bone `{name}` has no partner `{partner}`"),

@@ -26,6 +26,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
 fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for rig in rigs(repository, base).iter().filter(|rig| rig.skeleton.joints_section == Section::Present) {
         let known: BTreeSet<&str> = rig.skeleton.joints.iter().map(|joint| joint.name.as_str()).collect();
+        if known.is_empty() && uses(rig).len() > 1 {
+            out.extend(without_joints(rig));
+            continue;
+        }
         for (joint, uses) in uses(rig).into_iter().filter(|(joint, _)| !known.contains(joint)) {
             let Some((place, owner)) = uses.first() else { continue };
             let message = match uses.len() {
@@ -45,6 +49,16 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
             );
         }
     }
+}
+
+/// One finding where the skeleton has no joint at all.
+fn without_joints(rig: &Rig<'_>) -> Option<Finding> {
+    let uses = uses(rig);
+    let (place, _) = uses.values().flatten().next()?;
+    let message = format!("bones and planes name {} joints, but `joints` is empty", uses.len());
+    let finding = RULE.at(rig.file, place.clone(), message).key("joints").help("add the joints to `joints`");
+    let finding = finding.evidence(Evidence::of_cases(uses.keys()));
+    Some(finding.breaks(Application::Makehuman2, rig.stops_with("a KeyError")))
 }
 
 /// Joints that are looked up, with the places that name them.

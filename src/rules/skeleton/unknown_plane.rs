@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx};
-use super::rigs;
+use super::{Rig, rigs};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, nearest};
 use crate::formats::mhskel::{Bone, RotationPlane};
 use crate::repo::{Base, Repository};
@@ -23,6 +23,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
 fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for rig in rigs(repository, base) {
         let known: BTreeSet<&str> = rig.skeleton.planes.iter().map(|plane| plane.name.as_str()).collect();
+        if known.is_empty() && rig.asked_planes().len() > 1 {
+            out.extend(without_planes(&rig));
+            continue;
+        }
         for plane in rig.asked_planes().into_iter().filter(|plane| !known.contains(plane)) {
             let names_it = |bone: &&Bone| matches!(&bone.rotation_plane, RotationPlane::Named(name) if name == plane);
             let bones: Vec<&str> = rig.skeleton.bones.iter().filter(names_it).map(|bone| bone.name.as_str()).collect();
@@ -43,4 +47,16 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
             );
         }
     }
+}
+
+/// One finding where the skeleton has no plane at all.
+fn without_planes(rig: &Rig<'_>) -> Option<Finding> {
+    let names_one = |bone: &&Bone| matches!(bone.rotation_plane, RotationPlane::Named(_));
+    let bones: Vec<&str> = rig.skeleton.bones.iter().filter(names_one).map(|bone| bone.name.as_str()).collect();
+    let first = bones.first()?;
+    let (count, planes) = (bones.len(), rig.asked_planes().len());
+    let message = format!("{count} bones name {planes} planes, but the skeleton has none");
+    let finding = RULE.at(rig.file, Place::pointer(["bones", first, "rotation_plane"]), message).key("planes");
+    let finding = finding.help("add the planes to `planes`, or remove `rotation_plane` to use the vertical");
+    Some(finding.evidence(Evidence::of_cases(&bones).out_of(rig.skeleton.bones.len())))
 }

@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx};
+use super::hierarchy::hierarchy;
 use super::rigs;
 use crate::diag::{Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::mhskel::Section;
@@ -22,7 +23,9 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
         let mut used = rig.asked_joints();
         let joints: BTreeSet<&str> = rig.skeleton.joints.iter().map(|joint| joint.name.as_str()).collect();
         // A joint that is asked for under a name that does not exist may be the one that seems unused.
-        if rig.skeleton.bones.is_empty() || !used.is_subset(&joints) {
+        // The same for the joints of a bone that is missing where others name it as their parent.
+        let lacks_bone = !hierarchy(rig.skeleton).unknown_parents.is_empty();
+        if rig.skeleton.bones.is_empty() || lacks_bone || !used.is_subset(&joints) {
             continue;
         }
         let corners = rig.skeleton.planes.iter().flat_map(|plane| plane.joints.iter().flatten());

@@ -25,8 +25,9 @@ pub(in crate::rules) static RULE: Rule = Rule {
 fn run(repository: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(default) = pose_skeleton(repository, base).and_then(|file| file.skeleton()) else { return };
     for rig in measured(base, measures) {
-        let bare = |bone: &&Bone| rig.measure.without_weights.contains(&bone.name);
-        let bones = rig.bones().map(|(bone, _)| bone).filter(bare).filter(|bone| names_nothing(bone, default));
+        let receives_nothing = |bone: &&Bone| rig.measure.without_weights.contains(&bone.name);
+        let bones =
+            rig.bones().map(|(bone, _)| bone).filter(receives_nothing).filter(|bone| names_nothing(bone, default));
         let bones: Vec<&str> = bones.filter(|bone| is_end(bone, rig.skeleton)).map(|bone| bone.name.as_str()).collect();
         out.extend(finding(&rig, &bones));
     }

@@ -1,7 +1,7 @@
 //! Weights that the loader drops.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{pair_place, weights_files};
+use super::{has_unusable_entries, pair_place, weights_files};
 use crate::diag::{Application, Finding, Level, RuleInfo};
 use crate::repo::Layer;
 
@@ -17,7 +17,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for (file, weights) in weights_files(layer) {
+    for (file, weights) in weights_files(layer).filter(|(file, weights)| !has_unusable_entries(file, weights)) {
         let tally = &weights.facts.below_threshold;
         let (Some((bone, _, vertex, weight)), Some(place)) = (tally.first.first(), pair_place(tally)) else { continue };
         let message = match tally.count {

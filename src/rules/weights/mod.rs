@@ -28,6 +28,15 @@ fn weights_files(layer: &Layer) -> impl Iterator<Item = (&FileFacts, &Weights)> 
     files.filter(|(_, weights)| weights.has_weights)
 }
 
+/// Whether entries cannot be used, so that what is missing or off beside them may be their doing.
+///
+/// Such entries have findings of their own: malformed, out of range, not finite, or against the schema.
+fn has_unusable_entries(file: &FileFacts, weights: &Weights) -> bool {
+    let facts = &weights.facts;
+    let unusable = [facts.malformed.count, facts.out_of_range.count, facts.non_finite.count];
+    weights.has_shapeless_bone || !file.schema.faults.is_empty() || unusable.iter().any(|count| *count > 0)
+}
+
 /// The first pair of a tally.
 fn pair_place(tally: &PairTally) -> Option<Place> {
     let (bone, position, ..) = tally.first.first()?;

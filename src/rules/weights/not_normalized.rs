@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use super::super::{Check, Rule, RuleCx};
+use super::has_unusable_entries;
 use crate::diag::{Application, Evidence, Finding, FixKind, Level, Place, RuleInfo};
 use crate::formats::mhw::FAR_SUMS;
 use crate::formats::obj::Mesh;
@@ -26,7 +27,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for file in &base.weights {
-        let Some(weights) = file.weights() else { continue };
+        let usable = file.weights().filter(|weights| !has_unusable_entries(file, weights));
+        let Some(weights) = usable else { continue };
         let (sums, vertices) = (&weights.facts.sum, weights.facts.sums.len());
         let Some((vertex, sum)) = sums.worst else { continue };
         let message = if sums.off == 1 {

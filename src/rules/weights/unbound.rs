@@ -26,9 +26,11 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
     }
     let used: Vec<&Reference<'_>> =
         repository.references_of(base).filter(|reference| reference.kind == ReferenceKind::WeightsFile).collect();
-    // What is missing may be any of the files here, under another name; without `base.json` the base, and its
-    // skeletons with it, lie in system data that was not given.
-    if used.iter().any(|reference| matches!(reference.resolution, Resolution::Missing)) || base.base_json.is_none() {
+    // What is not found may be any of the files here, under another name; a pose skeleton that is not found may
+    // name any. Without `base.json` the base, and its skeletons with it, lie in system data that was not given.
+    let names_weights = |kind| matches!(kind, ReferenceKind::WeightsFile | ReferenceKind::PoseSkeleton);
+    let mut named = repository.references_of(base).filter(|reference| names_weights(reference.kind));
+    if named.any(|reference| !leads_to_file(reference.resolution)) || base.settings().is_none() {
         return;
     }
     for file in &base.weights {
@@ -49,4 +51,8 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
                 .help(format!("name `{name}` as `weights_file` of a skeleton, or remove the file")),
         );
     }
+}
+
+fn leads_to_file(resolution: Resolution<'_>) -> bool {
+    matches!(resolution, Resolution::Found(_) | Resolution::CaseOnly(_) | Resolution::Backslash(Some(_)))
 }

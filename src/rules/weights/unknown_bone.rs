@@ -76,6 +76,8 @@ fn binding<'a>(repository: &Repository<'a>, base: &Base<'a>, file: &FileFacts) -
         // Without the bones of every user nothing can be said.
         let skeleton = user.skeleton().filter(|skeleton| !skeleton.bones.is_empty())?;
         known.extend(skeleton.bones.iter().map(|bone| bone.name.as_str()));
+        // A bone that is missing as a parent is reported as such (`skeleton-unknown-parent`).
+        known.extend(skeleton.bones.iter().filter_map(|bone| bone.parent.as_deref()));
     }
     (!known.is_empty()).then_some(Binding { known, level })
 }

@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx};
+use super::has_unusable_entries;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::{Base, Repository};
 
@@ -26,8 +27,8 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
     let visible = base.settings().and_then(|(_, settings)| settings.visible_groups.as_ref());
     for file in &base.weights {
         let Some(weights) = file.weights() else { continue };
-        // Entries that cannot be read may be the missing ones.
-        if weights.facts.pairs == 0 || weights.facts.malformed.count > 0 {
+        // Entries that cannot be used may be the missing ones.
+        if weights.facts.pairs == 0 || has_unusable_entries(file, weights) {
             continue;
         }
         // Vertices without a face are not seen.
