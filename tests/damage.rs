@@ -156,7 +156,7 @@ fn knows(rule: &str) -> bool {
 #[test]
 fn damage_that_evaluation_sees_is_named_once() {
     let rule = |finding: &&str| finding.split(' ').next().is_some_and(knows);
-    let known: Vec<&Case> = NUMERIC.iter().filter(|case| case.fresh.iter().all(|finding| rule(&finding))).collect();
+    let known: Vec<&Case> = NUMERIC.iter().filter(|case| case.fresh.iter().all(&rule)).collect();
     let names: Vec<&str> = NUMERIC.iter().map(|case| case.name).collect();
     eprintln!("{} of {} cases have their rules: {names:?}", known.len(), names.len());
     assert!(known.len() >= 3);

@@ -185,7 +185,7 @@ fn bind_sliders<'a>(
         for (index, slider) in model.sliders.iter().enumerate() {
             let bound = BoundSlider { slider, file, pattern: Pattern::of(slider, opposites), index };
             if let Some(place) = by_key.get(slider.key.as_str()).and_then(|at| sliders.get_mut(*at)) {
-                *place = bound
+                *place = bound;
             } else {
                 by_key.insert(&slider.key, sliders.len());
                 sliders.push(bound);

@@ -87,6 +87,7 @@ fn percent(share: f64) -> String {
 mod tests {
     use super::*;
 
+    #[expect(clippy::unnecessary_wraps, reason = "stands where measures have an option")]
     fn seen(target: &str) -> Option<Seen> {
         Some(Seen {
             value: 1.0,
