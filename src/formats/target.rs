@@ -6,7 +6,7 @@
 
 use super::content_hash::ContentHash;
 use super::fields::fields;
-pub use super::target_facts::{Largest, OUTLIER_RATIO, Oversize, TargetFacts, UnreadableField, extent};
+pub use super::target_facts::{Largest, TargetFacts, UnreadableField};
 use super::target_row::fast_row;
 use super::{python_float, python_int};
 

@@ -10,9 +10,9 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(Application::Makehuman2, "shows black or missing faces: without area a face has no normal")],
         docs: "At some setting of the sliders visible faces have (almost) no area, or a considerable part of the skin looks \
-            inwards.\n\nA face has collapsed when its area falls to a thousandth of what it is on the default character. \
-            None of MakeHuman's own base does at any setting; the inner lips of its smallest babies come to a \
-            hundredth.\n\nFaces that look the other way are normal in small numbers: lips, eyelids and sagging breasts turn \
+            inwards.\n\nA face has collapsed when its area falls to a ten-thousandth of what it is on the default character. \
+            None of MakeHuman's own base does at any setting; two faces of its smallest babies come below a \
+            thousandth.\n\nFaces that look the other way are normal in small numbers: lips, eyelids and sagging breasts turn \
             over at extremes, up to 2.6 % of the area. They are reported from 5 % of the visible area on.\n\nThe finding \
             stands at the target that moves the largest of these faces most.",
         ..RuleInfo::new(
@@ -26,12 +26,12 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(_: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(space) = &measures.space else { return };
-    if let Some(seen) = untold(space, &space.collapsed) {
+    if let Some(seen) = untold(space, space.collapsed.as_ref()) {
         let (faces, lose) = if seen.count == 1 { ("face", "loses its") } else { ("faces", "lose their") };
         let message = format!("{} {faces} of `{}` {lose} area", seen.count, seen.name);
         out.push(finding(base, seen, &message, "collapsed"));
     }
-    if let Some(seen) = untold(space, &space.flipped) {
+    if let Some(seen) = untold(space, space.flipped.as_ref()) {
         let share = percent(seen.value);
         let message =
             format!("{} faces of `{}`, {share} of the visible area, look the other way", seen.count, seen.name);

@@ -48,8 +48,8 @@ fn in_order(space: &SpaceMeasure) -> [&Option<Seen>; 7] {
 }
 
 /// What a rule may tell: `seen`, unless something graver is told of the same target.
-fn untold<'s>(space: &SpaceMeasure, seen: &'s Option<Seen>) -> Option<&'s Seen> {
-    let seen = seen.as_ref()?;
+fn untold<'s>(space: &SpaceMeasure, seen: Option<&'s Seen>) -> Option<&'s Seen> {
+    let seen = seen?;
     let graver = in_order(space).into_iter().flatten().take_while(|other| !std::ptr::eq(*other, seen));
     let same = |other: &Seen| other.target.is_some() && other.target == seen.target;
     (!graver.into_iter().any(same)).then_some(seen)
@@ -103,8 +103,8 @@ mod tests {
     fn one_target_is_told_once_by_the_gravest() {
         let space =
             SpaceMeasure { short_bone: seen("a"), flat_plane: seen("b"), drifted: seen("a"), ..Default::default() };
-        assert!(untold(&space, &space.short_bone).is_some());
-        assert!(untold(&space, &space.flat_plane).is_some());
-        assert!(untold(&space, &space.drifted).is_none());
+        assert!(untold(&space, space.short_bone.as_ref()).is_some());
+        assert!(untold(&space, space.flat_plane.as_ref()).is_some());
+        assert!(untold(&space, space.drifted.as_ref()).is_none());
     }
 }
