@@ -94,6 +94,9 @@ fn nothing_else_in_makehuman2_is_an_error_or_a_warning() {
         "macro-unreferenced-target",
         "macro-unreferenced-target",
         "mesh-reopened-group",
+        "modelling-measure",
+        "modelling-measure",
+        "modelling-measure",
     ];
     assert_eq!(rules, known);
     assert_eq!(mhlint(&corpus, &["data", "--no-eval"]).status.code(), Some(1), "one real error");

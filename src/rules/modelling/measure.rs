@@ -67,7 +67,9 @@ fn open_line(bound: &BoundSlider<'_>, line: &[i64], positions: &[[f32; 3]]) -> O
     let effect = "shows a length without the missing piece";
     let help = format!("write vertex {first} again behind {last}, with those between them if there are any");
     let evidence = Evidence { count: 1, ..Evidence::default() }.with_worst(gap, format!("vertices {first} and {last}"));
-    Some(finding(bound, &message, effect).level(Level::Warning).help(help).evidence(evidence))
+    // Another fault than a vertex that does not exist: it must not be taken for the same.
+    let key = format!("{} gap", bound.slider.key);
+    Some(finding(bound, &message, effect).key(key).level(Level::Warning).help(help).evidence(evidence))
 }
 
 fn finding(bound: &BoundSlider<'_>, message: &str, effect: &str) -> Finding {
