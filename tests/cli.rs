@@ -114,6 +114,33 @@ fn data_of_another_application_are_named_as_not_judged() {
 }
 
 #[test]
+fn loose_assets_are_judged_alone_and_against_the_system_data() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::create_dir(folder.path().join("mine")).unwrap();
+    fs::write(folder.path().join("mine/wide.target"), "1 0.1 0.2 0.3\n99999 0 0 1\nabc\n").unwrap();
+    let alone = mhlint(folder.path(), &["mine/wide.target", "--report", "concise"]);
+    assert_eq!(code(&alone), Some(0), "{}", stderr(&alone));
+    assert!(stdout(&alone).contains("mine/wide.target:3:1: warning[target-field-count]"), "{}", stdout(&alone));
+    assert!(!stdout(&alone).contains("target-vertex-out-of-range"));
+    assert!(stderr(&alone).contains("`--system DIR`"), "{}", stderr(&alone));
+    let system = project("fixtures/makehuman2/data");
+    let against = mhlint(folder.path(), &[".", "--system", system.to_str().unwrap(), "--report", "concise"]);
+    assert_eq!((code(&against), stderr(&against).as_str()), (Some(1), ""));
+    assert!(
+        stdout(&against).contains("mine/wide.target:2:1: error[target-vertex-out-of-range]"),
+        "{}",
+        stdout(&against)
+    );
+}
+
+#[test]
+fn system_data_given_to_be_judged_are_judged() {
+    let output = mhlint(&project("fixtures/makehuman2"), &["data", "--system", "./data/"]);
+    assert_eq!(code(&output), Some(0), "{}", stderr(&output));
+    assert!(stdout(&output).contains("names the data to judge itself"), "{}", stdout(&output));
+}
+
+#[test]
 fn a_missing_path_exits_2_and_is_named() {
     assert_refused(&mhlint(&project("."), &["nowhere"]), &["nowhere", "No such file"]);
     assert_refused(&mhlint(&project("fixtures"), &["makehuman2", "--system", "nowhere"]), &["nowhere"]);

@@ -14,6 +14,9 @@ pub struct Evidence {
     pub of: Option<u64>,
     /// The first few.
     pub examples: Vec<String>,
+    /// Where the examples stand for groups of the counted elements (patterns, files): how many groups.
+    #[serde(skip)]
+    pub groups: Option<u64>,
     /// The worst value and where it is.
     pub worst: Option<Worst>,
 }
@@ -38,6 +41,12 @@ impl Evidence {
             }
         }
         evidence
+    }
+
+    /// Evidence on `count` elements that are named in groups: by pattern, by file.
+    pub fn of_groups<T: ToString>(groups: impl IntoIterator<Item = T>, count: u64) -> Self {
+        let named = Self::of_cases(groups);
+        Self { count, groups: Some(named.count), ..named }
     }
 
     /// Says out of how many.
@@ -84,7 +93,7 @@ impl Tally {
             count: self.count,
             of: Some(total as u64),
             examples: self.first.iter().map(|(_, index)| index.to_string()).collect(),
-            worst: None,
+            ..Evidence::default()
         }
     }
 }

@@ -1,5 +1,7 @@
 //! What a file is for, judged by its place below a MakeHuman 2 data root.
 
+use super::loose::ALONE;
+
 /// Kinds of files in a MakeHuman 2 data root.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Kind {
@@ -44,6 +46,8 @@ const TARGET_FOLDERS: [&str; 2] = ["target", "contarget"];
 pub fn kind_of(path: &str) -> (Kind, Option<&str>) {
     let parts: Vec<&str> = path.split('/').collect();
     match parts.as_slice() {
+        [ALONE, .., file] if has_extension(file, "target") => (Kind::Target, None),
+        [ALONE, .., file] => (by_extension(file), None),
         [folder, base, rest @ ..] if !rest.is_empty() => (kind_in(folder, rest), Some(base)),
         [file] => (by_extension(file), None),
         _ => (by_extension(parts.last().copied().unwrap_or_default()), None),

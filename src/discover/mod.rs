@@ -1,7 +1,9 @@
 //! What is where: data roots in a listing, kinds of files, layers. Looks at paths only, opens nothing.
 
 mod kind;
+mod loose;
 mod roots;
 
 pub use kind::{Kind, kind_of};
+pub use loose::loose_place;
 pub use roots::{DataRoot, find_roots, root_above};

@@ -49,7 +49,21 @@ fn open_one(path: &Path) -> Result<(PathBuf, Input), Error> {
             return Ok((place, Input::whole(tree)));
         }
     }
-    Ok(open_above(path, &place, &here).unwrap_or_else(|| (place, Input::whole(Tree::on_disk(here, path)))))
+    if let Some(above) = open_above(path, &place, &here) {
+        return Ok(above);
+    }
+    if place.is_file() {
+        return Ok(open_beside(path, &place, &here));
+    }
+    Ok((place, Input::whole(Tree::on_disk(here, path))))
+}
+
+/// A file that lies in no data root, with those beside it: they may belong together.
+fn open_beside(path: &Path, place: &Path, here: &str) -> (PathBuf, Input) {
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+    let tree = Tree::on_disk_to_depth(label(folder), folder, 1);
+    (place.parent().unwrap_or(place).to_owned(), Input { tree, narrow: vec![here.to_owned()] })
 }
 
 /// The data root that `path` lies inside of.

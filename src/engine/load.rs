@@ -9,6 +9,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use rayon::prelude::*;
 
 use super::compose::Rows;
+use super::loose::Moved;
 use super::read;
 use crate::discover::{Kind, kind_of};
 use crate::formats::target::MeshSize;
@@ -24,6 +25,8 @@ pub(super) struct Place<'t> {
     pub(super) tree: &'t Tree,
     /// Path from the top of the tree.
     pub(super) root: &'t str,
+    /// Where files that lie loose in the tree would be kept; a real root has none.
+    pub(super) moved: Option<&'t Moved>,
 }
 
 /// Reads everything in a data root but its targets. Sizes of meshes that only `system` has are taken from there.
@@ -84,7 +87,10 @@ impl<'t> Place<'t> {
     /// Entries below the root with their path relative to it.
     pub(super) fn below(self) -> impl Iterator<Item = (&'t Entry, &'t str)> {
         let prefix = self.prefix();
-        self.tree.entries().iter().filter_map(move |entry| Some((entry, entry.path.strip_prefix(&prefix)?)))
+        self.tree.entries().iter().filter_map(move |entry| match self.moved {
+            Some(moved) => Some((entry, moved.get(&entry.path)?.as_str())),
+            None => Some((entry, entry.path.strip_prefix(&prefix)?)),
+        })
     }
 
     fn files(self) -> impl Iterator<Item = (&'t Entry, &'t str)> {

@@ -10,6 +10,7 @@ mod gauge;
 mod input;
 mod load;
 mod locate;
+mod loose;
 mod measure;
 mod outcome;
 mod read;

@@ -11,6 +11,7 @@ use super::data::Data;
 use super::input::{Input, open};
 use super::load::Place;
 use super::locate::locate;
+use super::loose::moved;
 use super::measure::measure_bases;
 use super::outcome::{Error, Outcome, RootSummary, Timing};
 use super::select::Selection;
@@ -81,9 +82,20 @@ fn lint_inputs(inputs: &[Input], system: Option<&Tree>, options: &Options) -> Re
     let mut outcome = Outcome::default();
     let started = Instant::now();
     let system_roots = system.map(roots_of).unwrap_or_default();
-    let system_place = system.map(|tree| system_place(tree, &system_roots)).transpose()?;
     let roots: Vec<Vec<DataRoot>> = inputs.iter().map(|input| roots_of(&input.tree)).collect();
-    let places = places(inputs, &roots, system_place, options, &mut outcome);
+    let mut system_place = system.map(|tree| system_place(tree, &system_roots)).transpose()?;
+    if let Some(place) = system_place.filter(|place| is_all_there_is(*place, inputs, &roots)) {
+        outcome.notes.push(format!("`--system` names the data to judge itself; {} is judged", shown(&place.path())));
+        system_place = None;
+    }
+    let moved = moved(inputs, &roots, system, options, &mut outcome);
+    let mut places = places(inputs, &roots, system_place, options, &mut outcome);
+    for (input, moved) in inputs.iter().zip(&moved).filter(|(_, moved)| !moved.is_empty()) {
+        let place = Place { tree: &input.tree, root: "", moved: Some(moved) };
+        if is_asked_for(Application::Makehuman2, options) {
+            want(&mut places, place, &input.narrow);
+        }
+    }
     let mut data = Data::load(places, system_place, &options.limits);
     outcome.timings.push(timing("read", started));
     let started = Instant::now();
@@ -117,12 +129,26 @@ fn system_place<'t>(tree: &'t Tree, roots: &'t [DataRoot]) -> Result<Place<'t>, 
         path: tree.label().to_owned(),
         reason: "holds no MakeHuman 2 data (a folder with base/<name>/base.json in it is wanted)".to_owned(),
     })?;
-    Ok(Place { tree, root: &root.path })
+    Ok(Place { tree, root: &root.path, moved: None })
 }
 
 pub(super) fn roots_of(tree: &Tree) -> Vec<DataRoot> {
     let files = tree.entries().iter().filter(|entry| entry.kind == EntryKind::File);
     find_roots(files.map(|entry| entry.path.as_str()))
+}
+
+/// Whether the system data are the only data root that was given to be judged.
+fn is_all_there_is(system: Place<'_>, inputs: &[Input], roots: &[Vec<DataRoot>]) -> bool {
+    let path = system.path();
+    let mut paths = inputs.iter().zip(roots).flat_map(|(input, roots)| {
+        roots.iter().map(|root| Place { tree: &input.tree, root: &root.path, moved: None }.path())
+    });
+    let all_same = paths.clone().all(|given| given == path);
+    all_same && paths.next().is_some()
+}
+
+fn shown(path: &str) -> &str {
+    if path.is_empty() { "." } else { path }
 }
 
 /// The data roots to judge, with what to report of each.
@@ -137,7 +163,7 @@ fn places<'t>(
     let mut wanted = Vec::new();
     for (input, roots) in inputs.iter().zip(roots) {
         for root in roots {
-            let place = Place { tree: &input.tree, root: &root.path };
+            let place = Place { tree: &input.tree, root: &root.path, moved: None };
             if system == Some(place.path()) || !is_asked_for(root.application, options) {
                 continue;
             }
@@ -165,18 +191,17 @@ fn is_asked_for(application: Application, options: &Options) -> bool {
 }
 
 fn note_unjudged(path: &str, application: Application, outcome: &mut Outcome) {
-    let shown = if path.is_empty() { "." } else { path };
-    outcome.notes.push(format!("{shown}: {application} data, which this version does not judge yet"));
-    outcome.roots.push(RootSummary { path: shown.to_owned(), application, bases: Vec::new(), judged: false });
+    let path = shown(path);
+    outcome.notes.push(format!("{path}: {application} data, which this version does not judge yet"));
+    outcome.roots.push(RootSummary { path: path.to_owned(), application, bases: Vec::new(), judged: false });
 }
 
 fn summarise(repository: &Repository<'_>, outcome: &mut Outcome) {
     let judged = repository.judged;
     let own = |name: &str| judged.files.values().any(|file| file.base.as_deref() == Some(name));
     let bases = repository.bases.iter().map(|base| base.name).filter(|name| own(name));
-    let shown = if judged.path.is_empty() { "." } else { judged.path.as_str() };
     outcome.roots.push(RootSummary {
-        path: shown.to_owned(),
+        path: shown(&judged.path).to_owned(),
         application: repository.application,
         bases: bases.map(str::to_owned).collect(),
         judged: true,

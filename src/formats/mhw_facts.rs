@@ -93,7 +93,7 @@ impl PairTally {
             count: self.count,
             of: Some(total as u64),
             examples: examples.map(|(bone, _, vertex, _)| format!("{bone}[{vertex}]")).collect(),
-            worst: None,
+            ..Evidence::default()
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use super::{View, printable};
+use super::{View, count, printable};
 use crate::diag::Location;
 use crate::engine::Outcome;
 
@@ -23,12 +23,12 @@ pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> 
         let summary = &outcome.summary;
         writeln!(
             out,
-            "{}: {} errors, {} warnings, {} infos in {} files",
+            "{}: {}, {}, {} in {}",
             if view.pass { "pass" } else { "fail" },
-            summary.error,
-            summary.warning,
-            summary.info,
-            summary.files
+            count(summary.error, "error"),
+            count(summary.warning, "warning"),
+            count(summary.info, "info"),
+            count(summary.files, "file")
         )?;
     }
     Ok(())

@@ -110,7 +110,7 @@ impl Evaluation {
 }
 
 fn places<'t>(tree: &'t Tree, roots: &'t [String]) -> Vec<Place<'t>> {
-    roots.iter().map(|root| Place { tree, root }).collect()
+    roots.iter().map(|root| Place { tree, root, moved: None }).collect()
 }
 
 fn makehuman_2_roots(tree: &Tree) -> Vec<String> {

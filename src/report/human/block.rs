@@ -13,7 +13,7 @@ use miette::{
 
 use super::snippet::{Snippet, snippet};
 use crate::diag::{Break, Confidence, Evidence, Finding, Level, Location};
-use crate::report::{Paint, View, hang, printable};
+use crate::report::{Paint, View, count, hang, printable};
 
 /// Related places shown for one finding.
 const RELATED: usize = 5;
@@ -53,7 +53,7 @@ fn footer(finding: &Finding, has_source: bool) -> Vec<(&'static str, String)> {
         lines.push(("see", format!("{}{}: {}", related.path, colons(&related.location), related.message)));
     }
     if finding.related.len() > RELATED {
-        lines.push(("see", format!("{} places more", finding.related.len() - RELATED)));
+        lines.push(("see", count(finding.related.len() - RELATED, "more place")));
     }
     if let Some(help) = &finding.help {
         lines.push(("help", help.clone()));
@@ -86,15 +86,18 @@ fn evidence_line(evidence: &Evidence) -> Option<String> {
     if evidence.count < 2 && evidence.worst.is_none() {
         return None;
     }
+    let worst = evidence.worst.as_ref().map(|worst| format!("worst {} at {}", number(worst.value), worst.place));
+    if evidence.count < 2 && evidence.examples.is_empty() && evidence.of.is_none() {
+        return worst;
+    }
     let of = evidence.of.map_or_else(String::new, |of| format!(" of {of}"));
-    let left = evidence.count.saturating_sub(evidence.examples.len() as u64);
+    let left = evidence.groups.unwrap_or(evidence.count).saturating_sub(evidence.examples.len() as u64);
     let examples = match (evidence.examples.is_empty(), left) {
         (true, _) => String::new(),
         (false, 0) => format!(": {}", evidence.examples.join(", ")),
         (false, left) => format!(": {} and {left} more", evidence.examples.join(", ")),
     };
-    let worst = evidence.worst.as_ref();
-    let worst = worst.map_or_else(String::new, |worst| format!("; worst {} at {}", number(worst.value), worst.place));
+    let worst = worst.map_or_else(String::new, |worst| format!("; {worst}"));
     Some(format!("{}{of}{examples}{worst}", evidence.count))
 }
 
@@ -260,6 +263,16 @@ mod tests {
             seen: 7 of 9: x, x, x, x, x and 2 more; worst 0.1235 at vertex 3\n  \
             see: data/b.target: the other one\n  help: mend it\n";
         assert_eq!(render(&finding, false, &VIEW), expected);
+    }
+
+    #[test]
+    fn groups_of_elements_are_not_taken_for_elements() {
+        let named = Evidence::of_groups(["a-*", "b-*"], 108).out_of(216);
+        assert_eq!(evidence_line(&named).as_deref(), Some("108 of 216: a-*, b-*"));
+        let cut = Evidence::of_groups(["a"; 7], 99);
+        assert_eq!(evidence_line(&cut).as_deref(), Some("99: a, a, a, a, a and 2 more"));
+        let single = Evidence { count: 1, ..Evidence::default() }.with_worst(0.5, "vertex 3");
+        assert_eq!(evidence_line(&single).as_deref(), Some("worst 0.5 at vertex 3"));
     }
 
     #[test]

@@ -106,8 +106,7 @@ fn finding(file: &FileFacts, macrodef: &Macrodef, space: &Space<'_>, absence: &A
         (Kind::System, ..) => format!("{count} of {total} combinations are left out systematically: {shown}"),
         (Kind::Sparse, ..) => format!("{count} of {total} combinations are left out, more than are listed: {shown}"),
     };
-    let mut evidence = Evidence { count: count as u64, ..Evidence::default() }.out_of(total);
-    evidence.examples = absence.patterns.iter().take(SHOWN).map(|(text, _)| text.clone()).collect();
+    let evidence = Evidence::of_groups(absence.patterns.iter().map(|(text, _)| text), count as u64).out_of(total);
     let word = match kind {
         Kind::Hole => "holes",
         Kind::Sparse => "sparse",

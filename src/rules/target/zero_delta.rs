@@ -51,8 +51,7 @@ fn many_files(layer: &Layer, folder: &str, files: &[(&FileFacts, &TargetFacts)])
     let message = format!("{count} zero rows in {} move nothing", counted(files.len() as u64, "target"));
     let mut most: Vec<_> = files.iter().map(|(file, facts)| (facts.zero.count, file)).collect();
     most.sort_by_key(|(count, file)| (std::cmp::Reverse(*count), &file.rel));
-    let mut evidence = Evidence::of_cases(most.iter().map(|(count, file)| format!("{} ({count})", file.rel)));
-    evidence.count = count;
+    let evidence = Evidence::of_groups(most.iter().map(|(count, file)| format!("{} ({count})", file.rel)), count);
     let mut finding = RULE.in_layer(layer, folder, message).evidence(evidence.out_of(of));
     for (file, facts) in files.iter().take(EXAMPLES * 2) {
         finding = finding.related(&file.path, first_row(&facts.zero), counted(facts.zero.count, "zero row"));
