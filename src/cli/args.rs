@@ -105,6 +105,12 @@ pub(super) struct CheckArgs {
     /// Report as human, concise or json; with a file instead of standard output; repeatable.
     #[arg(long = "report", value_name = "FORMAT[=FILE]", value_parser = Target::parse)]
     pub(super) reports: Vec<Target>,
+    /// Report only what the changes since a git revision can affect; everything is judged all the same.
+    #[arg(long, value_name = "REV", conflicts_with = "changed_files")]
+    pub(super) since: Option<String>,
+    /// The same for the files listed in FILE (`-` for standard input), a path a line.
+    #[arg(long, value_name = "FILE")]
+    pub(super) changed_files: Option<PathBuf>,
     /// Print time per phase and rule to standard error.
     #[arg(long)]
     pub(super) timings: bool,

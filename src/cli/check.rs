@@ -4,6 +4,7 @@ use std::io::Write;
 use std::path::PathBuf;
 
 use super::args::{CheckArgs, Command};
+use super::changed::{listed, since};
 use super::exit::{Exit, Failure};
 use super::output::{Target, targets, write_file};
 use super::panics::Panics;
@@ -23,8 +24,10 @@ pub(super) fn run(
     let targets = targets(&args.reports)?;
     let here = vec![PathBuf::from(".")];
     let paths = if args.paths.is_empty() { &here } else { &args.paths };
+    let mut options = options(args);
+    options.changed = changed(args, paths)?;
     let progress = Progress::start("reading and evaluating");
-    let outcome = lint(paths, &options(args));
+    let outcome = lint(paths, &options);
     drop(progress);
     let outcome = outcome.map_err(|error| mistaken_command(error, paths))?;
     let exit = exit(&outcome, args, &panics.noted());
@@ -40,6 +43,14 @@ pub(super) fn run(
         print_timings(&outcome, err)?;
     }
     Ok(exit)
+}
+
+fn changed(args: &CheckArgs, paths: &[PathBuf]) -> Result<Option<Vec<PathBuf>>, Failure> {
+    match (&args.changed_files, &args.since, paths.first()) {
+        (Some(file), ..) => listed(file).map(Some),
+        (None, Some(revision), Some(first)) => since(revision, first).map(Some),
+        _ => Ok(None),
+    }
 }
 
 fn options(args: &CheckArgs) -> Options {

@@ -1,6 +1,7 @@
 //! The command line: arguments, streams, exit codes. No logic that a library user would miss.
 
 mod args;
+mod changed;
 mod check;
 mod eval;
 mod exit;

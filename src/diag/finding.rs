@@ -33,6 +33,8 @@ pub struct Finding {
     pub key: String,
     /// Stable identity, filled by the engine.
     pub fingerprint: String,
+    /// Why a change can affect it, where the run is narrowed to a change; filled by the engine.
+    pub because: Option<String>,
 }
 
 /// The consequence in one application.
@@ -78,6 +80,7 @@ impl Finding {
             related: Vec::new(),
             key: String::new(),
             fingerprint: String::new(),
+            because: None,
         }
     }
 

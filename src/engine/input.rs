@@ -102,6 +102,16 @@ fn canonical(path: &Path) -> Result<PathBuf, Error> {
         .map_err(|error| Error::Path { path: path.display().to_string(), reason: error.to_string() })
 }
 
+/// The path with the links resolved in as much of it as exists: a deleted file still has its folder.
+pub(super) fn without_links(path: &Path) -> PathBuf {
+    let resolved = path.ancestors().find_map(|above| {
+        let real = std::fs::canonicalize(above).ok()?;
+        let rest = path.strip_prefix(above).ok()?;
+        Some(if rest.as_os_str().is_empty() { real } else { real.join(rest) })
+    });
+    resolved.unwrap_or_else(|| path.to_owned())
+}
+
 /// The path as reports print it: forward slashes, no `./`, empty for the working directory.
 fn label(path: &Path) -> String {
     let text = path.to_string_lossy().replace('\\', "/");

@@ -3,6 +3,7 @@
 //! The only place with threads. Prints nothing and judges nothing.
 
 mod catalogue;
+mod changed;
 mod compose;
 mod data;
 pub mod evaluate;

@@ -7,6 +7,7 @@ use std::time::{Duration, Instant};
 
 use rayon::prelude::*;
 
+use super::changed::{Change, explain, narrow};
 use super::data::Data;
 use super::input::{Input, open};
 use super::load::Place;
@@ -48,6 +49,8 @@ pub struct Options {
     pub exhaustive: bool,
     /// Bounds on what is read.
     pub limits: Limits,
+    /// Report only what a change of these files can affect: paths relative to the working directory.
+    pub changed: Option<Vec<PathBuf>>,
 }
 
 /// Judges data roots found at `paths`.
@@ -79,6 +82,7 @@ pub(super) struct Loaded<'t> {
 
 fn lint_inputs(inputs: &[Input], system: Option<&Tree>, options: &Options) -> Result<Outcome, Error> {
     let selection = Selection::new(options)?;
+    let change = options.changed.as_deref().map(Change::new);
     let mut outcome = Outcome::default();
     let started = Instant::now();
     let system_roots = system.map(roots_of).unwrap_or_default();
@@ -108,9 +112,16 @@ fn lint_inputs(inputs: &[Input], system: Option<&Tree>, options: &Options) -> Re
         let repository = Repository::connect(Application::Makehuman2, system, user, &judged.layer);
         summarise(&repository, &mut outcome);
         let findings = judge(&repository, measures.get(number), &selection, options, &mut outcome);
-        outcome.findings.extend(report(&repository, findings, judged, &selection, options));
+        let mut findings = report(&repository, findings, judged, &selection, options);
+        if let Some(change) = &change {
+            explain(&repository, &mut findings, change);
+        }
+        outcome.findings.extend(findings);
     }
     check_bases(options, &outcome)?;
+    if let Some(change) = &change {
+        narrow(&mut outcome, change);
+    }
     outcome.timings.push(timing("rules", started));
     let trees: Vec<&Tree> = inputs.iter().map(|input| &input.tree).chain(system).collect();
     let started = Instant::now();

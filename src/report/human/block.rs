@@ -58,6 +58,9 @@ fn footer(finding: &Finding, has_source: bool) -> Vec<(&'static str, String)> {
     if let Some(help) = &finding.help {
         lines.push(("help", help.clone()));
     }
+    if let Some(because) = &finding.because {
+        lines.push(("shown because", because.clone()));
+    }
     lines
 }
 

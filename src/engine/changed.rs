@@ -1,0 +1,226 @@
+//! Changed files: the whole repository is judged, the report narrowed to what the change can affect.
+//!
+//! One step each way along the references: a changed file, what names it, what it names. Files that decide
+//! over a whole base mesh (`base.obj`, `macro.json` and the like) affect everything of that base.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Component, Path, PathBuf};
+
+use super::input::without_links;
+use super::outcome::Outcome;
+use crate::diag::{Finding, Place};
+use crate::discover::kind_of;
+use crate::repo::{Layer, Reference, Repository, Resolution};
+
+/// Paths of changed files: absolute, without `..`, with forward slashes.
+pub(super) struct Change {
+    paths: BTreeSet<String>,
+}
+
+impl Change {
+    /// From paths relative to the working directory.
+    pub(super) fn new(paths: &[PathBuf]) -> Self {
+        Self { paths: paths.iter().map(|path| absolute(path)).collect() }
+    }
+
+    /// The changed paths below a layer, relative to it.
+    fn below<'s>(&'s self, layer: &Layer) -> impl Iterator<Item = &'s str> + use<'s> {
+        let root = format!("{}/", absolute(Path::new(&layer.path)).trim_end_matches('/'));
+        let from = self.paths.range(root.clone()..);
+        from.map_while(move |path| path.strip_prefix(root.as_str()))
+    }
+}
+
+/// Says of each finding why the change can affect it; the others are left without a reason.
+pub(super) fn explain(repository: &Repository<'_>, findings: &mut [Finding], change: &Change) {
+    let reach = Reach::new(repository, change);
+    for finding in findings {
+        finding.because = reach.reason(repository, finding);
+    }
+}
+
+/// Leaves out what the change cannot affect, and says how much that was. Findings on the settings of mhlint stay.
+pub(super) fn narrow(outcome: &mut Outcome, change: &Change) {
+    let all = outcome.findings.len();
+    outcome.findings.retain(|finding| finding.because.is_some() || is_upkeep(finding));
+    let left_out = all - outcome.findings.len();
+    let files = match change.paths.len() {
+        1 => "1 changed file".to_owned(),
+        count => format!("{count} changed files"),
+    };
+    outcome.notes.push(format!("narrowed to what {files} can affect; {left_out} other findings are not shown"));
+}
+
+/// Mutes and baseline entries can fall out of use by any change.
+fn is_upkeep(finding: &Finding) -> bool {
+    finding.rule.starts_with("config-") || finding.rule.starts_with("baseline-")
+}
+
+/// What a change reaches in one repository.
+struct Reach<'a> {
+    /// Changed files, by their path as reports print it.
+    changed: BTreeSet<String>,
+    /// Base meshes over which a changed file decides, with that file.
+    bases: BTreeMap<String, String>,
+    /// Files that a changed file names, with the changed one.
+    named: BTreeMap<&'a str, &'a str>,
+    /// Files that name a changed one: where in them, and the changed one.
+    naming: BTreeMap<&'a str, Vec<(&'a Place, String)>>,
+}
+
+impl<'a> Reach<'a> {
+    fn new(repository: &'a Repository<'a>, change: &Change) -> Self {
+        let mut reach = Self {
+            changed: BTreeSet::new(),
+            bases: BTreeMap::new(),
+            named: BTreeMap::new(),
+            naming: BTreeMap::new(),
+        };
+        for layer in layers(repository) {
+            for rel in change.below(layer) {
+                let path = layer.display(rel);
+                if let Some(base) = decided_base(rel) {
+                    reach.bases.insert(base.to_owned(), path.clone());
+                }
+                reach.changed.insert(path);
+            }
+        }
+        for reference in &repository.references {
+            reach.follow(repository, reference);
+        }
+        reach
+    }
+
+    fn follow(&mut self, repository: &Repository<'_>, reference: &'a Reference<'a>) {
+        let from = reference.from.path.as_str();
+        let found = match reference.resolution {
+            Resolution::Found(file)
+            | Resolution::CaseOnly(file)
+            | Resolution::Backslash(Some(file))
+            | Resolution::OtherLayer(file) => Some(file),
+            _ => None,
+        };
+        if self.changed.contains(from)
+            && let Some(file) = found
+        {
+            self.named.insert(&file.path, from);
+        }
+        // A deleted or renamed file is where the reference would look in any layer.
+        let looked_at = layers(repository).map(|layer| layer.display(&reference.rel));
+        let target = found.map(|file| file.path.clone()).into_iter().chain(looked_at);
+        if let Some(path) = target.into_iter().find(|path| self.changed.contains(path)) {
+            self.naming.entry(from).or_default().push((&reference.place, path));
+        }
+    }
+
+    /// Why a finding can be a matter of the change.
+    fn reason(&self, repository: &Repository<'_>, finding: &Finding) -> Option<String> {
+        let path = finding.path.as_str();
+        if self.changed.contains(path) {
+            return Some("the file changed".to_owned());
+        }
+        if let Some(changed) = self.below(path) {
+            return Some(format!("`{changed}` in it changed"));
+        }
+        if let Some(changed) = finding.related.iter().find(|other| self.changed.contains(&other.path)) {
+            return Some(format!("`{}` changed", changed.path));
+        }
+        if let Some(from) = self.named.get(path) {
+            return Some(format!("`{from}`, which names it, changed"));
+        }
+        if let Some(changed) = self.naming.get(path).and_then(|places| named_at(places, finding)) {
+            return Some(format!("it names `{changed}`, which changed"));
+        }
+        let rel = layers(repository).find_map(|layer| layer.relative(path)).unwrap_or(path);
+        let base = kind_of(rel).1?;
+        self.bases.get(base).map(|changed| format!("`{changed}`, which decides over all of `{base}`, changed"))
+    }
+
+    /// A changed file below a folder.
+    fn below(&self, folder: &str) -> Option<&str> {
+        let prefix = format!("{folder}/");
+        let next = self.changed.range(prefix.clone()..).next()?;
+        next.starts_with(&prefix).then_some(next.as_str())
+    }
+}
+
+/// The changed file named where the finding is, above or below it. A finding on evaluated shapes, or without a
+/// place in the text, may come from any of the names.
+fn named_at<'r>(places: &'r [(&Place, String)], finding: &Finding) -> Option<&'r str> {
+    let at = |place: &Place| match place {
+        Place::Pointer(pointer) | Place::Key(pointer) => Some(pointer.clone()),
+        _ => None,
+    };
+    let Some(here) = at(&finding.place).filter(|_| !finding.rule.starts_with("numeric-")) else {
+        return places.first().map(|(_, path)| path.as_str());
+    };
+    let touches = |place: &Place| {
+        let Some(there) = at(place) else { return true };
+        let owner = there.rsplit_once('/').map_or("", |(owner, _)| owner);
+        is_within(&there, &here) || is_within(&here, owner)
+    };
+    places.iter().find(|(place, _)| touches(place)).map(|(_, path)| path.as_str())
+}
+
+/// Whether the pointer `inner` is `outer` or leads below it.
+fn is_within(inner: &str, outer: &str) -> bool {
+    inner.strip_prefix(outer).is_some_and(|rest| rest.is_empty() || rest.starts_with('/'))
+}
+
+/// The base mesh whose whole judgement hangs on the file at `rel`.
+fn decided_base(rel: &str) -> Option<&str> {
+    match rel.split('/').collect::<Vec<_>>().as_slice() {
+        ["base", base, "base.json" | "base.obj"]
+        | [
+            "target" | "contarget",
+            base,
+            "macro.json" | "modelling.json" | "target_cat.json" | "compressedtargets.npz",
+        ] => Some(base),
+        _ => None,
+    }
+}
+
+fn layers<'a>(repository: &'a Repository<'_>) -> impl Iterator<Item = &'a Layer> {
+    let judged = std::iter::once(repository.judged);
+    let others = repository.strongest_first().filter(|layer| !std::ptr::eq(*layer, repository.judged));
+    judged.chain(others)
+}
+
+/// The path from the root of the file system, without `.`, `..` and links: git knows its files by it.
+fn absolute(path: &Path) -> String {
+    let whole = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+    let mut normal = PathBuf::new();
+    for part in whole.components() {
+        if part == Component::ParentDir {
+            normal.pop();
+        } else {
+            normal.push(part);
+        }
+    }
+    without_links(&normal).to_string_lossy().replace('\\', "/")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn paths_are_compared_whole() {
+        let change = Change::new(&["data/target/b/x.target".into(), "./data2/../data/base/b/base.obj".into()]);
+        let layer = |path: &str| Layer {
+            path: path.to_owned(),
+            files: BTreeMap::default(),
+            folders: Vec::new(),
+            walk_faults: Vec::new(),
+        };
+        let below: Vec<&str> = change.below(&layer("data")).collect();
+        assert_eq!(below, ["base/b/base.obj", "target/b/x.target"]);
+        assert_eq!(change.below(&layer("dat")).count(), 0);
+    }
+
+    #[test]
+    fn a_pointer_is_within_itself_and_what_holds_it() {
+        assert!(is_within("/a/b", "/a") && is_within("/a", "/a") && is_within("/a", ""));
+        assert!(!is_within("/ab", "/a"));
+    }
+}
