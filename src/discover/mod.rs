@@ -4,4 +4,4 @@ mod kind;
 mod roots;
 
 pub use kind::{Kind, kind_of};
-pub use roots::{DataRoot, find_roots, root_above};
+pub use roots::{DataRoot, SCANNED, find_roots, root_above};

@@ -13,6 +13,7 @@ mod locate;
 mod measure;
 mod outcome;
 mod read;
+mod references;
 mod run;
 mod select;
 mod stack;

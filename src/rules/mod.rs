@@ -172,3 +172,17 @@ pub(crate) static RULES: &[&Rule] = &[
     &weights::unweighted_vertex::RULE,
     &weights::vertex_out_of_range::RULE,
 ];
+
+#[cfg(test)]
+mod tests {
+    use super::RULES;
+
+    #[test]
+    fn every_rule_says_what_the_application_does() {
+        let silent = |info: &&crate::diag::RuleInfo| {
+            info.breaks.is_empty() || info.breaks.iter().any(|(_, effect)| effect.trim().is_empty())
+        };
+        let silent: Vec<&str> = RULES.iter().map(|rule| &rule.info).filter(silent).map(|info| info.id).collect();
+        assert_eq!(silent, Vec::<&str>::new());
+    }
+}
