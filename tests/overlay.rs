@@ -99,15 +99,9 @@ const ROWS: &[Row<'_>] = &[
         change: |contarget| {
             remove(contarget, &["macro.json", "modelling.json", "body", "ears", "macro_height"]);
         },
-        over_system: &[
-            ".overlay-partial-override contarget/imp/target_cat.json",
-            SYSTEM_SLIDERS,
-        ],
+        over_system: &[".overlay-partial-override contarget/imp/target_cat.json", SYSTEM_SLIDERS],
         alone: &[".overlay-partial-override contarget/imp/target_cat.json"],
-        one_root: &[
-            SYSTEM_PROBE,
-            ".overlay-partial-override contarget/imp/target_cat.json",
-        ],
+        one_root: &[SYSTEM_PROBE, ".overlay-partial-override contarget/imp/target_cat.json"],
     },
     Row {
         name: "macro.json malformed: as if absent, without a word",

@@ -12,12 +12,12 @@ pub(super) fn through_references(
     skeleton: &Skeleton,
     number: impl Fn(&str) -> Option<usize>,
 ) -> Transfer {
-    let numbers =
-        |names: &Option<Vec<String>>| -> Vec<usize> { names.iter().flatten().filter_map(|name| number(name)).collect() };
+    let numbers = |names: &Option<Vec<String>>| -> Vec<usize> {
+        names.iter().flatten().filter_map(|name| number(name)).collect()
+    };
     let bones = skeleton.bones.iter();
-    let lists: Vec<_> = bones
-        .map(|bone| (number(&bone.name), numbers(&bone.reference), numbers(&bone.weights_reference)))
-        .collect();
+    let lists: Vec<_> =
+        bones.map(|bone| (number(&bone.name), numbers(&bone.reference), numbers(&bone.weights_reference))).collect();
     let bones: Vec<TransferBone<'_>> = lists
         .iter()
         .map(|(same_name, reference, weights_reference)| TransferBone {

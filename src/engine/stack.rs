@@ -38,7 +38,8 @@ pub(super) fn roles(places: &[Place<'_>]) -> Vec<Role> {
     let mut roles: Vec<Role> = places.iter().map(|place| Role::of(*place)).collect();
     if places.len() > 1 && !roles.contains(&Role::System) {
         let is_system = |(place, role): (&Place<'_>, &Role)| *role == Role::Both && has_own_targets(*place);
-        let mut systems = (0_usize..).zip(places.iter().zip(&roles)).filter(|(_, root)| is_system(*root)).map(|(at, _)| at);
+        let mut systems =
+            (0_usize..).zip(places.iter().zip(&roles)).filter(|(_, root)| is_system(*root)).map(|(at, _)| at);
         if let (Some(only), None) = (systems.next(), systems.next())
             && let Some(role) = roles.get_mut(only)
         {
@@ -51,7 +52,9 @@ pub(super) fn roles(places: &[Place<'_>]) -> Vec<Role> {
 /// Whether `target/` has sliders or macros for a base mesh that lies here.
 fn has_own_targets(place: Place<'_>) -> bool {
     let paths = || place.below().map(|(_, rel)| rel.split('/').collect::<Vec<_>>());
-    let has_mesh = |base: &str| paths().any(|parts| matches!(parts.as_slice(), ["base", name, "base.json" | "base.obj"] if *name == base));
+    let has_mesh = |base: &str| {
+        paths().any(|parts| matches!(parts.as_slice(), ["base", name, "base.json" | "base.obj"] if *name == base))
+    };
     paths().any(|parts| match parts.as_slice() {
         ["target", base, "macro.json" | "modelling.json"] => has_mesh(base),
         _ => false,

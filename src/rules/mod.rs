@@ -179,10 +179,10 @@ mod tests {
 
     #[test]
     fn every_rule_says_what_the_application_does() {
-        let silent = |info: &&crate::diag::RuleInfo| {
-            info.breaks.is_empty() || info.breaks.iter().any(|(_, effect)| effect.trim().is_empty())
-        };
-        let silent: Vec<&str> = RULES.iter().map(|rule| &rule.info).filter(silent).map(|info| info.id).collect();
-        assert_eq!(silent, Vec::<&str>::new());
+        for rule in RULES {
+            let effects = rule.info.breaks;
+            assert!(!effects.is_empty(), "{}", rule.info.id);
+            assert!(effects.iter().all(|(_, effect)| !effect.trim().is_empty()), "{}", rule.info.id);
+        }
     }
 }

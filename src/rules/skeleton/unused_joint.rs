@@ -11,7 +11,10 @@ use crate::repo::{Base, Repository};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "computes the place of the joint after every change of shape, for nothing")],
+        breaks: &[(
+            Application::Makehuman2,
+            "computes the place of the joint after every change of shape, for nothing",
+        )],
         docs: "A joint that neither a bone (`head`, `tail`) nor a plane names has no effect. It is either left \
             over, or a bone that should use it names another one.\n\nRemove it, or use it.",
         ..RuleInfo::new("skeleton-unused-joint", Level::Info, "no bone and no plane uses a joint")

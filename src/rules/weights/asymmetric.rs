@@ -27,9 +27,7 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &Ru
         let facts = &weights.facts;
         let faults = [facts.duplicate.count, facts.negative.count, facts.above_one.count];
         let known = |name: &String| measures.bones.contains(name);
-        !has_unusable_entries(weights)
-            && faults == [0; 3]
-            && weights.bones.iter().all(|bone| known(&bone.name))
+        !has_unusable_entries(weights) && faults == [0; 3] && weights.bones.iter().all(|bone| known(&bone.name))
     };
     if !file.weights().is_some_and(is_whole) {
         return;

@@ -7,7 +7,10 @@ use crate::repo::Layer;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "takes the bone as one that the file does not mention: it moves no vertex")],
+        breaks: &[(
+            Application::Makehuman2,
+            "takes the bone as one that the file does not mention: it moves no vertex",
+        )],
         docs: "A bone with an empty list means the same as one that is not mentioned. It is harmless, even where \
             the skeleton does not have the bone, but often a sign that painting it was forgotten.\n\nRemove the \
             bone from the file, or paint it.",

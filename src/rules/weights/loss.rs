@@ -3,8 +3,8 @@
 use super::has_unusable_entries;
 use super::lost_after_threshold::RULE;
 use super::measured::pose_weights;
-use crate::rules::RuleCx;
 use crate::repo::{Base, FileFacts, Repository};
+use crate::rules::RuleCx;
 
 /// What the weights of the pose skeleton lose, and the vertex that it moves farthest.
 pub(super) struct Loss<'a> {
