@@ -48,7 +48,7 @@ const BROKEN_SLIDERS: &str = "!overlay-broken-override contarget/imp/modelling.j
 const BROKEN_CATEGORIES: &str = "!overlay-broken-override contarget/imp/target_cat.json";
 const LOST_TARGETS: &str = "!overlay-targets-not-in-layer contarget/imp/macro.json";
 const SHADOWED_MACRO: &str = ".overlay-shadowed contarget/imp/macro.json";
-const SHADOWED_SLIDERS: &str = ".overlay-shadowed contarget/imp/modelling.json";
+const DEAD_TARGETS: &str = "?overlay-partial-override contarget/imp/body/belly-size-decr.target";
 
 const ROWS: &[Row<'_>] = &[
     Row {
@@ -63,25 +63,25 @@ const ROWS: &[Row<'_>] = &[
         change: |contarget| {
             remove(contarget, &["modelling.json", "target_cat.json", "body", "ears"]);
         },
-        over_system: &[MACRO_PROBE, SHADOWED_MACRO, LOST_TARGETS, SYSTEM_SLIDERS],
+        over_system: &[MACRO_PROBE, LOST_TARGETS, SYSTEM_SLIDERS],
         alone: &[MACRO_PROBE, "?overlay-partial-override contarget/imp/macro.json"],
-        one_root: &[MACRO_PROBE, SHADOWED_MACRO, LOST_TARGETS],
+        one_root: &[MACRO_PROBE, LOST_TARGETS],
     },
     Row {
         name: "macro.json and modelling.json with a part of the targets",
         change: |contarget| remove(contarget, &["ears"]),
-        over_system: &[MACRO_PROBE, SHADOWED_MACRO, LOST_TARGETS, OWN_SLIDERS],
+        over_system: &[MACRO_PROBE, LOST_TARGETS, OWN_SLIDERS],
         alone: &[MACRO_PROBE, OWN_SLIDERS],
-        one_root: &[MACRO_PROBE, SHADOWED_MACRO, LOST_TARGETS],
+        one_root: &[MACRO_PROBE, LOST_TARGETS],
     },
     Row {
         name: "modelling.json alone: its sliders take the system's targets",
         change: |contarget| {
             remove(contarget, &["macro.json", "target_cat.json", "body", "ears", "macro_height"]);
         },
-        over_system: &[".overlay-partial-override contarget/imp/modelling.json", SHADOWED_SLIDERS, OWN_SLIDERS],
+        over_system: &[".overlay-partial-override contarget/imp/modelling.json", OWN_SLIDERS],
         alone: &[".overlay-needs-system contarget/imp/modelling.json", OWN_SLIDERS],
-        one_root: &[SYSTEM_PROBE, ".overlay-partial-override contarget/imp/modelling.json", SHADOWED_SLIDERS],
+        one_root: &[SYSTEM_PROBE, ".overlay-partial-override contarget/imp/modelling.json"],
     },
     Row {
         name: "modelling.json with targets of its own and no macro.json: they are never read",
@@ -90,33 +90,25 @@ const ROWS: &[Row<'_>] = &[
             fs::rename(contarget.join("ears/r-ear-trans-out.target"), contarget.join("ears/wide.target")).unwrap();
             edit(&contarget.join("modelling.json"), "ears/r-ear-trans-out", "ears/wide");
         },
-        over_system: &["!overlay-targets-not-in-layer contarget/imp/modelling.json", SHADOWED_SLIDERS, OWN_SLIDERS],
+        over_system: &["!overlay-targets-not-in-layer contarget/imp/modelling.json", OWN_SLIDERS],
         alone: &[".overlay-needs-system contarget/imp/modelling.json", OWN_SLIDERS],
-        one_root: &[SYSTEM_PROBE, "!overlay-targets-not-in-layer contarget/imp/modelling.json", SHADOWED_SLIDERS],
+        one_root: &[SYSTEM_PROBE, "!overlay-targets-not-in-layer contarget/imp/modelling.json"],
     },
     Row {
         name: "target_cat.json alone",
         change: |contarget| {
             remove(contarget, &["macro.json", "modelling.json", "body", "ears", "macro_height"]);
         },
-        over_system: &[
-            ".overlay-partial-override contarget/imp/target_cat.json",
-            ".overlay-shadowed contarget/imp/target_cat.json",
-            SYSTEM_SLIDERS,
-        ],
+        over_system: &[".overlay-partial-override contarget/imp/target_cat.json", SYSTEM_SLIDERS],
         alone: &[".overlay-partial-override contarget/imp/target_cat.json"],
-        one_root: &[
-            SYSTEM_PROBE,
-            ".overlay-partial-override contarget/imp/target_cat.json",
-            ".overlay-shadowed contarget/imp/target_cat.json",
-        ],
+        one_root: &[SYSTEM_PROBE, ".overlay-partial-override contarget/imp/target_cat.json"],
     },
     Row {
         name: "macro.json malformed: as if absent, without a word",
         change: |contarget| edit(&contarget.join("macro.json"), "\"macrodef\": [", "\"macrodef\": [,"),
-        over_system: &[BROKEN_MACRO, SHADOWED_SLIDERS, OWN_SLIDERS],
+        over_system: &[BROKEN_MACRO, OWN_SLIDERS],
         alone: &[BROKEN_MACRO, OWN_SLIDERS],
-        one_root: &[SYSTEM_PROBE, BROKEN_MACRO, SHADOWED_SLIDERS],
+        one_root: &[SYSTEM_PROBE, BROKEN_MACRO],
     },
     Row {
         name: "macro.json with a byte order mark: as if absent",
@@ -124,30 +116,93 @@ const ROWS: &[Row<'_>] = &[
             let text = fs::read_to_string(contarget.join("macro.json")).unwrap();
             fs::write(contarget.join("macro.json"), format!("\u{feff}{text}")).unwrap();
         },
-        over_system: &[BROKEN_MACRO, SHADOWED_SLIDERS, OWN_SLIDERS],
+        over_system: &[BROKEN_MACRO, OWN_SLIDERS],
         alone: &[BROKEN_MACRO, OWN_SLIDERS],
-        one_root: &[SYSTEM_PROBE, BROKEN_MACRO, SHADOWED_SLIDERS],
+        one_root: &[SYSTEM_PROBE, BROKEN_MACRO],
     },
     Row {
         name: "macro.json empty: as if absent",
         change: |contarget| fs::write(contarget.join("macro.json"), "{}").unwrap(),
-        over_system: &[BROKEN_MACRO, SHADOWED_SLIDERS, OWN_SLIDERS],
+        over_system: &[BROKEN_MACRO, OWN_SLIDERS],
         alone: &[BROKEN_MACRO, OWN_SLIDERS],
-        one_root: &[SYSTEM_PROBE, BROKEN_MACRO, SHADOWED_SLIDERS],
+        one_root: &[SYSTEM_PROBE, BROKEN_MACRO],
     },
     Row {
         name: "modelling.json malformed: the system's sliders over contarget's targets",
         change: |contarget| edit(&contarget.join("modelling.json"), "\"Height\": {", "\"Height\": {,"),
-        over_system: &[MACRO_PROBE, BROKEN_SLIDERS, SHADOWED_MACRO, SYSTEM_SLIDERS],
+        over_system: &[MACRO_PROBE, BROKEN_SLIDERS, SYSTEM_SLIDERS],
         alone: &[MACRO_PROBE, BROKEN_SLIDERS],
-        one_root: &[MACRO_PROBE, BROKEN_SLIDERS, SHADOWED_MACRO],
+        one_root: &[MACRO_PROBE, BROKEN_SLIDERS],
     },
     Row {
         name: "target_cat.json empty: the system's categories",
         change: |contarget| fs::write(contarget.join("target_cat.json"), "[]").unwrap(),
-        over_system: &[MACRO_PROBE, BROKEN_CATEGORIES, SHADOWED_MACRO, OWN_SLIDERS],
+        over_system: &[MACRO_PROBE, BROKEN_CATEGORIES, OWN_SLIDERS],
         alone: &[MACRO_PROBE, BROKEN_CATEGORIES, OWN_SLIDERS],
-        one_root: &[MACRO_PROBE, BROKEN_CATEGORIES, SHADOWED_MACRO],
+        one_root: &[MACRO_PROBE, BROKEN_CATEGORIES],
+    },
+    Row {
+        name: "targets alone: never read",
+        change: |contarget| remove(contarget, &["macro.json", "modelling.json", "target_cat.json"]),
+        over_system: &[DEAD_TARGETS, SYSTEM_SLIDERS],
+        alone: &[DEAD_TARGETS],
+        one_root: &[SYSTEM_PROBE, DEAD_TARGETS],
+    },
+    Row {
+        name: "macro.json and modelling.json with all targets: categories from the system",
+        change: |contarget| remove(contarget, &["target_cat.json"]),
+        over_system: &[MACRO_PROBE, SHADOWED_MACRO, OWN_SLIDERS],
+        alone: &[MACRO_PROBE, OWN_SLIDERS],
+        one_root: &[MACRO_PROBE, SHADOWED_MACRO],
+    },
+    Row {
+        name: "macro.json is an empty list: as if absent",
+        change: |contarget| fs::write(contarget.join("macro.json"), "[]").unwrap(),
+        over_system: &[BROKEN_MACRO, OWN_SLIDERS],
+        alone: &[BROKEN_MACRO, OWN_SLIDERS],
+        one_root: &[SYSTEM_PROBE, BROKEN_MACRO],
+    },
+    Row {
+        name: "macro.json is null: as if absent",
+        change: |contarget| fs::write(contarget.join("macro.json"), "null").unwrap(),
+        over_system: &[BROKEN_MACRO, OWN_SLIDERS],
+        alone: &[BROKEN_MACRO, OWN_SLIDERS],
+        one_root: &[SYSTEM_PROBE, BROKEN_MACRO],
+    },
+    Row {
+        name: "macro.json is false: as if absent",
+        change: |contarget| fs::write(contarget.join("macro.json"), "false").unwrap(),
+        over_system: &[BROKEN_MACRO, OWN_SLIDERS],
+        alone: &[BROKEN_MACRO, OWN_SLIDERS],
+        one_root: &[SYSTEM_PROBE, BROKEN_MACRO],
+    },
+    Row {
+        name: "macro.json is a zero: as if absent",
+        change: |contarget| fs::write(contarget.join("macro.json"), "0").unwrap(),
+        over_system: &[BROKEN_MACRO, OWN_SLIDERS],
+        alone: &[BROKEN_MACRO, OWN_SLIDERS],
+        one_root: &[SYSTEM_PROBE, BROKEN_MACRO],
+    },
+    Row {
+        name: "macro.json is an empty text: as if absent",
+        change: |contarget| fs::write(contarget.join("macro.json"), "\"\"").unwrap(),
+        over_system: &[BROKEN_MACRO, OWN_SLIDERS],
+        alone: &[BROKEN_MACRO, OWN_SLIDERS],
+        one_root: &[SYSTEM_PROBE, BROKEN_MACRO],
+    },
+    Row {
+        name: "modelling.json empty: the system's sliders over contarget's targets",
+        change: |contarget| fs::write(contarget.join("modelling.json"), "{}").unwrap(),
+        over_system: &[MACRO_PROBE, BROKEN_SLIDERS, SYSTEM_SLIDERS],
+        alone: &[MACRO_PROBE, BROKEN_SLIDERS],
+        one_root: &[MACRO_PROBE, BROKEN_SLIDERS],
+    },
+    Row {
+        name: "target_cat.json malformed: the system's categories",
+        change: |contarget| fs::write(contarget.join("target_cat.json"), "{").unwrap(),
+        over_system: &[MACRO_PROBE, BROKEN_CATEGORIES, OWN_SLIDERS],
+        alone: &[MACRO_PROBE, BROKEN_CATEGORIES, OWN_SLIDERS],
+        one_root: &[MACRO_PROBE, BROKEN_CATEGORIES],
     },
     Row {
         name: "nothing in contarget",

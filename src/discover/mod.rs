@@ -6,4 +6,4 @@ mod roots;
 
 pub use kind::{Kind, kind_of};
 pub use loose::loose_place;
-pub use roots::{DataRoot, find_roots, root_above};
+pub use roots::{DataRoot, SCANNED, find_roots, root_above};

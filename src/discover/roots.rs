@@ -13,6 +13,25 @@ pub struct DataRoot {
     pub application: Application,
 }
 
+/// Folders of MakeHuman 2 that its asset scan visits, with one level of folders below the base mesh.
+pub const SCANNED: [&str; 12] = [
+    "clothes",
+    "hair",
+    "eyes",
+    "eyebrows",
+    "eyelashes",
+    "teeth",
+    "tongue",
+    "proxy",
+    "rigs",
+    "poses",
+    "expressions",
+    "models",
+];
+
+/// Folders of MakeHuman 2 with a folder for each base mesh that the scan leaves out.
+const NOT_SCANNED: [&str; 4] = ["target", "contarget", "base", "skins"];
+
 /// How telling a path is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Sign {
@@ -45,28 +64,10 @@ pub fn find_roots<'a>(files: impl IntoIterator<Item = &'a str>) -> Vec<DataRoot>
 /// The part of `path` above the first folder name that belongs to a data root: where a data root would
 /// be that `path` lies inside of.
 pub fn root_above(path: &str) -> Option<&str> {
-    const CATEGORIES: [&str; 16] = [
-        "target",
-        "contarget",
-        "base",
-        "rigs",
-        "clothes",
-        "hair",
-        "eyes",
-        "eyebrows",
-        "eyelashes",
-        "teeth",
-        "tongue",
-        "proxy",
-        "poses",
-        "expressions",
-        "models",
-        "skins",
-    ];
     let mut end = path.len();
     for part in path.rsplit('/') {
         let start = end - part.len();
-        if CATEGORIES.contains(&part) {
+        if NOT_SCANNED.contains(&part) || SCANNED.contains(&part) {
             return Some(path.get(..start).unwrap_or_default().trim_end_matches('/'));
         }
         end = start.saturating_sub(1);

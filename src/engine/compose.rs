@@ -5,13 +5,13 @@
 
 use std::collections::BTreeMap;
 
+use super::references::through_references;
 use crate::eval::macro_def::{Blend, Component, Macrodef, Slider};
 use crate::eval::macros::MacroTable;
 use crate::eval::proportion::{Lengths, MEDIAN_RATIO, extent, oversize};
 use crate::eval::scene::{MorphTarget, Scene, SceneSkeleton, SceneSlider, SliderKind};
 use crate::eval::settings::Dimension;
 use crate::eval::skeleton::{Bone, hierarchy};
-use crate::eval::transfer::{TransferBone, transfer};
 use crate::eval::weights::{self, Entry, LoadedWeights};
 use crate::formats::macro_json::MacroFile;
 use crate::formats::mhskel::{RotationPlane, Skeleton};
@@ -74,23 +74,9 @@ pub(super) fn compose(base: &Base<'_>, rows: &mut Rows) -> Option<Composed> {
 /// Bones of another skeleton that get nothing of the default skeleton's weights.
 fn without_weights(scene: &Scene, skeleton: &Skeleton) -> Vec<String> {
     let Some((default, weights)) = scene.skeleton.as_ref().zip(scene.weights.as_ref()) else { return Vec::new() };
-    let by_name = |name: &String| default.names.iter().position(|other| other == name);
-    let known = |names: &Option<Vec<String>>| -> Vec<usize> { names.iter().flatten().filter_map(by_name).collect() };
-    let lists: Vec<(Option<usize>, Vec<usize>, Vec<usize>)> = skeleton
-        .bones
-        .iter()
-        .map(|bone| (by_name(&bone.name), known(&bone.reference), known(&bone.weights_reference)))
-        .collect();
-    let bones: Vec<TransferBone<'_>> = lists
-        .iter()
-        .map(|(same_name, reference, weights_reference)| TransferBone {
-            same_name: *same_name,
-            reference,
-            weights_reference,
-        })
-        .collect();
+    let by_name = |name: &str| default.names.iter().position(|other| other == name);
     let parents: Vec<Option<usize>> = default.bones.iter().map(|bone| bone.parent).collect();
-    let moved = transfer(&weights.bones, &parents, &bones);
+    let moved = through_references(&weights.bones, &parents, skeleton, by_name);
     let has = |number: usize| moved.bones.iter().any(|list| list.bone == number && !list.entries.is_empty());
     let bare = skeleton.bones.iter().enumerate().filter(|(number, _)| !has(*number));
     bare.map(|(_, bone)| bone.name.clone()).collect()

@@ -2,7 +2,7 @@
 
 use super::load::{MeshSizes, Place, load};
 use super::run::Loaded;
-use super::stack::{Role, Stack, stacks};
+use super::stack::{Role, Stack, roles, stacks};
 use crate::source::Limits;
 
 /// All data of a run.
@@ -26,7 +26,9 @@ impl<'t> Data<'t> {
             }
             None => (None, MeshSizes::new()),
         };
-        let mut places: Vec<_> = places.into_iter().map(|(place, narrow)| (place, narrow, Role::of(place))).collect();
+        let roles = roles(&places.iter().map(|(place, _)| *place).collect::<Vec<_>>());
+        let mut places: Vec<_> =
+            places.into_iter().zip(roles).map(|((place, narrow), role)| (place, narrow, role)).collect();
         // System data first: a user root may lack the meshes that its targets are for.
         places.sort_by_key(|(_, _, role)| *role != Role::System);
         let mut data = Self { system, roots: Vec::new(), sizes: Vec::new(), system_sizes };

@@ -39,12 +39,8 @@ pub(super) fn load(place: Place<'_>, limits: &Limits, system: Option<&MeshSizes>
     files.append(&mut read_all(place.tree, of(true), limits, &|rel| size_of(rel, &sizes), false).0);
     hash_equal_sizes(place.tree, &place.prefix(), &mut files, limits);
     let folders = place.below().filter(|(entry, _)| entry.kind == EntryKind::Folder);
-    let layer = Layer {
-        path: place.path(),
-        files,
-        folders: folders.map(|(_, rel)| rel.to_owned()).collect(),
-        walk_faults: faults_below(place.tree, &place.prefix()),
-    };
+    let folders = folders.map(|(_, rel)| rel.to_owned()).collect();
+    let layer = Layer::new(place.path(), files, folders, faults_below(place.tree, &place.prefix()));
     (layer, sizes)
 }
 

@@ -15,6 +15,7 @@ mod loose;
 mod measure;
 mod outcome;
 mod read;
+mod references;
 mod run;
 mod select;
 mod stack;

@@ -32,6 +32,35 @@ impl Role {
     }
 }
 
+/// The roles of data roots that are judged together. `contarget/` is read in the user's folder only: beside another
+/// root, the one whose bases have their targets in `target/` is the system, and its `contarget/` counts for nothing.
+pub(super) fn roles(places: &[Place<'_>]) -> Vec<Role> {
+    let mut roles: Vec<Role> = places.iter().map(|place| Role::of(*place)).collect();
+    if places.len() > 1 && !roles.contains(&Role::System) {
+        let is_system = |(place, role): (&Place<'_>, &Role)| *role == Role::Both && has_own_targets(*place);
+        let mut systems =
+            (0_usize..).zip(places.iter().zip(&roles)).filter(|(_, root)| is_system(*root)).map(|(at, _)| at);
+        if let (Some(only), None) = (systems.next(), systems.next())
+            && let Some(role) = roles.get_mut(only)
+        {
+            *role = Role::System;
+        }
+    }
+    roles
+}
+
+/// Whether `target/` has sliders or macros for a base mesh that lies here.
+fn has_own_targets(place: Place<'_>) -> bool {
+    let paths = || place.below().map(|(_, rel)| rel.split('/').collect::<Vec<_>>());
+    let has_mesh = |base: &str| {
+        paths().any(|parts| matches!(parts.as_slice(), ["base", name, "base.json" | "base.obj"] if *name == base))
+    };
+    paths().any(|parts| match parts.as_slice() {
+        ["target", base, "macro.json" | "modelling.json"] => has_mesh(base),
+        _ => false,
+    })
+}
+
 /// System layer, user layer and judged root of every repository to judge.
 pub(super) type Stack<'a, 't> = (Option<&'a Layer>, Option<&'a Layer>, &'a Loaded<'t>);
 

@@ -7,7 +7,7 @@ use super::skeleton::{DEFAULT_NORMAL, plane_normal, plane_sine, rest_bones, roll
 use super::skin::{pose_bones, skin};
 use super::symmetry::{Mirror, MirrorMap};
 use super::vector::{Point, distance};
-use super::weights::{BoneWeights, LoadedWeights};
+use super::weights::LoadedWeights;
 
 /// Influences that real-time engines take.
 pub const ENGINE_INFLUENCES: usize = 4;
@@ -34,25 +34,10 @@ pub struct WeightMeasure {
     pub over: usize,
     /// Vertex and share that it loses when reduced to [`ENGINE_INFLUENCES`].
     pub worst_reduction: Option<(u32, f32)>,
-    /// Vertices that lose something to the threshold of the loader.
-    pub losing: usize,
-    /// The vertex that is pulled farthest by what it loses.
-    pub worst_loss: Option<Loss>,
     /// Pairs of bones (left, right by number) whose weights are not mirrored: vertices and largest difference.
     pub asymmetric: Vec<AsymmetricPair>,
     /// Vertex farthest from its place after skinning with all bones at rest, and how far, mesh units.
     pub rest_distance: Option<(u32, f64)>,
-}
-
-/// What a vertex loses to the threshold of the loader.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Loss {
-    /// The vertex.
-    pub vertex: u32,
-    /// Share of its weight, 0..1.
-    pub share: f32,
-    /// How far that pulls it towards the origin in the rest pose, mesh units.
-    pub pull: f64,
 }
 
 /// Bones weighted unlike their mirror.
@@ -101,31 +86,23 @@ pub fn weights(
     tolerance: f32,
 ) -> Option<WeightMeasure> {
     let reduction = Influences::new(&loaded.bones, positions.len()).ok()?.reduce(ENGINE_INFLUENCES);
-    let losing = loaded.lost.iter().filter(|lost| **lost > 0.0).count();
-    let losses = (0..).zip(loaded.lost.iter().zip(positions)).filter(|(_, (lost, _))| **lost > 0.0);
-    let losses = losses.map(|(vertex, (share, place))| Loss {
-        vertex,
-        share: *share,
-        pull: f64::from(*share) * distance(*place, [0.0; 3]),
-    });
     Some(WeightMeasure {
         most: reduction.most,
         over: reduction.reduced,
         worst_reduction: reduction.worst,
-        losing,
-        worst_loss: losses.max_by(|a, b| a.pull.total_cmp(&b.pull)),
-        asymmetric: pairs.iter().filter_map(|pair| asymmetry(&loaded.bones, *pair, mirror, tolerance)).collect(),
+        asymmetric: pairs.iter().filter_map(|pair| asymmetry(loaded, *pair, mirror, tolerance)).collect(),
         rest_distance: rest_distance(loaded, skeleton, positions),
     })
 }
 
+/// Vertices whose sums in the file differ from those of their mirror are left out: the sum is what is wrong there.
 fn asymmetry(
-    bones: &[BoneWeights],
+    loaded: &LoadedWeights,
     (left, right): (usize, usize),
     mirror: &MirrorMap,
     tolerance: f32,
 ) -> Option<AsymmetricPair> {
-    let entries = |bone: usize| bones.iter().find(|list| list.bone == bone).map(|list| list.entries.as_slice());
+    let entries = |bone: usize| loaded.bones.iter().find(|list| list.bone == bone).map(|list| list.entries.as_slice());
     let dense = |entries: &[(u32, f32)]| {
         let mut weights = vec![0.0_f32; mirror.partners().len()];
         for (vertex, weight) in entries {
@@ -136,11 +113,13 @@ fn asymmetry(
         weights
     };
     let (ours, theirs) = (dense(entries(left)?), dense(entries(right)?));
+    let sum = |vertex: u32| loaded.raw_sums.get(vertex as usize).copied().unwrap_or(0.0);
+    let same_sums = |a: u32, b: u32| (sum(a) - sum(b)).abs() <= tolerance;
     let mut pair = AsymmetricPair { left, right, vertices: 0, worst: (0, 0.0) };
     for (vertex, (weight, partner)) in (0..).zip(ours.iter().zip(mirror.partners())) {
         let Mirror::Partner(partner) = partner else { continue };
         let difference = (weight - theirs.get(*partner as usize).copied().unwrap_or(0.0)).abs();
-        if difference > tolerance {
+        if difference > tolerance && same_sums(vertex, *partner) {
             pair.vertices += 1;
             if difference > pair.worst.1 {
                 pair.worst = (vertex, difference);
@@ -224,6 +203,14 @@ mod tests {
     fn weights_unlike_their_mirror_are_counted() {
         let found = measure(&[(0, &[(0, 1.0), (1, 1.0), (3, 0.5)]), (1, &[(2, 1.0)]), (2, &[(3, 0.5)])]);
         assert_eq!(found.asymmetric, [AsymmetricPair { left: 1, right: 2, vertices: 1, worst: (2, 0.5) }]);
+    }
+
+    #[test]
+    fn a_wrong_sum_is_no_asymmetry() {
+        let found = measure(&[(0, &[(0, 1.0), (1, 1.0), (3, 0.5)]), (1, &[(2, 1.0)]), (2, &[(3, 1.0)])]);
+        assert_eq!(found.asymmetric, []);
+        let unweighted = measure(&[(0, &[(0, 1.0), (1, 1.0)]), (1, &[(2, 1.0)]), (2, &[(1, 0.0)])]);
+        assert_eq!(unweighted.asymmetric, []);
     }
 
     #[test]

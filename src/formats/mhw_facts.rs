@@ -3,6 +3,8 @@
 //!
 //! Gets the pairs of all bones and the vertex count of the mesh; one walk, then one over the vertices.
 
+use std::collections::BTreeMap;
+
 use serde::Serialize;
 
 use super::json_file::JsonFacts;
@@ -31,6 +33,9 @@ pub struct WeightsFacts {
     pub non_finite: PairTally,
     /// Pairs that normalising leaves at or below [`THRESHOLD`], zero weights included.
     pub below_threshold: PairTally,
+    /// What they take from each vertex, as a share of its weight; in the order of the vertices. Empty without a mesh.
+    #[serde(skip)]
+    pub lost: Vec<(u32, f32)>,
     /// A vertex that the bone listed before.
     pub duplicate: PairTally,
     /// Vertices that the mesh does not have, negative ones included.
@@ -111,9 +116,11 @@ impl WeightsFacts {
             }
             self.count_duplicates(bone, &mut faulty);
         }
+        let mut lost = BTreeMap::new();
         for bone in bones {
-            self.count_below_threshold(bone);
+            self.count_below_threshold(bone, &mut lost);
         }
+        self.lost = lost.into_iter().collect();
         self.sum = SumFacts::of(&self.sums, &faulty);
     }
 
@@ -161,15 +168,19 @@ impl WeightsFacts {
         }
     }
 
-    fn count_below_threshold(&mut self, bone: &BoneWeights) {
+    fn count_below_threshold(&mut self, bone: &BoneWeights, lost: &mut BTreeMap<u32, f32>) {
         for pair in &bone.pairs {
-            let sum = usize::try_from(pair.vertex).ok().and_then(|vertex| self.sums.get(vertex).copied());
-            if let Some(sum) = sum
+            let vertex = u32::try_from(pair.vertex).ok();
+            let sum = vertex.and_then(|vertex| Some((vertex, *self.sums.get(vertex as usize)?)));
+            if let Some((vertex, sum)) = sum
                 && sum > 0.0
                 && pair.weight >= 0.0
                 && pair.weight / sum <= THRESHOLD
             {
                 self.below_threshold.add(&bone.name, *pair);
+                if pair.weight > 0.0 {
+                    *lost.entry(vertex).or_default() += pair.weight / sum;
+                }
             }
         }
     }
@@ -230,6 +241,7 @@ mod tests {
         let counts = [&f.duplicate, &f.negative, &f.above_one, &f.out_of_range, &f.non_finite, &f.malformed];
         assert_eq!(counts.map(|tally| tally.count), [1, 1, 1, 2, 1, 4]);
         assert_eq!(f.below_threshold.first, [("b".to_owned(), 2, 2, 0.0001)]);
+        assert_eq!(f.lost, [(2, 0.0001 / 1.5001)]);
         assert_eq!((f.sums[0], f.sums[1]), (1.0, 0.75));
         assert_eq!((f.sum.off, f.negative_index), (0, 1));
     }

@@ -1,6 +1,7 @@
 //! Layers of a data tree, weakest first, and the lookups over them.
 
 use std::collections::BTreeMap;
+use std::sync::OnceLock;
 
 use super::{Base, FileFacts, Reference};
 use crate::diag::Application;
@@ -18,6 +19,8 @@ pub struct Layer {
     pub folders: Vec<String>,
     /// What the walk could not list, relative to the root.
     pub walk_faults: Vec<WalkFault>,
+    /// Lower-case paths to paths, made when first asked for; with the number of files it was made for.
+    folded: OnceLock<(usize, BTreeMap<String, String>)>,
 }
 
 /// The layers that an application sees together; the top one is judged.
@@ -49,6 +52,16 @@ pub struct TargetFolder<'a> {
 }
 
 impl Layer {
+    /// A layer of these files.
+    pub fn new(
+        path: String,
+        files: BTreeMap<String, FileFacts>,
+        folders: Vec<String>,
+        walk_faults: Vec<WalkFault>,
+    ) -> Self {
+        Self { path, files, folders, walk_faults, folded: OnceLock::new() }
+    }
+
     /// The file at a path relative to the root.
     pub fn file(&self, rel: &str) -> Option<&FileFacts> {
         self.files.get(rel)
@@ -63,8 +76,22 @@ impl Layer {
 
     /// The file whose path differs from `rel` in nothing but case.
     pub fn file_ignoring_case(&self, rel: &str) -> Option<&FileFacts> {
-        let folded = rel.to_lowercase();
-        self.files.values().find(|file| file.rel.to_lowercase() == folded)
+        let wanted = rel.to_lowercase();
+        let (files, folded) = self.folded.get_or_init(|| (self.files.len(), self.folded()));
+        if *files == self.files.len() {
+            return self.files.get(folded.get(&wanted)?);
+        }
+        // Files were added since.
+        self.files.values().find(|file| file.rel.to_lowercase() == wanted)
+    }
+
+    /// Of paths that differ in case only, the first.
+    fn folded(&self) -> BTreeMap<String, String> {
+        let mut folded = BTreeMap::new();
+        for rel in self.files.keys() {
+            folded.entry(rel.to_lowercase()).or_insert_with(|| rel.clone());
+        }
+        folded
     }
 
     /// Path of something in this layer as reports print it.

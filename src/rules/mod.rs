@@ -172,3 +172,17 @@ pub(crate) static RULES: &[&Rule] = &[
     &weights::unweighted_vertex::RULE,
     &weights::vertex_out_of_range::RULE,
 ];
+
+#[cfg(test)]
+mod tests {
+    use super::RULES;
+
+    #[test]
+    fn every_rule_says_what_the_application_does() {
+        for rule in RULES {
+            let effects = rule.info.breaks;
+            assert!(!effects.is_empty(), "{}", rule.info.id);
+            assert!(effects.iter().all(|(_, effect)| !effect.trim().is_empty()), "{}", rule.info.id);
+        }
+    }
+}

@@ -159,7 +159,6 @@ pub(crate) static CASES: &[Case] = &[
         &[Copy("target/hm08/target_cat.json", "contarget/hm08/target_cat.json")],
         &[
             "overlay-partial-override contarget/hm08/target_cat.json",
-            "overlay-shadowed contarget/hm08/target_cat.json",
         ],
         &[],
     ),

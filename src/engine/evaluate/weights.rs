@@ -3,11 +3,11 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
+use super::super::references::through_references;
 use super::error::Error;
 use super::files::{json_cause, read_text, shown};
 use super::skeleton::SkeletonFile;
 use crate::eval::influences::{Influences, Reduction};
-use crate::eval::transfer::{TransferBone, transfer};
 use crate::eval::weights::{BoneWeights, Entry, LoadedWeights, load};
 use crate::formats::mhw::{self, Pair, Weights};
 use crate::source::Encoding;
@@ -124,23 +124,7 @@ pub fn transferred(
         .iter()
         .filter_map(|list| Some(BoneWeights { bone: find(weights.names.get(list.bone)?)?, ..list.clone() }))
         .collect();
-    let numbers =
-        |list: &Option<Vec<String>>| -> Vec<usize> { list.iter().flatten().filter_map(|name| find(name)).collect() };
-    let lists: Vec<_> = other
-        .model
-        .bones
-        .iter()
-        .map(|bone| (find(&bone.name), numbers(&bone.reference), numbers(&bone.weights_reference)))
-        .collect();
-    let bones: Vec<TransferBone<'_>> = lists
-        .iter()
-        .map(|(same_name, reference, weights_reference)| TransferBone {
-            same_name: *same_name,
-            reference,
-            weights_reference,
-        })
-        .collect();
-    let moved = transfer(&bound, &parents, &bones);
+    let moved = through_references(&bound, &parents, &other.model, find);
     let lost = moved.lost.iter().filter_map(|bone| names.get(*bone)).map(|name| (*name).to_owned()).collect();
     let loaded = LoadedWeights { bones: moved.bones, ..weights.loaded.clone() };
     Ok((NamedWeights { names: other.model.bones.iter().map(|bone| bone.name.clone()).collect(), loaded }, lost))

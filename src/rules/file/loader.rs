@@ -1,7 +1,7 @@
 //! Which files MakeHuman 2 opens, when, and what its user sees if that fails (formats/makehuman2.md §1, §2, §19).
 
 use crate::diag::Level;
-use crate::discover::Kind;
+use crate::discover::{Kind, SCANNED};
 use crate::repo::{FileFacts, Repository};
 
 /// When a file is opened.
@@ -16,22 +16,6 @@ pub(super) enum Moment {
     /// By no loader of the program, only by tools.
     Never,
 }
-
-/// Folders that the asset scan visits, with one level of folders below the base mesh.
-const SCANNED: [&str; 12] = [
-    "clothes",
-    "hair",
-    "eyes",
-    "eyebrows",
-    "eyelashes",
-    "teeth",
-    "tongue",
-    "proxy",
-    "rigs",
-    "poses",
-    "expressions",
-    "models",
-];
 
 /// When MakeHuman 2 opens a file of this name.
 pub(super) fn moment(file: &FileFacts) -> Moment {

@@ -2,11 +2,12 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::meshes;
-use crate::diag::{Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::repo::Layer;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
+        breaks: &[(Application::Makehuman2, "keeps the vertex and counts it; nothing of it is seen")],
         docs: "MakeHuman 2 keeps vertices without a face; they can be moved, weighted and used by joints and \
             clothes like others. Programs that drop them on import count all later vertices differently, and \
             then targets, weights and clothes do not fit.\n\nKeep them if something refers to them; otherwise do \

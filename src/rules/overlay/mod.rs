@@ -41,6 +41,13 @@ fn has_broken_override(base: &Base<'_>) -> bool {
     overrides(base).iter().any(|each| each.file.is_some() && !each.active)
 }
 
+/// Whether everything that the application takes from contarget is there and fits: sliders and macros, sound, with
+/// all their targets. What is wrong with an override has a finding of its own.
+fn is_complete(repository: &Repository<'_>, base: &Base<'_>) -> bool {
+    let [macros, sliders, _] = overrides(base);
+    macros.active && sliders.active && !has_broken_override(base) && in_other_layer(repository, base).next().is_none()
+}
+
 /// Targets that exist in the layer that lost and not in the one in use.
 fn in_other_layer<'s, 'a>(
     repository: &'s Repository<'a>,

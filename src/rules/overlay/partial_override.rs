@@ -13,7 +13,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
             sliders load the system's targets, and targets beside them are never read; if the system has no such base, \
             the program stops at start, because it wants to write an archive into a folder that is not there. Such a base \
             needs a macro.json even without macros: `{\"components\": {}, \"macrodef\": []}`. Without modelling.json the \
-            system's sliders look for their targets in contarget.\n\nAdd the missing files. Where all names resolve in spite of the gap nothing is wrong \
+            system's sliders look for their targets in contarget.\n\nAdd the missing files. Targets in contarget \
+            without any of the three files are never read. Where all names resolve in spite of the gap nothing is wrong \
             today, so that is an info.",
         ..RuleInfo::new("overlay-partial-override", Level::Warning, "an override without the files it needs beside it")
     },
@@ -35,7 +36,7 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
         (true, false, _) => macros.file.zip(without_sliders(base, system)),
         (false, true, _) => sliders.file.zip(without_macros(base, system)),
         (false, false, true) => categories.file.map(|file| (file, categories_alone(base, system))),
-        (false, false, false) => user_targets_alone(base, system),
+        (false, false, false) => user_targets_alone(base, system).or_else(|| targets_alone(base)),
         (true, true, _) => None,
     };
     if let Some((file, (level, message, effect, help))) = found {
@@ -111,4 +112,16 @@ fn user_targets_alone<'a>(base: &Base<'a>, system: SystemFolder) -> Option<(&'a 
     let effect = "stops at start (FileNotFoundError): it wants to write an archive into the system's folder";
     let help = "add a macro.json to contarget; without macros write `{\"components\": {}, \"macrodef\": []}`";
     dead.then_some((file, (Level::Error, message, effect, help)))
+}
+
+/// Targets in contarget and none of the files that would make anybody look at them.
+fn targets_alone<'a>(base: &Base<'a>) -> Option<(&'a FileFacts, Gap)> {
+    let folder = base.other_targets.filter(|folder| !base.macros.is_overridden() && folder.folder == "contarget")?;
+    let file = folder.targets().next()?;
+    let own = counted(folder.targets().count(), "target file");
+    let message = format!("no macro.json in `{}`: its {own} are never read", folder.rel())
+        .replace("1 target file are", "1 target file is");
+    let help = "add the macro.json and modelling.json that they are for; targets beside those of the system belong in \
+        `target/<base>/<group>/`";
+    Some((file, (Level::Warning, message, "takes all targets of the base from the system's folder", help)))
 }

@@ -1,7 +1,7 @@
 //! A file that is there and not read, because another one replaces it.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{Override, counted, overrides};
+use super::{Override, counted, is_complete, overrides};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::{Base, Repository};
 
@@ -10,25 +10,29 @@ pub(in crate::rules) static RULE: Rule = Rule {
         breaks: &[(Application::Makehuman2, "reads the file in contarget and not the system's")],
         docs: "macro.json, modelling.json and target_cat.json in `contarget/<base>/` replace the system's files of the same \
             names as a whole; nothing is merged. With macro.json the target files change as well: all of the system's \
-            become unreachable. That is what overrides are for; the finding says what is no longer there.\n\nA macro.json \
+            become unreachable. That is what overrides are for; the finding says what is no longer there. An override with gaps has a \
+            finding for the gap instead.\n\nA macro.json \
             in the user's `target/<base>/` is another matter: MakeHuman 2 never reads it, whatever is in it. Move it to \
-            `contarget/<base>/` together with the targets it names.",
+            `contarget/<base>/` together with the targets it names. The same holds for a `contarget` folder in the \
+            system's data beside a user's folder.",
         ..RuleInfo::new("overlay-shadowed", Level::Info, "a file that another one replaces")
     },
     check: Check::Base(run),
 };
 
-fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let all = overrides(base);
     let replaced: Vec<&Override<'_>> = all.iter().filter(|each| each.active && each.system.is_some()).collect();
-    if let Some(finding) = replaced_by_contarget(base, &replaced) {
-        out.push(finding);
+    // An override with gaps is told by its gap.
+    if is_complete(repository, base) {
+        out.extend(replaced_by_contarget(base, &replaced));
     }
+    out.extend(contarget_of_system(repository, base));
     let layer = base.user_targets.map(|folder| folder.layer);
     if let Some(file) = layer.and_then(|layer| layer.file(&format!("target/{}/macro.json", base.name))) {
         let message = format!("`{}` of the user's folder is never read", file.rel);
         out.push(
-            RULE.at(file, Place::File, message)
+            RULE.at(file, BEGINNING, message)
                 .key("never read")
                 .level(Level::Warning)
                 .help(format!("move it to `contarget/{}`, together with its targets", base.name))
@@ -37,15 +41,33 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
     }
 }
 
+/// The opening bracket: the file as a whole, where editors find it.
+const BEGINNING: Place = Place::Span(0..1);
+
+/// A contarget folder in the system's data, beside a user's folder, which alone may have one.
+fn contarget_of_system(repository: &Repository<'_>, base: &Base<'_>) -> Option<Finding> {
+    let folder = format!("contarget/{}", base.name);
+    let first = repository.judged.below(&folder).next().filter(|_| repository.user.is_none())?;
+    let files = repository.judged.below(&folder).count();
+    let message = format!("`{folder}` of the system's folder is never read ({})", counted(files, "file"));
+    Some(
+        RULE.at(first, Place::File, message)
+            .key("contarget of the system")
+            .level(Level::Warning)
+            .help("move the folder to the user's data folder, or its files to `target` of this one")
+            .breaks(Application::Makehuman2, "looks for overrides in the user's folder only"),
+    )
+}
+
 /// One finding for all files that a base overrides, at the most consequential one.
 fn replaced_by_contarget(base: &Base<'_>, replaced: &[&Override<'_>]) -> Option<Finding> {
     let file = replaced.first()?.file?;
     let names: Vec<&str> = replaced.iter().map(|each| each.name).collect();
     let (what, lost) = unreachable(base);
     let message = format!("contarget replaces the system's {} for base `{}`{what}", names.join(", "), base.name);
-    let mut finding = RULE.at(file, Place::File, message).key(base.name);
+    let mut finding = RULE.at(file, BEGINNING, message).key(base.name);
     for system in replaced.iter().filter_map(|each| each.system) {
-        finding = finding.related(system.path.clone(), Place::File, "replaced");
+        finding = finding.related(system.path.clone(), BEGINNING, "replaced");
     }
     Some(finding.evidence(Evidence::of_cases(lost)))
 }

@@ -1,5 +1,7 @@
 //! Targets that exist only in the layer that lost.
 
+use std::collections::BTreeSet;
+
 use super::super::{Check, Rule, RuleCx};
 use super::{SystemFolder, counted, in_other_layer, system_folder};
 use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
@@ -42,7 +44,7 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
     }
     let message = format!(
         "{} ({}) not in `{}`, the folder in use, but only in `{}`",
-        counted(lost.len(), "target"),
+        counted(files(&lost, |_| true), "target"),
         by_source(&lost),
         used.layer.display(&used.rel()),
         other.layer.display(&other.rel()),
@@ -52,16 +54,26 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
         let text = format!("needs `{}`", reference.rel);
         finding = finding.related(reference.from.path.clone(), reference.place.clone(), text);
     }
-    let of = repository.references_of(base).filter(|reference| reference.kind.is_target()).count();
-    out.push(finding.evidence(Evidence::of_cases(lost.iter().map(|lost| &lost.rel)).out_of(of)));
+    let targets = repository.references_of(base).filter(|reference| reference.kind.is_target());
+    let of = targets.map(|reference| reference.rel.as_str()).collect::<BTreeSet<_>>().len();
+    let cases: BTreeSet<&str> = lost.iter().map(|lost| lost.rel.as_str()).collect();
+    out.push(finding.evidence(Evidence::of_cases(cases).out_of(of)));
 }
 
-/// `5 of macro.json, 3 of modelling.json`.
+/// How many targets the references lead to.
+fn files(lost: &[&Reference<'_>], of: impl Fn(&Reference<'_>) -> bool) -> usize {
+    lost.iter().filter(|lost| of(lost)).map(|lost| lost.rel.as_str()).collect::<BTreeSet<_>>().len()
+}
+
+/// `5 of macro.json, 3 of modelling.json`, and how often they are named if that is more.
 fn by_source(lost: &[&Reference<'_>]) -> String {
-    let macros = lost.iter().filter(|reference| reference.kind == ReferenceKind::MacroTarget).count();
-    let parts = [(macros, "macro.json"), (lost.len() - macros, "modelling.json")];
+    let is_macro = |reference: &Reference<'_>| reference.kind == ReferenceKind::MacroTarget;
+    let of_macros = files(lost, is_macro);
+    let of_sliders = files(lost, |reference| !is_macro(reference));
+    let parts = [(of_macros, "macro.json"), (of_sliders, "modelling.json")];
     let parts = parts.iter().filter(|(count, _)| *count > 0).map(|(count, file)| format!("{count} of {file}"));
-    parts.collect::<Vec<_>>().join(", ")
+    let uses = (lost.len() > of_macros + of_sliders).then(|| format!("named {} times", lost.len()));
+    parts.chain(uses).collect::<Vec<_>>().join(", ")
 }
 
 /// At the `macro.json` that moved the folder, or at the sliders that count on a folder nothing moved to.
@@ -73,7 +85,9 @@ fn finding_where_to_act(
 ) -> Finding {
     if let Some((file, _)) = base.macros.contarget.accepted() {
         let help = "an active macro.json in contarget moves all targets there: copy the missing ones into it";
-        return RULE.at(file, Place::File, message).help(help);
+        let first = lost.iter().find(|reference| std::ptr::eq(reference.from, file));
+        let place = first.map_or_else(|| Place::key(["macrodef"]), |reference| reference.place.clone());
+        return RULE.at(file, place, message).help(help);
     }
     let help = "contarget has no macro.json, so its targets are not read: add one (it may be that of the system)";
     if let Some(first) = lost.iter().find(|reference| repository.is_judged(reference.from)) {

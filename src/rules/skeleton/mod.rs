@@ -5,6 +5,7 @@ pub(super) mod degenerate_plane;
 pub(super) mod empty_joint;
 mod hierarchy;
 pub(super) mod joint_out_of_range;
+mod lost;
 pub(super) mod malformed_plane;
 mod measured;
 pub(super) mod missing_section;

@@ -5,11 +5,15 @@ use std::collections::BTreeSet;
 use super::super::{Check, Rule, RuleCx};
 use super::hierarchy::hierarchy;
 use super::rigs;
-use crate::diag::{Evidence, Finding, Level, Place, RuleInfo, nearest};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, nearest};
 use crate::repo::{Base, Repository};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
+        breaks: &[(
+            Application::Makehuman2,
+            "loads and poses the bone like any other; only tools that mirror by name miss the partner",
+        )],
         docs: "Bones of the left and right side are told apart by their names: `hand.L` and `hand.R`, `hand_l` and \
             `hand_r`, `l-hand` and `r-hand`. Tools mirror poses by these names.\n\nA bone whose partner is \
             missing is usually misspelt or forgotten. It works in MakeHuman 2; mirrored poses leave it out.",

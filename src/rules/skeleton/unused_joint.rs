@@ -5,12 +5,16 @@ use std::collections::BTreeSet;
 use super::super::{Check, Rule, RuleCx};
 use super::hierarchy::hierarchy;
 use super::rigs;
-use crate::diag::{Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::mhskel::Section;
 use crate::repo::{Base, Repository};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
+        breaks: &[(
+            Application::Makehuman2,
+            "computes the place of the joint after every change of shape, for nothing",
+        )],
         docs: "A joint that neither a bone (`head`, `tail`) nor a plane names has no effect. It is either left \
             over, or a bone that should use it names another one.\n\nRemove it, or use it.",
         ..RuleInfo::new("skeleton-unused-joint", Level::Info, "no bone and no plane uses a joint")
@@ -23,15 +27,16 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
         let mut used = rig.asked_joints();
         let joints: BTreeSet<&str> = rig.skeleton.joints.iter().map(|joint| joint.name.as_str()).collect();
         // A joint that is asked for under a name that does not exist may be the one that seems unused.
-        // The same for the joints of a bone that is missing where others name it as their parent.
-        let lacks_bone = !hierarchy(rig.skeleton).unknown_parents.is_empty();
-        if rig.skeleton.bones.is_empty() || lacks_bone || !used.is_subset(&joints) {
+        if rig.skeleton.bones.is_empty() || !used.is_subset(&joints) {
             continue;
         }
         let corners = rig.skeleton.planes.iter().flat_map(|plane| plane.joints.iter().flatten());
         used.extend(corners.filter_map(Option::as_deref));
         let filled = rig.skeleton.joints.iter().filter(|joint| joint.listed > 0).map(|joint| joint.name.as_str());
-        let unused: Vec<&str> = filled.filter(|name| !used.contains(name)).collect();
+        // Joints named after a bone that is missing where others name it as their parent were that bone's.
+        let missing = hierarchy(rig.skeleton).unknown_parents;
+        let is_of_missing = |name: &str| missing.keys().any(|bone| !bone.is_empty() && name.starts_with(*bone));
+        let unused: Vec<&str> = filled.filter(|name| !used.contains(name) && !is_of_missing(name)).collect();
         let Some(first) = unused.first() else { continue };
         let message = match unused.len() {
             1 => format!("no bone or plane uses joint `{first}`"),

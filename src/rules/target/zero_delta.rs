@@ -14,7 +14,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
         breaks: &[(Application::Makehuman2, "loads and adds the zeros; they cost a little time and room")],
         docs: "Rows whose three numbers are zero.\n\nThey change nothing. Exporters write them for vertices that were touched and \
             put back, or whose movement was rounded away.\n\nThe rows can be removed. All such rows of a target folder are \
-            one finding; it stands at the file if there is only one.",
+            one finding, at the first of them.",
         ..RuleInfo::new("target-zero-delta", Level::Info, "rows of a target that move nothing")
     },
     check: Check::Layer(run),
@@ -30,8 +30,15 @@ fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
     for (folder, found) in folders {
         let finding = match found.as_slice() {
+            [] => continue,
             [(file, facts)] => one_file(file, facts),
-            files => many_files(layer, folder, files),
+            [(file, facts), ..] => {
+                let (message, evidence) = of_folder(folder, &found);
+                let finding = RULE.at(file, first_row(&facts.zero), message).key(folder).evidence(evidence);
+                found.iter().take(EXAMPLES * 2).fold(finding, |finding, (file, facts)| {
+                    finding.related(&file.path, first_row(&facts.zero), counted(facts.zero.count, "zero row"))
+                })
+            }
         };
         out.push(finding.help("the rows can be removed"));
     }
@@ -45,16 +52,13 @@ fn one_file(file: &FileFacts, facts: &TargetFacts) -> Finding {
     RULE.at(file, first_row(&facts.zero), message).evidence(facts.zero.evidence(facts.rows))
 }
 
-fn many_files(layer: &Layer, folder: &str, files: &[(&FileFacts, &TargetFacts)]) -> Finding {
+/// What is said of several files, at the first of them.
+fn of_folder(folder: &str, files: &[(&FileFacts, &TargetFacts)]) -> (String, Evidence) {
     let count: u64 = files.iter().map(|(_, facts)| facts.zero.count).sum();
     let of: usize = files.iter().map(|(_, facts)| facts.rows).sum();
-    let message = format!("{count} zero rows in {} move nothing", counted(files.len() as u64, "target"));
+    let message = format!("{count} zero rows in {} of `{folder}` move nothing", counted(files.len() as u64, "target"));
     let mut most: Vec<_> = files.iter().map(|(file, facts)| (facts.zero.count, file)).collect();
     most.sort_by_key(|(count, file)| (std::cmp::Reverse(*count), &file.rel));
     let evidence = Evidence::of_groups(most.iter().map(|(count, file)| format!("{} ({count})", file.rel)), count);
-    let mut finding = RULE.in_layer(layer, folder, message).evidence(evidence.out_of(of));
-    for (file, facts) in files.iter().take(EXAMPLES * 2) {
-        finding = finding.related(&file.path, first_row(&facts.zero), counted(facts.zero.count, "zero row"));
-    }
-    finding
+    (message, evidence.out_of(of))
 }

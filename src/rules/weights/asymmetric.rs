@@ -1,6 +1,7 @@
 //! Left bones are weighted as right ones.
 
 use super::super::{Check, Rule, RuleCx};
+use super::has_unusable_entries;
 use super::measured::pose_weights;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::measures::Measures;
@@ -21,10 +22,12 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(repository: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((weights, file)) = measures.weights.as_ref().zip(pose_weights(repository, base)) else { return };
-    // Weights that name a bone twice at a vertex, or bones the skeleton drops, are uneven for that reason.
+    // Weights with faulty entries, a vertex twice in a bone, or bones the skeleton drops are uneven for that reason.
     let is_whole = |weights: &Weights| {
+        let facts = &weights.facts;
+        let faults = [facts.duplicate.count, facts.negative.count, facts.above_one.count];
         let known = |name: &String| measures.bones.contains(name);
-        weights.facts.duplicate.count == 0 && weights.bones.iter().all(|bone| known(&bone.name))
+        !has_unusable_entries(weights) && faults == [0; 3] && weights.bones.iter().all(|bone| known(&bone.name))
     };
     if !file.weights().is_some_and(is_whole) {
         return;

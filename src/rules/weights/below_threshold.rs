@@ -1,23 +1,27 @@
 //! Weights that the loader drops.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{has_unusable_entries, pair_place, weights_files};
+use super::loss::noticeable_loss;
+use super::{has_unusable_entries, pair_place};
 use crate::diag::{Application, Finding, Level, RuleInfo};
-use crate::repo::Layer;
+use crate::repo::{Base, Repository};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(Application::Makehuman2, "drops the entry: it keeps weights above 0.0001 only")],
         docs: "After dividing by the sum of a vertex, MakeHuman keeps weights above 0.0001. Smaller ones, zeros \
             among them, only make the file larger; their share is not given to the other bones.\n\nRemove the \
-            entries.",
+            entries. What is lost so much of that it can be seen is `weights-lost-after-threshold`.",
         ..RuleInfo::new("weights-below-threshold", Level::Info, "a weight is too small to have an effect")
     },
-    check: Check::Layer(run),
+    check: Check::Base(run),
 };
 
-fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for (file, weights) in weights_files(layer).filter(|(file, weights)| !has_unusable_entries(file, weights)) {
+fn run(repository: &Repository<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    // Where the loss can be seen, the same entries are told by `weights-lost-after-threshold`.
+    let told = noticeable_loss(repository, base, cx).map(|loss| loss.file);
+    for file in base.weights.iter().filter(|file| !told.is_some_and(|told| std::ptr::eq(told, **file))) {
+        let Some(weights) = file.weights().filter(|weights| !has_unusable_entries(weights)) else { continue };
         let tally = &weights.facts.below_threshold;
         let (Some((bone, _, vertex, weight)), Some(place)) = (tally.first.first(), pair_place(tally)) else { continue };
         let message = match tally.count {

@@ -1,12 +1,16 @@
 //! Bones without weights.
 
 use super::super::{Check, Rule, RuleCx};
-use super::weights_files;
-use crate::diag::{Evidence, Finding, Level, Place, RuleInfo};
+use super::{is_empty, weights_files};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::Layer;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
+        breaks: &[(
+            Application::Makehuman2,
+            "takes the bone as one that the file does not mention: it moves no vertex",
+        )],
         docs: "A bone with an empty list means the same as one that is not mentioned. It is harmless, even where \
             the skeleton does not have the bone, but often a sign that painting it was forgotten.\n\nRemove the \
             bone from the file, or paint it.",
@@ -16,7 +20,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for (file, weights) in weights_files(layer) {
+    // Where no bone has an entry, that is the fault (`weights-unweighted-vertex`).
+    for (file, weights) in weights_files(layer).filter(|(_, weights)| !is_empty(weights)) {
         let empty = weights.bones.iter().filter(|bone| bone.listed == 0 && bone.is_list);
         let names: Vec<&str> = empty.map(|bone| bone.name.as_str()).collect();
         let Some(first) = names.first() else { continue };

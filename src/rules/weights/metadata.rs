@@ -2,11 +2,15 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::weights_files;
-use crate::diag::{Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::repo::Layer;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
+        breaks: &[(
+            Application::Makehuman2,
+            "keeps `name` and `version` without using them, and does not read `license`",
+        )],
         docs: "`name`, `version` and `license` have no effect on the shape. They tell people what the weights are \
             for and whether they may be passed on.\n\nAdd them beside `weights`.",
         ..RuleInfo::new("weights-metadata", Level::Info, "weights do not say what they are")

@@ -5,6 +5,7 @@ pub(super) mod asymmetric;
 pub(super) mod below_threshold;
 pub(super) mod duplicate_vertex;
 pub(super) mod empty_bone;
+mod loss;
 pub(super) mod lost_after_threshold;
 pub(super) mod malformed_pair;
 mod measured;
@@ -30,11 +31,17 @@ fn weights_files(layer: &Layer) -> impl Iterator<Item = (&FileFacts, &Weights)> 
 
 /// Whether entries cannot be used, so that what is missing or off beside them may be their doing.
 ///
-/// Such entries have findings of their own: malformed, out of range, not finite, or against the schema.
-fn has_unusable_entries(file: &FileFacts, weights: &Weights) -> bool {
+/// Such entries have findings of their own: malformed, out of range, not finite, or against the schema. What else is
+/// wrong in the file (its metadata, say) does not matter.
+fn has_unusable_entries(weights: &Weights) -> bool {
     let facts = &weights.facts;
     let unusable = [facts.malformed.count, facts.out_of_range.count, facts.non_finite.count];
-    weights.has_shapeless_bone || !file.schema.faults.is_empty() || unusable.iter().any(|count| *count > 0)
+    !weights.has_weights || weights.has_shapeless_bone || unusable.iter().any(|count| *count > 0)
+}
+
+/// Whether no bone has a single entry.
+fn is_empty(weights: &Weights) -> bool {
+    weights.bones.iter().all(|bone| bone.is_list && bone.listed == 0)
 }
 
 /// The first pair of a tally.

@@ -27,7 +27,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for file in &base.weights {
-        let usable = file.weights().filter(|weights| !has_unusable_entries(file, weights));
+        let usable = file.weights().filter(|weights| !has_unusable_entries(weights));
         let Some(weights) = usable else { continue };
         let (sums, vertices) = (&weights.facts.sum, weights.facts.sums.len());
         let Some((vertex, sum)) = sums.worst else { continue };

@@ -3,9 +3,10 @@
 use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx};
-use super::has_unusable_entries;
+use super::{has_unusable_entries, is_empty};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
-use crate::repo::{Base, Repository};
+use crate::formats::mhw::Weights;
+use crate::repo::{Base, FileFacts, Repository};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -23,14 +24,16 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some((_, mesh)) = base.mesh.filter(|(_, mesh)| mesh.facts.unreadable_lines == 0) else { return };
+    let mesh = base.mesh.filter(|(_, mesh)| mesh.facts.unreadable_lines == 0);
     let visible = base.settings().and_then(|(_, settings)| settings.visible_groups.as_ref());
     for file in &base.weights {
-        let Some(weights) = file.weights() else { continue };
         // Entries that cannot be used may be the missing ones.
-        if weights.facts.pairs == 0 || has_unusable_entries(file, weights) {
+        let Some(weights) = file.weights().filter(|weights| !has_unusable_entries(weights)) else { continue };
+        if is_empty(weights) {
+            out.push(without_any(file, weights));
             continue;
         }
+        let Some((_, mesh)) = mesh else { continue };
         // Vertices without a face are not seen.
         let groups = mesh.groups_of(&weights.facts.sum.unweighted);
         let vertices: BTreeSet<u32> = groups.values().flatten().copied().collect();
@@ -54,6 +57,20 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
                 .evidence(Evidence::of_cases(&vertices).out_of(weights.facts.sums.len())),
         );
     }
+}
+
+/// A file without a single entry, which needs no mesh to be told.
+fn without_any(file: &FileFacts, weights: &Weights) -> Finding {
+    let vertices = weights.facts.sums.len();
+    let mut finding = RULE
+        .at(file, Place::pointer(["weights"]), "no vertex has a weight: the file has no entry at all")
+        .help("paint the weights and export them again, or name another file in the skeleton")
+        .breaks(Application::Makehuman2, "gives the whole mesh to the root bone: no other bone moves anything");
+    if vertices > 0 {
+        let evidence = Evidence { count: vertices as u64, ..Evidence::default() };
+        finding = finding.evidence(evidence.out_of(vertices));
+    }
+    finding
 }
 
 /// How many mesh groups a message names.

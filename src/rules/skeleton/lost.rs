@@ -1,0 +1,52 @@
+//! Bones that the application never reaches: circles of parents beside a root, with what hangs below them. A circle
+//! is one fault and told once, by the rule on circles or by that on the bones below.
+
+use super::super::Rule;
+use super::hierarchy::{Ring, hierarchy};
+use super::rigs;
+use crate::diag::{Application, Evidence, Finding, Level, Place};
+use crate::repo::{Base, Repository};
+
+/// One finding of `rule` for every circle that it is for.
+pub(super) fn lost_bones(
+    rule: &Rule,
+    repository: &Repository<'_>,
+    base: &Base<'_>,
+    is_for: impl Fn(&Ring<'_>) -> bool,
+) -> Vec<Finding> {
+    let mut found = Vec::new();
+    for rig in rigs(repository, base) {
+        let hierarchy = hierarchy(rig.skeleton);
+        if hierarchy.lacks_root() {
+            continue;
+        }
+        let weighted = rig.weighted_bones();
+        for ring in hierarchy.rings.iter().filter(|ring| is_for(ring)) {
+            let (Some(first), Some(key)) = (ring.bones.first(), ring.bones.iter().min()) else { continue };
+            let lost: Vec<&str> = ring.bones.iter().chain(&ring.below).copied().collect();
+            let finding = rule
+                .at(rig.file, Place::pointer(["bones", first, "parent"]), message(first, ring))
+                .key(*key)
+                .help("give one bone of the circle a parent outside of it")
+                .evidence(Evidence::of_cases(&lost).out_of(rig.skeleton.bones.len()));
+            found.push(if lost.iter().any(|bone| weighted.contains(bone)) {
+                finding
+            } else {
+                finding.level(Level::Warning).breaks(Application::Makehuman2, "drops these bones without a word")
+            });
+        }
+    }
+    found
+}
+
+fn message(first: &str, ring: &Ring<'_>) -> String {
+    let circle = match ring.bones.as_slice() {
+        [only] => format!("bone `{only}` is its own parent"),
+        bones => format!("the parents of `{first}` run in a circle of {} bones", bones.len()),
+    };
+    match ring.below.as_slice() {
+        [] => circle,
+        [only] => format!("bone `{only}` cannot be reached from the root: {circle}"),
+        below => format!("{} bones cannot be reached from the root: {circle}", below.len()),
+    }
+}

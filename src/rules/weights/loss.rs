@@ -1,0 +1,35 @@
+//! What vertices lose to the threshold of the loader, and whether that can be seen.
+
+use super::has_unusable_entries;
+use super::lost_after_threshold::RULE;
+use super::measured::pose_weights;
+use crate::repo::{Base, FileFacts, Repository};
+use crate::rules::RuleCx;
+
+/// What the weights of the pose skeleton lose, and the vertex that it moves farthest.
+pub(super) struct Loss<'a> {
+    pub(super) file: &'a FileFacts,
+    /// Vertices that lose something.
+    pub(super) vertices: usize,
+    /// The vertex that is pulled farthest.
+    pub(super) vertex: u32,
+    /// Share of its weight, 0..1.
+    pub(super) share: f32,
+    /// How far that pulls it towards the origin at rest, mesh units.
+    pub(super) pull: f64,
+}
+
+/// The loss in the weights of the pose skeleton, if it is large enough to be seen: from a tenth of `distance`.
+pub(super) fn noticeable_loss<'a>(repository: &Repository<'a>, base: &Base<'a>, cx: &RuleCx<'_>) -> Option<Loss<'a>> {
+    let file = pose_weights(repository, base)?;
+    let weights = file.weights().filter(|weights| !has_unusable_entries(weights))?;
+    let (_, mesh) = base.mesh.filter(|(_, mesh)| mesh.facts.unreadable_lines == 0)?;
+    let losses = weights.facts.lost.iter().filter_map(|(vertex, share)| {
+        let place = mesh.positions.get(*vertex as usize)?.map(f64::from);
+        let pull = f64::from(*share) * place.iter().map(|part| part * part).sum::<f64>().sqrt();
+        Some((*vertex, *share, pull))
+    });
+    let (vertex, share, pull) = losses.max_by(|a, b| a.2.total_cmp(&b.2))?;
+    let loss = Loss { file, vertices: weights.facts.lost.len(), vertex, share, pull };
+    (pull >= cx.option(&RULE, "distance") / 10.0).then_some(loss)
+}
