@@ -2,6 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::component::{patterns, sound_components, weigh};
+use super::judgeable::is_even;
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::repo::{Base, BoundSlider, Pattern, Repository};
 
@@ -27,7 +28,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };
-    for component in sound_components(file, macros).filter(|c| c.steps.is_none() && c.sum.is_some()) {
+    for component in sound_components(file, macros).filter(|c| c.steps.is_none() && c.sum.is_some() && is_even(c)) {
         let patterns = patterns(component);
         let Some((at, fault)) =
             patterns.iter().enumerate().find_map(|(at, p)| Some((at, fault(base, &patterns, at, p)?)))

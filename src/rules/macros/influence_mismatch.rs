@@ -2,9 +2,10 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::component::{patterns, unknown_patterns};
+use super::judgeable::clear_space;
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::formats::macro_json::{MacroFile, Macrodef};
-use crate::repo::{Base, Pattern, Repository};
+use crate::repo::{Base, FileFacts, Pattern, Repository};
 use std::collections::BTreeSet;
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -27,9 +28,9 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some((_, macros)) = base.macro_file() else { return };
+    let Some((file, macros)) = base.macro_file() else { return };
     let unsure: BTreeSet<i64> =
-        macros.macrodefs.iter().filter(|macrodef| is_unsure(base, macros, macrodef)).map(index).collect();
+        macros.macrodefs.iter().filter(|macrodef| is_unsure(base, (file, macros), macrodef)).map(index).collect();
     for bound in &base.sliders {
         let names = match &bound.pattern {
             Pattern::Macro(_) | Pattern::Barycentric(_) => bound.pattern.names(),
@@ -42,7 +43,7 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
         }
         let used: BTreeSet<i64> = macros.macrodefs.iter().filter(|m| reads(macros, m, names)).map(index).collect();
         let last = i64::try_from(macros.macrodefs.len()).unwrap_or(i64::MAX);
-        let missing: Vec<i64> = used.difference(&listed).copied().collect();
+        let missing: Vec<i64> = used.difference(&listed).copied().filter(|at| !unsure.contains(at)).collect();
         let superfluous = listed.difference(&used).copied();
         let superfluous: Vec<i64> = superfluous.filter(|at| (0..last).contains(at) && !unsure.contains(at)).collect();
         // With nothing right in the list the indices out of range are the cause.
@@ -68,8 +69,8 @@ fn reads(macros: &MacroFile, macrodef: &Macrodef, names: &[String]) -> bool {
 }
 
 /// Whether a definition might read a slider, were it not for another fault.
-fn is_unsure(base: &Base<'_>, macros: &MacroFile, macrodef: &Macrodef) -> bool {
-    macrodef.components.iter().any(|name| {
+fn is_unsure(base: &Base<'_>, (file, macros): (&FileFacts, &MacroFile), macrodef: &Macrodef) -> bool {
+    clear_space(file, macros, macrodef).is_none() || macrodef.components.iter().any(|name| {
         let component = macros.components.iter().find(|component| component.name == *name);
         component
             .is_none_or(|component| patterns(component).is_empty() || !unknown_patterns(base, component).is_empty())

@@ -22,6 +22,9 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((_, macros)) = base.macro_file() else { return };
+    if macros.macrodefs.is_empty() {
+        return; // `macro-unused-component`, or the schema: no index could be right.
+    }
     let count = i64::try_from(macros.macrodefs.len()).unwrap_or(i64::MAX);
     for bound in &base.sliders {
         let Some(influence) = &bound.slider.macro_influence else { continue };
@@ -31,7 +34,8 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
         }
         let key = &bound.slider.key;
         let shown = wrong.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
-        let message = format!("`{key}` influences macrodef {shown}, but there are {count} (0 to {})", count - 1);
+        let range = if count == 1 { "the only one is 0".to_owned() } else { format!("they are 0 to {}", count - 1) };
+        let message = format!("`macro_influence` of `{key}` lists {shown}, which is no macrodef: {range}");
         let place = Place::pointer([key, "macro_influence"]);
         let evidence = Evidence::of_cases(&wrong).out_of(influence.len());
         let mut finding =

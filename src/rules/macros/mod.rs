@@ -4,6 +4,7 @@ mod absence;
 mod combination_patterns;
 mod component;
 mod fit;
+mod judgeable;
 mod links;
 mod listing;
 mod space;

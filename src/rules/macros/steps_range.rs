@@ -2,6 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::component::{sound_components, weigh};
+use super::judgeable::has_special_step;
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::repo::{Base, Repository};
 use std::cmp::Ordering;
@@ -25,7 +26,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };
-    for component in sound_components(file, macros) {
+    for component in sound_components(file, macros).filter(|c| !has_special_step(file, c)) {
         let Some(steps) = &component.steps else { continue };
         // A step too many or too few, or one out of order, is the cause; the ends follow from it.
         if steps.len() != component.values.len() || !is_increasing(steps) {

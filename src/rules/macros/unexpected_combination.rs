@@ -1,6 +1,7 @@
 //! A listed combination must be one that its macro definition generates.
 
 use super::super::{Check, Rule, RuleCx};
+use super::judgeable::judged_space;
 use super::listing::{Listing, Slip, Stranger};
 use super::space::Space;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
@@ -34,7 +35,7 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
         if macrodef.components.is_empty() {
             out.extend(without_components(file, macrodef));
         }
-        let Some(space) = Space::of(macros, macrodef) else { continue };
+        let Some(space) = judged_space(file, macros, macrodef) else { continue };
         let listing = Listing::of(&space, macrodef);
         let mut groups: BTreeMap<(Option<usize>, Slip), Vec<&Stranger<'_>>> = BTreeMap::new();
         for stranger in &listing.strangers {

@@ -1,8 +1,10 @@
 //! `comp` must name components that are defined.
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo, nearest};
-use crate::repo::{Base, Repository};
+use crate::diag::{Application, EXAMPLES, Finding, Level, Place, RuleInfo, nearest};
+use crate::formats::macro_json::{MacroFile, Macrodef};
+use crate::repo::{Base, FileFacts, Repository};
+use std::collections::{BTreeMap, BTreeSet};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -25,20 +27,42 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
     if macros.components.is_empty() && !file.schema.faults.is_empty() {
         return;
     }
+    if macros.components.is_empty() {
+        out.extend(without_components(file, macros));
+        return;
+    }
     let known = || macros.components.iter().map(|component| component.name.as_str());
+    let mut unknown: BTreeMap<&str, Vec<Place>> = BTreeMap::new();
     for macrodef in &macros.macrodefs {
-        for (at, name) in macrodef.components.iter().enumerate() {
-            if known().any(|other| other == name) {
-                continue;
-            }
-            let help = match nearest(name, known().filter(|other| !macrodef.components.iter().any(|own| own == other)))
-            {
-                Some(near) => format!("did you mean `{near}`?"),
-                None => "define the component, or remove it from `comp` and from the names".to_owned(),
-            };
-            let place = Place::pointer(["macrodef", &macrodef.index.to_string(), "comp", &at.to_string()]);
-            let finding = RULE.at(file, place, format!("component `{name}` is not defined"));
-            out.push(finding.key(format!("{}/{name}", macrodef.components.join("-"))).help(help));
+        for (at, name) in macrodef.components.iter().enumerate().filter(|(_, name)| known().all(|k| k != *name)) {
+            unknown.entry(name).or_default().push(place(macrodef, at));
         }
     }
+    let used = || macros.macrodefs.iter().flat_map(|macrodef| &macrodef.components);
+    for (name, places) in unknown {
+        let help = match nearest(name, known().filter(|other| used().all(|own| own != other) || places.len() == 1)) {
+            Some(near) => format!("did you mean `{near}`?"),
+            None => "define the component, or remove it from `comp` and from the names".to_owned(),
+        };
+        let more = if places.len() > 1 { format!(" ({} macrodefs name it)", places.len()) } else { String::new() };
+        let Some((first, others)) = places.split_first() else { continue };
+        let mut finding = RULE.at(file, first.clone(), format!("component `{name}` is not defined{more}"));
+        for other in others.iter().take(EXAMPLES - 1) {
+            finding = finding.related(&file.path, other.clone(), "named here, too");
+        }
+        out.push(finding.key(name).help(help));
+    }
+}
+
+fn place(macrodef: &Macrodef, at: usize) -> Place {
+    Place::pointer(["macrodef", &macrodef.index.to_string(), "comp", &at.to_string()])
+}
+
+/// With no component at all every name is unknown, for one reason.
+fn without_components(file: &FileFacts, macros: &MacroFile) -> Option<Finding> {
+    let names: BTreeSet<&String> = macros.macrodefs.iter().flat_map(|macrodef| &macrodef.components).collect();
+    let first = names.first()?;
+    let message = format!("no component is defined, but the macrodefs name `{first}` ({} names)", names.len());
+    let finding = RULE.at(file, Place::pointer(["components"]), message).key("none");
+    Some(finding.help("define the components that the macrodefs name in `comp`"))
 }

@@ -1,8 +1,13 @@
 //! A component that no macro definition uses.
 
 use super::super::{Check, Rule, RuleCx};
+use super::component::is_sound;
+use super::judgeable::clear_space;
+use super::space::Space;
 use crate::diag::{Application, Finding, Level, Place, RuleInfo, nearest};
-use crate::repo::{Base, Repository};
+use crate::formats::macro_json::{MacroFile, Macrodef};
+use crate::repo::{Base, FileFacts, Repository};
+use std::collections::BTreeSet;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -22,8 +27,19 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
     // An unknown component that is a slip of the pen for this one is the cause, and `macro-unknown-component` names it.
     let misspelt =
         |name: &str| used().any(|other| !known().any(|k| k == other) && nearest(other, known()) == Some(name));
-    if macros.macrodefs.iter().any(|macrodef| macrodef.components.is_empty()) {
-        return; // `macro-unexpected-combination`: what belongs into the empty `comp` is open.
+    if macros.macrodefs.is_empty() {
+        out.extend(without_macrodefs(file, macros));
+        return;
+    }
+    // What belongs into a `comp` that is empty, repeats itself or does not spell its names is open.
+    let is_open = |macrodef: &Macrodef| {
+        let names: BTreeSet<&String> = macrodef.components.iter().collect();
+        names.is_empty()
+            || names.len() < macrodef.components.len()
+            || (Space::of(macros, macrodef).is_some() && clear_space(file, macros, macrodef).is_none())
+    };
+    if macros.macrodefs.iter().any(is_open) {
+        return;
     }
     for component in &macros.components {
         let name = component.name.as_str();
@@ -33,4 +49,15 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
             out.push(finding.key(name).help("remove it, or add it to the `comp` of a macrodef"));
         }
     }
+}
+
+/// Without macro definitions nothing uses a component; that is one thing to say.
+fn without_macrodefs(file: &FileFacts, macros: &MacroFile) -> Option<Finding> {
+    let first = macros.components.first().filter(|_| is_sound(file, "/macrodef"))?;
+    let message = match macros.components.len() {
+        1 => format!("there is no macrodef that could use component `{}`", first.name),
+        count => format!("there is no macrodef that could use the {count} components"),
+    };
+    let finding = RULE.at(file, Place::pointer(["macrodef"]), message).key("no macrodef");
+    Some(finding.help("add the macrodefs of the components, or remove `macro.json`"))
 }

@@ -25,7 +25,9 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
     for bound in &base.sliders {
         let slider = bound.slider;
         // A list of wrong positions or of a wrong type is a finding of its own.
-        let is_empty = slider.macro_influence.as_ref().is_some_and(Vec::is_empty);
+        let pointer = format!("/{}/macro_influence", slider.key.replace('~', "~0").replace('/', "~1"));
+        let is_misshapen = bound.file.schema.faults.iter().any(|fault| fault.pointer.starts_with(&pointer));
+        let is_empty = slider.macro_influence.as_ref().is_some_and(Vec::is_empty) && !is_misshapen;
         if slider.has("macro_influence") && !is_empty {
             continue;
         }
