@@ -94,6 +94,8 @@ fn macro_references<'a>(base: &Base<'a>, out: &mut Vec<Reference<'a>>) {
             let Some(text) = link.target.as_deref().filter(|text| !text.is_empty()) else { continue };
             let name = folder.map_or_else(|| text.to_owned(), |folder| format!("{folder}/{text}"));
             let (rel, resolution) = resolve_target(base, base.targets, &name);
+            // Behind a folder the beginning of the name would be hidden.
+            let resolution = if is_absolute(text) { Resolution::Absolute } else { resolution };
             out.push(Reference {
                 kind: ReferenceKind::MacroTarget,
                 base: base.name,
@@ -215,8 +217,12 @@ fn resolve_layered<'a>(repository: &Repository<'a>, base: &Base<'a>, text: &str,
     }
 }
 
+fn is_absolute(text: &str) -> bool {
+    text.starts_with(['/', '\\']) || text.get(1..2) == Some(":")
+}
+
 fn resolve<'a>(layers: &[&'a Layer], text: &str, rel: &str) -> Resolution<'a> {
-    if text.starts_with(['/', '\\']) || text.get(1..2) == Some(":") {
+    if is_absolute(text) {
         return Resolution::Absolute;
     }
     let Some(normal) = normalized(rel) else {

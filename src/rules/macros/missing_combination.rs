@@ -5,6 +5,7 @@ use super::absence::{Absence, absences};
 use super::combination_patterns::is_walkable;
 use super::component::unknown_patterns;
 use super::listing::Listing;
+use super::judgeable::judged_space;
 use super::space::Space;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::macro_json::Macrodef;
@@ -41,8 +42,11 @@ const SHOWN: usize = 8;
 
 fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };
+    if base.modelling.winner().is_none() {
+        return; // Without sliders nothing tells which values are neutral; the missing file is reported itself.
+    }
     for macrodef in &macros.macrodefs {
-        let Some(space) = Space::of(macros, macrodef) else { continue };
+        let Some(space) = judged_space(file, macros, macrodef) else { continue };
         // A dead definition has no corners, whatever it lists.
         if space.axes.iter().any(|axis| !unknown_patterns(base, axis).is_empty()) {
             continue;
@@ -60,6 +64,11 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
         }
         if is_walkable(&space.sizes()) {
             let [system, holes] = absences(base, &space, &listing);
+            // An entry whose name is unknown stands for a combination; the schema speaks of it.
+            let below = format!("/macrodef/{}/targets/", macrodef.index);
+            let faulty = file.schema.faults.iter().filter(|fault| fault.pointer.starts_with(&below)).count();
+            let nameless = macrodef.links.iter().filter(|link| link.name.is_empty()).count();
+            let holes = if holes.count <= faulty + nameless { Absence { count: 0, patterns: Vec::new() } } else { holes };
             let is_hole = holes.count <= listing.found.len();
             out.extend(finding(file, macrodef, &space, &holes, if is_hole { Kind::Hole } else { Kind::Sparse }));
             out.extend(finding(file, macrodef, &space, &system, Kind::System));

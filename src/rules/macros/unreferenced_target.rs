@@ -5,7 +5,8 @@ use super::alias_suspect::suspects;
 use super::fit::{fitting_names, values_of};
 use super::links::unreferenced;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
-use crate::repo::{Base, Repository};
+use crate::formats::macro_json::MacroFile;
+use crate::repo::{Base, FileFacts, Repository};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -27,7 +28,7 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
     let Some((macro_file, macros)) = base.macro_file() else { return };
     let free = unreferenced(repository, base);
     let suspects = if free.is_empty() { Vec::new() } else { suspects(repository, base, &free) };
-    for file in &free {
+    for file in free.iter().filter(|file| !is_for_faulty_entry(base, (macro_file, macros), file)) {
         let message = format!("no macrodef uses `{}`", file.stem());
         let mut finding = RULE.at(file, Place::File, message).key(file.stem());
         let fitting = fitting_names(macros, &values_of(file.stem()));
@@ -48,4 +49,15 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
         }
         out.push(finding);
     }
+}
+
+/// Whether the schema refuses an entry, or all entries, of a definition whose folder holds the file: the entry was
+/// probably the one that names it.
+fn is_for_faulty_entry(base: &Base<'_>, (file, macros): (&FileFacts, &MacroFile), target: &FileFacts) -> bool {
+    let name = base.targets.and_then(|folder| folder.name_of(target)).unwrap_or_default();
+    let is_inside = |folder: &str| name.strip_prefix(folder.trim_matches('/')).is_some_and(|rest| rest.starts_with('/'));
+    let holders = macros.macrodefs.iter().filter(|macrodef| macrodef.effective_folder.as_deref().is_some_and(is_inside));
+    let mut below = holders.map(|macrodef| format!("/macrodef/{}/targets", macrodef.index));
+    let fits_listed = || !fitting_names(macros, &values_of(target.stem())).is_empty();
+    below.any(|below| file.schema.faults.iter().any(|fault| fault.pointer.starts_with(&below))) && !fits_listed()
 }
