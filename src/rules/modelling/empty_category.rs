@@ -46,7 +46,7 @@ fn empty_items(
     category: &Category,
     out: &mut Vec<Finding>,
 ) {
-    let used: BTreeSet<&str> = base.sliders.iter().filter_map(|slider| slider.slider.group.as_deref()).collect();
+    let used: BTreeSet<&str> = base.sliders.iter().filter_map(|slider| slider.as_meant().group.as_deref()).collect();
     for (index, item) in category.items.iter().enumerate() {
         let Some(group) = category.group_of(item) else { continue };
         if used.contains(group.as_str()) || groups.is_excused(&group) {

@@ -35,7 +35,7 @@ pub(super) fn of<'b, 'a>(base: &'b Base<'a>) -> Option<Groups<'b, 'a>> {
         groups.extend(category.items.iter().filter_map(|item| category.group_of(item)));
     }
     let mut unknown: BTreeMap<&str, Vec<_>> = BTreeMap::new();
-    for slider in hand_made(base).filter(|slider| slider.slider.group.is_some() || !slider.slider.has("group")) {
+    for slider in hand_made(base).filter(|slider| slider.slider.group.is_some() || !slider.as_meant().has("group")) {
         let group = slider.slider.group.as_deref().unwrap_or_default();
         if !offered.contains(group) && !replaced.contains(group) {
             unknown.entry(group).or_default().push(slider);
