@@ -29,7 +29,10 @@ impl<'a> Base<'a> {
 
     /// Whether a picture may be unused only because some slider cannot be read.
     pub fn has_unreadable_icons(&self) -> bool {
-        let lost = |slider: &BoundSlider<'_>| slider.slider.has("icon") && slider.slider.icon.is_none();
+        let lost = |bound: &BoundSlider<'_>| {
+            let slider = bound.slider;
+            slider.keys.is_empty() || slider.has("icon") && slider.icon.is_none()
+        };
         self.models().any(|model| !model.unreadable.is_empty()) || self.sliders.iter().any(lost)
     }
 

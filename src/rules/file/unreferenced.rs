@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx};
-use super::loader::{extension, opens};
+use super::loader::{extension, fixed_name, opens};
 use crate::diag::{Application, Evidence, Finding, Level, RuleInfo, nearest};
 use crate::discover::Kind;
 use crate::repo::{Base, FileFacts, ReferenceKind, Repository, Resolution, TargetFolder};
@@ -60,7 +60,9 @@ fn reason(repository: &Repository<'_>, file: &FileFacts, used: &BTreeSet<String>
         let idle = is_icon_store(repository, file) && !used.contains(&file.rel) && !is_misspelt(repository, name);
         return idle.then(|| "no slider has this icon".to_owned());
     }
-    if !is_judged_folder(&file.rel) || opens(&file.rel) {
+    // `file-case-mismatch` names a file that takes the place of one that is needed.
+    let misnamed = fixed_name(&file.rel).is_some_and(|right| repository.judged.file(&right).is_none());
+    if misnamed || !is_judged_folder(&file.rel) || opens(&file.rel) {
         return None;
     }
     Some(match (file.kind, name.to_lowercase()) {

@@ -40,6 +40,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
 const SHOWN: usize = 8;
 
 fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    // Which values are neutral is told by the defaults of the sliders.
+    if base.modelling.winner().is_none() {
+        return;
+    }
     let Some((file, macros)) = base.macro_file() else { return };
     for macrodef in &macros.macrodefs {
         let Some(space) = Space::of(macros, macrodef) else { continue };

@@ -26,7 +26,7 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
         let slider = bound.slider;
         // A list of wrong positions or of a wrong type is a finding of its own.
         let is_empty = slider.macro_influence.as_ref().is_some_and(Vec::is_empty);
-        if slider.has("macro_influence") && !is_empty {
+        if bound.as_meant().has("macro_influence") && !is_empty {
             continue;
         }
         let confidence = match &bound.pattern {
