@@ -100,9 +100,8 @@ fn is_icon_store(repository: &Repository<'_>, file: &FileFacts) -> bool {
         })
     };
     repository.bases.iter().any(|base| {
-        let known = base.modelling.winner().is_some()
-            && !base.modelling.contarget.is_refused()
-            && !base.has_unreadable_icons();
+        let known =
+            base.modelling.winner().is_some() && !base.modelling.contarget.is_refused() && !base.has_unreadable_icons();
         (known && inside(base.targets)) || inside(base.user_targets)
     })
 }

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use super::schema_effects::effect_of;
 use super::super::{Check, Rule, RuleCx};
+use super::schema_effects::effect_of;
 use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
 use crate::json::SchemaFault;
 use crate::repo::{FileFacts, Layer};

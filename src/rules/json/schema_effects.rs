@@ -16,8 +16,7 @@ struct Row {
 }
 
 const TEXT: &[&str] = &["is the text", "is an empty text", "is a long text"];
-const TEXT_OR_LIST: &[&str] =
-    &["is the text", "is an empty text", "is a long text", "is a list", "is an empty list"];
+const TEXT_OR_LIST: &[&str] = &["is the text", "is an empty text", "is a long text", "is a list", "is an empty list"];
 const ANY: &[&str] = &[];
 
 const fn row(

@@ -49,9 +49,7 @@ fn is_told(repository: &Repository<'_>, file: &FileFacts, unknown: &UnknownKey) 
             "joints" => skeleton.joints_section == Section::Absent,
             _ => false,
         },
-        Content::BaseJson(settings) if owner.is_empty() => {
-            nearest == "visible groups" && !settings.has_visible_groups
-        }
+        Content::BaseJson(settings) if owner.is_empty() => nearest == "visible groups" && !settings.has_visible_groups,
         Content::Modelling(model) => {
             // Generated entries are not judged for their effect.
             let generated = |base: &Base<'_>| base.user_modelling.file().is_some_and(|own| std::ptr::eq(own, file));

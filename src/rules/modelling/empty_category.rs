@@ -68,7 +68,10 @@ fn empty_items(
     let used: BTreeSet<&str> = base.sliders.iter().filter_map(|slider| slider.as_meant().group.as_deref()).collect();
     for (index, item) in category.items.iter().enumerate() {
         let Some(group) = category.group_of(item) else { continue };
-        if used.contains(group.as_str()) || groups.is_excused(&group) || groups.renamed.iter().any(|r| r.name == category.name) {
+        if used.contains(group.as_str())
+            || groups.is_excused(&group)
+            || groups.renamed.iter().any(|r| r.name == category.name)
+        {
             continue;
         }
         let message = format!("no slider has the group `{group}`");

@@ -28,7 +28,8 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
         return;
     }
     let sliders = with_patterns(base).unwrap_or_default();
-    let undeclared: Vec<&BoundSlider<'_>> = sliders.iter().filter(|slider| slider.is_undeclared_pair() && !base.lacks_target(slider)).collect();
+    let undeclared: Vec<&BoundSlider<'_>> =
+        sliders.iter().filter(|slider| slider.is_undeclared_pair() && !base.lacks_target(slider)).collect();
     if settings.opposites.is_empty() && repository.is_judged(file) && undeclared.len() > 1 {
         let message = format!("no `target-opposites`: {} pairs of targets have one side only", undeclared.len());
         let evidence = Evidence::of_cases(undeclared.iter().map(|slider| &slider.slider.key));
