@@ -5,6 +5,7 @@ use serde::Serialize;
 use super::expression::{self, Fault};
 use super::format_text;
 use super::macro_json::{text, texts};
+use crate::diag::nearest;
 use crate::json::{Document, Node, Value};
 
 /// The file: sliders in file order, of equal keys the last.
@@ -12,6 +13,8 @@ use crate::json::{Document, Node, Value};
 pub struct Modelling {
     /// The sliders.
     pub sliders: Vec<Slider>,
+    /// Keys of entries that are no object: nothing can be said about what they were meant to be.
+    pub unreadable: Vec<String>,
 }
 
 /// An entry.
@@ -53,7 +56,37 @@ pub struct Slider {
     pub user: bool,
     /// Keys that are there and not a deliberate `null`, whatever their type.
     pub keys: Vec<String>,
+    /// The entry with its misspelt keys corrected, if it has any.
+    pub meant: Option<Box<Slider>>,
+    /// Misspelt keys and what they were meant to be.
+    pub misspelt: Vec<(String, &'static str)>,
 }
+
+/// Keys that do something; names of other keys are not guessed at.
+const KEYS: [&str; 16] = [
+    "group",
+    "incr",
+    "decr",
+    "name",
+    "icon",
+    "tip",
+    "rsym",
+    "lsym",
+    "macro",
+    "macro_influence",
+    "barycentric",
+    "barycentric_diffuse",
+    "default",
+    "measure",
+    "display",
+    "user",
+];
+
+/// Keys that give a slider its effect.
+pub const EFFECTS: [&str; 4] = ["incr", "decr", "macro", "barycentric"];
+
+/// Keys for people, which are no slips of the pen.
+const NOTES: [&str; 8] = ["description", "comment", "author", "copyright", "license", "tags", "uuid", "version"];
 
 /// `display` of a slider.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
@@ -76,6 +109,40 @@ impl Slider {
         self.keys.iter().any(|other| other == key)
     }
 
+    /// What a key was meant to be whose absence gives the slider no effect, or none on its positive side: the
+    /// finding on the effect names it.
+    pub fn misspelt_effect(&self) -> Option<(&str, &'static str)> {
+        let wanted: &[&str] = match EFFECTS.iter().any(|key| self.has(key)) {
+            false => &EFFECTS,
+            true if self.lacks_incr() => &["incr"],
+            true => &[],
+        };
+        let found = self.misspelt.iter().find(|(_, meant)| wanted.contains(meant));
+        found.map(|(key, meant)| (key.as_str(), *meant))
+    }
+
+    /// Whether it has a negative side and no positive one.
+    pub fn lacks_incr(&self) -> bool {
+        self.has("decr") && !self.has("incr") && !self.is_macro()
+    }
+
+    /// Whether a part of what it does is unknown because of a wrong type, an empty name or a missing key, so that
+    /// nobody can tell what it would have used. Each of these is a finding on the slider itself.
+    pub fn is_incomplete(&self) -> bool {
+        if self.meant.is_some() {
+            return false;
+        }
+        let lost = |key: &str, value: Option<&String>| self.has(key) && value.is_none_or(String::is_empty);
+        let short = self.barycentric.as_ref().is_some_and(|patterns| patterns.len() < self.barycentric_len);
+        lost("incr", self.incr.as_ref())
+            || lost("decr", self.decr.as_ref())
+            || lost("macro", self.macro_pattern.as_ref())
+            || self.has("barycentric") && self.barycentric.is_none()
+            || short
+            || self.lacks_incr()
+            || !EFFECTS.iter().any(|key| self.has(key))
+    }
+
     /// Whether it drives macros; `incr` and `decr` are then not applied.
     pub fn is_macro(&self) -> bool {
         self.barycentric.is_some() || self.macro_pattern.is_some()
@@ -84,14 +151,41 @@ impl Slider {
 
 /// Takes what the loader would take.
 pub fn read(document: &Document) -> Modelling {
-    let members = document.root.effective_members().into_iter();
     // A text or list is taken for an entry without keys; the schema reports it, no rule needs to see it.
-    let entries = members.filter(|member| member.node.is_object());
-    Modelling { sliders: entries.map(|member| slider(&member.key, &member.node)).collect() }
+    let (entries, others): (Vec<_>, Vec<_>) =
+        document.root.effective_members().into_iter().partition(|member| member.node.is_object());
+    Modelling {
+        sliders: entries.into_iter().map(|member| slider_as_meant(&member.key, &member.node)).collect(),
+        unreadable: others.into_iter().map(|member| member.key.clone()).collect(),
+    }
+}
+
+/// The entry as the loader reads it, beside it as its author meant it.
+fn slider_as_meant(key: &str, node: &Node) -> Slider {
+    let mut read = slider(key, node);
+    let mut meant = node.clone();
+    if let Value::Object(members) = &mut meant.value {
+        for member in members {
+            if let Some(right) = misspelt(&member.key).filter(|right| node.get(right).is_none()) {
+                read.misspelt.push((std::mem::replace(&mut member.key, right.to_owned()), right));
+            }
+        }
+    }
+    if !read.misspelt.is_empty() {
+        read.meant = Some(Box::new(slider(key, &meant)));
+    }
+    read
+}
+
+/// The key that a slip of the pen was meant to be.
+fn misspelt(key: &str) -> Option<&'static str> {
+    if KEYS.contains(&key) || NOTES.contains(&key) { None } else { nearest(key, KEYS) }
 }
 
 fn slider(key: &str, node: &Node) -> Slider {
     Slider {
+        meant: None,
+        misspelt: Vec::new(),
         key: key.to_owned(),
         name: text(node, "name"),
         group: text(node, "group"),
@@ -106,6 +200,7 @@ fn slider(key: &str, node: &Node) -> Slider {
         barycentric_len: node.get("barycentric").map_or(0, |patterns| patterns.elements().len()),
         barycentric_colours: node
             .get("barycentric_diffuse")
+            .filter(|colours| colours.is_array())
             .map(|colours| colours.elements().iter().map(|colour| colour.elements().len()).collect()),
         default: node.get("default").and_then(Node::as_f64),
         measure: node.get("measure").and_then(integers),

@@ -183,7 +183,9 @@ fn bind_sliders<'a>(
     let mut by_key: BTreeMap<&str, usize> = BTreeMap::new();
     for (file, model) in modelling.winner().into_iter().chain(user.accepted()) {
         for (index, slider) in model.sliders.iter().enumerate() {
-            let bound = BoundSlider { slider, file, pattern: Pattern::of(slider, opposites), index };
+            let pattern = Pattern::of(slider, opposites);
+            let meant = slider.meant.as_ref().map_or(Pattern::None, |meant| Pattern::of(meant, opposites));
+            let bound = BoundSlider { slider, file, pattern, meant, index };
             if let Some(place) = by_key.get(slider.key.as_str()).and_then(|at| sliders.get_mut(*at)) {
                 *place = bound;
             } else {
@@ -205,20 +207,6 @@ impl<'a> Base<'a> {
     pub fn slider(&self, pattern: &str) -> Option<&BoundSlider<'a>> {
         let registers = |slider: &&BoundSlider<'a>| slider.pattern.names().iter().any(|name| name == pattern);
         self.sliders.iter().rev().find(registers)
-    }
-
-    /// Whether a pattern may be missing only because a barycentric set of its folder is too short.
-    pub fn misses_in_barycentric(&self, pattern: &str) -> bool {
-        let folder = |pattern: &str| pattern.rsplit_once('/').map(|(folder, _)| folder.to_owned());
-        self.sliders.iter().any(|bound| {
-            let short = bound.slider.barycentric.is_some() && bound.slider.barycentric_len < 3;
-            short && bound.pattern.names().iter().any(|name| folder(name) == folder(pattern))
-        })
-    }
-
-    /// Whether a pattern is missing only because `target-opposites` does not declare its pair.
-    pub fn names_undeclared_pair(&self, pattern: &str) -> bool {
-        self.sliders.iter().any(|slider| slider.would_register(pattern))
     }
 
     /// The folder a slider's targets come from.

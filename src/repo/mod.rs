@@ -5,6 +5,7 @@
 
 mod base;
 mod facts;
+mod intent;
 mod layer;
 mod overlay;
 mod reference;

@@ -13,6 +13,8 @@ pub struct BoundSlider<'a> {
     pub file: &'a FileFacts,
     /// Its identity.
     pub pattern: Pattern,
+    /// The identity it was meant to have, if its keys are misspelt.
+    pub meant: Pattern,
     /// Position in its file.
     pub index: usize,
 }
@@ -45,6 +47,13 @@ pub enum Pattern {
     Single(String),
     /// No `incr`: cannot be set, is never saved.
     None,
+}
+
+impl BoundSlider<'_> {
+    /// The entry without its misspelt keys, if it has any; else the entry.
+    pub fn as_meant(&self) -> &Slider {
+        self.slider.meant.as_deref().unwrap_or(self.slider)
+    }
 }
 
 impl Pattern {

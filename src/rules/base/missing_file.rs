@@ -10,7 +10,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
         docs: "A base mesh consists of `base/<base>/base.json` and `base.obj` (or `base.mhbin`) beside it; `base.json` names a start model (`mhm`) in \
             the same folder and a skeleton (`pose-skeleton`) in `rigs/<base>/`.\n\nWithout `base.json`, without the mesh, or with a start model \
             that does not exist, loading the base ends in an exception. A skeleton that does not exist means no pose mode and no bone \
-            weights for assets, without a message (a warning). Targets for a base that exists nowhere are never loaded (a warning).\n\n\
+            weights for assets, without a message (a warning). Targets for a base that exists nowhere are never loaded (a warning). A base with targets and without modelling.json has no sliders, and macro sliders without macro.json move nothing (warnings).\n\n\
             Add the file, correct its name, or remove the key.",
         ..RuleInfo::new("base-missing-file", Level::Error, "a file that a base mesh needs does not exist")
     },
@@ -26,6 +26,7 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
     // Only system data can prove that a file exists nowhere.
     if repository.system.is_some() {
         out.extend(unnamed(repository, base));
+        out.extend(of_sliders(repository, base));
     }
 }
 
@@ -82,6 +83,39 @@ fn unnamed(repository: &Repository<'_>, base: &Base<'_>) -> Option<Finding> {
         (false, false) if !repository.is_one_root() => orphan(judged, base),
         _ => None,
     }
+}
+
+/// `modelling.json` or `macro.json` of a system's base, whose targets and sliders need it. Overrides have rules of
+/// their own.
+fn of_sliders(repository: &Repository<'_>, base: &Base<'_>) -> Option<Finding> {
+    let judged = repository.judged;
+    let is_system = repository.system.is_some_and(|system| std::ptr::eq(system, judged)) && base.has_system;
+    let folder = format!("target/{}", base.name);
+    if !is_system || base.base_json.is_none() || judged.below(&format!("contarget/{}", base.name)).next().is_some() {
+        return None;
+    }
+    let missing = |name: &str| {
+        let rel = format!("{folder}/{name}");
+        judged.file_ignoring_case(&rel).is_none() && !judged.has_unusable(&rel)
+    };
+    let targets = || judged.below(&folder).filter(|file| file.target().is_some());
+    let finding = |name: &str, message: String, effect: &'static str| {
+        let finding = RULE.in_layer(judged, &format!("{folder}/{name}"), message).key(name).level(Level::Warning);
+        finding.breaks(Application::Makehuman2, effect).help(format!("add `{folder}/{name}`"))
+    };
+    if missing("modelling.json") {
+        let count = targets().count();
+        let message = format!("the base `{}` has {count} targets and no modelling.json", base.name);
+        return (count > 0).then(|| finding("modelling.json", message, "offers no sliders for the base"));
+    }
+    let sliders = base.sliders.iter().filter(|bound| bound.slider.is_macro()).count();
+    let waiting = targets().any(|file| file.rel.starts_with(&format!("{folder}/macro")));
+    let message = match sliders {
+        0 => format!("the base `{}` has targets of macros and no macro.json", base.name),
+        count => format!("the base `{}` has {count} macro sliders and no macro.json", base.name),
+    };
+    let effect = "has no macros for the base: their sliders move nothing, without a word";
+    (missing("macro.json") && (sliders > 0 || waiting)).then(|| finding("macro.json", message, effect))
 }
 
 /// Targets of a base that no layer has.

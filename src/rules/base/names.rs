@@ -11,6 +11,8 @@ const USER: &str = "user";
 /// What names are looked up in.
 pub(super) struct Names<'n, 'a> {
     pub(super) base: &'n Base<'a>,
+    /// Whether `macro.json` is judged, too.
+    pub(super) judges_macros: bool,
 }
 
 /// A name that does not exist.
@@ -31,8 +33,7 @@ impl Names<'_, '_> {
     /// A pattern; one that is missing only because its endings are not declared has a finding of its own.
     pub(super) fn pattern(&self, pattern: &str) -> Option<Unknown> {
         let base = self.base;
-        let follows = || base.names_undeclared_pair(pattern) || base.misses_in_barycentric(pattern);
-        if base.slider(pattern).is_some() || follows() {
+        if base.slider(pattern).is_some() || base.explains_pattern(pattern) || self.is_read_by_macros(pattern) {
             return None;
         }
         let patterns = self.base.sliders.iter().flat_map(|slider| slider.pattern.names()).map(String::as_str);
@@ -46,8 +47,24 @@ impl Names<'_, '_> {
         Some(unknown)
     }
 
+    /// Whether a component reads the pattern: `macro-unknown-pattern` speaks.
+    fn is_read_by_macros(&self, pattern: &str) -> bool {
+        let components = self.base.macro_file().map(|(_, file)| file.components.as_slice()).unwrap_or_default();
+        self.judges_macros
+            && components.iter().any(|component| {
+                let rest = component.pattern.as_deref().and_then(|own| pattern.strip_prefix(own));
+                match (&component.steps, &component.sum) {
+                    (None, Some(sum)) => rest.is_some_and(|rest| sum.iter().any(|end| end == rest)),
+                    _ => rest == Some(""),
+                }
+            })
+    }
+
     /// A key of `modelling.json`.
     pub(super) fn entry(&self, key: &str) -> Option<Unknown> {
+        if self.base.has_unreadable_entry(key) {
+            return None;
+        }
         if self.base.sliders.iter().any(|slider| slider.slider.key == key) {
             return None;
         }
@@ -93,7 +110,7 @@ impl Names<'_, '_> {
 
     /// Groups of sliders, and those that an item would show: an empty item is a finding of its own.
     fn groups(&self) -> BTreeSet<String> {
-        let own = self.base.sliders.iter().filter_map(|slider| slider.slider.group.clone());
+        let own = self.base.sliders.iter().filter_map(|slider| slider.as_meant().group.clone());
         let categories = [self.base.categories.winner(), self.base.user_categories.accepted()];
         let categories = categories.into_iter().flatten().flat_map(|(_, model)| &model.categories);
         let shown = categories.flat_map(|category| category.items.iter().filter_map(|item| category.group_of(item)));

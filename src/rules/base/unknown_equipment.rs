@@ -30,7 +30,11 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
     let Some((file, settings)) = base.settings() else { return };
     equipment(file, settings, out);
     if !settings.has_visible_groups {
-        let help = "add `\"visible groups\": [\"body\"]` with the groups to draw";
+        let misspelt = file.schema.unknown.iter().find(|key| key.nearest.as_deref() == Some(MEMBER));
+        let help = match misspelt {
+            Some(key) => format!("is `{}` meant to be `{MEMBER}`?", key.key),
+            None => "add `\"visible groups\": [\"body\"]` with the groups to draw".to_owned(),
+        };
         out.push(RULE.at(file, Place::File, "`visible groups` is missing").key(MEMBER).help(help));
         return;
     }

@@ -27,9 +27,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Base(run),
 };
 
-fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, settings)) = base.settings().filter(|_| has_sliders(base)) else { return };
-    let names = Names { base };
+    let judges_macros = base.macro_file().is_some_and(|(file, _)| repository.is_judged(file));
+    let names = Names { base, judges_macros };
     for (pattern, _) in &settings.presets {
         out.extend(names.pattern(pattern).map(|unknown| unknown_name(file, &["modifier-presets", pattern], unknown)));
     }

@@ -3,17 +3,17 @@
 use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx};
-use super::loader::{extension, is_met, is_override, refused_json};
+use super::loader::{extension, is_generated, is_met, is_override, refused_json};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
-use crate::repo::{FileFacts, ReferenceKind, Repository, Resolution};
+use crate::repo::{Content, FileFacts, ReferenceKind, Repository, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(Application::Makehuman2, "loads nothing, or stops")],
         docs: "The file has no bytes, or nothing but blanks and comments. Often a download or an export was interrupted.\n\nHow bad that is \
             depends on the file. An empty `.mhskel`, `.mhpose` or `.mhbin` stops MakeHuman 2 while it scans the assets, an empty \
-            `compressedtargets.npz` stops every start until it is deleted, and an empty JSON counts as missing (an override in `contarget/` is the business of `overlay-broken-override`). A target \
+            `compressedtargets.npz` stops every start until it is deleted, and an empty JSON, also an empty object `{}`, counts as missing (an override in `contarget/` is the business of `overlay-broken-override`). A target \
             without a row loads and moves nothing; where a macro names it, `macro-empty-target` speaks instead.\n\nRestore the \
             content, or remove the file and what refers to it.",
         ..RuleInfo::new("file-empty", Level::Warning, "an empty file where content is needed")
@@ -25,11 +25,16 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let macros = targets_of_macros(repository);
     let needed = |file: &&FileFacts| is_met(repository, file) && !is_override(file);
     for file in repository.judged.files.values().filter(needed) {
-        let Some(what) = emptiness(file) else { continue };
+        let Some(what) = emptiness(file).or_else(|| counts_as_missing(repository, file)) else { continue };
         if macros.contains(file.rel.as_str()) {
             continue;
         }
         let Some((level, effect)) = consequence(repository, file) else { continue };
+        let (level, effect) = if needs_no_macros(repository, file) {
+            (Level::Info, "takes it as missing, as it may be: no slider needs macros")
+        } else {
+            (level, effect)
+        };
         let message = format!("`{}` is empty{what}", file.file_name());
         let help = match file.kind {
             Kind::TargetArchive => "delete it: MakeHuman 2 makes a new one from the targets",
@@ -37,6 +42,22 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         };
         out.push(RULE.at(file, Place::File, message).level(level).breaks(Application::Makehuman2, effect).help(help));
     }
+}
+
+/// Python takes an empty object for false, and the loader that for no file. Other empty values are of a wrong
+/// type, and an empty generated modelling.json is usual.
+fn counts_as_missing(repository: &Repository<'_>, file: &FileFacts) -> Option<&'static str> {
+    let wanted = matches!(file.kind, Kind::BaseJson | Kind::MacroJson | Kind::ModellingJson | Kind::TargetCategories);
+    let usual = file.kind == Kind::ModellingJson && is_generated(repository, file);
+    let read = !matches!(file.content, Content::Broken(_) | Content::Unread);
+    let fits = !file.schema.faults.iter().any(|fault| fault.pointer.is_empty() && fault.keyword == "/type");
+    (wanted && !usual && read && fits && file.json.falsy).then_some(" (`{}` counts as no file)")
+}
+
+/// Whether the file is the `macro.json` of a base without a macro slider, which does as well without.
+fn needs_no_macros(repository: &Repository<'_>, file: &FileFacts) -> bool {
+    let mut bases = repository.bases.iter().filter(|base| file.base.as_deref() == Some(base.name));
+    file.kind == Kind::MacroJson && bases.all(|base| !base.sliders.iter().any(|slider| slider.slider.is_macro()))
 }
 
 /// `macro-empty-target` knows these better.

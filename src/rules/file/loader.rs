@@ -70,6 +70,19 @@ pub(super) fn opens(rel: &str) -> bool {
     }
 }
 
+/// The path of a JSON of a target folder that is written with other capitals.
+pub(super) fn fixed_name(rel: &str) -> Option<String> {
+    let lower = rel.rsplit('/').next().unwrap_or_default().to_lowercase();
+    match rel.split('/').collect::<Vec<_>>().as_slice() {
+        [folder @ ("target" | "contarget"), base, name]
+            if lower != *name && matches!(&*lower, "macro.json" | "modelling.json" | "target_cat.json") =>
+        {
+            Some(format!("{folder}/{base}/{lower}"))
+        }
+        _ => None,
+    }
+}
+
 /// Beside the files that the program opens by name, a base folder holds what its start model needs.
 fn is_base_file(file: &str) -> bool {
     let named = ["base.json", "base.obj", "base.mhbin", "geometry.json", "face-poses.json", "body-poses.json"];
@@ -105,7 +118,7 @@ pub(super) fn is_met(repository: &Repository<'_>, file: &FileFacts) -> bool {
 }
 
 /// Whether the file lies in the target folder of a user, whose JSON MakeHuman 2 writes itself.
-fn is_generated(repository: &Repository<'_>, file: &FileFacts) -> bool {
+pub(super) fn is_generated(repository: &Repository<'_>, file: &FileFacts) -> bool {
     let user = repository.user.is_some_and(|user| std::ptr::eq(user, repository.judged));
     user && !repository.is_one_root() && file.rel.starts_with("target/")
 }

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx};
-use super::loader::{extension, opens};
+use super::loader::{extension, fixed_name, opens};
 use crate::diag::{Application, Evidence, Finding, Level, RuleInfo, nearest};
 use crate::discover::Kind;
 use crate::repo::{Base, FileFacts, ReferenceKind, Repository, Resolution, TargetFolder};
@@ -60,7 +60,9 @@ fn reason(repository: &Repository<'_>, file: &FileFacts, used: &BTreeSet<String>
         let idle = is_icon_store(repository, file) && !used.contains(&file.rel) && !is_misspelt(repository, name);
         return idle.then(|| "no slider has this icon".to_owned());
     }
-    if !is_judged_folder(&file.rel) || opens(&file.rel) {
+    // `file-case-mismatch` names a file that takes the place of one that is needed.
+    let misnamed = fixed_name(&file.rel).is_some_and(|right| repository.judged.file(&right).is_none());
+    if misnamed || !is_judged_folder(&file.rel) || opens(&file.rel) {
         return None;
     }
     Some(match (file.kind, name.to_lowercase()) {
@@ -98,7 +100,8 @@ fn is_icon_store(repository: &Repository<'_>, file: &FileFacts) -> bool {
         })
     };
     repository.bases.iter().any(|base| {
-        let known = base.modelling.winner().is_some() && !base.modelling.contarget.is_refused();
+        let known =
+            base.modelling.winner().is_some() && !base.modelling.contarget.is_refused() && !base.has_unreadable_icons();
         (known && inside(base.targets)) || inside(base.user_targets)
     })
 }
@@ -106,8 +109,13 @@ fn is_icon_store(repository: &Repository<'_>, file: &FileFacts) -> bool {
 /// Whether a slider asks for an icon that is not there and must mean this one: that name is the fault.
 fn is_misspelt(repository: &Repository<'_>, name: &str) -> bool {
     let icons = repository.references.iter().filter(|reference| reference.kind == ReferenceKind::Icon);
-    let mut missing = icons.filter(|reference| matches!(reference.resolution, Resolution::Missing));
-    missing.any(|reference| nearest(reference.text, [name]).is_some())
+    let mut lost = icons.filter(|reference| !matches!(reference.resolution, Resolution::Found(_)));
+    let bases = repository.bases.iter();
+    lost.any(|reference| {
+        // With a wrong path in front of it, the name itself may be right.
+        let last = reference.text.rsplit(['/', '\\']).next().unwrap_or_default();
+        last == name || nearest(last, [name]).is_some()
+    }) || bases.flat_map(|base| &base.sliders).any(|slider| slider.as_meant().icon.as_deref() == Some(name))
 }
 
 fn icons_in_use(repository: &Repository<'_>) -> BTreeSet<String> {

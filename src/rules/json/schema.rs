@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
+use super::schema_effects::effect_of;
 use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
-use crate::discover::Kind;
 use crate::json::SchemaFault;
 use crate::repo::{FileFacts, Layer};
 
@@ -47,9 +47,11 @@ fn judge(file: &FileFacts, keyword: &str, all: &[&SchemaFault]) -> Option<Findin
         count => format!("{} ({count} values like it)", first.message),
     };
     let mut finding = RULE.at(file, Place::Pointer(first.pointer.clone()), message);
-    finding = finding.key(format!("{keyword}{}", missing(first))).help(help(first));
-    if let Some(effect) = gentle(file.kind, keyword) {
-        finding = finding.level(Level::Warning).breaks(Application::Makehuman2, effect);
+    finding = finding.key(format!("{keyword}{}", missing(first))).help(help(file, first));
+    // Of values that fail in the same way the worst counts.
+    let each = all.iter().map(|fault| effect_of(file.kind, keyword, &fault.message));
+    if let Some(Some((level, effect))) = each.max_by_key(|effect| effect.map_or(Level::Error, |(level, _)| level)) {
+        finding = finding.level(level).breaks(Application::Makehuman2, effect);
     }
     for other in all.iter().skip(1).take(EXAMPLES - 1) {
         finding = finding.related(file.path.clone(), Place::Pointer(other.pointer.clone()), other.message.clone());
@@ -57,24 +59,15 @@ fn judge(file: &FileFacts, keyword: &str, all: &[&SchemaFault]) -> Option<Findin
     Some(finding.evidence(Evidence::of_cases(all.iter().map(|fault| &fault.pointer))))
 }
 
-fn help(fault: &SchemaFault) -> String {
-    fault.description.clone().unwrap_or_else(|| "`mhlint schema` shows what the format wants".to_owned())
-}
-
-/// Where a wrong value stops nothing: the effect in place of the usual one.
-fn gentle(kind: Kind, keyword: &str) -> Option<&'static str> {
-    match (kind, keyword) {
-        // formats/makehuman2.md §9: read by scripts only.
-        (Kind::Geometry, _) => Some("never reads this file; the scripts that align joint cubes stop"),
-        // §3.1: an entry without `name` or `t` is skipped; one whose name is no text is never met.
-        (Kind::MacroJson, "/$defs/target/required" | "/$defs/target/properties/name/type") => {
-            Some("skips the combination without a word")
-        }
-        // §7: for the tools that compile meshes and adapt morphs.
-        (Kind::BaseJson, "/properties/numverts/type") => Some("does not read the number; its mesh tools do"),
-        (Kind::BaseJson, "/$defs/random/properties/groups/additionalProperties/type") => {
-            Some("takes anything but 0, empty and null for true")
-        }
-        _ => None,
+fn help(file: &FileFacts, fault: &SchemaFault) -> String {
+    // A key that is missing under its name may be there under a misspelt one.
+    let meant = file.schema.unknown.iter().find(|unknown| {
+        let owner = unknown.pointer.rsplit_once('/').map(|(owner, _)| owner);
+        let wanted = unknown.nearest.as_ref().map(|nearest| format!(" has no `{nearest}`"));
+        owner == Some(fault.pointer.as_str()) && wanted.is_some_and(|wanted| fault.message.ends_with(&wanted))
+    });
+    if let Some((key, nearest)) = meant.and_then(|unknown| Some((&unknown.key, unknown.nearest.as_ref()?))) {
+        return format!("is `{key}` meant to be `{nearest}`?");
     }
+    fault.description.clone().unwrap_or_else(|| "`mhlint schema` shows what the format wants".to_owned())
 }

@@ -4,28 +4,61 @@ use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
+use crate::discover::Kind;
+use crate::formats::mhskel::Section;
+use crate::formats::modelling::Slider;
 use crate::json::UnknownKey;
-use crate::repo::{FileFacts, Layer};
+use crate::repo::{Base, Content, FileFacts, Repository};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(Application::Makehuman2, "ignores the key without a word")],
         docs: "Every loader takes the keys it knows and leaves the others, so a misspelt key is as good as none: the slider \
-            has no partner, the bone no parent.\n\nThe usual trap is `sym`: sliders have `rsym` on the left side (it names \
+            has no partner, the bone no parent. In the files of the sliders and of the base a key that is nearly a known one \
+            is a warning. Where the known key is one that must be there, the finding on the missing key names the misspelt \
+            one, and nothing is said here.\n\nThe usual trap is `sym`: sliders have `rsym` on the left side (it names \
             the right partner) and `lsym` on the right side.\n\nCorrect the key, or remove it. Notes are welcome under \
             `comment` or `description`.",
         ..RuleInfo::new("json-unknown-key", Level::Info, "a key that no application reads")
     },
-    check: Check::Layer(run),
+    check: Check::Repository(run),
 };
 
-fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for file in layer.files.values().filter(|file| !file.is_ignored_override()) {
+fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for file in repository.judged.files.values().filter(|file| !file.is_ignored_override()) {
         let mut by_key: BTreeMap<(&str, Option<&str>), Vec<&UnknownKey>> = BTreeMap::new();
-        for unknown in &file.schema.unknown {
+        for unknown in file.schema.unknown.iter().filter(|unknown| !is_told(repository, file, unknown)) {
             by_key.entry((&unknown.key, unknown.object.as_deref())).or_default().push(unknown);
         }
         out.extend(by_key.into_values().filter_map(|all| judge(file, &all)));
+    }
+}
+
+/// Whether the finding on the key that is missing instead names this one: a part that the schema or another rule
+/// wants.
+fn is_told(repository: &Repository<'_>, file: &FileFacts, unknown: &UnknownKey) -> bool {
+    let Some(nearest) = unknown.nearest.as_deref() else { return false };
+    let (owner, _) = unknown.pointer.rsplit_once('/').unwrap_or_default();
+    let wanted = format!(" has no `{nearest}`");
+    if file.schema.faults.iter().any(|fault| fault.pointer == owner && fault.message.ends_with(&wanted)) {
+        return true;
+    }
+    match &file.content {
+        Content::Skeleton(skeleton) if owner.is_empty() => match nearest {
+            "bones" => skeleton.bones_section == Section::Absent,
+            "joints" => skeleton.joints_section == Section::Absent,
+            _ => false,
+        },
+        Content::BaseJson(settings) if owner.is_empty() => nearest == "visible groups" && !settings.has_visible_groups,
+        Content::Modelling(model) => {
+            // Generated entries are not judged for their effect.
+            let generated = |base: &Base<'_>| base.user_modelling.file().is_some_and(|own| std::ptr::eq(own, file));
+            let told = |slider: &&Slider| slider.misspelt_effect().is_some_and(|(key, _)| key == unknown.key);
+            let mut sliders = model.sliders.iter().filter(told);
+            sliders.any(|slider| Place::pointer([&slider.key]) == Place::Pointer(owner.to_owned()))
+                && !repository.bases.iter().any(generated)
+        }
+        _ => false,
     }
 }
 
@@ -43,6 +76,10 @@ fn judge(file: &FileFacts, all: &[&UnknownKey]) -> Option<Finding> {
             None => "remove it, or keep notes under `comment`".to_owned(),
         })
         .evidence(Evidence::of_cases(all.iter().map(|unknown| &unknown.pointer)));
+    let matters = matches!(file.kind, Kind::ModellingJson | Kind::TargetCategories | Kind::BaseJson);
+    if matters && first.nearest.is_some() {
+        finding = finding.level(Level::Warning);
+    }
     for other in all.iter().skip(1).take(EXAMPLES - 1) {
         finding = finding.related(file.path.clone(), Place::Key(other.pointer.clone()), "here, too");
     }

@@ -50,7 +50,7 @@ pub(super) fn unknown_patterns(base: &Base<'_>, component: &Component) -> Vec<St
     if base.modelling.winner().is_none() {
         return Vec::new();
     }
-    let unknown = |pattern: &String| base.slider(pattern).is_none() && !base.misses_in_barycentric(pattern);
+    let unknown = |pattern: &String| base.slider(pattern).is_none() && !base.explains_pattern(pattern);
     patterns(component).into_iter().filter(unknown).collect()
 }
 

@@ -26,6 +26,7 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
                 format!("`barycentric` of `{}` has {} patterns instead of 3", slider.key, slider.barycentric_len);
             out.push(finding(bound, "barycentric", message));
         }
+        // What is no list of colours is reported by the schema.
         let Some(colours) = &slider.barycentric_colours else { continue };
         if colours.len() != THREE {
             let message =

@@ -20,9 +20,13 @@ pub(in crate::rules) static RULE: Rule = Rule {
 fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for bound in groups::hand_made(base) {
         let slider = bound.slider;
-        if slider.decr.is_none() || slider.has("incr") || slider.is_macro() {
+        if slider.decr.is_none() || !slider.lacks_incr() {
             continue;
         }
+        let help = match slider.misspelt_effect() {
+            Some((key, meant)) => format!("is `{key}` meant to be `{meant}`?"),
+            None => "add `incr`, or rename `decr` to `incr` for a slider with one side".to_owned(),
+        };
         out.push(
             RULE.at(
                 bound.file,
@@ -30,7 +34,7 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
                 format!("`{}` has `decr` but no `incr`", slider.key),
             )
             .key(&slider.key)
-            .help("add `incr`, or rename `decr` to `incr` for a slider with one side"),
+            .help(help),
         );
     }
 }

@@ -13,7 +13,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
         breaks: &[(Application::Makehuman2, "shows an entry in the tree with nothing behind it")],
         docs: "Every item of `target_cat.json` shows the sliders whose `group` equals its `group|cat`.\n\nAn item without such a slider, or a \
             category without items, is an entry that leads nowhere. A category of one's own called `User` is a \
-            warning: MakeHuman 2 always replaces it with the one it generates from user targets, so its items vanish. An \
+            warning: MakeHuman 2 always replaces it with the one it generates from user targets, so its items vanish. A generated target_cat.json without it stops MakeHuman 2 at start, which is an error. An \
             item that a misspelt slider was meant for is not reported here but with the slider.\n\nRemove the item, \
             or give a slider its group.",
         ..RuleInfo::new("modelling-empty-category", Level::Info, "a category item has no slider")
@@ -22,6 +22,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    out.extend(without_user(base));
     let (Some((file, model)), Some(groups)) = (base.categories.winner(), groups::of(base)) else { return };
     for category in &model.categories {
         if category.name == USER_CATEGORY {
@@ -30,13 +31,31 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
                 out.push(replaced(file, base, &groups));
             }
         } else if category.items.is_empty() {
+            // Sliders that are hidden by it are the worse news.
+            if category.group.as_deref().is_some_and(|group| groups.has_unknown_in(group)) {
+                continue;
+            }
             let message = format!("category `{}` has no items", category.name);
             let help = "add items, or remove the category";
             out.push(RULE.at(file, Place::key([&category.name]), message).key(&category.name).help(help));
-        } else if base.modelling.winner().is_some() {
+        } else if base.modelling.winner().is_some() && !base.has_unreadable_sliders() {
             empty_items(file, base, &groups, category, out);
         }
     }
+}
+
+/// The generated file must hold the category that MakeHuman 2 takes from it.
+fn without_user(base: &Base<'_>) -> Option<Finding> {
+    let (file, model) = base.user_categories.accepted()?;
+    let sound = !file.schema.faults.iter().any(|fault| fault.pointer.is_empty());
+    let there = model.categories.iter().any(|category| category.name == USER_CATEGORY);
+    (sound && !there).then(|| {
+        RULE.at(file, Place::File, "the generated target_cat.json has no category `User`")
+            .key("generated")
+            .level(Level::Error)
+            .breaks(Application::Makehuman2, "stops at start with a KeyError")
+            .help("delete both generated JSON files, MakeHuman 2 writes them anew from the targets")
+    })
 }
 
 fn empty_items(
@@ -46,10 +65,13 @@ fn empty_items(
     category: &Category,
     out: &mut Vec<Finding>,
 ) {
-    let used: BTreeSet<&str> = base.sliders.iter().filter_map(|slider| slider.slider.group.as_deref()).collect();
+    let used: BTreeSet<&str> = base.sliders.iter().filter_map(|slider| slider.as_meant().group.as_deref()).collect();
     for (index, item) in category.items.iter().enumerate() {
         let Some(group) = category.group_of(item) else { continue };
-        if used.contains(group.as_str()) || groups.is_excused(&group) {
+        if used.contains(group.as_str())
+            || groups.is_excused(&group)
+            || groups.renamed.iter().any(|r| r.name == category.name)
+        {
             continue;
         }
         let message = format!("no slider has the group `{group}`");

@@ -28,7 +28,7 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
         let pointer = format!("/{}/macro_influence", slider.key.replace('~', "~0").replace('/', "~1"));
         let is_misshapen = bound.file.schema.faults.iter().any(|fault| fault.pointer.starts_with(&pointer));
         let is_empty = slider.macro_influence.as_ref().is_some_and(Vec::is_empty) && !is_misshapen;
-        if slider.has("macro_influence") && !is_empty {
+        if bound.as_meant().has("macro_influence") && !is_empty {
             continue;
         }
         let confidence = match &bound.pattern {

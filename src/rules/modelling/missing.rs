@@ -22,7 +22,7 @@ pub(super) fn groups<'r, 'a>(
     let mut groups: Vec<Group<'r, 'a>> = Vec::new();
     let mut by_folder: BTreeMap<(&str, String), usize> = BTreeMap::new();
     let references = repository.references_of(base).filter(|reference| wanted(reference.kind));
-    for reference in references.filter(|reference| matches!(reference.resolution, Resolution::Missing)) {
+    for reference in references.filter(|reference| is_missing(base, reference)) {
         let folder = folder_of(&reference.rel);
         if !is_empty(repository, &folder) {
             groups.push(Group { folder: None, references: vec![reference] });
@@ -42,6 +42,19 @@ pub(super) fn groups<'r, 'a>(
         }
     }
     groups
+}
+
+/// Whether there is nothing. A picture that only the system has does not count where sliders and folder are those
+/// of an override; of a target in the wrong layer the rules on overlays speak.
+fn is_missing(base: &Base<'_>, reference: &Reference<'_>) -> bool {
+    match reference.resolution {
+        Resolution::Missing => true,
+        Resolution::OtherLayer(_) => {
+            let overridden = base.macros.is_overridden() && base.modelling.is_overridden();
+            reference.kind == ReferenceKind::Icon && overridden
+        }
+        _ => false,
+    }
 }
 
 fn folder_of(rel: &str) -> String {

@@ -2,11 +2,9 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::groups;
-use crate::diag::{Application, Finding, Level, Place, RuleInfo, nearest};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::formats::modelling::EFFECTS;
 use crate::repo::{Base, Repository};
-
-/// Keys that give a slider its effect.
-const EFFECTS: [&str; 4] = ["incr", "decr", "macro", "barycentric"];
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -25,8 +23,7 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
         if EFFECTS.iter().any(|key| slider.has(key)) {
             continue;
         }
-        let misspelt = slider.keys.iter().find_map(|key| Some((key, nearest(key, EFFECTS)?)));
-        let help = match misspelt {
+        let help = match slider.misspelt_effect() {
             Some((key, near)) => format!("is `{key}` meant to be `{near}`?"),
             None => "add `incr`, `macro` or `barycentric`, or remove the entry".to_owned(),
         };

@@ -3,6 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use super::with_patterns;
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::formats::modelling::Slider;
 use crate::repo::{Base, BoundSlider, Repository};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -40,8 +41,12 @@ struct Link<'s> {
 
 impl<'s> Link<'s> {
     fn of(bound: &'s BoundSlider<'_>) -> Option<Self> {
-        let right = bound.slider.rsym.as_deref().map(|partner| Self { member: "rsym", partner });
-        right.or_else(|| bound.slider.lsym.as_deref().map(|partner| Self { member: "lsym", partner }))
+        Self::of_slider(bound.slider)
+    }
+
+    fn of_slider(slider: &'s Slider) -> Option<Self> {
+        let right = slider.rsym.as_deref().map(|partner| Self { member: "rsym", partner });
+        right.or_else(|| slider.lsym.as_deref().map(|partner| Self { member: "lsym", partner }))
     }
 
     /// The key that the partner has to use.
@@ -67,6 +72,11 @@ fn judge(
         return Some((format!("`{own}` has both `rsym` and `lsym`; only `rsym` is read"), help));
     }
     let Some(back) = Link::of(partner) else {
+        // A misspelt key, or a value of a wrong type, is a finding of its own.
+        let meant = Link::of_slider(partner.as_meant()).is_some();
+        if meant || partner.slider.has("rsym") || partner.slider.has("lsym") {
+            return None;
+        }
         let help = format!("add `\"{}\": \"{pattern}\"` to `{other}`", link.back());
         return Some((format!("`{own}` has the partner `{other}`, which has none"), help));
     };

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::super::{Check, Rule, RuleCx};
 use super::with_patterns;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
-use crate::repo::{Base, BoundSlider, Repository};
+use crate::repo::{Base, BoundSlider, FileFacts, Repository};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -24,8 +24,12 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, settings)) = base.settings() else { return };
+    if is_damaged_list(file) {
+        return;
+    }
     let sliders = with_patterns(base).unwrap_or_default();
-    let undeclared: Vec<&BoundSlider<'_>> = sliders.iter().filter(|slider| slider.is_undeclared_pair()).collect();
+    let undeclared: Vec<&BoundSlider<'_>> =
+        sliders.iter().filter(|slider| slider.is_undeclared_pair() && !base.lacks_target(slider)).collect();
     if settings.opposites.is_empty() && repository.is_judged(file) && undeclared.len() > 1 {
         let message = format!("no `target-opposites`: {} pairs of targets have one side only", undeclared.len());
         let evidence = Evidence::of_cases(undeclared.iter().map(|slider| &slider.slider.key));
@@ -60,6 +64,13 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
                 .evidence(Evidence::of_cases(sliders.iter().map(|slider| &slider.slider.key))),
         );
     }
+}
+
+/// Whether `target-opposites` is there with a fault in it, or under a misspelt key: that is a finding of its own.
+fn is_damaged_list(file: &FileFacts) -> bool {
+    let is_fault = |pointer: &str| pointer == "/target-opposites" || pointer.starts_with("/target-opposites/");
+    file.schema.faults.iter().any(|fault| is_fault(&fault.pointer))
+        || file.schema.unknown.iter().any(|key| key.nearest.as_deref() == Some("target-opposites"))
 }
 
 /// The part of a target's name behind its last `-`.

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
-use super::groups::{self, Groups};
+use super::groups::{self, Groups, Renamed};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::{Base, BoundSlider, FileFacts, Repository};
 
@@ -31,6 +31,7 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
                 _ => out.extend(unknown(repository, base, &groups, group, sliders)),
             }
         }
+        out.extend(groups.renamed.iter().filter_map(|renamed| renamed_category(repository, base, renamed)));
         out.extend(lost.iter().filter_map(|(category, sliders)| lost_category(repository, base, category, sliders)));
     }
     no_categories(repository, base, out);
@@ -55,6 +56,24 @@ fn lost_category(
     let (file, place) = whose(repository, base, sliders.first()?)?;
     let help = "add the category with an item for every group, or correct the groups";
     Some(RULE.at(file, place, message).key(category).help(help).evidence(keys))
+}
+
+/// A category that several sliders agree on is called differently in `target_cat.json`.
+fn renamed_category(repository: &Repository<'_>, base: &Base<'_>, renamed: &Renamed<'_, '_>) -> Option<Finding> {
+    let (file, _) = base.categories.winner()?;
+    let first = renamed.sliders.first()?;
+    let (count, wanted) = (renamed.sliders.len(), &renamed.wanted);
+    let message = format!(
+        "{count} sliders are never shown: the category `{}` has the group `{}`, they have `{wanted}`",
+        renamed.name, renamed.group
+    );
+    let finding = if repository.is_judged(file) {
+        RULE.at(file, Place::pointer([renamed.name, "group"]), message)
+    } else {
+        RULE.at(first.file, Place::pointer([first.slider.key.as_str(), "group"]), message)
+    };
+    let keys = Evidence::of_cases(renamed.sliders.iter().map(|slider| &slider.slider.key));
+    Some(finding.key(wanted).help(format!("write `{wanted}` as the group of the category")).evidence(keys))
 }
 
 fn unknown(
@@ -116,6 +135,11 @@ fn no_categories(repository: &Repository<'_>, base: &Base<'_>, out: &mut Vec<Fin
     let Some((file, modelling)) = base.modelling.winner() else { return };
     // Only system data can prove that there is none.
     if !absent || repository.system.is_none() || repository.is_one_root() || modelling.sliders.is_empty() {
+        return;
+    }
+    let rel = format!("target/{}/target_cat.json", base.name);
+    // Written with other capitals it is a finding of its own.
+    if repository.strongest_first().any(|layer| layer.file_ignoring_case(&rel).is_some()) {
         return;
     }
     let message = format!("there is no target_cat.json: none of {} sliders is shown", modelling.sliders.len());

@@ -25,7 +25,7 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
             (None, Some(partner)) => ("lsym", partner),
             (None, None) => continue,
         };
-        if base.slider(partner).is_some() || base.names_undeclared_pair(partner) {
+        if base.slider(partner).is_some() || base.explains_pattern(partner) {
             continue;
         }
         let message = format!("`{member}` of `{}` names the unknown pattern `{partner}`", slider.key);

@@ -4,7 +4,7 @@ use super::super::{Check, Rule, RuleCx};
 use super::{Rig, rigs};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::mhskel::Section;
-use crate::repo::{Base, Repository};
+use crate::repo::{Base, FileFacts, Repository};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -60,7 +60,15 @@ fn missing_sections(rig: &Rig<'_>, out: &mut Vec<Finding>) {
     for (name, section) in [("bones", rig.skeleton.bones_section), ("joints", rig.skeleton.joints_section)] {
         if section == Section::Absent {
             let message = format!("the skeleton has no `{name}`");
-            out.push(RULE.at(rig.file, Place::File, message).key(name).help(format!("add an object `{name}`")));
+            out.push(RULE.at(rig.file, Place::File, message).key(name).help(help(rig.file, name)));
         }
+    }
+}
+
+fn help(file: &FileFacts, section: &str) -> String {
+    let misspelt = file.schema.unknown.iter().find(|key| key.nearest.as_deref() == Some(section));
+    match misspelt {
+        Some(key) => format!("is `{}` meant to be `{section}`?", key.key),
+        None => format!("add an object `{section}`"),
     }
 }

@@ -51,7 +51,12 @@ fn unused_targets<'a>(repository: &Repository<'a>, base: &Base<'a>, folder: Targ
     // A base may do without macro.json. Then a folder of which nothing is used may wait for one.
     let has_macros = base.macro_file().is_some();
     let is_judged = |file: &&FileFacts| has_macros || used_folders.contains(super::parent(&file.rel));
-    folder.targets().filter(|file| !is_used(file)).filter(is_judged).collect()
+    // What a slider uses that is reported for itself is not known, or known under a misspelt key.
+    let is_explained = |file: &&FileFacts| {
+        let Some(name) = folder.name_of(file) else { return false };
+        base.means_target(name) || base.has_unreadable_sliders() && !is_in_macro_folder(base, name)
+    };
+    folder.targets().filter(|file| !is_used(file)).filter(is_judged).filter(|file| !is_explained(file)).collect()
 }
 
 fn unused_user_targets<'a>(repository: &Repository<'a>, base: &Base<'a>) -> Vec<&'a FileFacts> {
