@@ -33,26 +33,30 @@ const CHUNK: usize = 64;
 /// Measures a scene.
 pub(super) fn gauge(scene: &Scene, rigs: &[Rig], options: &Options) -> Measures {
     let settings = plan(scene, &scene.macrodefs, options.samples.unwrap_or(DEFAULT_SAMPLES), options.exhaustive);
+    let (space, (macros, shape)) = rayon::join(
+        || survey(scene, &settings),
+        || rayon::join(|| macro_measure(scene, &settings), || shape(scene, rigs)),
+    );
+    Measures { space, macros, ..shape }
+}
+
+/// Everything that needs the default character only.
+fn shape(scene: &Scene, rigs: &[Rig]) -> Measures {
     let mirror = MirrorMap::new(&scene.positions, scene.faces(), MIRROR_TOLERANCE);
     let (parts, cubes) = parts(scene, &mirror);
     let rest = scene.morphed(&scene.defaults()).unwrap_or_else(|_| scene.positions.clone());
-    let (space, (macros, targets)) = rayon::join(
-        || survey(scene, &settings),
-        || rayon::join(|| macro_measure(scene, &settings), || target_measures(scene, &parts)),
-    );
     let weights = scene.skeleton.as_ref().zip(scene.weights.as_ref()).and_then(|(skeleton, loaded)| {
         weights(loaded, skeleton, &rest, &mirror, &bone_pairs(&skeleton.names), WEIGHT_TOLERANCE)
     });
     Measures {
-        space,
-        macros,
         pairs: pair_measures(scene, &parts),
-        targets,
+        targets: target_measures(scene, &parts),
         unmirrored: mirror.unresolved(),
         cubes,
         skeletons: rigs.iter().filter_map(|rig| skeleton_measure(rig, &rest)).collect(),
         weights,
         bones: scene.skeleton.as_ref().map(|skeleton| skeleton.names.clone()).unwrap_or_default(),
+        ..Measures::default()
     }
 }
 

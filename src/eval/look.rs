@@ -9,13 +9,13 @@ use super::vector::{Point, distance};
 use super::walk::{Stop, Walk};
 
 /// A step that moves more than this part of the vertices is looked at as a whole.
-const LARGE_STEP: usize = 8;
+const LARGE_STEP: usize = 4;
 
 /// Looks at stops, best in the order of [`super::walk::in_order`].
 pub fn look<'s>(surveyor: &'s Surveyor<'s>, stops: &[Stop]) -> Survey {
     let mut look = Look::new(surveyor);
-    for stop in stops {
-        look.at(stop);
+    for (number, stop) in stops.iter().enumerate() {
+        look.at(stop, stops.get(number + 1));
     }
     look.survey
 }
@@ -26,6 +26,9 @@ struct Look<'s> {
     walk: Walk<'s>,
     /// Whether nothing has been looked at yet.
     new: bool,
+    /// Number of this step, and the last step in which each face was judged alone.
+    step: u32,
+    judged: Vec<u32>,
     /// Vertices that may have exploded or are not finite.
     strays: BTreeSet<u32>,
     /// Faces at fault, by their number among the visible ones.
@@ -44,6 +47,8 @@ impl<'s> Look<'s> {
             surveyor,
             walk: Walk::new(&surveyor.targets),
             new: true,
+            step: 0,
+            judged: vec![0; surveyor.faces.len()],
             strays: BTreeSet::new(),
             collapsed: BTreeSet::new(),
             flipped: BTreeSet::new(),
@@ -54,8 +59,8 @@ impl<'s> Look<'s> {
         }
     }
 
-    fn at(&mut self, stop: &Stop) {
-        self.walk.to(stop);
+    fn at(&mut self, stop: &Stop, next: Option<&Stop>) {
+        self.walk.to(stop, next);
         if self.new || self.walk.moved_count() > self.walk.positions().len() / LARGE_STEP {
             self.all();
         } else {
@@ -71,12 +76,16 @@ impl<'s> Look<'s> {
         self.flipped.clear();
         let (surveyor, positions) = (self.surveyor, self.walk.positions());
         for (vertex, point) in (0..).zip(positions) {
-            mark(&mut self.strays, vertex, !surveyor.in_range(*point));
+            if !surveyor.in_range(*point) {
+                self.strays.insert(vertex);
+            }
         }
         for (number, face) in (0..).zip(&surveyor.faces) {
-            let (collapsed, flipped) = state(surveyor, positions, face);
-            mark(&mut self.collapsed, number, collapsed);
-            mark(&mut self.flipped, number, flipped);
+            match state(surveyor, positions, face) {
+                State::Fine => {}
+                State::Collapsed => _ = self.collapsed.insert(number),
+                State::Flipped => _ = self.flipped.insert(number),
+            }
         }
         self.skeleton();
     }
@@ -85,20 +94,21 @@ impl<'s> Look<'s> {
     fn touched(&mut self) {
         let (surveyor, positions) = (self.surveyor, self.walk.positions());
         let mut holds_joint = false;
-        let mut faces: Vec<u32> = Vec::new();
+        self.step += 1;
         for vertex in self.walk.moved() {
             let at = vertex as usize;
             mark(&mut self.strays, vertex, !positions.get(at).is_some_and(|point| surveyor.in_range(*point)));
             holds_joint |= surveyor.holds_joint.get(at).is_some_and(|holds| *holds);
-            faces.extend_from_slice(surveyor.faces_of(vertex));
-        }
-        faces.sort_unstable();
-        faces.dedup();
-        for number in faces {
-            let Some(face) = surveyor.faces.get(number as usize) else { continue };
-            let (collapsed, flipped) = state(surveyor, positions, face);
-            mark(&mut self.collapsed, number, collapsed);
-            mark(&mut self.flipped, number, flipped);
+            for number in surveyor.faces_of(vertex) {
+                let at = *number as usize;
+                let Some((face, judged)) = surveyor.faces.get(at).zip(self.judged.get_mut(at)) else { continue };
+                if *judged != self.step {
+                    *judged = self.step;
+                    let state = state(surveyor, positions, face);
+                    mark(&mut self.collapsed, *number, state == State::Collapsed);
+                    mark(&mut self.flipped, *number, state == State::Flipped);
+                }
+            }
         }
         if holds_joint {
             self.skeleton();
@@ -208,11 +218,23 @@ fn mark(set: &mut BTreeSet<u32>, number: u32, is_in: bool) {
     }
 }
 
-/// Whether a face has collapsed, and if not, whether it has flipped.
-fn state(surveyor: &Surveyor<'_>, positions: &[Point], face: &FaceAtRest) -> (bool, bool) {
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum State {
+    Fine,
+    Collapsed,
+    Flipped,
+}
+
+#[inline]
+fn state(surveyor: &Surveyor<'_>, positions: &[Point], face: &FaceAtRest) -> State {
     let now = surveyor.doubled_area(positions, face);
-    let collapsed = dot(now, now) <= face.collapse;
-    (collapsed, !collapsed && dot(now, face.vector) < 0.0)
+    if dot(now, now) <= face.collapse {
+        State::Collapsed
+    } else if dot(now, face.vector) < 0.0 {
+        State::Flipped
+    } else {
+        State::Fine
+    }
 }
 
 /// Faces of one kind at one setting: how many, their area at rest, and the largest.
@@ -238,5 +260,97 @@ impl Faces {
 
     fn worst(&self, value: f64, setting: usize) -> Worst {
         Worst { value, element: self.largest.1 as usize, count: self.count as usize, setting }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::macro_eval::MacroResult;
+    use super::super::scene::{MorphTarget, Scene, SceneSkeleton, SceneSlider, Setting, SliderKind};
+    use super::super::skeleton::Bone;
+    use super::super::walk::in_order;
+    use super::*;
+
+    /// A sheet of 10 x 10 vertices with a bone over one edge, and a slider for each of `targets`.
+    fn scene(targets: &[&[(u32, Point)]]) -> Scene {
+        let corner = |row: u32, column: u32| 10 * row + column;
+        let quads = (0..9).flat_map(|row| (0..9).map(move |column| (row, column)));
+        let corners = quads.flat_map(|(row, column)| {
+            [corner(row, column), corner(row, column + 1), corner(row + 1, column + 1), corner(row + 1, column)]
+        });
+        let slider = |incr| SceneSlider {
+            pattern: String::new(),
+            kind: SliderKind::Detail { incr: Some(incr), decr: None, two_sided: false },
+            default: 0.0,
+        };
+        let target = |rows: &&[(u32, Point)]| MorphTarget { rows: Some(rows.to_vec()), ..MorphTarget::default() };
+        Scene {
+            positions: (0..100_u8).map(|at| [f32::from(at % 10), f32::from(at / 10), 0.0]).collect(),
+            corners: corners.collect(),
+            face_starts: (0..=81).map(|face| 4 * face).collect(),
+            face_groups: vec![0; 81],
+            visible: vec![true],
+            targets: targets.iter().map(target).collect(),
+            sliders: (0..targets.len()).map(slider).collect(),
+            skeleton: Some(SceneSkeleton {
+                bones: vec![Bone { parent: None, head: 0, tail: 1, plane: None }],
+                joints: vec![vec![98], vec![99]],
+                ..SceneSkeleton::default()
+            }),
+            ..Scene::default()
+        }
+    }
+
+    fn stops(surveyor: &Surveyor<'_>, settings: &[&[f64]]) -> Vec<Stop> {
+        let setting = |details: &&[f64]| Setting { macros: Vec::new(), details: details.to_vec() };
+        let settings = settings.iter().map(setting).enumerate();
+        settings.map(|(at, setting)| surveyor.stop(at, &setting, &mut MacroResult::default()).unwrap()).collect()
+    }
+
+    /// Collapses the first face, throws a vertex far away, folds the bone.
+    const FAULTS: [&[(u32, Point)]; 3] = [
+        &[(1, [-1.0, 0.0, 0.0]), (10, [0.0, -1.0, 0.0]), (11, [-1.0, -1.0, 0.0])],
+        &[(55, [0.0, 0.0, 30.0])],
+        &[(99, [-1.0, 0.0, 0.0])],
+    ];
+
+    #[test]
+    fn each_fault_is_seen_at_its_setting_and_gone_at_the_next() {
+        let scene = scene(&FAULTS);
+        let surveyor = Surveyor::new(&scene).unwrap();
+        let settings: [&[f64]; 4] = [&[1.0, 0.0, 0.0], &[0.0, 1.0, 0.0], &[0.0, 0.0, 1.0], &[0.0, 0.0, 0.0]];
+        let survey = look(&surveyor, &stops(&surveyor, &settings));
+        let seen = |worst: Option<Worst>| worst.map(|worst| (worst.setting, worst.element, worst.count));
+        assert_eq!(seen(survey.collapsed), Some((0, 0, 1)));
+        assert_eq!(seen(survey.exploded), Some((1, 55, 1)));
+        assert_eq!(seen(survey.short_bone), Some((2, 0, 1)));
+        assert_eq!(seen(survey.non_finite), None);
+        let healthy = look(&surveyor, &stops(&surveyor, &settings)[3..]);
+        assert_eq!(healthy, Survey::default());
+    }
+
+    #[test]
+    fn a_walk_sees_what_single_looks_see() {
+        let scene = scene(&FAULTS);
+        let surveyor = Surveyor::new(&scene).unwrap();
+        let values = [0.0, 0.5, 0.9999, 1.0, 2.0];
+        let settings: Vec<Vec<f64>> =
+            (0..125).map(|at| vec![values[at % 5], values[at / 5 % 5], values[at / 25]]).collect();
+        let settings: Vec<&[f64]> = settings.iter().map(Vec::as_slice).collect();
+        let mut alone = Survey::default();
+        for stop in stops(&surveyor, &settings) {
+            alone.merge(look(&surveyor, &[stop]));
+        }
+        assert!(alone.collapsed.is_some() && alone.exploded.is_some() && alone.short_bone.is_some());
+        assert_eq!(look(&surveyor, &in_order(stops(&surveyor, &settings))), alone);
+    }
+
+    #[test]
+    fn what_is_not_finite_is_all_that_is_told() {
+        let scene = scene(&[&[(1, [f32::INFINITY, 0.0, 0.0])], FAULTS[0]]);
+        let surveyor = Surveyor::new(&scene).unwrap();
+        let survey = look(&surveyor, &stops(&surveyor, &[&[1.0, 1.0]]));
+        assert_eq!(survey.non_finite.map(|worst| (worst.element, worst.count)), Some((1, 1)));
+        assert_eq!(survey.collapsed, None);
     }
 }

@@ -73,7 +73,7 @@ impl<'s> Surveyor<'s> {
         let defaults = targets.stop(0, &scene.defaults(), &mut MacroResult::default())?;
         let rest = {
             let mut walk = Walk::new(&targets);
-            walk.to(&defaults);
+            walk.to(&defaults, None);
             walk.positions().to_vec()
         };
         let mut surveyor = Self {
@@ -150,6 +150,7 @@ impl<'s> Surveyor<'s> {
     }
 
     /// Twice the area vector of a face, in float32: this is the innermost loop of a survey.
+    #[inline]
     pub(super) fn doubled_area(&self, positions: &[Point], face: &FaceAtRest) -> Point {
         let at = |vertex: u32| positions.get(vertex as usize).copied().unwrap_or_default();
         if let Some([a, b, c, d]) = face.lines {
@@ -194,11 +195,9 @@ impl<'s> Surveyor<'s> {
 
     /// The visible vertices nearest to a joint. `None` without visible vertices.
     fn anchor(&self, joint: usize, place: Point, rest: &[Point]) -> Option<Anchor> {
-        let mut near: Vec<(f64, u32)> = self
-            .visible
-            .iter()
-            .filter_map(|vertex| Some((distance(place, *rest.get(*vertex as usize)?), *vertex)))
-            .collect();
+        let square = |vertex: u32| rest.get(vertex as usize).map(|point| sub(*point, place)).map(|way| dot(way, way));
+        let mut near: Vec<(f32, u32)> =
+            self.visible.iter().filter_map(|vertex| Some((square(*vertex)?, *vertex))).collect();
         let count = SKIN_AROUND_JOINT.min(near.len());
         near.select_nth_unstable_by(count.checked_sub(1)?, |a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         near.truncate(count);

@@ -86,53 +86,89 @@ fn one_a_vertex(rows: &[Row], vertices: usize) -> Option<Cow<'_, [Row]>> {
 pub(super) struct Walk<'s> {
     targets: &'s Addable<'s>,
     positions: Vec<Point>,
-    /// What has been added, and how many places were remembered before.
-    added: Vec<(Addend, usize)>,
+    /// What has been added, and how it is taken back.
+    added: Vec<(Addend, Undo)>,
     /// Vertices and where they were before an addition.
     before: Vec<Row>,
+    /// The whole mesh before the first addition of [`Undo::Whole`].
+    whole: Vec<Point>,
     /// Targets that were added or taken back by the last step.
     changed: Vec<usize>,
+}
+
+/// How an addition is taken back.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Undo {
+    /// From this place in `before` on are the vertices that it moved.
+    Rows(usize),
+    /// With all that are so, by the copy of the whole mesh.
+    Whole,
 }
 
 impl<'s> Walk<'s> {
     pub(super) fn new(targets: &'s Addable<'s>) -> Self {
         let positions = targets.scene.positions.clone();
-        Self { targets, positions, added: Vec::new(), before: Vec::new(), changed: Vec::new() }
+        Self { targets, positions, added: Vec::new(), before: Vec::new(), whole: Vec::new(), changed: Vec::new() }
     }
 
-    /// Goes to a stop.
-    pub(super) fn to(&mut self, stop: &Stop) {
+    /// Goes to a stop. What the `next` stop does not share is added so that it is cheap to take back.
+    pub(super) fn to(&mut self, stop: &Stop, next: Option<&Stop>) {
         self.changed.clear();
         let common = self.added.iter().zip(&stop.addends).take_while(|((known, _), wanted)| known == *wanted).count();
-        while self.added.len() > common {
-            self.take_back();
-        }
-        for addend in stop.addends.iter().skip(common) {
-            self.add(*addend);
+        self.take_back(common);
+        let common = common.min(self.added.len());
+        let shared = next.map_or(0, |next| {
+            stop.addends.iter().zip(&next.addends).take_while(|(ours, theirs)| ours == theirs).count()
+        });
+        let (stay, pass) = stop.addends.split_at(shared.clamp(common, stop.addends.len()));
+        stay.iter().skip(common).for_each(|addend| self.add(*addend));
+        let rows: usize = pass.iter().map(|addend| self.targets.rows(addend.target).len()).sum();
+        if rows > self.positions.len() {
+            self.whole.clone_from(&self.positions);
+            pass.iter().for_each(|addend| self.pass(*addend));
+        } else {
+            pass.iter().for_each(|addend| self.add(*addend));
         }
     }
 
     fn add(&mut self, addend: Addend) {
         let factor = f32::from_bits(addend.factor);
         let rows = self.targets.rows(addend.target);
-        self.added.push((addend, self.before.len()));
+        self.added.push((addend, Undo::Rows(self.before.len())));
         self.changed.push(addend.target);
         let positions = &mut self.positions;
         self.before.extend(rows.iter().map(|(vertex, delta)| {
             let place = &mut positions[*vertex as usize];
             let before = *place;
-            for axis in 0..3 {
-                place[axis] += factor * delta[axis];
-            }
+            *place = moved(before, factor, *delta);
             (*vertex, before)
         }));
     }
 
-    fn take_back(&mut self) {
-        let Some((addend, start)) = self.added.pop() else { return };
+    fn pass(&mut self, addend: Addend) {
+        let factor = f32::from_bits(addend.factor);
+        self.added.push((addend, Undo::Whole));
         self.changed.push(addend.target);
-        for (vertex, before) in self.before.drain(start..) {
-            self.positions[vertex as usize] = before;
+        for (vertex, delta) in self.targets.rows(addend.target) {
+            let place = &mut self.positions[*vertex as usize];
+            *place = moved(*place, factor, *delta);
+        }
+    }
+
+    /// Takes back all but the first `keep` additions. Those by the whole mesh are the last and go together, whatever
+    /// of them is to be kept: it is added again.
+    fn take_back(&mut self, keep: usize) {
+        if self.added.last().is_some_and(|(_, undo)| *undo == Undo::Whole) {
+            self.positions.copy_from_slice(&self.whole);
+        }
+        let is_whole = |added: &(Addend, Undo)| added.1 == Undo::Whole;
+        while self.added.len() > keep || self.added.last().is_some_and(is_whole) {
+            let Some((addend, undo)) = self.added.pop() else { return };
+            self.changed.push(addend.target);
+            let Undo::Rows(start) = undo else { continue };
+            for (vertex, before) in self.before.drain(start..) {
+                self.positions[vertex as usize] = before;
+            }
         }
     }
 
@@ -150,6 +186,11 @@ impl<'s> Walk<'s> {
     pub(super) fn moved_count(&self) -> usize {
         self.changed.iter().map(|target| self.targets.rows(*target).len()).sum()
     }
+}
+
+/// As the application adds: in float32.
+fn moved(place: Point, factor: f32, delta: Point) -> Point {
+    [place[0] + factor * delta[0], place[1] + factor * delta[1], place[2] + factor * delta[2]]
 }
 
 #[cfg(test)]
@@ -188,7 +229,7 @@ mod tests {
         let mut walk = Walk::new(&targets);
         for details in [[0.3, 0.7, 0.0, 0.0], [0.3, 0.1, 0.0, 0.0], [0.0, 0.9, 0.0, 0.0], [0.0; 4]] {
             let setting = setting(details);
-            walk.to(&targets.stop(0, &setting, &mut MacroResult::default()).unwrap());
+            walk.to(&targets.stop(0, &setting, &mut MacroResult::default()).unwrap(), None);
             assert_eq!(walk.positions(), scene.morphed(&setting).unwrap());
         }
     }
@@ -199,7 +240,8 @@ mod tests {
         let targets = Addable::new(&scene);
         let mut walk = Walk::new(&targets);
         let mut go = |details| {
-            walk.to(&targets.stop(0, &setting(details), &mut MacroResult::default()).unwrap());
+            let stop = targets.stop(0, &setting(details), &mut MacroResult::default()).unwrap();
+            walk.to(&stop, Some(&stop));
             (walk.moved().collect::<Vec<u32>>(), walk.moved_count())
         };
         assert_eq!(go([1.0, 0.0, 0.0, 0.0]), (vec![0, 1], 2));
