@@ -8,6 +8,11 @@ mod scratch;
 
 use std::path::PathBuf;
 
+use mhlint::engine::evaluate::Evaluation;
+use mhlint::eval::joints::joint_positions;
+use mhlint::eval::skeleton::rest_bones;
+use mhlint::eval::skin::{pose_bones, skin};
+use mhlint::eval::vector::distance;
 use scratch::mhlint;
 
 /// The folder of a corpus, `None` (said aloud) where it is not at hand.
@@ -47,6 +52,37 @@ fn said<'r>(report: &'r serde_json::Value, rule: &str, path: &str) -> Vec<&'r st
     let of_rule =
         of_file.filter(|finding| finding["rule"] == rule && finding["path"] == format!("data/{path}").as_str());
     of_rule.map(|finding| finding["message"].as_str().unwrap()).collect()
+}
+
+/// Vertices whose weights the loader cuts down are drawn towards the origin by what they lack, in the application as
+/// well; the others must not move at all.
+#[test]
+fn skinning_the_rest_pose_gives_the_meshes_back() {
+    let Some(corpus) = corpus("makehuman2") else { return };
+    for base in ["hm08", "mh2bot"] {
+        let mut evaluation = Evaluation::open(&corpus.join("data"), None, Some(base)).unwrap();
+        let defaults = evaluation.scene().defaults();
+        let mesh = evaluation.morphed(&defaults).unwrap();
+        let scene = evaluation.scene();
+        let skeleton = scene.skeleton.as_ref().unwrap();
+        let joints = joint_positions(&mesh, skeleton.joints.iter().map(Vec::as_slice)).unwrap();
+        let rest = rest_bones(&joints, &skeleton.bones).unwrap();
+        let posed = pose_bones(&skeleton.bones, &rest, &vec![None; skeleton.bones.len()]).unwrap();
+        let moved: Vec<_> = posed.iter().map(|bone| bone.moved).collect();
+        let weights = scene.weights.as_ref().unwrap();
+        let skinned = skin(&mesh, &weights.bones, &moved).unwrap();
+        let mut sums = vec![0.0_f32; mesh.len()];
+        for (vertex, weight) in weights.bones.iter().flat_map(|bone| &bone.entries) {
+            sums[*vertex as usize] += weight;
+        }
+        let mut whole = 0;
+        for ((at, skinned), sum) in mesh.iter().zip(&skinned).zip(sums) {
+            assert!(distance(*skinned, at.map(|part| part * sum)) < 1e-4, "{base}: {at:?} {skinned:?} {sum}");
+            whole += usize::from(distance(*skinned, *at) < 1e-4);
+        }
+        eprintln!("{base}: {whole} of {} vertices are where they were", mesh.len());
+        assert!(whole * 10 > mesh.len() * 9, "{base}: {whole} of {}", mesh.len());
+    }
 }
 
 #[test]

@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use cases::{CASES, Case, Edit, NUMERIC};
-use mhlint::{Options, Outcome, Tree, lint_trees};
+use mhlint::{Finding, Options, Outcome, Tree, lint_trees};
 
 /// Files by path below the corpus; the bytes are shared by all cases.
 type Files = BTreeMap<String, Arc<[u8]>>;
@@ -74,6 +74,10 @@ fn apply(files: &mut Files, edit: &Edit) -> Result<(), String> {
             let bytes = known(from)?;
             files.insert(path(to), bytes);
         }
+        Edit::Move(file, moves) => {
+            let moved = displaced(std::str::from_utf8(&known(file)?).unwrap(), moves)?;
+            files.insert(path(file), moved.into_bytes().into());
+        }
         Edit::Rename(from, to) => {
             let bytes = known(from)?;
             files.remove(&path(from));
@@ -81,6 +85,18 @@ fn apply(files: &mut Files, edit: &Edit) -> Result<(), String> {
         }
     }
     Ok(())
+}
+
+/// A target whose displacements of some vertices are larger by so much.
+fn displaced(text: &str, moves: &[(u32, [f64; 3])]) -> Result<String, String> {
+    let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
+    for (vertex, by) in moves {
+        let start = format!("{vertex} ");
+        let line = lines.iter_mut().find(|line| line.starts_with(&start)).ok_or(format!("no row for {vertex}"))?;
+        let delta: Vec<f64> = line.split(' ').skip(1).map(|word| word.parse().unwrap()).collect();
+        *line = format!("{vertex} {:.5} {:.5} {:.5}", delta[0] + by[0], delta[1] + by[1], delta[2] + by[2]);
+    }
+    Ok(lines.join("\n") + "\n")
 }
 
 fn run(files: &Files, no_eval: bool) -> Outcome {
@@ -108,18 +124,18 @@ fn verdict(case: &Case, files: &Files, healthy: &Outcome, no_eval: bool) -> Stri
     let outcome = run(&damaged, no_eval);
     let (fresh, gone) = (beyond(&outcome, healthy), beyond(healthy, &outcome));
     // What vanishes is told for the reader: a damaged file silences what can no longer be judged.
-    if fresh == case.fresh && outcome.failed_rules.is_empty() {
+    let is_new = |finding: &&Finding| healthy.findings.iter().all(|known| known.fingerprint != finding.fingerprint);
+    let new: Vec<&Finding> = outcome.findings.iter().filter(is_new).collect();
+    let says = new.is_empty() || new.iter().any(|finding| finding.message.contains(case.says));
+    if fresh == case.fresh && says && outcome.failed_rules.is_empty() {
         return String::new();
     }
-    let messages: Vec<_> = outcome
-        .findings
-        .iter()
-        .filter(|finding| healthy.findings.iter().all(|known| known.fingerprint != finding.fingerprint))
-        .map(|finding| format!("    {}: {} [{}]", finding.path, finding.message, finding.key))
-        .collect();
+    let messages: Vec<_> =
+        new.iter().map(|finding| format!("    {}: {} [{}]", finding.path, finding.message, finding.key)).collect();
     format!(
-        "{}:\n  new  {fresh:?}\n  not  {:?}\n  gone {gone:?}\n  not  {:?}\n  failed rules {:?}\n{}\n",
+        "{}:\n  says {:?}: {says}\n  new  {fresh:?}\n  not  {:?}\n  gone {gone:?}\n  not  {:?}\n  failed rules {:?}\n{}\n",
         case.name,
+        case.says,
         case.fresh,
         case.gone,
         outcome.failed_rules,

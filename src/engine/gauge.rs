@@ -7,15 +7,19 @@ use rayon::prelude::*;
 use super::compose::Rig;
 use super::run::Options;
 use crate::eval::culprit::most_moving;
+use crate::eval::look::look;
+use crate::eval::macro_eval::MacroResult;
 use crate::eval::macro_survey::{dead_ranges, jumps, losses, sums_off};
 use crate::eval::measures::{MacroMeasure, Measures, PairMeasure, Seen, SkeletonMeasure, SpaceMeasure};
 use crate::eval::rig_measure::{bone_pairs, bones, weights};
 use crate::eval::scene::{MorphTarget, Scene, Setting};
 use crate::eval::settings::{DEFAULT_SAMPLES, describe, plan};
-use crate::eval::survey::{Scratch, Survey, Surveyor, Worst};
+use crate::eval::survey::{Survey, Worst};
+use crate::eval::surveyor::Surveyor;
 use crate::eval::symmetry::MirrorMap;
 use crate::eval::target_measure::{Parts, TargetMeasure, cubes_of};
 use crate::eval::vector::Point;
+use crate::eval::walk::{Stop, in_order};
 
 /// How far from its exact mirror image a vertex may be, mesh units: meshes are written with four decimals.
 const MIRROR_TOLERANCE: f32 = 1e-3;
@@ -23,49 +27,49 @@ const MIRROR_TOLERANCE: f32 = 1e-3;
 const DELTA_TOLERANCE: f64 = 2.5e-3;
 /// Weights of mirrored vertices may differ by this before they count.
 const WEIGHT_TOLERANCE: f32 = 0.01;
-/// Settings that one thread looks at in a row.
-const CHUNK: usize = 32;
+/// Settings that one thread looks at in a row, starting from the base mesh.
+const CHUNK: usize = 64;
 
 /// Measures a scene.
 pub(super) fn gauge(scene: &Scene, rigs: &[Rig], options: &Options) -> Measures {
     let settings = plan(scene, &scene.macrodefs, options.samples.unwrap_or(DEFAULT_SAMPLES), options.exhaustive);
+    let (space, (macros, shape)) = rayon::join(
+        || survey(scene, &settings),
+        || rayon::join(|| macro_measure(scene, &settings), || shape(scene, rigs)),
+    );
+    Measures { space, macros, ..shape }
+}
+
+/// Everything that needs the default character only.
+fn shape(scene: &Scene, rigs: &[Rig]) -> Measures {
     let mirror = MirrorMap::new(&scene.positions, scene.faces(), MIRROR_TOLERANCE);
     let (parts, cubes) = parts(scene, &mirror);
     let rest = scene.morphed(&scene.defaults()).unwrap_or_else(|_| scene.positions.clone());
-    let (space, (macros, targets)) = rayon::join(
-        || survey(scene, &settings),
-        || rayon::join(|| macro_measure(scene, &settings), || target_measures(scene, &parts)),
-    );
     let weights = scene.skeleton.as_ref().zip(scene.weights.as_ref()).and_then(|(skeleton, loaded)| {
         weights(loaded, skeleton, &rest, &mirror, &bone_pairs(&skeleton.names), WEIGHT_TOLERANCE)
     });
     Measures {
-        space,
-        macros,
         pairs: pair_measures(scene, &parts),
-        targets,
+        targets: target_measures(scene, &parts),
         unmirrored: mirror.unresolved(),
         cubes,
         skeletons: rigs.iter().filter_map(|rig| skeleton_measure(rig, &rest)).collect(),
         weights,
         bones: scene.skeleton.as_ref().map(|skeleton| skeleton.names.clone()).unwrap_or_default(),
+        ..Measures::default()
     }
 }
 
 fn survey(scene: &Scene, settings: &[Setting]) -> Option<SpaceMeasure> {
     let surveyor = Surveyor::new(scene)?;
-    let parts: Vec<Survey> = settings
-        .par_chunks(CHUNK)
-        .enumerate()
-        .map(|(chunk, settings)| {
-            let mut survey = Survey::default();
-            let mut scratch = Scratch::default();
-            for (number, setting) in settings.iter().enumerate() {
-                surveyor.look(chunk * CHUNK + number, setting, &mut scratch, &mut survey);
-            }
-            survey
-        })
+    let stops: Vec<Option<Stop>> = (0..settings.len())
+        .into_par_iter()
+        .zip(settings)
+        .map_init(MacroResult::default, |macros, (number, setting)| surveyor.stop(number, setting, macros))
         .collect();
+    let stopped = stops.iter().position(Option::is_none);
+    let stops = in_order(stops.into_iter().flatten().collect());
+    let parts: Vec<Survey> = stops.par_chunks(CHUNK).map(|stops| look(&surveyor, stops)).collect();
     let mut survey = Survey::default();
     parts.into_iter().for_each(|part| survey.merge(part));
     let told = |number: usize| settings.get(number).map(|setting| describe(scene, setting)).unwrap_or_default();
@@ -99,8 +103,8 @@ fn survey(scene: &Scene, settings: &[Setting]) -> Option<SpaceMeasure> {
         joints.into_iter().flatten().flat_map(of_joint).collect()
     };
     Some(SpaceMeasure {
-        settings: survey.settings,
-        stopped: survey.stopped.map(told),
+        settings: settings.len(),
+        stopped: stopped.map(told),
         non_finite: seen(survey.non_finite, &|_| String::new(), &vertex),
         collapsed: seen(survey.collapsed, &group, &face),
         flipped: seen(survey.flipped, &group, &face),

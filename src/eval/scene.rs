@@ -163,21 +163,31 @@ impl Scene {
     /// # Errors
     /// Where the macros stop the application.
     pub fn factors(&self, setting: &Setting, macros: &mut MacroResult) -> Result<Vec<(usize, f64)>, SettingError> {
-        let mut factors = Vec::new();
-        for (slider, value) in self.sliders.iter().zip(&setting.details) {
-            let SliderKind::Detail { incr, decr, .. } = slider.kind else { continue };
-            let Some((side, factor)) = detail_factor(*value) else { continue };
-            let target = if side == Side::Incr { incr } else { decr };
-            factors.extend(target.map(|target| (target, factor)));
-        }
-        if let Some(table) = &self.macros {
-            table.evaluate(&setting.macros, macros).map_err(SettingError::Macro)?;
-            let named = macros.factors.iter();
-            factors.extend(named.filter_map(|(number, factor)| {
-                self.macro_targets.get(*number as usize).map(|target| (*target, *factor))
-            }));
-        }
+        let mut factors: Vec<(usize, f64)> = self.detail_factors(setting).collect();
+        factors.extend(self.macro_factors(setting, macros)?);
         Ok(factors)
+    }
+
+    /// The targets of the detail sliders of a setting.
+    pub(super) fn detail_factors(&self, setting: &Setting) -> impl Iterator<Item = (usize, f64)> {
+        self.sliders.iter().zip(&setting.details).filter_map(|(slider, value)| {
+            let SliderKind::Detail { incr, decr, .. } = slider.kind else { return None };
+            let (side, factor) = detail_factor(*value)?;
+            let target = if side == Side::Incr { incr } else { decr };
+            target.map(|target| (target, factor))
+        })
+    }
+
+    /// The targets of the macros of a setting.
+    pub(super) fn macro_factors(
+        &self,
+        setting: &Setting,
+        macros: &mut MacroResult,
+    ) -> Result<Vec<(usize, f64)>, SettingError> {
+        let Some(table) = &self.macros else { return Ok(Vec::new()) };
+        table.evaluate(&setting.macros, macros).map_err(SettingError::Macro)?;
+        let place = |(number, factor): &(u32, f64)| Some((*self.macro_targets.get(*number as usize)?, *factor));
+        Ok(macros.factors.iter().filter_map(place).collect())
     }
 
     /// Adds targets with their factors to positions.

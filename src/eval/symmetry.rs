@@ -210,17 +210,17 @@ pub fn mirror_difference(
     tolerance: f64,
 ) -> MirrorDifference {
     let count = map.partners.len();
-    let (left, right) = (dense(one, count), dense(other, count));
+    let (left, right) = (Deltas::new(one, count), Deltas::new(other, count));
     let mut result = MirrorDifference::default();
-    for (vertex, partner) in (0..).zip(&map.partners) {
-        let a = left[vertex as usize];
-        let Mirror::Partner(partner) = partner else {
-            result.without_partner += usize::from(moves(a) || moves(right[vertex as usize]));
-            continue;
+    let mut compare = |vertex: u32| {
+        let a = left.get(vertex);
+        let Mirror::Partner(partner) = map.of(vertex) else {
+            result.without_partner += usize::from(moves(a) || moves(right.get(vertex)));
+            return;
         };
-        let b = right[*partner as usize];
+        let b = right.get(partner);
         if !moves(a) && !moves(b) {
-            continue;
+            return;
         }
         result.compared += 1;
         let distance = distance(a, [-b[0], b[1], b[2]]);
@@ -228,6 +228,19 @@ pub fn mirror_difference(
         if result.worst.is_none_or(|(_, worst)| distance > worst) {
             result.worst = Some((vertex, distance));
         }
+    };
+    match (&left, &right) {
+        (Deltas::Few(left), Deltas::Few(right)) => {
+            let mirrored = right.iter().map(|(vertex, _)| match map.of(*vertex) {
+                Mirror::Partner(partner) => partner,
+                Mirror::Unmatched | Mirror::Ambiguous => *vertex,
+            });
+            let mut concerned: Vec<u32> = left.iter().map(|(vertex, _)| *vertex).chain(mirrored).collect();
+            concerned.sort_unstable();
+            concerned.dedup();
+            concerned.into_iter().for_each(compare);
+        }
+        _ => (0..).take(count).for_each(&mut compare),
     }
     result
 }
@@ -236,14 +249,43 @@ fn moves(delta: Point) -> bool {
     delta.iter().any(|d| *d != 0.0)
 }
 
-fn dense(rows: impl IntoIterator<Item = (u32, Point)>, count: usize) -> Vec<Point> {
-    let mut deltas = vec![[0.0; 3]; count];
-    for (vertex, delta) in rows {
-        if let Some(place) = deltas.get_mut(vertex as usize) {
-            *place = delta;
+/// A target that moves less than this part of the mesh is looked up row by row.
+const FEW: usize = 16;
+
+/// Displacements of a target by vertex.
+enum Deltas {
+    /// One row a vertex, ascending.
+    Few(Vec<(u32, Point)>),
+    /// Every vertex of the mesh.
+    All(Vec<Point>),
+}
+
+impl Deltas {
+    fn new(rows: impl IntoIterator<Item = (u32, Point)>, count: usize) -> Self {
+        let mut rows: Vec<(u32, Point)> = rows.into_iter().filter(|(vertex, _)| (*vertex as usize) < count).collect();
+        if rows.len() < count / FEW {
+            // The sort is stable: from the back, the last row of a vertex comes first.
+            rows.reverse();
+            rows.sort_by_key(|(vertex, _)| *vertex);
+            rows.dedup_by_key(|(vertex, _)| *vertex);
+            return Self::Few(rows);
         }
+        let mut all = vec![[0.0; 3]; count];
+        for (vertex, delta) in rows {
+            all[vertex as usize] = delta;
+        }
+        Self::All(all)
     }
-    deltas
+
+    fn get(&self, vertex: u32) -> Point {
+        let found = match self {
+            Self::Few(rows) => {
+                rows.binary_search_by_key(&vertex, |row| row.0).ok().and_then(|at| rows.get(at)).map(|row| row.1)
+            }
+            Self::All(all) => all.get(vertex as usize).copied(),
+        };
+        found.unwrap_or_default()
+    }
 }
 
 #[cfg(test)]
@@ -344,5 +386,17 @@ mod tests {
         assert_eq!((alone.compared, alone.different), (2, 2));
         let odd = [(2, [1.0; 3]), (9, [1.0; 3])];
         assert_eq!(mirror_difference(&map, odd, odd, 1e-6).without_partner, 1);
+    }
+
+    #[test]
+    fn few_rows_are_compared_like_many() {
+        let mesh: Vec<Point> =
+            (0..100_u8).map(|at| [f32::from(at / 2 + 1) * if at % 2 == 0 { 1.0 } else { -1.0 }, 0.0, 0.0]).collect();
+        let map = MirrorMap::new(&mesh, NO_FACES, 1e-3);
+        let few: Vec<(u32, Point)> = vec![(8, [9.0; 3]), (2, [0.0, 1.0, 0.0]), (8, [0.0, 0.5, 0.0]), (5, [0.0; 3])];
+        let many: Vec<(u32, Point)> = few.iter().copied().chain((20..60).map(|vertex| (vertex, [0.0; 3]))).collect();
+        let found = mirror_difference(&map, few.clone(), few, 0.1);
+        assert_eq!((found.compared, found.different, found.worst), (4, 4, Some((2, 1.0))));
+        assert_eq!(mirror_difference(&map, many.clone(), many, 0.1), found);
     }
 }

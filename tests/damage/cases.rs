@@ -10,6 +10,8 @@ pub(crate) struct Case {
     pub(crate) fresh: &'static [&'static str],
     /// `rule path` of every finding that is no longer there, sorted.
     pub(crate) gone: &'static [&'static str],
+    /// What the message of a new finding holds: the setting of the sliders that shows it.
+    pub(crate) says: &'static str,
 }
 
 /// A change; paths are below `data/`.
@@ -25,9 +27,11 @@ pub(crate) enum Edit {
     Remove(&'static str),
     Rename(&'static str, &'static str),
     Copy(&'static str, &'static str),
+    /// Displacements of vertices of a target, each moved by so much more.
+    Move(&'static str, &'static [(u32, [f64; 3])]),
 }
 
-use Edit::{Copy, Cut, Insert, Remove, Rename, Replace, Write};
+use Edit::{Copy, Cut, Insert, Move, Remove, Rename, Replace, Write};
 
 /// Deeper than any limit.
 static DEEP: [u8; 100_000] = [b'['; 100_000];
@@ -39,7 +43,13 @@ const fn case(
     fresh: &'static [&'static str],
     gone: &'static [&'static str],
 ) -> Case {
-    Case { name, base, damage, fresh, gone }
+    Case { name, base, damage, fresh, gone, says: "" }
+}
+
+impl Case {
+    const fn saying(self, says: &'static str) -> Self {
+        Self { says, ..self }
+    }
 }
 
 pub(crate) static CASES: &[Case] = &[
@@ -205,4 +215,44 @@ pub(crate) static NUMERIC: &[Case] = &[
         &["target-asymmetric-pair target/hm08/ears/l-ear-flap-incr.target"],
         &[],
     ),
+    case(
+        "a plane whose joints lie in a line",
+        "hm08",
+        &[
+            Replace(
+                "rigs/hm08/default.mhskel",
+                "\"joints\": {\n",
+                "\"joints\": {\n\"middle\": [14062, 14063, 14064, 14065, 14066, 14067, 14068, 14069, \
+                 14502, 14503, 14504, 14505, 14506, 14507, 14508, 14509],\n",
+            ),
+            Replace(
+                "rigs/hm08/default.mhskel",
+                "\"head____plane\": [\n            \"special01____tail\",            \n            \"head____tail\",\n            \
+                 \"head____head\"",
+                "\"head____plane\": [\"clavicle.L____tail\", \"middle\", \"clavicle.R____tail\"",
+            ),
+        ],
+        &["skeleton-degenerate-plane rigs/hm08/default.mhskel"],
+        &[],
+    ),
+    case(
+        "a bone without length in a baby alone",
+        "hm08",
+        &[Move(
+            "target/hm08/macro_age/caucasian-female-baby.target",
+            &[
+                (13646, [0.0, -0.43295, -0.01295]),
+                (13647, [0.0, -0.43295, -0.01295]),
+                (13648, [0.0, -0.43295, -0.01295]),
+                (13649, [0.0, -0.43295, -0.01295]),
+                (13650, [0.0, -0.43295, -0.01295]),
+                (13651, [0.0, -0.43295, -0.01295]),
+                (13652, [0.0, -0.43295, -0.01295]),
+                (13653, [0.0, -0.43295, -0.01295]),
+            ],
+        )],
+        &["numeric-zero-length-bone target/hm08/macro_age/caucasian-female-baby.target"],
+        &[],
+    )
+    .saying("macrodetails/Age = 0"),
 ];

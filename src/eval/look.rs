@@ -1,0 +1,356 @@
+//! A look at settings, one after the other: what a step does not touch is as it was before.
+
+use std::collections::BTreeSet;
+
+use super::skeleton::PARALLEL_SINE;
+use super::survey::{DRIFT_STANDS, EXPLOSION_DIAGONALS, FLIPPED_SHARE, SHORTEST_BONE, Survey, Worst, keep};
+use super::surveyor::{FaceAtRest, Surveyor, dot, flatness, stand};
+use super::vector::{Point, distance};
+use super::walk::{Stop, Walk};
+
+/// A step that moves more than this part of the vertices is looked at as a whole.
+const LARGE_STEP: usize = 4;
+
+/// Looks at stops, best in the order of [`super::walk::in_order`].
+pub fn look<'s>(surveyor: &'s Surveyor<'s>, stops: &[Stop]) -> Survey {
+    let mut look = Look::new(surveyor);
+    for (number, stop) in stops.iter().enumerate() {
+        look.at(stop, stops.get(number + 1));
+    }
+    look.survey
+}
+
+/// What is seen of the mesh as it stands.
+struct Look<'s> {
+    surveyor: &'s Surveyor<'s>,
+    walk: Walk<'s>,
+    /// Whether nothing has been looked at yet.
+    new: bool,
+    /// Number of this step, and the last step in which each face was judged alone.
+    step: u32,
+    judged: Vec<u32>,
+    /// Vertices that may have exploded or are not finite.
+    strays: BTreeSet<u32>,
+    /// Faces at fault, by their number among the visible ones.
+    collapsed: BTreeSet<u32>,
+    flipped: BTreeSet<u32>,
+    /// The worst joint and the worst bones.
+    drifted: Option<Worst>,
+    short_bone: Option<Worst>,
+    flat_plane: Option<Worst>,
+    survey: Survey,
+}
+
+impl<'s> Look<'s> {
+    fn new(surveyor: &'s Surveyor<'s>) -> Self {
+        Self {
+            surveyor,
+            walk: Walk::new(&surveyor.targets),
+            new: true,
+            step: 0,
+            judged: vec![0; surveyor.faces.len()],
+            strays: BTreeSet::new(),
+            collapsed: BTreeSet::new(),
+            flipped: BTreeSet::new(),
+            drifted: None,
+            short_bone: None,
+            flat_plane: None,
+            survey: Survey::default(),
+        }
+    }
+
+    fn at(&mut self, stop: &Stop, next: Option<&Stop>) {
+        self.walk.to(stop, next);
+        if self.new || self.walk.moved_count() > self.walk.positions().len() / LARGE_STEP {
+            self.all();
+        } else {
+            self.touched();
+        }
+        self.new = false;
+        self.tell(stop.setting);
+    }
+
+    fn all(&mut self) {
+        self.strays.clear();
+        self.collapsed.clear();
+        self.flipped.clear();
+        let (surveyor, positions) = (self.surveyor, self.walk.positions());
+        for (vertex, point) in (0..).zip(positions) {
+            if !surveyor.in_range(*point) {
+                self.strays.insert(vertex);
+            }
+        }
+        for (number, face) in (0..).zip(&surveyor.faces) {
+            match state(surveyor, positions, face) {
+                State::Fine => {}
+                State::Collapsed => _ = self.collapsed.insert(number),
+                State::Flipped => _ = self.flipped.insert(number),
+            }
+        }
+        self.skeleton();
+    }
+
+    /// The same for what the last step moved.
+    fn touched(&mut self) {
+        let (surveyor, positions) = (self.surveyor, self.walk.positions());
+        let mut holds_joint = false;
+        self.step += 1;
+        for vertex in self.walk.moved() {
+            let at = vertex as usize;
+            mark(&mut self.strays, vertex, !positions.get(at).is_some_and(|point| surveyor.in_range(*point)));
+            holds_joint |= surveyor.holds_joint.get(at).is_some_and(|holds| *holds);
+            for number in surveyor.faces_of(vertex) {
+                let at = *number as usize;
+                let Some((face, judged)) = surveyor.faces.get(at).zip(self.judged.get_mut(at)) else { continue };
+                if *judged != self.step {
+                    *judged = self.step;
+                    let state = state(surveyor, positions, face);
+                    mark(&mut self.collapsed, *number, state == State::Collapsed);
+                    mark(&mut self.flipped, *number, state == State::Flipped);
+                }
+            }
+        }
+        if holds_joint {
+            self.skeleton();
+        }
+    }
+
+    fn skeleton(&mut self) {
+        (self.drifted, self.short_bone, self.flat_plane) = (None, None, None);
+        let positions = self.walk.positions();
+        let Some((skeleton, joints)) = self.surveyor.scene.skeleton.as_ref().zip(self.surveyor.joints(positions))
+        else {
+            return;
+        };
+        for anchor in &self.surveyor.anchors {
+            let Some(joint) = joints.get(anchor.joint) else { continue };
+            let value = (stand(*joint, &anchor.skin, positions) - anchor.distance) / anchor.stand;
+            if value > DRIFT_STANDS {
+                keep(&mut self.drifted, one(value, anchor.joint));
+            }
+        }
+        for (element, bone) in skeleton.bones.iter().enumerate() {
+            let Some((head, tail)) = joints.get(bone.head).zip(joints.get(bone.tail)) else { continue };
+            let length = distance(*head, *tail);
+            let known = |list: &[bool]| list.get(element).is_some_and(|known| *known);
+            if length < SHORTEST_BONE && !known(&self.surveyor.short_at_rest) {
+                keep(&mut self.short_bone, one(1.0 / length, element));
+            }
+            let sine = bone.plane.map_or(1.0, |plane| flatness(&joints, plane));
+            // A coincidence of joints is not finite: it counts as in line.
+            if !(sine > PARALLEL_SINE || known(&self.surveyor.flat_at_rest)) {
+                keep(&mut self.flat_plane, one(1.0 / sine.max(0.0), element));
+            }
+        }
+    }
+
+    /// Adds what is seen at a setting to the survey.
+    fn tell(&mut self, setting: usize) {
+        // Where vertices are not finite, everything else follows from that.
+        if self.non_finite(setting) {
+            return;
+        }
+        let collapsed = Faces::of(self.surveyor, &self.collapsed);
+        if collapsed.count > 0 {
+            keep(&mut self.survey.collapsed, collapsed.worst(f64::from(collapsed.count), setting));
+        }
+        let flipped = Faces::of(self.surveyor, &self.flipped);
+        let share = flipped.area / self.surveyor.area;
+        if share > FLIPPED_SHARE {
+            keep(&mut self.survey.flipped, flipped.worst(share, setting));
+        }
+        self.explosion(setting);
+        let pairs = [
+            (&mut self.survey.drifted, &self.drifted),
+            (&mut self.survey.short_bone, &self.short_bone),
+            (&mut self.survey.flat_plane, &self.flat_plane),
+        ];
+        for (slot, found) in pairs {
+            found.iter().for_each(|found| keep(slot, Worst { setting, ..found.clone() }));
+        }
+    }
+
+    fn strays(&self) -> impl Iterator<Item = (usize, Point)> {
+        let positions = self.walk.positions();
+        self.strays.iter().filter_map(|vertex| Some((*vertex as usize, *positions.get(*vertex as usize)?)))
+    }
+
+    fn non_finite(&mut self, setting: usize) -> bool {
+        let mut bad = self.strays().filter(|(_, point)| !(point[0] + point[1] + point[2]).is_finite());
+        let Some((element, _)) = bad.next() else { return false };
+        let count = 1 + bad.count();
+        keep(&mut self.survey.non_finite, Worst { value: count as f64, element, count, setting });
+        true
+    }
+
+    fn explosion(&mut self, setting: usize) {
+        let surveyor = self.surveyor;
+        let mut worst = (0.0_f32, 0);
+        let mut count = 0;
+        for (vertex, point) in self.strays() {
+            let mut outside = 0.0_f32;
+            for axis in 0..3 {
+                outside = outside.max(surveyor.low[axis] - point[axis]).max(point[axis] - surveyor.high[axis]);
+            }
+            if outside > surveyor.diagonal * EXPLOSION_DIAGONALS {
+                count += 1;
+                if outside > worst.0 {
+                    worst = (outside, vertex);
+                }
+            }
+        }
+        if count > 0 {
+            let value = f64::from(worst.0 / surveyor.diagonal);
+            keep(&mut self.survey.exploded, Worst { value, element: worst.1, count, setting });
+        }
+    }
+}
+
+fn one(value: f64, element: usize) -> Worst {
+    Worst { value, element, count: 1, setting: 0 }
+}
+
+fn mark(set: &mut BTreeSet<u32>, number: u32, is_in: bool) {
+    if is_in {
+        set.insert(number);
+    } else if !set.is_empty() {
+        set.remove(&number);
+    }
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum State {
+    Fine,
+    Collapsed,
+    Flipped,
+}
+
+#[inline]
+fn state(surveyor: &Surveyor<'_>, positions: &[Point], face: &FaceAtRest) -> State {
+    let now = surveyor.doubled_area(positions, face);
+    if dot(now, now) <= face.collapse {
+        State::Collapsed
+    } else if dot(now, face.vector) < 0.0 {
+        State::Flipped
+    } else {
+        State::Fine
+    }
+}
+
+/// Faces of one kind at one setting: how many, their area at rest, and the largest.
+#[derive(Debug, Clone, Copy, Default)]
+struct Faces {
+    count: u32,
+    area: f64,
+    largest: (f32, u32),
+}
+
+impl Faces {
+    fn of(surveyor: &Surveyor<'_>, numbers: &BTreeSet<u32>) -> Self {
+        let mut faces = Self::default();
+        for face in numbers.iter().filter_map(|number| surveyor.faces.get(*number as usize)) {
+            faces.count += 1;
+            faces.area += f64::from(face.square.sqrt());
+            if face.square > faces.largest.0 {
+                faces.largest = (face.square, face.face);
+            }
+        }
+        faces
+    }
+
+    fn worst(&self, value: f64, setting: usize) -> Worst {
+        Worst { value, element: self.largest.1 as usize, count: self.count as usize, setting }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::macro_eval::MacroResult;
+    use super::super::scene::{MorphTarget, Scene, SceneSkeleton, SceneSlider, Setting, SliderKind};
+    use super::super::skeleton::Bone;
+    use super::super::walk::in_order;
+    use super::*;
+
+    /// A sheet of 10 x 10 vertices with a bone over one edge, and a slider for each of `targets`.
+    fn scene(targets: &[&[(u32, Point)]]) -> Scene {
+        let corner = |row: u32, column: u32| 10 * row + column;
+        let quads = (0..9).flat_map(|row| (0..9).map(move |column| (row, column)));
+        let corners = quads.flat_map(|(row, column)| {
+            [corner(row, column), corner(row, column + 1), corner(row + 1, column + 1), corner(row + 1, column)]
+        });
+        let slider = |incr| SceneSlider {
+            pattern: String::new(),
+            kind: SliderKind::Detail { incr: Some(incr), decr: None, two_sided: false },
+            default: 0.0,
+        };
+        let target = |rows: &&[(u32, Point)]| MorphTarget { rows: Some(rows.to_vec()), ..MorphTarget::default() };
+        Scene {
+            positions: (0..100_u8).map(|at| [f32::from(at % 10), f32::from(at / 10), 0.0]).collect(),
+            corners: corners.collect(),
+            face_starts: (0..=81).map(|face| 4 * face).collect(),
+            face_groups: vec![0; 81],
+            visible: vec![true],
+            targets: targets.iter().map(target).collect(),
+            sliders: (0..targets.len()).map(slider).collect(),
+            skeleton: Some(SceneSkeleton {
+                bones: vec![Bone { parent: None, head: 0, tail: 1, plane: None }],
+                joints: vec![vec![98], vec![99]],
+                ..SceneSkeleton::default()
+            }),
+            ..Scene::default()
+        }
+    }
+
+    fn stops(surveyor: &Surveyor<'_>, settings: &[&[f64]]) -> Vec<Stop> {
+        let setting = |details: &&[f64]| Setting { macros: Vec::new(), details: details.to_vec() };
+        let settings = settings.iter().map(setting).enumerate();
+        settings.map(|(at, setting)| surveyor.stop(at, &setting, &mut MacroResult::default()).unwrap()).collect()
+    }
+
+    /// Collapses the first face, throws a vertex far away, folds the bone.
+    const FAULTS: [&[(u32, Point)]; 3] = [
+        &[(1, [-1.0, 0.0, 0.0]), (10, [0.0, -1.0, 0.0]), (11, [-1.0, -1.0, 0.0])],
+        &[(55, [0.0, 0.0, 30.0])],
+        &[(99, [-1.0, 0.0, 0.0])],
+    ];
+
+    #[test]
+    fn each_fault_is_seen_at_its_setting_and_gone_at_the_next() {
+        let scene = scene(&FAULTS);
+        let surveyor = Surveyor::new(&scene).unwrap();
+        let settings: [&[f64]; 4] = [&[1.0, 0.0, 0.0], &[0.0, 1.0, 0.0], &[0.0, 0.0, 1.0], &[0.0, 0.0, 0.0]];
+        let survey = look(&surveyor, &stops(&surveyor, &settings));
+        let seen = |worst: Option<Worst>| worst.map(|worst| (worst.setting, worst.element, worst.count));
+        assert_eq!(seen(survey.collapsed), Some((0, 0, 1)));
+        assert_eq!(seen(survey.exploded), Some((1, 55, 1)));
+        assert_eq!(seen(survey.short_bone), Some((2, 0, 1)));
+        assert_eq!(seen(survey.non_finite), None);
+        let healthy = look(&surveyor, &stops(&surveyor, &settings)[3..]);
+        assert_eq!(healthy, Survey::default());
+    }
+
+    #[test]
+    fn a_walk_sees_what_single_looks_see() {
+        let scene = scene(&FAULTS);
+        let surveyor = Surveyor::new(&scene).unwrap();
+        let values = [0.0, 0.5, 0.9999, 1.0, 2.0];
+        let settings: Vec<Vec<f64>> =
+            (0..125).map(|at| vec![values[at % 5], values[at / 5 % 5], values[at / 25]]).collect();
+        let settings: Vec<&[f64]> = settings.iter().map(Vec::as_slice).collect();
+        let mut alone = Survey::default();
+        for stop in stops(&surveyor, &settings) {
+            alone.merge(look(&surveyor, &[stop]));
+        }
+        assert!(alone.collapsed.is_some() && alone.exploded.is_some() && alone.short_bone.is_some());
+        assert_eq!(look(&surveyor, &in_order(stops(&surveyor, &settings))), alone);
+    }
+
+    #[test]
+    fn what_is_not_finite_is_all_that_is_told() {
+        let scene = scene(&[&[(1, [f32::INFINITY, 0.0, 0.0])], FAULTS[0]]);
+        let surveyor = Surveyor::new(&scene).unwrap();
+        let survey = look(&surveyor, &stops(&surveyor, &[&[1.0, 1.0]]));
+        assert_eq!(survey.non_finite.map(|worst| (worst.element, worst.count)), Some((1, 1)));
+        assert_eq!(survey.collapsed, None);
+    }
+}

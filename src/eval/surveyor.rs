@@ -1,0 +1,285 @@
+//! A scene made ready to be looked at in many settings: what the default character is like, and which faces, joints
+//! and bones depend on which vertices.
+
+use super::joints::joint_positions;
+use super::macro_eval::MacroResult;
+use super::scene::{Scene, Setting};
+use super::skeleton::{PARALLEL_SINE, plane_sine};
+use super::surface::bounding_box;
+use super::survey::{COLLAPSE_RATIO, EXPLOSION_DIAGONALS, SHORTEST_BONE};
+use super::vector::{Point, distance};
+use super::walk::{Addable, Stop, Walk};
+
+/// Skin vertices around a joint that it is compared with.
+const SKIN_AROUND_JOINT: usize = 16;
+
+/// A scene made ready to be looked at.
+#[derive(Debug)]
+pub struct Surveyor<'s> {
+    pub(super) scene: &'s Scene,
+    pub(super) targets: Addable<'s>,
+    /// Visible faces with area.
+    pub(super) faces: Vec<FaceAtRest>,
+    /// Twice their area.
+    pub(super) area: f64,
+    faces_of: FacesOf,
+    visible: Vec<u32>,
+    pub(super) low: Point,
+    pub(super) high: Point,
+    pub(super) diagonal: f32,
+    /// The box widened by nearly what makes an explosion.
+    range: (Point, Point),
+    pub(super) anchors: Vec<Anchor>,
+    /// Vertices that joints or the skin around them depend on.
+    pub(super) holds_joint: Vec<bool>,
+    /// Bones and planes that are at fault already on the default character.
+    pub(super) short_at_rest: Vec<bool>,
+    pub(super) flat_at_rest: Vec<bool>,
+}
+
+/// A visible face on the default character.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct FaceAtRest {
+    pub(super) face: u32,
+    /// From, to, from, to: the lines whose cross product is twice the area vector; none for a face of many corners.
+    lines: Option<[u32; 4]>,
+    pub(super) vector: Point,
+    pub(super) square: f32,
+    /// A square of twice its area at which it has collapsed.
+    pub(super) collapse: f32,
+}
+
+/// A joint and the skin around it.
+#[derive(Debug, Clone)]
+pub(super) struct Anchor {
+    pub(super) joint: usize,
+    pub(super) skin: Vec<u32>,
+    pub(super) distance: f64,
+    pub(super) stand: f64,
+}
+
+/// Numbers of the faces at each vertex, one list after the other.
+#[derive(Debug, Default)]
+struct FacesOf {
+    starts: Vec<u32>,
+    faces: Vec<u32>,
+}
+
+impl<'s> Surveyor<'s> {
+    /// Makes a scene ready. The default character is what everything is compared with; `None` if it cannot be made
+    /// or is not finite, which is reported by other means.
+    pub fn new(scene: &'s Scene) -> Option<Self> {
+        let targets = Addable::new(scene);
+        let defaults = targets.stop(0, &scene.defaults(), &mut MacroResult::default())?;
+        let rest = {
+            let mut walk = Walk::new(&targets);
+            walk.to(&defaults, None);
+            walk.positions().to_vec()
+        };
+        let mut surveyor = Self {
+            scene,
+            targets,
+            faces: Vec::new(),
+            area: 0.0,
+            faces_of: FacesOf::default(),
+            visible: Vec::new(),
+            low: [0.0; 3],
+            high: [0.0; 3],
+            diagonal: 0.0,
+            range: ([0.0; 3], [0.0; 3]),
+            anchors: Vec::new(),
+            holds_joint: vec![false; rest.len()],
+            short_at_rest: Vec::new(),
+            flat_at_rest: Vec::new(),
+        };
+        surveyor.measure(&rest)?;
+        Some(surveyor)
+    }
+
+    /// What a setting adds to the mesh. `None` where the application stops.
+    pub fn stop(&self, number: usize, setting: &Setting, macros: &mut MacroResult) -> Option<Stop> {
+        self.targets.stop(number, setting, macros)
+    }
+
+    fn measure(&mut self, rest: &[Point]) -> Option<()> {
+        if rest.iter().flatten().any(|part| !part.is_finite()) {
+            return None;
+        }
+        let mut used = vec![false; rest.len()];
+        for face in 0..self.scene.face_count() {
+            let group = self.scene.face_groups.get(face).map(|group| *group as usize);
+            if !group.and_then(|group| self.scene.visible.get(group)).is_some_and(|visible| *visible) {
+                continue;
+            }
+            for vertex in self.scene.face(face) {
+                if let Some(used) = used.get_mut(*vertex as usize) {
+                    *used = true;
+                }
+            }
+            self.face(face, rest);
+        }
+        self.faces_of = FacesOf::new(rest.len(), self.faces.iter().map(|face| self.scene.face(face.face as usize)));
+        self.visible = (0..).zip(&used).filter(|(_, used)| **used).map(|(vertex, _)| vertex).collect();
+        let skin: Vec<Point> = self.visible.iter().filter_map(|vertex| rest.get(*vertex as usize)).copied().collect();
+        (self.low, self.high) = bounding_box(&skin).or_else(|| bounding_box(rest))?;
+        self.diagonal = dot(sub(self.high, self.low), sub(self.high, self.low)).sqrt();
+        // A little less, so that rounding leaves nothing out; an infinite vertex is out of every range.
+        let margin = self.diagonal * EXPLOSION_DIAGONALS * 0.999;
+        self.range =
+            (self.low.map(|low| (low - margin).max(f32::MIN)), self.high.map(|high| (high + margin).min(f32::MAX)));
+        self.joints_at_rest(rest);
+        Some(())
+    }
+
+    fn face(&mut self, face: usize, rest: &[Point]) {
+        let lines = match self.scene.face(face) {
+            [a, b, c] => Some([*a, *b, *a, *c]),
+            // The area vector of any quad is half the cross product of its diagonals.
+            [a, b, c, d] => Some([*a, *c, *b, *d]),
+            _ => None,
+        };
+        let number = u32::try_from(face).unwrap_or(u32::MAX);
+        let mut at_rest = FaceAtRest { face: number, lines, vector: [0.0; 3], square: 0.0, collapse: 0.0 };
+        at_rest.vector = self.doubled_area(rest, &at_rest);
+        at_rest.square = dot(at_rest.vector, at_rest.vector);
+        at_rest.collapse = at_rest.square * COLLAPSE_RATIO * COLLAPSE_RATIO;
+        if at_rest.square > 0.0 {
+            self.area += f64::from(at_rest.square.sqrt());
+            self.faces.push(at_rest);
+        }
+    }
+
+    /// Twice the area vector of a face, in float32: this is the innermost loop of a survey.
+    #[inline]
+    pub(super) fn doubled_area(&self, positions: &[Point], face: &FaceAtRest) -> Point {
+        let at = |vertex: u32| positions.get(vertex as usize).copied().unwrap_or_default();
+        if let Some([a, b, c, d]) = face.lines {
+            return cross(sub(at(b), at(a)), sub(at(d), at(c)));
+        }
+        let [first, rest @ ..] = self.scene.face(face.face as usize) else { return [0.0; 3] };
+        rest.windows(2).fold([0.0; 3], |sum, pair| {
+            let part = cross(sub(at(pair[0]), at(*first)), sub(at(pair[1]), at(*first)));
+            [sum[0] + part[0], sum[1] + part[1], sum[2] + part[2]]
+        })
+    }
+
+    /// Numbers of the visible faces at a vertex.
+    pub(super) fn faces_of(&self, vertex: u32) -> &[u32] {
+        self.faces_of.get(vertex as usize)
+    }
+
+    /// Whether a vertex is neither exploded nor infinite; in doubt it is not.
+    pub(super) fn in_range(&self, point: Point) -> bool {
+        let (low, high) = self.range;
+        (0..3).all(|axis| point[axis] >= low[axis] && point[axis] <= high[axis])
+    }
+
+    fn joints_at_rest(&mut self, rest: &[Point]) {
+        let Some((skeleton, joints)) = self.scene.skeleton.as_ref().zip(self.joints(rest)) else { return };
+        for (joint, place) in joints.iter().enumerate() {
+            let Some(anchor) = self.anchor(joint, *place, rest) else { return };
+            self.anchors.push(anchor);
+        }
+        let holding = self.anchors.iter().map(|anchor| &anchor.skin).chain(&skeleton.joints).flatten();
+        for vertex in holding {
+            if let Some(holds) = self.holds_joint.get_mut(*vertex as usize) {
+                *holds = true;
+            }
+        }
+        for bone in &skeleton.bones {
+            let ends = joints.get(bone.head).zip(joints.get(bone.tail));
+            self.short_at_rest.push(ends.is_some_and(|(head, tail)| distance(*head, *tail) < SHORTEST_BONE));
+            self.flat_at_rest.push(bone.plane.is_some_and(|plane| flatness(&joints, plane) <= PARALLEL_SINE));
+        }
+    }
+
+    /// The visible vertices nearest to a joint. `None` without visible vertices.
+    fn anchor(&self, joint: usize, place: Point, rest: &[Point]) -> Option<Anchor> {
+        let square = |vertex: u32| rest.get(vertex as usize).map(|point| sub(*point, place)).map(|way| dot(way, way));
+        let mut near: Vec<(f32, u32)> =
+            self.visible.iter().filter_map(|vertex| Some((square(*vertex)?, *vertex))).collect();
+        let count = SKIN_AROUND_JOINT.min(near.len());
+        near.select_nth_unstable_by(count.checked_sub(1)?, |a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        near.truncate(count);
+        let mut skin: Vec<u32> = near.into_iter().map(|(_, vertex)| vertex).collect();
+        skin.sort_unstable();
+        let distance = stand(place, &skin, rest);
+        let stand = (distance + radius(&skin, rest)).max(f64::MIN_POSITIVE);
+        Some(Anchor { joint, skin, distance, stand })
+    }
+
+    pub(super) fn joints(&self, positions: &[Point]) -> Option<Vec<Point>> {
+        let skeleton = self.scene.skeleton.as_ref()?;
+        joint_positions(positions, skeleton.joints.iter().map(Vec::as_slice)).ok()
+    }
+}
+
+impl FacesOf {
+    fn new<'f>(vertices: usize, faces: impl Iterator<Item = &'f [u32]> + Clone) -> Self {
+        let mut starts = vec![0_u32; vertices + 1];
+        for vertex in faces.clone().flatten() {
+            if let Some(count) = starts.get_mut(*vertex as usize + 1) {
+                *count += 1;
+            }
+        }
+        for vertex in 0..vertices {
+            starts[vertex + 1] += starts[vertex];
+        }
+        let mut free = starts.clone();
+        let mut lists = vec![0; starts.last().copied().unwrap_or(0) as usize];
+        for (number, face) in (0..).zip(faces) {
+            for vertex in face.iter().filter(|vertex| (**vertex as usize) < vertices) {
+                let place = &mut free[*vertex as usize];
+                lists[*place as usize] = number;
+                *place += 1;
+            }
+        }
+        Self { starts, faces: lists }
+    }
+
+    fn get(&self, vertex: usize) -> &[u32] {
+        let ends = self.starts.get(vertex).zip(self.starts.get(vertex + 1));
+        ends.and_then(|(start, end)| self.faces.get(*start as usize..*end as usize)).unwrap_or_default()
+    }
+}
+
+/// Distance of a joint from the mean of the skin around it.
+pub(super) fn stand(joint: Point, skin: &[u32], positions: &[Point]) -> f64 {
+    distance(joint, mean(skin, positions))
+}
+
+/// Mean distance of vertices from their own mean.
+fn radius(skin: &[u32], positions: &[Point]) -> f64 {
+    let mean = mean(skin, positions);
+    let points = skin.iter().filter_map(|vertex| positions.get(*vertex as usize));
+    points.map(|point| distance(*point, mean)).sum::<f64>() / skin.len().max(1) as f64
+}
+
+fn mean(skin: &[u32], positions: &[Point]) -> Point {
+    let count = skin.len().max(1) as f32;
+    let mut sum = [0.0_f32; 3];
+    for point in skin.iter().filter_map(|vertex| positions.get(*vertex as usize)) {
+        for axis in 0..3 {
+            sum[axis] += point[axis];
+        }
+    }
+    sum.map(|sum| sum / count)
+}
+
+/// Sine of the angle in the plane of three joints; NaN where two of them coincide.
+pub(super) fn flatness(joints: &[Point], plane: [usize; 3]) -> f64 {
+    let [a, b, c] = plane.map(|joint| joints.get(joint).copied().unwrap_or([f32::NAN; 3]));
+    plane_sine(a, b, c)
+}
+
+fn sub(a: Point, b: Point) -> Point {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+fn cross(a: Point, b: Point) -> Point {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+pub(super) fn dot(a: Point, b: Point) -> f32 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
