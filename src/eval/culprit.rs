@@ -2,9 +2,11 @@
 
 use super::macro_eval::MacroResult;
 use super::scene::{Scene, Setting};
+use super::vector::{Point, Vec3, add, scale, sub, widen};
 
 /// The target, by place, that moves the given vertices most compared with the default character: displacement times
-/// what its factor is more or less than there. Suspects are left out. `None` if nothing moves them.
+/// what its factor is more or less than there. What moves several vertices alike does no harm to the face or bone
+/// between them, so only differences count then. Suspects are left out. `None` if nothing moves them.
 pub fn most_moving(scene: &Scene, setting: &Setting, vertices: &[u32]) -> Option<usize> {
     let factors = scene.factors(setting, &mut MacroResult::default()).ok()?;
     let rest = scene.factors(&scene.defaults(), &mut MacroResult::default()).ok()?;
@@ -12,13 +14,23 @@ pub fn most_moving(scene: &Scene, setting: &Setting, vertices: &[u32]) -> Option
         |place: usize| rest.iter().filter(|(other, _)| *other == place).map(|(_, factor)| factor).sum::<f64>();
     let moved = factors.into_iter().filter_map(|(place, factor)| {
         let target = scene.targets.get(place).filter(|target| !target.suspect)?;
-        let rows = target.rows.as_deref()?.iter().filter(|(vertex, _)| vertices.contains(vertex));
-        // Infinite displacements count as the largest.
-        let longest = rows.map(|(_, delta)| delta.iter().map(|part| f64::from(part.abs())).fold(0.0, f64::max));
-        let by = longest.fold(0.0, f64::max) * (factor - at_rest(place)).abs();
+        let by = largest(target.rows.as_deref()?, vertices) * (factor - at_rest(place)).abs();
         (by > 0.0).then_some((place, by))
     });
     moved.max_by(|a, b| a.1.total_cmp(&b.1)).map(|(place, _)| place)
+}
+
+/// The largest displacement of a vertex; of several vertices the largest difference from their mean.
+fn largest(rows: &[(u32, Point)], vertices: &[u32]) -> f64 {
+    let delta = |vertex: &u32| rows.iter().rfind(|row| row.0 == *vertex).map_or([0.0; 3], |row| row.1);
+    let deltas: Vec<Vec3> = vertices.iter().map(delta).map(widen).collect();
+    let mean = match deltas.as_slice() {
+        [_] => [0.0; 3],
+        several => scale(several.iter().copied().fold([0.0; 3], add), 1.0 / several.len().max(1) as f64),
+    };
+    // Infinite displacements count as the largest.
+    let parts = deltas.iter().flat_map(|delta| sub(*delta, mean)).map(f64::abs);
+    parts.map(|part| if part.is_nan() { f64::INFINITY } else { part }).fold(0.0, f64::max)
 }
 
 #[cfg(test)]
@@ -44,5 +56,27 @@ mod tests {
         assert_eq!(most_moving(&scene, &setting(1.0, 0.5), &[0]), Some(1));
         assert_eq!(most_moving(&scene, &setting(1.0, 0.1), &[0]), Some(0));
         assert_eq!(most_moving(&scene, &setting(1.0, 0.0), &[1]), None);
+    }
+
+    #[test]
+    fn what_moves_all_vertices_alike_is_not_blamed() {
+        let target = |rows: Vec<(u32, [f32; 3])>| MorphTarget { rows: Some(rows), ..MorphTarget::default() };
+        let slider = |incr| SceneSlider {
+            pattern: String::new(),
+            kind: SliderKind::Detail { incr: Some(incr), decr: None, two_sided: false },
+            default: 0.0,
+        };
+        let scene = Scene {
+            positions: vec![[0.0; 3]; 2],
+            targets: vec![
+                target(vec![(0, [0.0, -9.0, 0.0]), (1, [0.0, -9.0, 0.0])]),
+                target(vec![(1, [0.5, 0.0, 0.0])]),
+            ],
+            sliders: vec![slider(0), slider(1)],
+            ..Scene::default()
+        };
+        let setting = Setting { macros: Vec::new(), details: vec![1.0, 1.0] };
+        assert_eq!(most_moving(&scene, &setting, &[0, 1]), Some(1));
+        assert_eq!(most_moving(&scene, &setting, &[0]), Some(0));
     }
 }

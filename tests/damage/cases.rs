@@ -255,4 +255,24 @@ pub(crate) static NUMERIC: &[Case] = &[
         &[],
     )
     .saying("macrodetails/Age = 0"),
+    case(
+        "a face that collapses at one corner alone",
+        "hm08",
+        &[Move(
+            "target/hm08/macro_muscle/male-old-maxmuscle-maxweight.target",
+            &[
+                (10951, [-0.07421, -0.10703, 0.02848]),
+                (10949, [0.11221, -0.11687, -0.11193]),
+                (10954, [0.08372, 0.13863, 0.00719]),
+                (10956, [-0.12172, 0.08526, 0.07627]),
+                (4322, [0.07421, -0.10703, 0.02848]),
+                (4320, [-0.11221, -0.11687, -0.11193]),
+                (4326, [-0.08372, 0.13863, 0.00719]),
+                (4328, [0.12172, 0.08526, 0.07627]),
+            ],
+        )],
+        &["numeric-collapsed-faces target/hm08/macro_muscle/male-old-maxmuscle-maxweight.target"],
+        &[],
+    )
+    .saying("macrodetails-universal/Muscle = 1, macrodetails-universal/Weight = 1"),
 ];
