@@ -97,6 +97,8 @@ fn survey(scene: &Scene, settings: &[Setting]) -> Option<SpaceMeasure> {
     let vertex = |vertex: usize| u32::try_from(vertex).into_iter().collect();
     let face = |face: usize| scene.face(face).to_vec();
     let of_joint = |joint: usize| skeleton.and_then(|s| s.joints.get(joint)).cloned().unwrap_or_default();
+    // A joint that drifts moves as a whole: one vertex of its cube stands for it.
+    let of_cube = |joint: usize| of_joint(joint).into_iter().take(1).collect();
     let of_bone = |bone: usize| {
         let bone = skeleton.and_then(|s| s.bones.get(bone));
         let joints = bone.map(|bone| [bone.head, bone.tail].into_iter().chain(bone.plane.into_iter().flatten()));
@@ -109,7 +111,7 @@ fn survey(scene: &Scene, settings: &[Setting]) -> Option<SpaceMeasure> {
         collapsed: seen(survey.collapsed, &group, &face),
         flipped: seen(survey.flipped, &group, &face),
         exploded: seen(survey.exploded, &|_| String::new(), &vertex),
-        drifted: seen(survey.drifted, &joint, &of_joint),
+        drifted: seen(survey.drifted, &joint, &of_cube),
         short_bone: seen(survey.short_bone, &bone, &of_bone),
         flat_plane: seen(survey.flat_plane, &bone, &of_bone),
     })
