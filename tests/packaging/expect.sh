@@ -4,14 +4,14 @@ passed=0
 failed=0
 
 expect() { # what is shown, then a command that is true
-    local what=$1
+    local what=$1 said
     shift
-    if "$@"; then
+    if said=$("$@" 2>&1); then
         passed=$((passed + 1))
     else
         failed=$((failed + 1))
         echo "FAILED: $what"
-        echo "    $*"
+        printf '    %s\n' "$*" "$said"
     fi
 }
 
