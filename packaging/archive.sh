@@ -11,12 +11,21 @@ binary=${3:-target/$target/release/mhlint}
 version=$(sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -n 1)
 name=mhlint-$version-$target
 
+pages() { # binary, name of the page, words of the command
+    local binary=$1 page=$2 command
+    shift 2
+    "$binary" man "$@" >"$folder/$name/man/$page.1"
+    # A page names those of its commands, with the dashes of roff.
+    for command in $(sed -n 's/^mhlint.*\\-\([a-z]*\)(1)$/\1/p' "$folder/$name/man/$page.1"); do
+        if [ "$command" != help ]; then pages "$binary" "$page-$command" "$@" "$command"; fi
+    done
+}
+
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 mkdir -p "$folder/$name/man" "$folder/$name/completions" "$out"
 cp "$binary" README.md LICENSE-MIT LICENSE-APACHE CHANGELOG.md "$folder/$name"
-"$binary" man >"$folder/$name/man/mhlint.1"
-for command in check eval explain rules schema; do "$binary" man "$command" >"$folder/$name/man/mhlint-$command.1"; done
+pages "$binary" mhlint
 "$binary" completions bash >"$folder/$name/completions/mhlint.bash"
 "$binary" completions zsh >"$folder/$name/completions/_mhlint"
 "$binary" completions fish >"$folder/$name/completions/mhlint.fish"

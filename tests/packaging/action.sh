@@ -9,9 +9,9 @@ run packaging/archive.sh x86_64-unknown-linux-musl "$releases/v$version" "$mhlin
 expect "an archive is packed" ended_with 0
 archive=mhlint-$version-x86_64-unknown-linux-musl.tar.gz
 sums=$releases/v$version/SHA256SUMS
-(cd "$releases/v$version" && sha256sum ./* | sed 's|\./||' >SHA256SUMS)
+(cd "$releases/v$version" && sha256sum -- *.tar.gz >SHA256SUMS)
 run tar -tzf "$releases/v$version/$archive"
-for file in mhlint man/mhlint.1 man/mhlint-check.1 completions/_mhlint completions/mhlint.bash LICENSE-MIT; do
+for file in mhlint man/mhlint.1 man/mhlint-check.1 man/mhlint-eval-mesh.1 completions/_mhlint completions/mhlint.bash LICENSE-MIT; do
     expect "the archive holds $file" says "mhlint-$version-x86_64-unknown-linux-musl/$file"
 done
 

@@ -10,8 +10,9 @@ mkdir -p "$mirror" "$repository" "$hook/no-compiler"
 export GIT_CONFIG_GLOBAL=/dev/null GIT_CONFIG_SYSTEM=/dev/null
 export GIT_AUTHOR_NAME=Artist GIT_AUTHOR_EMAIL=artist@example.org GIT_COMMITTER_NAME=Artist GIT_COMMITTER_EMAIL=artist@example.org
 export PRE_COMMIT_HOME=$hook/cache PRE_COMMIT_COLOR=never
-run pip download --quiet --no-deps --dest "$wheels" 'setuptools>=68'
-export PIP_NO_INDEX=1 PIP_FIND_LINKS=$wheels
+# pip builds the mirror, which holds nothing, with setuptools.
+cp "$venv"/wheels/setuptools-*.whl "$wheels"
+export PIP_NO_INDEX=1 PIP_FIND_LINKS=$wheels VIRTUALENV_NO_PERIODIC_UPDATE=1
 
 # No compiler: each of these would tell and fail. pip asks `rustc --version` for its own statistics, that does not count.
 for compiler in cargo rustc cc gcc clang; do

@@ -15,11 +15,13 @@ mkdir -p "$work"
 # shellcheck source=tests/packaging/expect.sh
 source "$here/expect.sh"
 
-prepare() { # PIP_NO_INDEX of an outer run would hide PyPI from this one
+prepare() { # everything that is not on this machine, so that nothing after it needs the network
     if [ -f "$venv/ready" ] && cmp -s "$venv/ready" "$here/requirements.txt"; then return; fi
     rm -rf "$venv"
-    python3 -m venv "$venv" && "$venv/bin/pip" install --quiet -r "$here/requirements.txt" || return 1
-    cp "$here/requirements.txt" "$venv/ready"
+    python3 -m venv "$venv" &&
+        "$venv/bin/pip" install --quiet --retries 1 -r "$here/requirements.txt" &&
+        "$venv/bin/pip" download --quiet --no-deps --dest "$venv/wheels" setuptools &&
+        cp "$here/requirements.txt" "$venv/ready"
 }
 
 bash -n "$here"/*.sh "$project"/action/*.sh "$project"/packaging/*.sh "$project"/packaging/pre-commit-mirror/*.sh

@@ -29,6 +29,9 @@ expect "the hooks of the documents start on the same files" [ "$(cat .pre-commit
     "$(cat .pre-commit-hooks.yaml "$blocks"/* | grep -cF "$(grep -m 1 -o 'files: .*' .pre-commit-hooks.yaml)")" ]
 
 expect "the mirror pins this version" grep -qF "\"mhlint==$version\"" packaging/pre-commit-mirror/pyproject.toml
+for line in $(grep -hoE 'OWNER/mhlint@v[^ ]*|key: mhlint-[0-9.]*|mhlint==[0-9.]*' README.md docs/*.md packaging/README.md | tr -d ' '); do
+    expect "$line in the documents is this version" grep -qF "$version" <<<"$line"
+done
 expect "the mirror's README names this version" grep -qF "rev: v$version" packaging/pre-commit-mirror/README.md
 if command -v shellcheck >/dev/null; then
     expect "shellcheck has nothing to say" shellcheck -x action/*.sh packaging/*.sh packaging/pre-commit-mirror/*.sh tests/packaging/*.sh
