@@ -70,6 +70,7 @@ run git commit --all --message "A rounder head"
 expect "a sound change passes" ended_with 0
 expect "the sound change was committed" test -n "$(git log --format=%h --grep 'A rounder head')"
 echo "hook: a sound change in $took"
+sound=$(git rev-parse HEAD)
 
 # What has nothing to do with assets does not start the hook; pre-commit does not count deletions as changes, `always_run` does.
 echo 'Notes' >notes.md
@@ -105,6 +106,29 @@ if "$mhlint" --help | grep -q -- --since; then
 else
     echo "left out: this build has no --since"
 fi
+
+# The hooks that need an installed mhlint: `mhlint-system`, and the one of the README, word by word.
+mkdir "$hook/hooks" && cp "$project/.pre-commit-hooks.yaml" "$hook/hooks"
+git -C "$hook/hooks" init --quiet --initial-branch main
+git -C "$hook/hooks" add .pre-commit-hooks.yaml
+git -C "$hook/hooks" commit --quiet --message Hooks
+export PATH=$(dirname "$mhlint"):$PATH
+git reset --quiet --hard "$sound"
+for name in mhlint-system README; do
+    if [ $name = README ]; then
+        cp "$blocks"/1-.pre-commit-config.yaml .pre-commit-config.yaml
+    else
+        printf 'repos:\n  - repo: %s\n    rev: %s\n    hooks:\n      - id: %s\n' \
+            "$hook/hooks" "$(git -C "$hook/hooks" rev-parse HEAD)" $name >.pre-commit-config.yaml
+    fi
+    git add .pre-commit-config.yaml
+    run git commit --message "Hook $name"
+    expect "sound data pass $name" ended_with 0
+    damage
+    run git commit --all --message "A step less"
+    expect "damaged data do not pass $name" says 'error[macro-steps-length]'
+    git reset --quiet --hard HEAD
+done
 
 cd "$project"
 export PATH=$PATH_BEFORE
