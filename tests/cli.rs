@@ -348,6 +348,51 @@ fn schemas_are_listed_and_printed() {
 }
 
 #[test]
+fn completions_know_commands_and_options() {
+    for (shell, words) in [
+        ("bash", ["complete -F _mhlint", "--max-warnings", "explain"]),
+        ("zsh", ["#compdef mhlint", "--max-warnings", "explain"]),
+        ("fish", ["complete -c mhlint", "-l max-warnings", "explain"]),
+        ("powershell", ["Register-ArgumentCompleter", "--max-warnings", "explain"]),
+        ("elvish", ["edit:completion", "--max-warnings", "explain"]),
+    ] {
+        let output = mhlint(&project("."), &["completions", shell]);
+        assert_eq!((code(&output), stderr(&output).as_str()), (Some(0), ""), "{shell}");
+        for word in words {
+            assert!(stdout(&output).contains(word), "{shell}: no `{word}`");
+        }
+    }
+    assert_refused(&mhlint(&project("."), &["completions", "bsh"]), &["bash"]);
+}
+
+#[test]
+fn bash_completes_what_is_typed() {
+    let script = stdout(&mhlint(&project("."), &["completions", "bash"]));
+    let ask = "\nCOMP_WORDS=(mhlint --max)\nCOMP_CWORD=1\n_mhlint mhlint --max mhlint\necho \"${COMPREPLY[@]}\"\n";
+    let Ok(output) = Command::new("bash").args(["-c", &(script + ask)]).output() else {
+        println!("left out: no bash");
+        return;
+    };
+    assert_eq!(stdout(&output).trim(), "--max-warnings", "{}", stderr(&output));
+}
+
+#[test]
+fn man_pages_of_the_command_and_its_commands() {
+    let page = |words: &[&str]| {
+        let output = mhlint(&project("."), &[&["man"], words].concat());
+        assert_eq!((code(&output), stderr(&output).as_str()), (Some(0), ""), "{words:?}");
+        stdout(&output)
+    };
+    let whole = page(&[]);
+    for part in [".TH mhlint 1", ".SH NAME", ".SH OPTIONS", "\\-\\-max\\-warnings", "mhlint\\-eval(1)", "Exit codes"] {
+        assert!(whole.contains(part), "no `{part}` in:\n{whole}");
+    }
+    assert!(page(&["check"]).contains(".TH mhlint-check 1"));
+    assert!(page(&["eval", "mesh"]).contains("mhlint\\-eval\\-mesh"));
+    assert_refused(&mhlint(&project("."), &["man", "chek"]), &["did you mean `check`"]);
+}
+
+#[test]
 fn help_and_version_go_to_stdout() {
     for (args, words) in [(["--help"], "Exit codes"), (["--version"], env!("CARGO_PKG_VERSION"))] {
         let output = mhlint(&project("."), &args);

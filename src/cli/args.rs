@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Parser, Subcommand, ValueEnum};
+use clap_complete::Shell;
 
 use super::eval::EvalCommand;
 use super::output::Target;
@@ -16,6 +17,13 @@ Examples:
   mhlint my-pack/ --system makehuman2/data         judge a pack against MakeHuman's own data
   mhlint data/ --report human --report json=r.json read it here, keep it for a program
   mhlint explain macro-steps-length                what a finding means, with an example";
+
+const COMPLETIONS_HELP: &str = "\
+Where they go:
+  bash  mhlint completions bash > ~/.local/share/bash-completion/completions/mhlint
+  zsh   mhlint completions zsh > a folder of $fpath, as _mhlint
+  fish  mhlint completions fish > ~/.config/fish/completions/mhlint.fish
+  PowerShell and Elvish: add the script to your profile";
 
 /// Judges asset repositories of the MakeHuman family before an application meets them.
 #[derive(Debug, Parser)]
@@ -55,11 +63,24 @@ pub(super) enum Command {
         /// Which one.
         name: Option<String>,
     },
+    /// Print a completion script for a shell.
+    #[command(after_help = COMPLETIONS_HELP)]
+    Completions {
+        /// Which shell.
+        shell: Shell,
+    },
+    /// Print a man page: of mhlint, or of one of its commands.
+    Man {
+        /// The command, `eval mesh` say.
+        #[arg(value_name = "COMMAND")]
+        words: Vec<String>,
+    },
 }
 
 impl Command {
     /// The words for the commands, to find slips of the pen.
-    pub(super) const WORDS: [&'static str; 6] = ["check", "eval", "explain", "rules", "schema", "help"];
+    pub(super) const WORDS: [&'static str; 8] =
+        ["check", "eval", "explain", "rules", "schema", "completions", "man", "help"];
 }
 
 /// Arguments of `check`.

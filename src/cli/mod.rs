@@ -11,6 +11,7 @@ mod output;
 mod panics;
 mod progress;
 mod schema;
+mod shell;
 mod terminal;
 
 use std::io::{self, Write};
@@ -58,6 +59,8 @@ fn run(args: &Args, panics: &Panics, err: &mut dyn Write) -> Result<Exit, Failur
         Some(Command::Explain { rule }) => explain::run(rule, paint, terminal.width, &mut out)?,
         Some(Command::Rules { format }) => list::run(*format, paint, &mut out)?,
         Some(Command::Schema { name }) => schema::run(name.as_deref(), &mut out)?,
+        Some(Command::Completions { shell }) => shell::write_completions(*shell, &mut out)?,
+        Some(Command::Man { words }) => shell::write_man_page(words, &mut out)?,
     };
     out.flush()?;
     Ok(exit)

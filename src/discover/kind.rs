@@ -79,16 +79,20 @@ fn kind_of_target_file(rest: &[&str]) -> Kind {
     }
 }
 
+/// Kinds by extension, wherever the file lies. The hooks for pre-commit start on these.
+const BY_EXTENSION: [(Kind, &[&str]); 5] = [
+    (Kind::Skeleton, &["mhskel"]),
+    (Kind::Weights, &["mhw"]),
+    (Kind::OtherJson, &["json", "mhpose"]),
+    (Kind::Text, &["mhclo", "proxy", "mhmat", "mhm", "bvh", "meta", "obj"]),
+    (Kind::Image, &["png", "jpg", "jpeg", "tif", "tiff", "thumb"]),
+];
+
 /// Extensions are compared as the applications do: `X.TARGET` is no target.
 fn by_extension(file: &str) -> Kind {
-    match file.rsplit_once('.').map(|(_, extension)| extension) {
-        Some("mhskel") => Kind::Skeleton,
-        Some("mhw") => Kind::Weights,
-        Some("json" | "mhpose") => Kind::OtherJson,
-        Some("mhclo" | "proxy" | "mhmat" | "mhm" | "bvh" | "meta" | "obj") => Kind::Text,
-        Some("png" | "jpg" | "jpeg" | "tif" | "tiff" | "thumb") => Kind::Image,
-        _ => Kind::Other,
-    }
+    let extension = file.rsplit_once('.').map_or("", |(_, extension)| extension);
+    let row = BY_EXTENSION.iter().find(|(_, extensions)| extensions.contains(&extension));
+    row.map_or(Kind::Other, |(kind, _)| *kind)
 }
 
 fn has_extension(file: &str, extension: &str) -> bool {
@@ -156,6 +160,24 @@ mod tests {
             ("makehuman2_version.json", Kind::OtherJson, None),
         ] {
             assert_eq!(kind_of(path), (kind, base), "{path}");
+        }
+    }
+
+    /// What changes a verdict besides `BY_EXTENSION`: targets, archives, and the configuration.
+    const FURTHER: [&str; 7] = ["target", "gz", "npz", "mhbin", "mhpxy", "zip", "toml"];
+
+    #[test]
+    fn hooks_start_on_every_extension_that_is_judged() {
+        let mut judged: Vec<&str> = BY_EXTENSION.iter().flat_map(|(_, extensions)| *extensions).copied().collect();
+        judged.extend(FURTHER);
+        judged.sort_unstable();
+        let files = format!("files: '(?i)\\.({})$'", judged.join("|"));
+        for (file, hooks, text) in [
+            (".pre-commit-hooks.yaml", 3, include_str!("../../.pre-commit-hooks.yaml")),
+            ("mirror", 1, include_str!("../../packaging/pre-commit-mirror/.pre-commit-hooks.yaml")),
+        ] {
+            let lines: Vec<&str> = text.lines().map(str::trim).filter(|line| line.starts_with("files:")).collect();
+            assert_eq!(lines, vec![files.as_str(); hooks], "{file}");
         }
     }
 }

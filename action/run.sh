@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# Judges, shows the findings in the log and as annotations, writes SARIF and the summary, and leaves the exit code as an output:
+# the verdict is a later step of action.yml, so that SARIF is uploaded before it.
+#
+# MHLINT_PATHS, MHLINT_ARGS  separated by blanks
+# RUNNER_TEMP, GITHUB_OUTPUT, GITHUB_STEP_SUMMARY  as GitHub sets them
+set -euo pipefail
+
+# Blanks separate, but nothing is expanded: `--skip macro-*` reaches mhlint as it is.
+read -r -a paths <<<"${MHLINT_PATHS:-.}"
+read -r -a args <<<"${MHLINT_ARGS:-}"
+human=$RUNNER_TEMP/mhlint.txt
+sarif=$RUNNER_TEMP/mhlint.sarif
+rm -f "$human" "$sarif"
+
+code=0
+mhlint check "${paths[@]}" ${args[@]+"${args[@]}"} \
+    --report github --report "human=$human" --report "sarif=$sarif" || code=$?
+
+if [ -f "$human" ]; then
+    echo "::group::mhlint"
+    # Names of assets come from strangers: none of them may speak to the runner.
+    stop=mhlint-$RANDOM$RANDOM
+    echo "::stop-commands::$stop"
+    cat "$human"
+    echo "::$stop::"
+    echo "::endgroup::"
+fi
+echo "exit-code=$code" >>"$GITHUB_OUTPUT"
+if [ -f "$sarif" ]; then echo "sarif=$sarif" >>"$GITHUB_OUTPUT"; fi

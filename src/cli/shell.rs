@@ -1,0 +1,35 @@
+//! `mhlint completions` and `mhlint man`: what a shell and `man` know about the arguments, taken from the arguments.
+
+use std::io::Write;
+
+use clap::{Command, CommandFactory};
+use clap_complete::Shell;
+use clap_mangen::Man;
+
+use super::args::{Args, not_one_of};
+use super::exit::{Exit, Failure};
+
+/// Writes the completion script of a shell.
+pub(super) fn write_completions(shell: Shell, out: &mut dyn Write) -> Result<Exit, Failure> {
+    // The generator panics when its writer fails, and a closed pipe is no bug: it gets memory.
+    let mut script = Vec::new();
+    clap_complete::generate(shell, &mut Args::command(), "mhlint", &mut script);
+    out.write_all(&script)?;
+    Ok(Exit::Clean)
+}
+
+/// Writes the man page of `mhlint`, or of the command that `words` lead to (`eval mesh`).
+pub(super) fn write_man_page(words: &[String], out: &mut dyn Write) -> Result<Exit, Failure> {
+    let mut root = Args::command();
+    // Gives each command the name of its page, `mhlint-eval-mesh`.
+    root.build();
+    let mut command = &root;
+    for word in words {
+        let known: Vec<&str> = command.get_subcommands().map(Command::get_name).collect();
+        let found = command.find_subcommand(word);
+        command = found.ok_or_else(|| Failure::Usage(not_one_of("command", word, &known)))?;
+    }
+    let source = concat!("mhlint ", env!("CARGO_PKG_VERSION"));
+    Man::new(command.clone()).source(source).render(out)?;
+    Ok(Exit::Clean)
+}

@@ -1,0 +1,135 @@
+# Sourced: a throw-away repository with the example data, the hook taken from a mirror that pins the wheel, and commits.
+
+hook=$work/hook
+mirror=$hook/mirror
+repository=$hook/repository
+rm -rf "$hook"
+mkdir -p "$mirror" "$repository" "$hook/no-compiler"
+
+# Nothing of this machine's configuration of git and pip, and no index: what is not in the folder of wheels is not there.
+export GIT_CONFIG_GLOBAL=/dev/null GIT_CONFIG_SYSTEM=/dev/null
+export GIT_AUTHOR_NAME=Artist GIT_AUTHOR_EMAIL=artist@example.org GIT_COMMITTER_NAME=Artist GIT_COMMITTER_EMAIL=artist@example.org
+export PRE_COMMIT_HOME=$hook/cache PRE_COMMIT_COLOR=never
+# pip builds the mirror, which holds nothing, with setuptools.
+cp "$venv"/wheels/setuptools-*.whl "$wheels"
+export PIP_NO_INDEX=1 PIP_FIND_LINKS=$wheels VIRTUALENV_NO_PERIODIC_UPDATE=1
+
+# No compiler: each of these would tell and fail. pip asks `rustc --version` for its own statistics, that does not count.
+for compiler in cargo rustc cc gcc clang; do
+    printf '#!/bin/sh\n[ "$*" = --version ] || echo "$0 $*" >>"%s/called"\nexit 1\n' "$hook" >"$hook/no-compiler/$compiler"
+    chmod +x "$hook/no-compiler/$compiler"
+done
+PATH_BEFORE=$PATH
+export PATH=$hook/no-compiler:$PATH
+
+cp -r packaging/pre-commit-mirror/. "$mirror"
+git -C "$mirror" init --quiet --initial-branch main
+run "$mirror/update.sh" "$version"
+expect "the mirror is made by its own script" ended_with 0
+run git -C "$mirror" tag --list
+expect "the mirror has the tag of the version" says "v$version"
+
+cp -r fixtures/makehuman2/. "$repository"
+cd "$repository"
+git init --quiet --initial-branch main
+hook_with() { # further lines of the hook
+    printf 'repos:\n  - repo: %s\n    rev: v%s\n    hooks:\n      - id: mhlint\n' "$mirror" "$version" >.pre-commit-config.yaml
+    printf '%s' "$1" >>.pre-commit-config.yaml
+    git add .pre-commit-config.yaml
+}
+hook_with ''
+git add -A
+run pre-commit install --install-hooks
+expect "pre-commit installs the hook" ended_with 0
+expect "no compiler was called" [ ! -e "$hook/called" ]
+echo "hook: installed in $took, without a compiler"
+
+run git commit --message "Example data"
+expect "sound data are committed" ended_with 0
+echo "hook: a sound commit in $took"
+
+# A damaged commit: one step of a macro is gone.
+damage() { sed -i 's/"steps": \[0.0, 0.25, 0.5, 1.0\]/"steps": [0.0, 0.5, 1.0]/' data/target/figure/macro.json; }
+before=$(git rev-parse HEAD)
+damage
+expect "the example is damaged" test -n "$(git status --short)"
+run git commit --all --message "A step less"
+echo "hook: a damaged commit refused in $took; what the artist sees:"
+echo "$output" | sed 's/^/    /'
+expect "the damaged commit is refused" ended_with 1
+expect "nothing was committed" [ "$(git rev-parse HEAD)" = "$before" ]
+for words in 'data/target/figure/macro.json' 'error[macro-steps-length]' 'component `age` has 4 values but 3 steps' \
+    'MakeHuman 2: stops with an IndexError' 'help: give every value a step' 'Failed. 1 error'; do
+    expect "the refusal names fault, consequence and remedy" says "$words"
+done
+git restore --staged --worktree .
+
+# A sound change.
+sed -i 's/^337 .002 /337 .003 /' data/target/figure/head/head-oval.target
+run git commit --all --message "A rounder head"
+expect "a sound change passes" ended_with 0
+expect "the sound change was committed" test -n "$(git log --format=%h --grep 'A rounder head')"
+echo "hook: a sound change in $took"
+sound=$(git rev-parse HEAD)
+
+# What has nothing to do with assets does not start the hook; pre-commit does not count deletions as changes, `always_run` does.
+echo 'Notes' >notes.md
+git add notes.md
+run git commit --message "Notes"
+expect "notes do not start the hook" says "Skipped"
+git rm --quiet data/target/figure/head/head-oval.target
+run git commit --message "A target less"
+expect "a deletion alone does not start the hook" says "Skipped"
+git reset --quiet --hard HEAD~1
+hook_with '        always_run: true
+'
+git rm --quiet data/target/figure/head/head-oval.target
+run git commit --message "A target less, and always_run"
+expect "with always_run a deletion that matters is refused" ended_with 1
+expect "the refusal names the target that is gone" says "head-oval"
+git reset --quiet --hard HEAD
+
+# Narrowed to the change: an old fault elsewhere does not stand in the way, one of the change does.
+if "$mhlint" --help | grep -q -- --since; then
+    hook_with '        args: [--since, HEAD]
+'
+    damage
+    run git commit --all --no-verify --message "An old fault"
+    sed -i 's/^337 .003 /337 .004 /' data/target/figure/head/head-oval.target
+    run git commit --all --message "Sound, beside an old fault"
+    expect "with --since HEAD an old fault elsewhere does not stand in the way" ended_with 0
+    echo '337 nothing 0 0' >>data/target/figure/head/head-oval.target
+    run git commit --all --message "Unsound, beside an old fault"
+    expect "with --since HEAD a fault of the change is refused" ended_with 1
+    expect "the refusal names the changed file" says "data/target/figure/head/head-oval.target"
+    expect "the refusal does not name the old fault" does_not_say "macro-steps-length"
+else
+    echo "left out: this build has no --since"
+fi
+
+# The hooks that need an installed mhlint: `mhlint-system`, and the one of the README, word by word.
+mkdir "$hook/hooks" && cp "$project/.pre-commit-hooks.yaml" "$hook/hooks"
+git -C "$hook/hooks" init --quiet --initial-branch main
+git -C "$hook/hooks" add .pre-commit-hooks.yaml
+git -C "$hook/hooks" commit --quiet --message Hooks
+export PATH=$(dirname "$mhlint"):$PATH
+git reset --quiet --hard "$sound"
+for name in mhlint-system README; do
+    if [ $name = README ]; then
+        cp "$blocks"/1-.pre-commit-config.yaml .pre-commit-config.yaml
+    else
+        printf 'repos:\n  - repo: %s\n    rev: %s\n    hooks:\n      - id: %s\n' \
+            "$hook/hooks" "$(git -C "$hook/hooks" rev-parse HEAD)" $name >.pre-commit-config.yaml
+    fi
+    git add .pre-commit-config.yaml
+    run git commit --message "Hook $name"
+    expect "sound data pass $name" ended_with 0
+    damage
+    run git commit --all --message "A step less"
+    expect "damaged data do not pass $name" says 'error[macro-steps-length]'
+    git reset --quiet --hard HEAD
+done
+
+cd "$project"
+export PATH=$PATH_BEFORE
+unset PIP_NO_INDEX PIP_FIND_LINKS
