@@ -10,6 +10,7 @@ mod output;
 mod panics;
 mod progress;
 mod schema;
+mod step_summary;
 mod terminal;
 
 use std::io::{self, Write};
@@ -58,6 +59,9 @@ fn run(args: &Args, panics: &Panics, err: &mut dyn Write) -> Result<Exit, Failur
         Some(Command::Rules { format }) => list::run(*format, paint, &mut out)?,
         Some(Command::Schema { name }) => schema::run(name.as_deref(), &mut out)?,
     };
-    out.flush()?;
-    Ok(exit)
+    match out.flush() {
+        // Who stopped reading has seen enough, and the exit code still tells.
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(error.into()),
+        _ => Ok(exit),
+    }
 }

@@ -42,16 +42,16 @@ fn command(finding: &Finding) -> String {
         Level::Warning => "warning",
         Level::Info => "notice",
     };
-    let path = if finding.path.is_empty() { "." } else { &finding.path };
-    let mut text = format!("::{word} file={}", property(path));
-    for (name, number) in [("line", finding.location.line), ("col", finding.location.column)] {
-        if let Some(number) = number {
-            text.push_str(&format!(",{name}={number}"));
-        }
-    }
-    let title = property(&format!("mhlint: {}", finding.rule));
-    text.push_str(&format!(",title={title}::{}", data(&phrase::plain(finding))));
-    text
+    let numbers = [("line", finding.location.line), ("col", finding.location.column)];
+    let place: Vec<String> =
+        numbers.into_iter().filter_map(|(name, number)| Some(format!(",{name}={}", number?))).collect();
+    format!(
+        "::{word} file={}{},title={}::{}",
+        property(&phrase::path(&finding.path)),
+        place.concat(),
+        property(&format!("mhlint: {}", finding.rule)),
+        data(&phrase::plain(finding))
+    )
 }
 
 /// The message of a command: the runner decodes exactly these.
@@ -76,7 +76,7 @@ mod tests {
         (finding.location.line, finding.location.column) = (Some(3), Some(4));
         assert_eq!(
             command(&finding),
-            "::notice file=a%2Cb%3Ac%25%0Ad,line=3,col=4,title=mhlint%3A a-rule::50%25 of \u{fffd}::error::x"
+            "::notice file=a%2Cb%3Ac%25 d,line=3,col=4,title=mhlint%3A a-rule::50%25 of \u{fffd}::error::x"
         );
     }
 }

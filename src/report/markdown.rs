@@ -39,11 +39,14 @@ pub fn summary(outcome: &Outcome, view: &View<'_>, room: usize) -> String {
         let kept = fitting(&blocks(&gravest), room - fixed);
         gravest.truncate(kept);
         blocks(&gravest).iter().for_each(|block| text.push_str(block));
-        let left = outcome.findings.len() - kept;
-        text.push_str(&format!("\n**{left} findings more** do not fit here; the gravest are shown, the other reports list all.\n"));
+        text.push_str(&left_out(outcome.findings.len() - kept));
     }
     text.push_str(&tail);
     text
+}
+
+fn left_out(number: usize) -> String {
+    format!("\n**{number} findings more** do not fit here; the gravest are shown, the other reports list all.\n")
 }
 
 /// How many blocks fit, from the first on.
@@ -60,7 +63,7 @@ fn head(outcome: &Outcome, view: &View<'_>) -> String {
     let summary = &outcome.summary;
     let muted = if summary.suppressed > 0 { format!(" {} |", summary.suppressed) } else { String::new() };
     let [title, rule] = if muted.is_empty() { ["", ""] } else { [" muted |", "---:|"] };
-    let mut text = format!(
+    let table = format!(
         "## mhlint: {}\n\n{}\n\n| errors | warnings | infos |{title} files |\n|---:|---:|---:|{rule}---:|\n\
         | {} | {} | {} |{muted} {} |\n",
         if view.pass { "passed" } else { "failed" },
@@ -71,10 +74,8 @@ fn head(outcome: &Outcome, view: &View<'_>) -> String {
         verdict::files(summary),
     );
     let roots: Vec<String> = verdict::roots(outcome).iter().map(|root| inline(&printable(root))).collect();
-    if !roots.is_empty() {
-        text.push_str(&format!("\nJudged: {}\n", roots.join(", ")));
-    }
-    text
+    let judged = if roots.is_empty() { String::new() } else { format!("\nJudged: {}\n", roots.join(", ")) };
+    table + &judged
 }
 
 fn notes(outcome: &Outcome) -> String {
@@ -96,22 +97,20 @@ fn blocks(findings: &[&Finding]) -> Vec<String> {
 }
 
 fn item(finding: &Finding) -> String {
-    let mut text = format!(
-        "- **{}** {}{}  \n  {}",
+    let place = phrase::bare_place(&finding.location).map_or_else(String::new, |place| {
+        let place = inline(&printable(&place));
+        format!(" at {place}")
+    });
+    let message = format!(
+        "- **{}** {}{}  \n  {}{place}\n",
         finding.level,
         inline(&printable(&finding.message)),
         phrase::doubt(finding.confidence),
         code(finding.rule)
     );
-    if let Some(place) = phrase::bare_place(&finding.location) {
-        text.push_str(&format!(" at {}", inline(&printable(&place))));
-    }
-    text.push('\n');
-    text.push_str(&quoted(finding));
-    for line in phrase::lines(finding) {
-        text.push_str(&format!("  - {}: {}\n", line.label, inline(&line.text)));
-    }
-    text
+    let lines = phrase::lines(finding).into_iter();
+    let lines = lines.map(|line| format!("  - {}: {}\n", line.label, inline(&line.text)));
+    [message, quoted(finding)].into_iter().chain(lines).collect::<Vec<_>>().concat()
 }
 
 /// The source lines as a block of code, its fence longer than any in them.
@@ -120,11 +119,9 @@ fn quoted(finding: &Finding) -> String {
         return String::new();
     };
     let fence = "`".repeat(longest_run(&found.text).max(2) + 1);
-    let mut text = format!("\n  {fence}text\n");
-    for (number, line) in (found.first_line..).zip(found.text.split('\n')) {
-        text.push_str(&format!("  {number:>5} | {line}\n"));
-    }
-    text + &format!("  {fence}\n\n")
+    let lines = (found.first_line..).zip(found.text.split('\n'));
+    let lines: Vec<String> = lines.map(|(number, line)| format!("  {number:>5} | {line}\n")).collect();
+    format!("\n  {fence}text\n{}  {fence}\n\n", lines.concat())
 }
 
 fn longest_run(text: &str) -> usize {

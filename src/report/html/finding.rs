@@ -70,7 +70,7 @@ fn source(finding: &Finding) -> Markup {
                         (number) "\n"
                     }
                 }
-                pre tabindex="0" role="region" aria-label="Source" { code { (lead) mark { (marked) } (trail) } }
+                pre tabindex="0" { code { (lead) mark { (marked) } (trail) } }
             }
         }
     }

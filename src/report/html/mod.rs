@@ -20,7 +20,7 @@ const SCRIPT: &str = include_str!("page.js");
 
 /// What the browser may do: nothing but use the style and the script with these hashes.
 const POLICY: &str = "default-src 'none'; base-uri 'none'; form-action 'none'; img-src data:; \
-    style-src 'sha256-STYLE'; script-src 'sha256-SCRIPT'";
+    style-src 'sha256-9bsqiE681fx1jTLP9IWafKqmWi44HeamrnMkLJMFRbQ='; script-src 'sha256-F5Tix3ZfqcXROthsX9dMec4CsE1/5R0HMWsHwsPcOP8='";
 
 /// Levels, gravest first, with what they mean.
 const LEVELS: [(Level, &str); 3] = [
@@ -147,7 +147,7 @@ fn controls(outcome: &Outcome) -> Markup {
             div .buttons {
                 button #unfold type="button" { "Open all" }
                 button #fold type="button" { "Close all" }
-                button #reset type="reset" { "Reset" }
+                button #clear type="reset" { "Reset" }
             }
             p #shown role="status" {}
             p .keys {
