@@ -145,8 +145,7 @@ const NAME: &str = "</script><img src=x onerror=alert(1)>]]>\"'&amp;\u{1b}[31m\u
 /// The same as the name of a file, which cannot hold a slash.
 const FILE: &str = "]]>\"'&<b>%0A,line=1\u{202e}\u{1b}[2J\n::warning::x`y.target";
 
-const FORMATS: [&str; 9] =
-    ["human", "concise", "json", "sarif", "github", "gitlab", "junit", "markdown", "html"];
+const FORMATS: [&str; 9] = ["human", "concise", "json", "sarif", "github", "gitlab", "junit", "markdown", "html"];
 
 /// Names of a bone, a component and a target file that try to get out of every format.
 fn hostile() -> tempfile::TempDir {
@@ -248,7 +247,10 @@ fn github_annotations_are_commands_and_nothing_else_is() {
         let (word, properties) = head.split_once(' ').unwrap();
         assert!(["error", "warning", "notice"].contains(&word), "{command}");
         let names: Vec<&str> = properties.split(',').map(|part| part.split('=').next().unwrap()).collect();
-        assert!(matches!(names.as_slice(), ["file", "title"] | ["file", "line", "title"] | ["file", "line", "col", "title"]));
+        assert!(matches!(
+            names.as_slice(),
+            ["file", "title"] | ["file", "line", "title"] | ["file", "line", "col", "title"]
+        ));
         assert!(!properties.contains(':') && !message.is_empty(), "{command}");
     }
     assert_eq!(rest.len(), 2, "{rest:?}");

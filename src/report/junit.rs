@@ -39,12 +39,7 @@ fn fails(finding: &Finding, view: &View<'_>) -> bool {
     view.fail_on.is_some_and(|limit| finding.level >= limit)
 }
 
-fn write_run<W: Write>(
-    outcome: &Outcome,
-    view: &View<'_>,
-    run_fails: bool,
-    writer: &mut Writer<W>,
-) -> io::Result<()> {
+fn write_run<W: Write>(outcome: &Outcome, view: &View<'_>, run_fails: bool, writer: &mut Writer<W>) -> io::Result<()> {
     let words = printable(&verdict::words(outcome, view));
     let mut said = vec![format!("{} in {}", verdict::tally(&outcome.summary), verdict::files(&outcome.summary))];
     said.extend(verdict::roots(outcome));
@@ -79,16 +74,15 @@ fn suite<W: Write>(
 ) -> io::Result<()> {
     let (tests, failures) = (tests.to_string(), failures.to_string());
     let counts = [("tests", tests.as_str()), ("failures", &failures), ("errors", "0"), ("skipped", "0")];
-    writer.create_element("testsuite").with_attribute(("name", name)).with_attributes(counts).write_inner_content(inner)?;
+    writer
+        .create_element("testsuite")
+        .with_attribute(("name", name))
+        .with_attributes(counts)
+        .write_inner_content(inner)?;
     Ok(())
 }
 
-fn write_finding<W: Write>(
-    finding: &Finding,
-    path: &str,
-    view: &View<'_>,
-    writer: &mut Writer<W>,
-) -> io::Result<()> {
+fn write_finding<W: Write>(finding: &Finding, path: &str, view: &View<'_>, writer: &mut Writer<W>) -> io::Result<()> {
     let place = phrase::bare_place(&finding.location).map_or_else(String::new, |place| format!(" ({place})"));
     let name = format!("{}{}", finding.rule, printable(&place));
     let line = finding.location.line.map(|line| line.to_string());

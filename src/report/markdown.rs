@@ -89,8 +89,7 @@ fn blocks(findings: &[&Finding]) -> Vec<String> {
     let mut blocks = Vec::with_capacity(findings.len());
     for finding in findings {
         let is_new = path.replace(&finding.path) != Some(finding.path.as_str());
-        let heading =
-            if is_new { format!("\n### {}\n\n", code(&phrase::path(&finding.path))) } else { String::new() };
+        let heading = if is_new { format!("\n### {}\n\n", code(&phrase::path(&finding.path))) } else { String::new() };
         blocks.push(heading + &item(finding));
     }
     blocks
@@ -157,7 +156,8 @@ fn escape(words: &str) -> String {
     let mut escaped = String::with_capacity(words.len());
     for (at, character) in words.char_indices() {
         let before = words.get(..at).unwrap_or_default();
-        let links = (character == ':' && words[at..].starts_with("://")) || (character == '.' && before.ends_with("www"));
+        let links =
+            (character == ':' && words[at..].starts_with("://")) || (character == '.' && before.ends_with("www"));
         if links || "\\`*_[]<>&|~#!$".contains(character) {
             escaped.push('\\');
         }

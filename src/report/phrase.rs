@@ -18,8 +18,7 @@ pub(super) struct Line {
 /// Everything below the message: consequence for each application, evidence, other places, help.
 pub(super) fn lines(finding: &Finding) -> Vec<Line> {
     let line = |label: &str, text: &str| Line { label: label.to_owned(), text: printable(text) };
-    let mut lines: Vec<Line> =
-        finding.breaks.iter().map(|one| line(one.application.title(), &one.effect)).collect();
+    let mut lines: Vec<Line> = finding.breaks.iter().map(|one| line(one.application.title(), &one.effect)).collect();
     if let Some(evidence) = finding.evidence.as_ref().and_then(evidence_line) {
         lines.push(line("seen", &evidence));
     }

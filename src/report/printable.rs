@@ -43,7 +43,10 @@ mod tests {
     #[test]
     fn what_would_act_is_shown_instead() {
         assert_eq!(printable("a\u{1b}[31m\u{0}b\nc\td"), "a\u{fffd}[31m\u{fffd}b c d");
-        assert_eq!(printable("\u{202e}gpj\u{2066}\u{feff}\u{ffff}\u{1fffe}"), "\u{fffd}gpj\u{fffd}\u{fffd}\u{fffd}\u{fffd}");
+        assert_eq!(
+            printable("\u{202e}gpj\u{2066}\u{feff}\u{ffff}\u{1fffe}"),
+            "\u{fffd}gpj\u{fffd}\u{fffd}\u{fffd}\u{fffd}"
+        );
     }
 
     #[test]

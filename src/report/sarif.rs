@@ -130,7 +130,8 @@ fn place(path: &str, location: &Location) -> Value {
         physical["region"] = region;
     }
     let mut value = json!({ "physicalLocation": physical });
-    let element = location.element.map(|one| json!({ "name": format!("{} {}", one.kind, one.index), "kind": one.kind }));
+    let element =
+        location.element.map(|one| json!({ "name": format!("{} {}", one.kind, one.index), "kind": one.kind }));
     let pointer = location.pointer.as_ref().filter(|pointer| !pointer.is_empty());
     let pointer = pointer.map(|pointer| json!({ "fullyQualifiedName": pointer }));
     let logical: Vec<Value> = [pointer, element].into_iter().flatten().collect();
@@ -222,8 +223,7 @@ mod tests {
     #[test]
     fn the_marked_text_is_the_region() {
         let excerpt = Excerpt { text: "\u{e4}bc".to_owned(), first_line: 3, mark: 0..3 };
-        let location =
-            Location { line: Some(3), column: Some(1), excerpt: Some(excerpt), ..Location::default() };
+        let location = Location { line: Some(3), column: Some(1), excerpt: Some(excerpt), ..Location::default() };
         let expected = json!({ "startLine": 3, "startColumn": 1, "endLine": 3, "endColumn": 3 });
         assert_eq!(region(&location), Some(expected));
     }

@@ -1,8 +1,8 @@
 //! The last lines: what was looked at, and one sentence that says how it ended.
 
+use super::{Paint, View, count, hang, printable};
 use crate::diag::{Application, Level};
 use crate::engine::{Outcome, Summary};
-use super::{Paint, View, count, hang, printable};
 
 /// What was judged, and how many findings of each level there are.
 pub(super) fn counts(outcome: &Outcome, view: &View<'_>) -> String {
