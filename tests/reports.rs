@@ -342,12 +342,12 @@ fn junit(root: &Path, args: &[&str]) -> (Vec<String>, usize, String) {
     let (mut names, mut failed, mut words) = (Vec::new(), 0, String::new());
     loop {
         match reader.read_event().unwrap() {
-            Event::Start(start) if start.name().as_ref() == b"testcase" => {
+            Event::Start(start) if start.name().as_ref() == "testcase" => {
                 let name = start.try_get_attribute("name").unwrap().unwrap();
-                names.push(String::from_utf8(name.value.to_vec()).unwrap());
+                names.push(name.value.into_owned());
             }
-            Event::Start(start) if start.name().as_ref() == b"failure" => failed += 1,
-            Event::Text(found) => words.push_str(std::str::from_utf8(&found).unwrap()),
+            Event::Start(start) if start.name().as_ref() == "failure" => failed += 1,
+            Event::Text(found) => words.push_str(&found),
             Event::Eof => return (names, failed, words),
             _ => {}
         }

@@ -131,7 +131,9 @@ async function onPaper(browser, name) {
   const browser = await chromium.launch({ executablePath, args: flags });
   let passed = 0;
   for (const name of names) {
-    for (const test of [looks, withoutScripts, narrows, byKeyboard, onPaper]) {
+    // A page without findings has nothing to search.
+    const tests = name === "clean" ? [looks] : [looks, withoutScripts, narrows, byKeyboard, onPaper];
+    for (const test of tests) {
       await test(browser, name);
       passed += 1;
       console.log(`ok ${name}: ${test.name}`);

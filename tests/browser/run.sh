@@ -34,13 +34,14 @@ cp tests/browser/package.json "$work/"
 [ -n "${MHLINT:-}" ] || cargo build --quiet
 mhlint=$(realpath "${MHLINT:-target/debug/mhlint}")
 python3 tests/browser/damage.py fixtures/makehuman2 "$work/damaged" "$work/hostile"
-reports=(damaged hostile)
+reports=(clean damaged hostile)
 report() { # NAME FOLDER PATH: exit code 1 means findings, and that is what is wanted
     local name=$1 folder=$2 path=$3 code=0
     (cd "$folder" && "$mhlint" "$path" \
         --report "html=$OLDPWD/$work/$name.html" --report "junit=$OLDPWD/$work/$name.xml") || code=$?
     [ "$code" -le 1 ] || exit "$code"
 }
+report clean fixtures makehuman2
 report damaged "$work/damaged" .
 report hostile "$work/hostile" .
 if [ -d "${MHLINT_CORPORA:-}/makehuman2" ]; then

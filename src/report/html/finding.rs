@@ -41,7 +41,7 @@ pub(super) fn article(finding: &Finding, id: &str, open: bool) -> Markup {
                 }
                 p .quiet {
                     a href={ "#rule-" (finding.rule) } { (finding.rule) }
-                    " · " a href={ "#" (id) } { "link to this finding" }
+                    span .self { " · " a href={ "#" (id) } { "link to this finding" } }
                 }
             }
         }

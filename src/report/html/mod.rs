@@ -20,7 +20,7 @@ const SCRIPT: &str = include_str!("page.js");
 
 /// What the browser may do: nothing but use the style and the script with these hashes.
 const POLICY: &str = "default-src 'none'; base-uri 'none'; form-action 'none'; img-src data:; \
-    style-src 'sha256-9bsqiE681fx1jTLP9IWafKqmWi44HeamrnMkLJMFRbQ='; script-src 'sha256-F5Tix3ZfqcXROthsX9dMec4CsE1/5R0HMWsHwsPcOP8='";
+    style-src 'sha256-6a3zt/DznwmnzK5eVJJEHWCwY83s8WizqPa3sLJkL+M='; script-src 'sha256-F5Tix3ZfqcXROthsX9dMec4CsE1/5R0HMWsHwsPcOP8='";
 
 /// Levels, gravest first, with what they mean.
 const LEVELS: [(Level, &str); 3] = [
