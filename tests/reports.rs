@@ -201,9 +201,9 @@ fn json_keeps_names_as_they_are() {
 
 #[test]
 fn sarif_fits_its_schema_and_refers_to_its_rules() {
-    let schema: Value =
-        serde_json::from_str(&fs::read_to_string(project("tests/schemas/sarif-2.1.0.json")).unwrap()).unwrap();
-    let validator = jsonschema::validator_for(&schema).unwrap();
+    // The published pattern of a language has a bracket too many, which strict readers refuse.
+    let text = fs::read_to_string(project("tests/schemas/sarif-2.1.0.json")).unwrap().replace("]?$\"", "$\"");
+    let validator = jsonschema::validator_for(&serde_json::from_str(&text).unwrap()).unwrap();
     let empty = tempfile::tempdir().unwrap();
     for root in [broken().path(), hostile().path(), empty.path(), &project("fixtures/makehuman2")] {
         let log = json(root, "sarif");
@@ -397,9 +397,11 @@ fn html_holds_one_script_and_no_markup_from_assets() {
     assert_eq!((page.matches("<script").count(), page.matches("</script").count()), (1, 1));
     assert_eq!((page.matches("<img").count(), page.matches("<b>").count()), (0, 0));
     assert!(page.contains("&lt;/script&gt;&lt;img src=x onerror=alert(1)&gt;]]&gt;&quot;'&amp;amp;"));
-    for outside in ["http://", "https://", "url(", "@import", "src="] {
-        let own = page.replace("src=x onerror", "").replace("http://x.org", "");
-        assert!(!own.contains(outside), "the page refers to {outside}");
+    for target in page.split("href=\"").skip(1) {
+        assert!(target.starts_with('#') || target.starts_with("data:,\""), "{}", &target[..40]);
+    }
+    for outside in ["url(", "@import", "src=\"", "<link rel=\"stylesheet"] {
+        assert!(!page.contains(outside), "the page refers to {outside}");
     }
 }
 
