@@ -214,7 +214,8 @@ fn sarif_fits_its_schema_and_refers_to_its_rules() {
         let results = run["results"].as_array().unwrap();
         assert_eq!(results.len(), findings(root).len());
         for result in results {
-            let rule = &run["tool"]["driver"]["rules"][result["ruleIndex"].as_u64().unwrap() as usize];
+            let index = usize::try_from(result["ruleIndex"].as_u64().unwrap()).unwrap();
+            let rule = &run["tool"]["driver"]["rules"][index];
             assert_eq!(rule["id"], result["ruleId"]);
             assert!(["error", "warning", "note"].contains(&result["level"].as_str().unwrap()));
             assert!(!rule["help"]["markdown"].as_str().unwrap().is_empty());
