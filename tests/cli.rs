@@ -183,6 +183,61 @@ fn leftovers(folder: &Path) -> Vec<String> {
 }
 
 #[test]
+fn a_full_disk_is_named_with_a_remedy() {
+    let repository = broken();
+    assert_refused(
+        &mhlint(repository.path(), &["--report", "json=/dev/full"]),
+        &["cannot write the report to `/dev/full`", "make room"],
+    );
+    assert!(!fs::metadata("/dev/full").unwrap().is_file(), "a device is written to, not replaced");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_mhlint"));
+    let full = fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
+    let output = command.current_dir(repository.path()).stdout(full).output().unwrap();
+    assert_eq!(code(&output), Some(2));
+    assert!(stderr(&output).contains("cannot write to standard output"), "{}", stderr(&output));
+}
+
+#[test]
+fn a_failed_write_leaves_nothing_behind() {
+    let repository = broken();
+    let folder = repository.path().join("locked");
+    fs::create_dir(&folder).unwrap();
+    // A file that no temporary name fits beside: its own name is as long as names may be.
+    let long = folder.join("n".repeat(255));
+    let target = format!("json={}", long.display());
+    assert_refused(&mhlint(repository.path(), &["--report", &target]), &["cannot write the report", "name"]);
+    assert_eq!((leftovers(&folder), long.exists()), (Vec::<String>::new(), false));
+}
+
+#[test]
+fn a_report_takes_the_place_of_an_older_one() {
+    use std::os::unix::fs::PermissionsExt;
+    let repository = broken();
+    let [real, link] = ["real.json", "link.json"].map(|name| repository.path().join(name));
+    fs::write(&real, "x".repeat(1 << 20)).unwrap();
+    fs::set_permissions(&real, fs::Permissions::from_mode(0o640)).unwrap();
+    std::os::unix::fs::symlink("real.json", &link).unwrap();
+    mhlint(repository.path(), &["--report", "json=link.json"]);
+    assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+    assert_eq!(fs::metadata(&real).unwrap().permissions().mode() & 0o777, 0o640);
+    let report: serde_json::Value = serde_json::from_slice(&fs::read(&real).unwrap()).unwrap();
+    assert_eq!(report["format"], "mhlint-report/1");
+    assert_eq!(leftovers(repository.path()), Vec::<String>::new());
+}
+
+#[test]
+fn a_reader_that_goes_away_neither_hides_the_verdict_nor_the_other_reports() {
+    let repository = broken();
+    let mut command = Command::new(env!("CARGO_BIN_EXE_mhlint"));
+    command.current_dir(repository.path()).args(["--report", "human", "--report", "json=out.json"]);
+    let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    drop(child.stdout.take());
+    let output = child.wait_with_output().unwrap();
+    assert_eq!((code(&output), stderr(&output).as_str()), (Some(1), ""));
+    assert!(repository.path().join("out.json").exists());
+}
+
+#[test]
 fn two_reports_one_to_a_file() {
     let repository = broken();
     let output = mhlint(repository.path(), &["--report", "human", "--report", "concise=out.txt"]);
@@ -198,6 +253,8 @@ fn reports_that_would_collide_are_refused() {
     assert_refused(&mhlint(&repository, &["--report", "json", "--report", "human"]), &["--report FORMAT=FILE"]);
     let same = ["--report", "json=/tmp/x", "--report", "human=/tmp/x"];
     assert_refused(&mhlint(&repository, &same), &["give each its own file"]);
+    let spelt = ["--report", "json=x", "--report", "human=./x"];
+    assert_refused(&mhlint(&repository, &spelt), &["give each its own file"]);
 }
 
 #[test]

@@ -1,10 +1,13 @@
-//! The reports: JSON against its published schema, the human one as a reader sees it.
+//! The reports: JSON and SARIF against their schemas, the others as their readers take them apart, and names from
+//! assets that try to get out of each format.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may stop where it fails")]
 
 mod scratch;
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
+use std::process::Command;
 
 use scratch::{example, mhlint, project};
 use serde_json::Value;
@@ -132,4 +135,315 @@ fn long_lists_are_cut_with_a_word_on_the_rest() {
     assert_eq!(text.matches("error[target-breaks-start]").count(), 10, "{text}");
     assert!(text.contains("and 4 more like it: `--only target-breaks-start --report concise` lists all"), "{text}");
     assert!(text.contains("14 errors, "), "{text}");
+}
+
+/// Tries to end a script, an element, a string, a section, a code span, a line; to be a command, a link, a colour,
+/// a placeholder; to turn the direction of writing.
+const NAME: &str = "</script><img src=x onerror=alert(1)>]]>\"'&amp;\u{1b}[31m\u{202e}gnp.\n::error::owned\n\
+    ##[error]x `|**b** [l](x) http://x.org @me {0}";
+
+/// The same as the name of a file, which cannot hold a slash.
+const FILE: &str = "]]>\"'&<b>%0A,line=1\u{202e}\u{1b}[2J\n::warning::x`y.target";
+
+const FORMATS: [&str; 9] = ["human", "concise", "json", "sarif", "github", "gitlab", "junit", "markdown", "html"];
+
+/// Names of a bone, a component and a target file that try to get out of every format.
+fn hostile() -> tempfile::TempDir {
+    let repository = broken();
+    let root = repository.path();
+    let name = serde_json::to_string(NAME).unwrap();
+    edit(root, "data/rigs/figure/default.mhskel", "\"parent\": \"root\"", &format!("\"parent\": {name}"));
+    edit(root, "data/target/figure/macro.json", "\"age\": {", &format!("{name}: {{"));
+    let file = root.join("data/target/figure/head").join(FILE);
+    fs::write(file, "1 2 </script>::error::x]]> 4\n").unwrap();
+    repository
+}
+
+fn json(root: &Path, format: &str) -> Value {
+    serde_json::from_str(&run(root, &["--report", format])).unwrap()
+}
+
+fn findings(root: &Path) -> Vec<Value> {
+    json(root, "json")["findings"].as_array().unwrap().clone()
+}
+
+#[test]
+fn nothing_from_an_asset_steers_a_terminal_or_a_ci_system() {
+    let repository = hostile();
+    let rules: BTreeSet<String> =
+        findings(repository.path()).iter().map(|finding| finding["rule"].as_str().unwrap().to_owned()).collect();
+    for rule in ["skeleton-unknown-parent", "macro-steps-length", "target-breaks-start"] {
+        assert!(rules.contains(rule), "{rules:?}");
+    }
+    for format in FORMATS {
+        let text = run(repository.path(), &["--report", format]);
+        let steering = text.chars().find(|c| c.is_control() && *c != '\n');
+        assert_eq!(steering, None, "{format}");
+        // Programs that read these three know how to show a name, and have to find the file by its own.
+        if !["json", "sarif", "gitlab"].contains(&format) {
+            assert!(!text.contains('\u{202e}'), "{format}");
+            assert!(!text.contains("##["), "{format}");
+        }
+        if format != "github" {
+            assert!(!text.lines().any(|line| line.trim_start().starts_with("::")), "{format}:\n{text}");
+        }
+        assert!(text.contains("owned"), "{format} has to show the name");
+    }
+}
+
+#[test]
+fn json_keeps_names_as_they_are() {
+    let repository = hostile();
+    let all = findings(repository.path());
+    assert!(all.iter().any(|one| one["message"].as_str().unwrap().contains(NAME)));
+    assert!(all.iter().any(|one| one["path"].as_str().unwrap().ends_with(FILE)));
+}
+
+#[test]
+fn sarif_fits_its_schema_and_refers_to_its_rules() {
+    // The published pattern of a language has a bracket too many, which strict readers refuse.
+    let text = fs::read_to_string(project("tests/schemas/sarif-2.1.0.json")).unwrap().replace("]?$\"", "$\"");
+    let validator = jsonschema::validator_for(&serde_json::from_str(&text).unwrap()).unwrap();
+    let empty = tempfile::tempdir().unwrap();
+    for root in [broken().path(), hostile().path(), empty.path(), &project("fixtures/makehuman2")] {
+        let log = json(root, "sarif");
+        let faults: Vec<String> =
+            validator.iter_errors(&log).map(|fault| format!("{}: {fault}", fault.instance_path())).collect();
+        assert_eq!(faults, Vec::<String>::new());
+        let run = &log["runs"][0];
+        let results = run["results"].as_array().unwrap();
+        assert_eq!(results.len(), findings(root).len());
+        for result in results {
+            let index = usize::try_from(result["ruleIndex"].as_u64().unwrap()).unwrap();
+            let rule = &run["tool"]["driver"]["rules"][index];
+            assert_eq!(rule["id"], result["ruleId"]);
+            assert!(["error", "warning", "note"].contains(&result["level"].as_str().unwrap()));
+            assert!(!rule["help"]["markdown"].as_str().unwrap().is_empty());
+            assert_eq!(result["partialFingerprints"]["mhlint/v1"].as_str().unwrap().len(), 32);
+        }
+    }
+}
+
+#[test]
+fn a_sarif_uri_leads_back_to_the_file() {
+    let repository = hostile();
+    let log = json(repository.path(), "sarif");
+    for (result, finding) in log["runs"][0]["results"].as_array().unwrap().iter().zip(findings(repository.path())) {
+        let place = &result["locations"][0]["physicalLocation"]["artifactLocation"];
+        assert_eq!(place["uriBaseId"], "%SRCROOT%");
+        let path = percent_encoding::percent_decode_str(place["uri"].as_str().unwrap()).decode_utf8().unwrap();
+        assert_eq!(path, finding["path"].as_str().unwrap());
+        assert!(repository.path().join(&*path).exists(), "{path}");
+    }
+}
+
+#[test]
+fn github_annotations_are_commands_and_nothing_else_is() {
+    let repository = hostile();
+    let text = run(repository.path(), &["--report", "github"]);
+    let (commands, rest): (Vec<&str>, Vec<&str>) = text.lines().partition(|line| line.starts_with("::"));
+    assert_eq!(commands.len(), findings(repository.path()).len());
+    for command in commands {
+        let (head, message) = command[2..].split_once("::").unwrap();
+        let (word, properties) = head.split_once(' ').unwrap();
+        assert!(["error", "warning", "notice"].contains(&word), "{command}");
+        let names: Vec<&str> = properties.split(',').map(|part| part.split('=').next().unwrap()).collect();
+        assert!(matches!(
+            names.as_slice(),
+            ["file", "title"] | ["file", "line", "title"] | ["file", "line", "col", "title"]
+        ));
+        assert!(!properties.contains(':') && !message.is_empty(), "{command}");
+    }
+    assert_eq!(rest.len(), 2, "{rest:?}");
+}
+
+/// A copy of the example repository with `count` targets that cannot be read.
+fn many(count: usize) -> tempfile::TempDir {
+    let repository = example();
+    for number in 0..count {
+        let file = format!("data/target/figure/head/broken{number}.target");
+        fs::write(repository.path().join(file), "1 2 x 4\n").unwrap();
+    }
+    repository
+}
+
+#[test]
+fn github_annotations_are_capped_with_a_word_on_the_rest() {
+    let text = run(many(14).path(), &["--report", "github", "--only", "target-breaks-start"]);
+    assert_eq!(text.matches("::error file=").count(), 10, "{text}");
+    assert!(text.contains("\n4 errors more: GitHub shows 10 of each level"), "{text}");
+}
+
+fn github_step(root: &Path, summary: &Path) -> std::process::Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_mhlint"));
+    command.env("GITHUB_STEP_SUMMARY", summary).current_dir(root).args(["--report", "github"]).output().unwrap()
+}
+
+#[test]
+fn the_summary_of_a_github_step_is_appended() {
+    let repository = broken();
+    let summary = repository.path().join("summary.md");
+    fs::write(&summary, "from before").unwrap();
+    assert_eq!(github_step(repository.path(), &summary).status.code(), Some(1));
+    let text = fs::read_to_string(&summary).unwrap();
+    assert!(text.starts_with("from before\n## mhlint: failed\n"), "{text}");
+    assert!(text.contains("component `age` has 4 values but 3 steps"), "{text}");
+    github_step(repository.path(), &summary);
+    assert_eq!(fs::read_to_string(&summary).unwrap().matches("## mhlint: failed").count(), 2);
+    let output = github_step(repository.path(), &repository.path().join("no/summary.md"));
+    assert_eq!(output.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("GITHUB_STEP_SUMMARY"));
+}
+
+#[test]
+fn the_summary_of_a_github_step_stays_below_its_limit() {
+    let repository = many(60);
+    let summary = repository.path().join("summary.md");
+    let before = (1 << 20) - 8_000;
+    fs::write(&summary, "x".repeat(before)).unwrap();
+    github_step(repository.path(), &summary);
+    let text = fs::read_to_string(&summary).unwrap();
+    assert!(text.len() > before + 4_000 && text.len() <= 1 << 20, "{}", text.len());
+    assert!(text.contains("findings more** do not fit here"), "{}", &text[before..]);
+}
+
+#[test]
+fn gitlab_issues_have_the_required_members() {
+    let repository = hostile();
+    let issues = json(repository.path(), "gitlab");
+    let issues = issues.as_array().unwrap();
+    let all = findings(repository.path());
+    assert_eq!(issues.len(), all.len());
+    for (issue, finding) in issues.iter().zip(&all) {
+        assert_eq!((&issue["check_name"], &issue["location"]["path"]), (&finding["rule"], &finding["path"]));
+        assert!(["info", "major", "critical"].contains(&issue["severity"].as_str().unwrap()));
+        assert!(issue["location"]["lines"]["begin"].as_u64().unwrap() > 0);
+        assert!(!issue["description"].as_str().unwrap().is_empty());
+    }
+    assert_eq!(run(&project("fixtures/makehuman2"), &["--report", "gitlab"]), "[]\n");
+}
+
+#[test]
+fn gitlab_tells_the_same_fault_in_two_roots_apart() {
+    let repository = broken();
+    let second = repository.path().join("other");
+    scratch::copy_folder(&repository.path().join("data"), &second);
+    let issues = json(repository.path(), "gitlab");
+    let fingerprints: BTreeSet<&str> =
+        issues.as_array().unwrap().iter().map(|issue| issue["fingerprint"].as_str().unwrap()).collect();
+    assert!(fingerprints.len() >= 4);
+    assert_eq!(fingerprints.len(), issues.as_array().unwrap().len());
+}
+
+/// Names of the test cases and the number of failed ones, as an XML parser sees them.
+fn junit(root: &Path, args: &[&str]) -> (Vec<String>, usize, String) {
+    use quick_xml::events::Event;
+    let text = run(root, &[&["--report", "junit"], args].concat());
+    let mut reader = quick_xml::Reader::from_str(&text);
+    let (mut names, mut failed, mut words) = (Vec::new(), 0, String::new());
+    loop {
+        match reader.read_event().unwrap() {
+            Event::Start(start) if start.name().as_ref() == "testcase" => {
+                let name = start.try_get_attribute("name").unwrap().unwrap();
+                names.push(name.value.into_owned());
+            }
+            Event::Start(start) if start.name().as_ref() == "failure" => failed += 1,
+            Event::Text(found) => words.push_str(&found),
+            Event::Eof => return (names, failed, words),
+            _ => {}
+        }
+    }
+}
+
+#[test]
+fn junit_fails_what_fails_the_run() {
+    let repository = hostile();
+    let all = findings(repository.path());
+    let errors = all.iter().filter(|finding| finding["level"] == "error").count();
+    let (names, failed, words) = junit(repository.path(), &[]);
+    assert_eq!((names.len(), failed), (all.len() + 1, errors));
+    assert_eq!(names[0], "run");
+    assert!(words.contains("owned") && !words.contains('<'));
+    assert_eq!(junit(repository.path(), &["--fail-on", "never"]).1, 0);
+    assert_eq!(junit(repository.path(), &["--fail-on", "info"]).1, all.len());
+    let too_many = ["--only", "macro-steps-length", "--level", "macro-steps-length=warning", "--max-warnings", "0"];
+    assert_eq!(junit(broken().path(), &too_many).1, 1);
+    assert_eq!(junit(&project("fixtures/makehuman2"), &[]).1, 0);
+}
+
+#[test]
+fn markdown_holds_no_markup_from_assets() {
+    use pulldown_cmark::{Event, Options, Parser, Tag};
+    let repository = hostile();
+    let text = run(repository.path(), &["--report", "markdown"]);
+    let (mut shown, mut headings) = (String::new(), 0);
+    for event in Parser::new_ext(&text, Options::all()) {
+        match event {
+            Event::Html(html) | Event::InlineHtml(html) => panic!("{html} in:\n{text}"),
+            Event::Start(Tag::Link { .. } | Tag::Image { .. } | Tag::Emphasis) => panic!("{event:?} in:\n{text}"),
+            Event::Start(Tag::Heading { .. }) => headings += 1,
+            Event::Text(words) | Event::Code(words) => shown.push_str(&words),
+            _ => {}
+        }
+    }
+    let files: BTreeSet<String> = findings(repository.path()).iter().map(|one| one["path"].to_string()).collect();
+    assert_eq!(headings, files.len() + 1, "{text}");
+    assert!(shown.contains("</script><img src=x onerror=alert(1)>]]>\"'&amp;"), "{shown}");
+    assert!(shown.contains("**b** [l](x) http://x.org"), "{shown}");
+}
+
+#[test]
+fn html_holds_one_script_and_no_markup_from_assets() {
+    let page = run(hostile().path(), &["--report", "html"]);
+    assert_eq!((page.matches("<script").count(), page.matches("</script").count()), (1, 1));
+    assert_eq!((page.matches("<img").count(), page.matches("<b>").count()), (0, 0));
+    assert!(page.contains("&lt;/script&gt;&lt;img src=x onerror=alert(1)&gt;]]&gt;&quot;'&amp;amp;"));
+    for target in page.split("href=\"").skip(1) {
+        assert!(target.starts_with('#') || target.starts_with("data:,\""), "{}", &target[..40]);
+    }
+    for outside in ["url(", "@import", "src=\"", "<link rel=\"stylesheet"] {
+        assert!(!page.contains(outside), "the page refers to {outside}");
+    }
+}
+
+#[test]
+fn html_shows_verdict_consequence_source_and_help() {
+    let page = run(broken().path(), &["--report", "html", "--only", "macro-steps-length"]);
+    for part in [
+        "<h1>Failed. 1 error: MakeHuman 2 would",
+        "component <code>age</code> has 4 values but 3 steps",
+        "<dt>MakeHuman 2</dt><dd>stops with an IndexError",
+        "<mark>[0.0, 0.5, 1.0]</mark>",
+        "<dt>What to do</dt><dd>give every value a step",
+        "data/target/figure/macro.json:11:22",
+        "id=\"rule-macro-steps-length\"",
+    ] {
+        assert!(page.contains(part), "no `{part}`");
+    }
+    let clean = run(&project("fixtures/makehuman2"), &["--report", "html"]);
+    assert!(clean.contains("<h1>Nothing found") && clean.contains("There are no findings."));
+}
+
+#[test]
+fn all_reports_of_one_run_are_those_of_single_runs() {
+    let repository = hostile();
+    let folder = tempfile::tempdir().unwrap();
+    let file = |format: &str| folder.path().join(format);
+    let wanted = FORMATS.map(|format| format!("{format}={}", file(format).display()));
+    let mut args: Vec<&str> = wanted.iter().flat_map(|target| ["--report", target.as_str()]).collect();
+    args.extend(["--report", "concise"]);
+    let output = mhlint(repository.path(), &args);
+    assert_eq!(output.status.code(), Some(1), "{}", String::from_utf8_lossy(&output.stderr));
+    assert_eq!(output.stdout, fs::read(file("concise")).unwrap());
+    for format in FORMATS {
+        let alone = run(repository.path(), &["--report", format]);
+        assert_eq!(fs::read_to_string(file(format)).unwrap(), alone, "{format}");
+    }
+}
+
+#[test]
+#[ignore = "needs Chromium; tests/browser/run.sh prepares it"]
+fn html_works_in_a_browser() {
+    let mut script = Command::new(project("tests/browser/run.sh"));
+    assert!(script.env("MHLINT", env!("CARGO_BIN_EXE_mhlint")).status().unwrap().success());
 }

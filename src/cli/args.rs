@@ -123,7 +123,8 @@ pub(super) struct CheckArgs {
     /// Make the exit code 1 when there are more warnings than this.
     #[arg(long, value_name = "N")]
     pub(super) max_warnings: Option<usize>,
-    /// Report as human, concise or json; with a file instead of standard output; repeatable.
+    /// Report as human, concise, json, sarif, github, gitlab, junit, markdown or html; to a file instead of
+    /// standard output; repeatable.
     #[arg(long = "report", value_name = "FORMAT[=FILE]", value_parser = Target::parse)]
     pub(super) reports: Vec<Target>,
     /// Report only what the changes since a git revision can affect; everything is judged all the same.

@@ -1,6 +1,6 @@
 //! `mhlint check`: the run and its reports.
 
-use std::io::Write;
+use std::io::{ErrorKind, Write};
 use std::path::PathBuf;
 
 use super::args::{CheckArgs, Command};
@@ -9,10 +9,11 @@ use super::exit::{Exit, Failure};
 use super::output::{Target, targets, write_file};
 use super::panics::Panics;
 use super::progress::Progress;
+use super::step_summary;
 use super::terminal::Terminal;
 use crate::diag::nearest;
 use crate::engine::{Error, Options, Outcome, lint, rule_infos};
-use crate::report::{self, View};
+use crate::report::{self, Format, View};
 
 pub(super) fn run(
     args: &CheckArgs,
@@ -31,10 +32,7 @@ pub(super) fn run(
     drop(progress);
     let outcome = outcome.map_err(|error| mistaken_command(error, paths))?;
     let exit = exit(&outcome, args, &panics.noted());
-    for target in &targets {
-        write_report(target, &outcome, args, exit, terminal, out)?;
-    }
-    out.flush()?;
+    write_reports(&targets, &outcome, args, exit, terminal, out)?;
     tell(&outcome, args, exit, &targets, err)?;
     if !panics.noted().is_empty() || !outcome.failed_rules.is_empty() {
         writeln!(err, "mhlint: {}", own_fault(&panics.noted()))?;
@@ -83,20 +81,17 @@ fn exit(outcome: &Outcome, args: &CheckArgs, panics: &[String]) -> Exit {
     }
 }
 
-fn write_report(
-    target: &Target,
+/// Files first: whoever reads standard output may go away at any time.
+fn write_reports(
+    targets: &[Target],
     outcome: &Outcome,
     args: &CheckArgs,
     exit: Exit,
     terminal: Terminal,
     out: &mut dyn Write,
 ) -> Result<(), Failure> {
-    if exit == Exit::NothingToCheck && target.format.shows_notes() {
-        return Ok(());
-    }
-    let terminal = if target.file.is_some() { Terminal::PLAIN } else { terminal };
     let rules = rule_infos();
-    let view = View {
+    let view = |terminal: Terminal| View {
         pass: exit == Exit::Clean,
         fail_on: args.fail_on.level(),
         max_warnings: args.max_warnings,
@@ -106,14 +101,21 @@ fn write_report(
         quiet: args.quiet,
         rules: &rules,
     };
-    match &target.file {
-        None => Ok(report::write(target.format, outcome, &view, out)?),
-        Some(file) => {
-            let mut bytes = Vec::new();
-            report::write(target.format, outcome, &view, &mut bytes)?;
-            write_file(file, &bytes)
-        }
+    let is_silent = |target: &&Target| exit == Exit::NothingToCheck && target.format.shows_notes();
+    let targets: Vec<&Target> = targets.iter().filter(|target| !is_silent(target)).collect();
+    for (target, file) in targets.iter().filter_map(|target| Some((target, target.file.as_ref()?))) {
+        let mut bytes = Vec::new();
+        report::write(target.format, outcome, &view(Terminal::PLAIN), &mut bytes)?;
+        write_file(file, &bytes)?;
     }
+    if let Some(file) = step_summary::file().filter(|_| targets.iter().any(|one| one.format == Format::Github)) {
+        step_summary::append(&file, outcome, &view(Terminal::PLAIN))?;
+    }
+    for target in targets.iter().filter(|target| target.file.is_none()) {
+        let written = report::write(target.format, outcome, &view(terminal), out).and_then(|()| out.flush());
+        written.or_else(|error| if error.kind() == ErrorKind::BrokenPipe { Ok(()) } else { Err(error) })?;
+    }
+    Ok(())
 }
 
 /// Says on standard error what no report on standard output says.

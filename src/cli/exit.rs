@@ -74,7 +74,9 @@ impl fmt::Display for Failure {
             Self::Run(error) => error.fmt(f),
             Self::Usage(text) => f.write_str(text),
             Self::Eval(error) => error.fmt(f),
-            Self::Io(error) => write!(f, "cannot write: {error}"),
+            Self::Io(error) => {
+                write!(f, "cannot write to standard output: {error}; send it to a file or program that takes it")
+            }
         }
     }
 }

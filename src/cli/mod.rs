@@ -12,6 +12,7 @@ mod panics;
 mod progress;
 mod schema;
 mod shell;
+mod step_summary;
 mod terminal;
 
 use std::io::{self, Write};
@@ -62,6 +63,9 @@ fn run(args: &Args, panics: &Panics, err: &mut dyn Write) -> Result<Exit, Failur
         Some(Command::Completions { shell }) => shell::write_completions(*shell, &mut out)?,
         Some(Command::Man { words }) => shell::write_man_page(words, &mut out)?,
     };
-    out.flush()?;
-    Ok(exit)
+    match out.flush() {
+        // Who stopped reading has seen enough, and the exit code still tells.
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(error.into()),
+        _ => Ok(exit),
+    }
 }

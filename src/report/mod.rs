@@ -1,9 +1,19 @@
 //! An outcome as text. One file a format; no writer computes, sorts or reads anything.
 
 mod concise;
+mod github;
+mod gitlab;
+mod html;
 mod human;
 mod json;
+mod junit;
+mod markdown;
 mod paint;
+mod phrase;
+mod printable;
+mod sarif;
+mod snippet;
+mod verdict;
 mod wrap;
 
 use std::io::{self, Write};
@@ -11,7 +21,9 @@ use std::io::{self, Write};
 use crate::diag::{Level, RuleInfo};
 use crate::engine::Outcome;
 
+pub use markdown::summary;
 pub(crate) use paint::Paint;
+pub(crate) use printable::printable;
 pub(crate) use wrap::{count, hang, paragraphs};
 
 /// What a report writer may know besides the outcome.
@@ -45,12 +57,33 @@ pub enum Format {
     Concise,
     /// `mhlint-report/1`.
     Json,
+    /// SARIF 2.1.0, for code scanning.
+    Sarif,
+    /// Workflow commands of GitHub, which become annotations.
+    Github,
+    /// Code quality report of GitLab.
+    Gitlab,
+    /// `JUnit` XML, for every other CI system.
+    Junit,
+    /// For pull requests and summaries.
+    Markdown,
+    /// One page for a browser.
+    Html,
 }
 
 impl Format {
     /// All formats with their names on the command line.
-    pub const ALL: &'static [(&'static str, Self)] =
-        &[("human", Self::Human), ("concise", Self::Concise), ("json", Self::Json)];
+    pub const ALL: &'static [(&'static str, Self)] = &[
+        ("human", Self::Human),
+        ("concise", Self::Concise),
+        ("json", Self::Json),
+        ("sarif", Self::Sarif),
+        ("github", Self::Github),
+        ("gitlab", Self::Gitlab),
+        ("junit", Self::Junit),
+        ("markdown", Self::Markdown),
+        ("html", Self::Html),
+    ];
 
     /// Whether the notes of a run are part of the format.
     pub const fn shows_notes(self) -> bool {
@@ -67,21 +100,11 @@ pub fn write(format: Format, outcome: &Outcome, view: &View<'_>, out: &mut dyn W
         Format::Human => human::write(outcome, view, out),
         Format::Concise => concise::write(outcome, view, out),
         Format::Json => json::write(outcome, view, out),
+        Format::Sarif => sarif::write(outcome, view, out),
+        Format::Github => github::write(outcome, view, out),
+        Format::Gitlab => gitlab::write(outcome, out),
+        Format::Junit => junit::write(outcome, view, out),
+        Format::Markdown => markdown::write(outcome, view, out),
+        Format::Html => html::write(outcome, view, out),
     }
-}
-
-/// Text of an asset made harmless for a terminal: control characters become visible.
-pub(crate) fn printable(text: &str) -> String {
-    text.chars()
-        .map(|character| match character {
-            '\n' | '\r' | '\t' => ' ',
-            other if other.is_control() || is_direction(other) => '\u{fffd}',
-            other => other,
-        })
-        .collect()
-}
-
-/// Characters that turn the direction of writing and so can make a name look like another one.
-fn is_direction(character: char) -> bool {
-    matches!(character, '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
 }

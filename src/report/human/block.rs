@@ -11,12 +11,10 @@ use miette::{
     SourceCode, SourceSpan, SpanContents, ThemeCharacters, ThemeStyles,
 };
 
-use super::snippet::{Snippet, snippet};
-use crate::diag::{Break, Confidence, Evidence, Finding, Level, Location};
-use crate::report::{Paint, View, count, hang, printable};
-
-/// Related places shown for one finding.
-const RELATED: usize = 5;
+use crate::diag::{Break, Finding, Level, Location};
+use crate::report::phrase::{bare_place, doubt, lines};
+use crate::report::snippet::{Snippet, snippet};
+use crate::report::{Paint, View, hang, printable};
 
 /// The block of a finding: message, consequences, source text, evidence, other places, help.
 /// With `repeats` the consequences were said just before and are left out.
@@ -34,96 +32,22 @@ pub(super) fn render(finding: &Finding, repeats: bool, view: &View<'_>) -> Strin
         let paint = Paint { color: view.color };
         let plain = format!("  {label}: ");
         let block = hang(&plain, &printable(&line), view.width);
-        text.push_str(&block.replacen(label, &paint.hint(label), 1));
+        text.push_str(&block.replacen(&label, &paint.hint(&label), 1));
         text.push('\n');
     }
     text
 }
 
-/// Lines below the source text, with what they are called.
-fn footer(finding: &Finding, has_source: bool) -> Vec<(&'static str, String)> {
-    let mut lines = Vec::new();
-    if let Some(at) = bare_place(&finding.location).filter(|_| !has_source) {
-        lines.push(("at", at));
-    }
-    if let Some(evidence) = finding.evidence.as_ref().and_then(evidence_line) {
-        lines.push(("seen", evidence));
-    }
-    for related in finding.related.iter().take(RELATED) {
-        lines.push(("see", format!("{}{}: {}", related.path, colons(&related.location), related.message)));
-    }
-    if finding.related.len() > RELATED {
-        lines.push(("see", count(finding.related.len() - RELATED, "more place")));
-    }
-    if let Some(help) = &finding.help {
-        lines.push(("help", help.clone()));
-    }
-    if let Some(because) = &finding.because {
-        lines.push(("shown because", because.clone()));
-    }
-    lines
-}
-
-/// A place without source text: line and element.
-fn bare_place(location: &Location) -> Option<String> {
-    let line = location.line.map(|line| match location.column {
-        Some(column) => format!("line {line}, column {column}"),
-        None => format!("line {line}"),
-    });
-    let element = location.element.map(|element| format!("{} {}", element.kind, element.index));
-    let pointer = location.pointer.clone().filter(|pointer| line.is_none() && !pointer.is_empty());
-    let parts: Vec<String> = [line, element, pointer].into_iter().flatten().collect();
-    (!parts.is_empty()).then(|| parts.join(", "))
-}
-
-fn colons(location: &Location) -> String {
-    match (location.line, location.column) {
-        (Some(line), Some(column)) => format!(":{line}:{column}"),
-        (Some(line), None) => format!(":{line}"),
-        _ => String::new(),
-    }
-}
-
-/// `108 of 216: a, b, c and 105 more; worst 0.5 at vertex 7`. Nothing for a single case: the message says it.
-fn evidence_line(evidence: &Evidence) -> Option<String> {
-    if evidence.count < 2 && evidence.worst.is_none() {
-        return None;
-    }
-    let worst = evidence.worst.as_ref().map(|worst| format!("worst {} at {}", number(worst.value), worst.place));
-    if evidence.count < 2 && evidence.examples.is_empty() && evidence.of.is_none() {
-        return worst;
-    }
-    let of = evidence.of.map_or_else(String::new, |of| format!(" of {of}"));
-    let left = evidence.groups.unwrap_or(evidence.count).saturating_sub(evidence.examples.len() as u64);
-    let examples = match (evidence.examples.is_empty(), left) {
-        (true, _) => String::new(),
-        (false, 0) => format!(": {}", evidence.examples.join(", ")),
-        (false, left) => format!(": {} and {left} more", evidence.examples.join(", ")),
-    };
-    let worst = worst.map_or_else(String::new, |worst| format!("; {worst}"));
-    Some(format!("{}{of}{examples}{worst}", evidence.count))
-}
-
-/// A number with about four digits that matter.
-fn number(value: f64) -> String {
-    let size = value.abs();
-    if value.fract() == 0.0 && size < 1e9 {
-        return format!("{value}");
-    }
-    if !(1e-3..1e7).contains(&size) {
-        return format!("{value:.3e}");
-    }
-    let text = format!("{value:.4}");
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+/// Lines below the source text, with what they are called. The consequences stand above it.
+fn footer(finding: &Finding, has_source: bool) -> Vec<(String, String)> {
+    let at = bare_place(&finding.location).filter(|_| !has_source).map(|at| ("at".to_owned(), at));
+    let lines = lines(finding).into_iter().skip(finding.breaks.len());
+    at.into_iter().chain(lines.map(|line| (line.label, line.text))).collect()
 }
 
 fn handler(finding: &Finding, view: &View<'_>) -> GraphicalReportHandler {
     let mut characters = if view.unicode { ThemeCharacters::unicode() } else { ThemeCharacters::ascii() };
-    let title = match finding.confidence {
-        Confidence::High => format!("{}[{}]", finding.level, finding.rule),
-        Confidence::Medium => format!("{}[{}] (likely)", finding.level, finding.rule),
-        Confidence::Low => format!("{}[{}] (a guess)", finding.level, finding.rule),
-    };
+    let title = format!("{}[{}]{}", finding.level, finding.rule, doubt(finding.confidence));
     let slot = match finding.level {
         Level::Error => &mut characters.error,
         Level::Warning => &mut characters.warning,
@@ -238,7 +162,7 @@ impl SourceCode for Source<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diag::{Element, Place, RuleInfo};
+    use crate::diag::{Confidence, Element, Evidence, Place, RuleInfo};
 
     const VIEW: View<'_> = View {
         pass: false,
@@ -269,16 +193,6 @@ mod tests {
     }
 
     #[test]
-    fn groups_of_elements_are_not_taken_for_elements() {
-        let named = Evidence::of_groups(["a-*", "b-*"], 108).out_of(216);
-        assert_eq!(evidence_line(&named).as_deref(), Some("108 of 216: a-*, b-*"));
-        let cut = Evidence::of_groups(["a"; 7], 99);
-        assert_eq!(evidence_line(&cut).as_deref(), Some("99: a, a, a, a, a and 2 more"));
-        let single = Evidence { count: 1, ..Evidence::default() }.with_worst(0.5, "vertex 3");
-        assert_eq!(evidence_line(&single).as_deref(), Some("worst 0.5 at vertex 3"));
-    }
-
-    #[test]
     fn each_application_has_its_line_and_repetitions_have_none() {
         let finding = finding().breaks(crate::diag::Application::Makehuman2, "stops");
         let finding = finding.breaks(crate::diag::Application::Mpfb, "ignores it");
@@ -295,11 +209,5 @@ mod tests {
         finding.location.excerpt = Some(excerpt);
         let text = render(&finding, false, &VIEW);
         assert!(text.contains("[data/a.target:2:2]") && text.contains(" 2 | }"), "{text}");
-    }
-
-    #[test]
-    fn numbers_keep_the_digits_that_matter() {
-        let shown = [2.0, 0.25, 1.0 / 3.0, 1e-7, f64::NAN, -12.5].map(number);
-        assert_eq!(shown, ["2", "0.25", "0.3333", "1.000e-7", "NaN", "-12.5"]);
     }
 }

@@ -4,13 +4,11 @@
 
 mod block;
 mod pick;
-mod snippet;
-mod verdict;
 
 use std::collections::BTreeSet;
 use std::io::{self, Write};
 
-use super::{Paint, View, count, hang, printable};
+use super::{Paint, View, count, hang, printable, verdict};
 use crate::diag::{Finding, Level};
 use crate::engine::Outcome;
 use pick::Picked;

@@ -1,29 +1,40 @@
 //! The last lines: what was looked at, and one sentence that says how it ended.
 
+use super::{Paint, View, count, hang, printable};
 use crate::diag::{Application, Level};
-use crate::engine::Outcome;
-use crate::report::{Paint, View, count, hang, printable};
+use crate::engine::{Outcome, Summary};
 
 /// What was judged, and how many findings of each level there are.
 pub(super) fn counts(outcome: &Outcome, view: &View<'_>) -> String {
-    let summary = &outcome.summary;
+    let line = format!("{} in {} of {}", tally(&outcome.summary), files(&outcome.summary), roots(outcome).join(", "));
+    hang("", &printable(&line), view.width)
+}
+
+/// `1 error, 0 warnings, 0 infos`, and what was muted.
+pub(super) fn tally(summary: &Summary) -> String {
     let muted = if summary.suppressed > 0 { format!(", {} muted", summary.suppressed) } else { String::new() };
-    let line = format!(
-        "{}, {}, {}{muted} in {} ({})",
+    format!(
+        "{}, {}, {}{muted}",
         count(summary.error, "error"),
         count(summary.warning, "warning"),
-        count(summary.info, "info"),
-        count(summary.files, "file"),
-        size(summary.bytes)
-    );
+        count(summary.info, "info")
+    )
+}
+
+/// `86 files (344.3 kB)`.
+pub(super) fn files(summary: &Summary) -> String {
+    format!("{} ({})", count(summary.files, "file"), size(summary.bytes))
+}
+
+/// The judged data roots: path, application, base meshes. Not made harmless yet.
+pub(super) fn roots(outcome: &Outcome) -> Vec<String> {
     let judged = outcome.roots.iter().filter(|root| root.judged);
-    let roots: Vec<String> = judged
+    judged
         .map(|root| {
             let bases = if root.bases.is_empty() { String::new() } else { format!(": {}", root.bases.join(", ")) };
             format!("{} ({}{bases})", root.path, root.application)
         })
-        .collect();
-    hang("", &printable(&format!("{line} of {}", roots.join(", "))), view.width)
+        .collect()
 }
 
 /// The verdict.
@@ -37,11 +48,15 @@ pub(super) fn sentence(outcome: &Outcome, view: &View<'_>) -> String {
     }
 }
 
-fn words(outcome: &Outcome, view: &View<'_>) -> String {
+/// The verdict without colour or line breaks.
+pub(super) fn words(outcome: &Outcome, view: &View<'_>) -> String {
     let summary = &outcome.summary;
     let who = applications(outcome);
     if !outcome.failed_rules.is_empty() {
         return "No verdict: mhlint itself failed on these data.".to_owned();
+    }
+    if !outcome.judged_anything() {
+        return "Nothing to check: no data of MakeHuman 2 were found.".to_owned();
     }
     if outcome.findings.is_empty() {
         return format!("Nothing found: as far as the rules reach, {who} loads all of it as it was written.");

@@ -59,7 +59,10 @@ fn push_marked(text: &mut String, parts: [&str; 3], room: usize) -> Range<usize>
     let start = text.len();
     text.push_str(&cut(&marked, room));
     let end = text.len();
-    text.push_str(&cut(&trail, room.saturating_sub(length(&marked))));
+    // A mark that was cut says already that the line goes on.
+    if length(&marked) <= room {
+        text.push_str(&cut(&trail, room - length(&marked)));
+    }
     start..end
 }
 

@@ -1,0 +1,70 @@
+//! The code quality report of GitLab: shown in merge requests, with what is new and what is gone.
+
+use std::collections::BTreeSet;
+use std::io::{self, Write};
+
+use serde::Serialize;
+
+use super::phrase;
+use crate::diag::{Finding, Level, fingerprint};
+use crate::engine::Outcome;
+
+#[derive(Serialize)]
+struct Issue<'a> {
+    description: String,
+    check_name: &'a str,
+    fingerprint: String,
+    severity: &'static str,
+    location: Location<'a>,
+}
+
+#[derive(Serialize)]
+struct Location<'a> {
+    path: &'a str,
+    lines: Lines,
+}
+
+#[derive(Serialize)]
+struct Lines {
+    begin: u32,
+}
+
+/// Writes the list of issues, an empty one if there are none.
+pub(super) fn write(outcome: &Outcome, out: &mut dyn Write) -> io::Result<()> {
+    let mut seen = BTreeSet::new();
+    let issues: Vec<Issue<'_>> = outcome.findings.iter().map(|finding| issue(finding, &mut seen)).collect();
+    serde_json::to_writer_pretty(&mut *out, &issues)?;
+    writeln!(out)
+}
+
+fn issue<'a>(finding: &'a Finding, seen: &mut BTreeSet<String>) -> Issue<'a> {
+    Issue {
+        description: phrase::plain(finding).replace('\n', ". "),
+        check_name: finding.rule,
+        fingerprint: unique(finding, seen),
+        severity: severity(finding.level),
+        location: Location {
+            path: if finding.path.is_empty() { "." } else { &finding.path },
+            lines: Lines { begin: finding.location.line.unwrap_or(1) },
+        },
+    }
+}
+
+/// GitLab shows one issue for a fingerprint, and two data roots may hold the same asset with the same fault.
+fn unique(finding: &Finding, seen: &mut BTreeSet<String>) -> String {
+    let own = finding.fingerprint.clone();
+    if seen.insert(own.clone()) {
+        return own;
+    }
+    let other = fingerprint(finding.rule, &finding.path, &own, 0);
+    seen.insert(other.clone());
+    other
+}
+
+const fn severity(level: Level) -> &'static str {
+    match level {
+        Level::Error => "critical",
+        Level::Warning => "major",
+        Level::Info => "info",
+    }
+}

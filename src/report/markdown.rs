@@ -1,0 +1,222 @@
+//! Markdown, for the summary of a workflow step, a comment on a pull request, or a page in a wiki.
+
+use std::io::{self, Write};
+
+use super::phrase::{self, Piece, pieces};
+use super::snippet::snippet;
+use super::{View, printable, verdict};
+use crate::diag::Finding;
+use crate::engine::Outcome;
+
+/// Columns of quoted source lines.
+const WIDTH: usize = 100;
+
+/// Room kept for the words on what was left out.
+const RESERVE: usize = 400;
+
+/// Writes the report.
+pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> io::Result<()> {
+    out.write_all(summary(outcome, view, usize::MAX).as_bytes())
+}
+
+/// The Markdown report in at most `room` bytes. Where not all of it fits, the gravest findings are kept and the
+/// number of the others is said. Empty if there is no room for anything.
+pub fn summary(outcome: &Outcome, view: &View<'_>, room: usize) -> String {
+    let mut text = head(outcome, view);
+    let tail = notes(outcome);
+    let fixed = text.len() + tail.len() + RESERVE;
+    if fixed > room {
+        return if text.len() <= room { text } else { String::new() };
+    }
+    let all = outcome.findings.iter().collect::<Vec<_>>();
+    let body = blocks(&all);
+    let length = |blocks: &[String]| blocks.iter().map(String::len).sum::<usize>();
+    if length(&body) <= room - fixed {
+        body.iter().for_each(|block| text.push_str(block));
+    } else {
+        let mut gravest = all;
+        gravest.sort_by_key(|finding| std::cmp::Reverse(finding.level));
+        let kept = fitting(&blocks(&gravest), room - fixed);
+        gravest.truncate(kept);
+        blocks(&gravest).iter().for_each(|block| text.push_str(block));
+        text.push_str(&left_out(outcome.findings.len() - kept));
+    }
+    text.push_str(&tail);
+    text
+}
+
+fn left_out(number: usize) -> String {
+    format!("\n**{number} findings more** do not fit here; the gravest are shown, the other reports list all.\n")
+}
+
+/// How many blocks fit, from the first on.
+fn fitting(blocks: &[String], room: usize) -> usize {
+    let mut used = 0;
+    let fits = |block: &&String| {
+        used += block.len();
+        used <= room
+    };
+    blocks.iter().take_while(fits).count()
+}
+
+fn head(outcome: &Outcome, view: &View<'_>) -> String {
+    let summary = &outcome.summary;
+    let muted = if summary.suppressed > 0 { format!(" {} |", summary.suppressed) } else { String::new() };
+    let [title, rule] = if muted.is_empty() { ["", ""] } else { [" muted |", "---:|"] };
+    let table = format!(
+        "## mhlint: {}\n\n{}\n\n| errors | warnings | infos |{title} files |\n|---:|---:|---:|{rule}---:|\n\
+        | {} | {} | {} |{muted} {} |\n",
+        if view.pass { "passed" } else { "failed" },
+        inline(&verdict::words(outcome, view)),
+        summary.error,
+        summary.warning,
+        summary.info,
+        verdict::files(summary),
+    );
+    let roots: Vec<String> = verdict::roots(outcome).iter().map(|root| inline(&printable(root))).collect();
+    let judged = if roots.is_empty() { String::new() } else { format!("\nJudged: {}\n", roots.join(", ")) };
+    table + &judged
+}
+
+fn notes(outcome: &Outcome) -> String {
+    let lines: Vec<String> = outcome.notes.iter().map(|note| format!("- {}\n", inline(&printable(note)))).collect();
+    if lines.is_empty() { String::new() } else { format!("\n### Not judged\n\n{}", lines.concat()) }
+}
+
+/// A block for each finding, with the heading of its file where that changes.
+fn blocks(findings: &[&Finding]) -> Vec<String> {
+    let mut path: Option<&str> = None;
+    let mut blocks = Vec::with_capacity(findings.len());
+    for finding in findings {
+        let is_new = path.replace(&finding.path) != Some(finding.path.as_str());
+        let heading = if is_new { format!("\n### {}\n\n", code(&phrase::path(&finding.path))) } else { String::new() };
+        blocks.push(heading + &item(finding));
+    }
+    blocks
+}
+
+fn item(finding: &Finding) -> String {
+    let place = phrase::bare_place(&finding.location).map_or_else(String::new, |place| {
+        let place = inline(&printable(&place));
+        format!(" at {place}")
+    });
+    let message = format!(
+        "- **{}** {}{}  \n  {}{place}\n",
+        finding.level,
+        inline(&printable(&finding.message)),
+        phrase::doubt(finding.confidence),
+        code(finding.rule)
+    );
+    let lines = phrase::lines(finding).into_iter();
+    let lines = lines.map(|line| format!("  - {}: {}\n", line.label, inline(&line.text)));
+    [message, quoted(finding)].into_iter().chain(lines).collect::<Vec<_>>().concat()
+}
+
+/// The source lines as a block of code, its fence longer than any in them.
+fn quoted(finding: &Finding) -> String {
+    let Some(found) = finding.location.excerpt.as_ref().and_then(|excerpt| snippet(excerpt, WIDTH)) else {
+        return String::new();
+    };
+    let fence = "`".repeat(longest_run(&found.text).max(2) + 1);
+    let lines = (found.first_line..).zip(found.text.split('\n'));
+    let lines: Vec<String> = lines.map(|(number, line)| format!("  {number:>5} | {line}\n")).collect();
+    format!("\n  {fence}text\n{}  {fence}\n\n", lines.concat())
+}
+
+fn longest_run(text: &str) -> usize {
+    text.split(|character| character != '`').map(str::len).max().unwrap_or(0)
+}
+
+/// A name as code: nothing inside is read as Markdown.
+fn code(name: &str) -> String {
+    let fence = "`".repeat(longest_run(name) + 1);
+    let pad = if name.contains('`') || name.trim().len() < name.len() || name.is_empty() { " " } else { "" };
+    format!("{fence}{pad}{name}{pad}{fence}")
+}
+
+/// Words with names in back quotes.
+fn inline(text: &str) -> String {
+    let mut shown = String::new();
+    for piece in pieces(text) {
+        match piece {
+            Piece::Words(words) => shown.push_str(&escape(words)),
+            Piece::Name(name) => {
+                // Two runs of back quotes side by side would be read as one.
+                let gap = if shown.ends_with('`') { " " } else { "" };
+                shown.push_str(gap);
+                shown.push_str(&code(name));
+            }
+        }
+    }
+    shown
+}
+
+/// Words in which nothing is read as Markdown, HTML, a link or the name of a user.
+fn escape(words: &str) -> String {
+    let mut escaped = String::with_capacity(words.len());
+    for (at, character) in words.char_indices() {
+        let before = words.get(..at).unwrap_or_default();
+        let links =
+            (character == ':' && words[at..].starts_with("://")) || (character == '.' && before.ends_with("www"));
+        if links || "\\`*_[]<>&|~#!$".contains(character) {
+            escaped.push('\\');
+        }
+        escaped.push(character);
+        if character == '@' {
+            escaped.push('\u{200b}');
+        }
+    }
+    escaped
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diag::{Level, Place, RuleInfo};
+
+    #[test]
+    fn words_stay_words() {
+        assert_eq!(inline("a `b*` <i> [x](y) _z_"), "a `b*` \\<i\\> \\[x\\](y) \\_z\\_");
+        assert_eq!(inline("see http://x and www.y for @me"), "see http\\://x and www\\.y for @\u{200b}me");
+        assert_eq!(inline("`a``b`"), "`a` `b`");
+    }
+
+    #[test]
+    fn code_keeps_its_back_quotes_inside() {
+        assert_eq!(code("plain"), "`plain`");
+        assert_eq!(code("a``b`"), "``` a``b` ```");
+    }
+
+    fn outcome(count: usize) -> Outcome {
+        let finding = |number| {
+            let level = if number % 10 == 0 { Level::Error } else { Level::Info };
+            Finding::new(&RuleInfo::new("a-rule", level, ""), format!("f{number}"), Place::File, "it is so")
+        };
+        let mut outcome = Outcome { findings: (0..count).map(finding).collect(), ..Outcome::default() };
+        outcome.summary.info = count;
+        outcome
+    }
+
+    #[test]
+    fn a_bounded_summary_keeps_the_gravest_and_counts_the_rest() {
+        let view = View {
+            pass: false,
+            fail_on: None,
+            max_warnings: None,
+            color: false,
+            unicode: false,
+            width: 80,
+            quiet: false,
+            rules: &[],
+        };
+        let all = summary(&outcome(100), &view, usize::MAX);
+        assert_eq!(all.matches("**info**").count(), 90);
+        let room = all.len() / 2;
+        let some = summary(&outcome(100), &view, room);
+        assert!(some.len() <= room && some.len() > room / 2, "{} of {room}", some.len());
+        assert_eq!(some.matches("**error**").count(), 10);
+        let left = 90 - some.matches("**info**").count();
+        assert!(some.contains(&format!("**{left} findings more**")), "{some}");
+        assert_eq!(summary(&outcome(100), &view, 10), "");
+    }
+}

@@ -1,0 +1,194 @@
+//! Findings in words that every format for people uses: places, evidence, and the whole as lines of plain text.
+
+use super::{count, printable};
+use crate::diag::{Confidence, Evidence, Finding, Location};
+
+/// Related places that a text names; formats with room for more have their own bound.
+pub(super) const RELATED: usize = 5;
+
+/// One line below the message of a finding.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Line {
+    /// What it is: an application, `seen`, `see`, `help`.
+    pub(super) label: String,
+    /// The words, harmless for a terminal, in Markdown-like quotes where a name is meant.
+    pub(super) text: String,
+}
+
+/// Everything below the message: consequence for each application, evidence, other places, help.
+pub(super) fn lines(finding: &Finding) -> Vec<Line> {
+    let line = |label: &str, text: &str| Line { label: label.to_owned(), text: printable(text) };
+    let mut lines: Vec<Line> = finding.breaks.iter().map(|one| line(one.application.title(), &one.effect)).collect();
+    if let Some(evidence) = finding.evidence.as_ref().and_then(evidence_line) {
+        lines.push(line("seen", &evidence));
+    }
+    for related in finding.related.iter().take(RELATED) {
+        lines.push(line("see", &format!("{}{}: {}", related.path, colons(&related.location), related.message)));
+    }
+    if finding.related.len() > RELATED {
+        lines.push(line("see", &count(finding.related.len() - RELATED, "more place")));
+    }
+    if let Some(help) = &finding.help {
+        lines.push(line("help", help));
+    }
+    if let Some(because) = &finding.because {
+        lines.push(line("shown because", because));
+    }
+    lines
+}
+
+/// Message and lines as plain text, each on its own line.
+pub(super) fn plain(finding: &Finding) -> String {
+    let mut text = format!("{}{}", printable(&finding.message), doubt(finding.confidence));
+    for line in lines(finding) {
+        text.push('\n');
+        text.push_str(&line.label);
+        text.push_str(": ");
+        text.push_str(&line.text);
+    }
+    text
+}
+
+/// How sure the rule is, where it is not.
+pub(super) const fn doubt(confidence: Confidence) -> &'static str {
+    match confidence {
+        Confidence::High => "",
+        Confidence::Medium => " (likely)",
+        Confidence::Low => " (a guess)",
+    }
+}
+
+/// A piece of a text: outside or inside of the back quotes that mark names.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Piece<'a> {
+    /// Ordinary words.
+    Words(&'a str),
+    /// A name.
+    Name(&'a str),
+}
+
+/// Takes a text apart at its back quotes. A name that holds one itself only shifts what counts as a name, so
+/// both kinds have to be escaped.
+pub(super) fn pieces(text: &str) -> Vec<Piece<'_>> {
+    let mut pieces = Vec::new();
+    let mut rest = text;
+    while let Some((words, behind)) = rest.split_once('`')
+        && let Some((name, next)) = behind.split_once('`')
+    {
+        pieces.extend([Piece::Words(words), Piece::Name(name)]);
+        rest = next;
+    }
+    pieces.push(Piece::Words(rest));
+    pieces.retain(|piece| *piece != Piece::Words(""));
+    pieces
+}
+
+/// The path of a finding; the working directory has a name as well.
+pub(super) fn path(path: &str) -> String {
+    if path.is_empty() { ".".to_owned() } else { printable(path) }
+}
+
+/// A place without source text: line and element.
+pub(super) fn bare_place(location: &Location) -> Option<String> {
+    let line = location.line.map(|line| match location.column {
+        Some(column) => format!("line {line}, column {column}"),
+        None => format!("line {line}"),
+    });
+    let element = location.element.map(|element| format!("{} {}", element.kind, element.index));
+    let pointer = location.pointer.clone().filter(|pointer| line.is_none() && !pointer.is_empty());
+    let parts: Vec<String> = [line, element, pointer].into_iter().flatten().collect();
+    (!parts.is_empty()).then(|| parts.join(", "))
+}
+
+/// `:line:column` behind a path.
+pub(super) fn colons(location: &Location) -> String {
+    match (location.line, location.column) {
+        (Some(line), Some(column)) => format!(":{line}:{column}"),
+        (Some(line), None) => format!(":{line}"),
+        _ => String::new(),
+    }
+}
+
+/// `108 of 216: a, b, c and 105 more; worst 0.5 at vertex 7`. Nothing for a single case: the message says it.
+pub(super) fn evidence_line(evidence: &Evidence) -> Option<String> {
+    if evidence.count < 2 && evidence.worst.is_none() {
+        return None;
+    }
+    let worst = evidence.worst.as_ref().map(|worst| format!("worst {} at {}", number(worst.value), worst.place));
+    if evidence.count < 2 && evidence.examples.is_empty() && evidence.of.is_none() {
+        return worst;
+    }
+    let of = evidence.of.map_or_else(String::new, |of| format!(" of {of}"));
+    let left = evidence.groups.unwrap_or(evidence.count).saturating_sub(evidence.examples.len() as u64);
+    let examples = match (evidence.examples.is_empty(), left) {
+        (true, _) => String::new(),
+        (false, 0) => format!(": {}", evidence.examples.join(", ")),
+        (false, left) => format!(": {} and {left} more", evidence.examples.join(", ")),
+    };
+    let worst = worst.map_or_else(String::new, |worst| format!("; {worst}"));
+    Some(format!("{}{of}{examples}{worst}", evidence.count))
+}
+
+/// A number with about four digits that matter.
+fn number(value: f64) -> String {
+    let size = value.abs();
+    if value.fract() == 0.0 && size < 1e9 {
+        return format!("{value}");
+    }
+    if !(1e-3..1e7).contains(&size) {
+        return format!("{value:.3e}");
+    }
+    let text = format!("{value:.4}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diag::{Application, Level, Place, RuleInfo};
+
+    #[test]
+    fn groups_of_elements_are_not_taken_for_elements() {
+        let named = Evidence::of_groups(["a-*", "b-*"], 108).out_of(216);
+        assert_eq!(evidence_line(&named).as_deref(), Some("108 of 216: a-*, b-*"));
+        let cut = Evidence::of_groups(["a"; 7], 99);
+        assert_eq!(evidence_line(&cut).as_deref(), Some("99: a, a, a, a, a and 2 more"));
+        let single = Evidence { count: 1, ..Evidence::default() }.with_worst(0.5, "vertex 3");
+        assert_eq!(evidence_line(&single).as_deref(), Some("worst 0.5 at vertex 3"));
+    }
+
+    #[test]
+    fn a_finding_in_plain_words() {
+        let finding = Finding::new(&RuleInfo::new("a-rule", Level::Error, ""), "a", Place::File, "it is\nso")
+            .confidence(Confidence::Low)
+            .breaks(Application::Mpfb, "stops")
+            .related("b", Place::File, "the other")
+            .help("mend it");
+        assert_eq!(plain(&finding), "it is so (a guess)\nMPFB: stops\nsee: b: the other\nhelp: mend it");
+    }
+
+    #[test]
+    fn names_stand_between_back_quotes() {
+        use Piece::{Name, Words};
+        assert_eq!(pieces("`a` and `b`"), [Name("a"), Words(" and "), Name("b")]);
+        assert_eq!(pieces("one ` only"), [Words("one ` only")]);
+        assert_eq!(pieces("`a`b`c"), [Name("a"), Words("b`c")]);
+        assert_eq!(pieces(""), []);
+    }
+
+    #[test]
+    fn related_places_are_bounded() {
+        let mut finding = Finding::new(&RuleInfo::new("a-rule", Level::Error, ""), "a", Place::File, "it");
+        for _ in 0..RELATED + 2 {
+            finding = finding.related("b", Place::File, "there");
+        }
+        assert_eq!(lines(&finding).len(), RELATED + 1);
+        assert!(plain(&finding).ends_with("see: 2 places more"));
+    }
+
+    #[test]
+    fn numbers_keep_the_digits_that_matter() {
+        let shown = [2.0, 0.25, 1.0 / 3.0, 1e-7, f64::NAN, -12.5].map(number);
+        assert_eq!(shown, ["2", "0.25", "0.3333", "1.000e-7", "NaN", "-12.5"]);
+    }
+}

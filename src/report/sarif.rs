@@ -1,0 +1,249 @@
+//! SARIF 2.1.0, as the standard says and as code scanning on GitHub accepts it.
+
+use std::io::{self, Write};
+
+use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, utf8_percent_encode};
+use serde_json::{Map, Value, json};
+
+use super::{View, phrase, printable};
+use crate::diag::{Finding, Level, Location, Related, RuleInfo};
+use crate::engine::Outcome;
+
+/// Results that GitHub accepts in one run; it refuses the whole file beyond.
+const RESULTS: usize = 25_000;
+
+/// Places of one result that GitHub shows.
+const PLACES: usize = 100;
+
+/// What may stand in a path of a URI as it is.
+const PATH: &AsciiSet = &NON_ALPHANUMERIC.remove(b'/').remove(b'-').remove(b'.').remove(b'_').remove(b'~');
+
+/// Writes the log with its one run.
+pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> io::Result<()> {
+    let findings = gravest(&outcome.findings);
+    let rules = used(&findings, view.rules);
+    let results: Vec<Value> = findings.iter().map(|finding| result(finding, &rules)).collect();
+    let log = json!({
+        "$schema": "https://json.schemastore.org/sarif-2.1.0.json",
+        "version": "2.1.0",
+        "runs": [{
+            "tool": { "driver": {
+                "name": env!("CARGO_PKG_NAME"),
+                "semanticVersion": env!("CARGO_PKG_VERSION"),
+                "shortDescription": { "text": env!("CARGO_PKG_DESCRIPTION") },
+                "rules": rules.iter().map(|rule| descriptor(rule)).collect::<Vec<_>>(),
+            }},
+            "invocations": [{
+                "executionSuccessful": outcome.failed_rules.is_empty(),
+                "toolExecutionNotifications": notifications(outcome, findings.len()),
+            }],
+            "columnKind": "unicodeCodePoints",
+            "originalUriBaseIds": { "%SRCROOT%": {
+                "description": { "text": "The folder in which mhlint was run." },
+            }},
+            "results": results,
+        }],
+    });
+    serde_json::to_writer_pretty(&mut *out, &log)?;
+    writeln!(out)
+}
+
+/// All findings, or the gravest where there are more than may be uploaded.
+fn gravest(findings: &[Finding]) -> Vec<&Finding> {
+    let mut kept: Vec<&Finding> = findings.iter().collect();
+    if kept.len() > RESULTS {
+        kept.sort_by_key(|finding| std::cmp::Reverse(finding.level));
+        kept.truncate(RESULTS);
+    }
+    kept
+}
+
+/// The rules that found something, in the order of the table.
+fn used<'a>(findings: &[&Finding], rules: &[&'a RuleInfo]) -> Vec<&'a RuleInfo> {
+    rules.iter().filter(|rule| findings.iter().any(|finding| finding.rule == rule.id)).copied().collect()
+}
+
+fn descriptor(rule: &RuleInfo) -> Value {
+    let effects = rule.breaks.iter().map(|(application, effect)| (application.title(), *effect));
+    let plain: Vec<String> = effects.clone().map(|(title, effect)| format!("{title}: {effect}.")).collect();
+    let listed: Vec<String> = effects.map(|(title, effect)| format!("- **{title}:** {effect}")).collect();
+    let docs = [rule.docs, &plain.join("\n")].join("\n\n");
+    let markdown = [rule.docs, &listed.join("\n"), &format!("`mhlint explain {}` shows examples.", rule.id)];
+    json!({
+        "id": rule.id,
+        "shortDescription": { "text": text(rule.summary) },
+        "fullDescription": { "text": text(rule.docs.split("\n\n").next().filter(|d| !d.is_empty()).unwrap_or(rule.summary)) },
+        "help": { "text": text(docs.trim()), "markdown": braces(markdown.join("\n\n").trim()) },
+        "defaultConfiguration": { "level": level(rule.level) },
+        "properties": { "tags": [rule.family()], "problem.severity": severity(rule.level) },
+    })
+}
+
+fn result(finding: &Finding, rules: &[&RuleInfo]) -> Value {
+    let mut result = json!({
+        "ruleId": finding.rule,
+        "level": level(finding.level),
+        "message": { "text": message(finding) },
+        "locations": [place(&finding.path, &finding.location)],
+        "partialFingerprints": fingerprints(finding),
+        "properties": { "confidence": finding.confidence },
+    });
+    if let Some(index) = rules.iter().position(|rule| rule.id == finding.rule) {
+        result["ruleIndex"] = json!(index);
+    }
+    if !finding.related.is_empty() {
+        let related = finding.related.iter().take(PLACES).enumerate();
+        result["relatedLocations"] = related.map(|(id, related)| related_place(id, related)).collect();
+    }
+    result
+}
+
+/// Message, consequences, evidence and help. Other places have their own member.
+fn message(finding: &Finding) -> String {
+    let mut parts = vec![format!("{}{}", printable(&finding.message), phrase::doubt(finding.confidence))];
+    let lines = phrase::lines(finding).into_iter().filter(|line| line.label != "see");
+    parts.extend(lines.map(|line| format!("{}: {}", line.label, line.text)));
+    text(&parts.join(".\n"))
+}
+
+/// GitHub tells alerts apart by `primaryLocationLineHash` and computes it from the line on upload; where there is
+/// no line it cannot, so there ours stands in.
+fn fingerprints(finding: &Finding) -> Value {
+    let mut fingerprints = Map::new();
+    fingerprints.insert("mhlint/v1".to_owned(), json!(finding.fingerprint));
+    if finding.location.line.is_none() {
+        fingerprints.insert("primaryLocationLineHash".to_owned(), json!(finding.fingerprint));
+    }
+    Value::Object(fingerprints)
+}
+
+fn related_place(id: usize, related: &Related) -> Value {
+    let mut value = place(&related.path, &related.location);
+    value["id"] = json!(id);
+    value["message"] = json!({ "text": text(&printable(&related.message)) });
+    value
+}
+
+fn place(path: &str, location: &Location) -> Value {
+    let mut physical = json!({ "artifactLocation": artifact(path) });
+    if let Some(region) = region(location) {
+        physical["region"] = region;
+    }
+    let mut value = json!({ "physicalLocation": physical });
+    let element =
+        location.element.map(|one| json!({ "name": format!("{} {}", one.kind, one.index), "kind": one.kind }));
+    let pointer = location.pointer.as_ref().filter(|pointer| !pointer.is_empty());
+    let pointer = pointer.map(|pointer| json!({ "fullyQualifiedName": pointer }));
+    let logical: Vec<Value> = [pointer, element].into_iter().flatten().collect();
+    if !logical.is_empty() {
+        value["logicalLocations"] = json!(logical);
+    }
+    value
+}
+
+/// Absolute paths are outside of the repository and stand for themselves.
+fn artifact(path: &str) -> Value {
+    let path = if path.is_empty() { "." } else { path };
+    let encoded = utf8_percent_encode(path, PATH).to_string();
+    let has_drive = path.as_bytes().get(1) == Some(&b':');
+    match (path.starts_with('/'), has_drive) {
+        (true, _) => json!({ "uri": format!("file://{encoded}") }),
+        (_, true) => json!({ "uri": format!("file:///{encoded}") }),
+        _ => json!({ "uri": encoded, "uriBaseId": "%SRCROOT%" }),
+    }
+}
+
+fn region(location: &Location) -> Option<Value> {
+    let line = location.line?;
+    let mut region = json!({ "startLine": line });
+    if let Some(column) = location.column {
+        region["startColumn"] = json!(column);
+        let marked = location.excerpt.as_ref().and_then(|excerpt| excerpt.text.get(excerpt.mark.clone()));
+        if let Some(marked) = marked {
+            region["endLine"] = json!(line);
+            region["endColumn"] = json!(column as usize + marked.chars().count());
+        }
+    }
+    Some(region)
+}
+
+fn notifications(outcome: &Outcome, shown: usize) -> Vec<Value> {
+    let note = |text: String, level: &str| json!({ "level": level, "message": { "text": text } });
+    let mut notes: Vec<Value> = outcome.notes.iter().map(|one| note(text(&printable(one)), "note")).collect();
+    let left = outcome.findings.len() - shown;
+    if left > 0 {
+        notes.push(note(format!("{left} findings are left out: code scanning accepts {RESULTS}"), "warning"));
+    }
+    let failed = outcome.failed_rules.iter();
+    notes.extend(failed.map(|rule| note(format!("the rule {} failed, a bug of mhlint", text(rule)), "error")));
+    notes
+}
+
+const fn level(level: Level) -> &'static str {
+    match level {
+        Level::Error => "error",
+        Level::Warning => "warning",
+        Level::Info => "note",
+    }
+}
+
+/// What GitHub sorts alerts by.
+const fn severity(level: Level) -> &'static str {
+    match level {
+        Level::Error => "error",
+        Level::Warning => "warning",
+        Level::Info => "recommendation",
+    }
+}
+
+/// Text of a message: brackets would begin a link and braces a placeholder (SARIF 3.11.5, 3.11.6).
+fn text(text: &str) -> String {
+    braces(&text.replace('\\', "\\\\").replace('[', "\\[").replace(']', "\\]"))
+}
+
+fn braces(text: &str) -> String {
+    text.replace('{', "{{").replace('}', "}}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diag::{Excerpt, Place};
+
+    const RULE: RuleInfo = RuleInfo::new("a-rule", Level::Info, "a fault");
+
+    #[test]
+    fn paths_become_uris() {
+        assert_eq!(artifact("a b/\u{e4}#%.x")["uri"], "a%20b/%C3%A4%23%25.x");
+        assert_eq!(artifact("/tmp/x"), json!({ "uri": "file:///tmp/x" }));
+        assert_eq!(artifact("C:/x")["uri"], "file:///C%3A/x");
+        assert_eq!(artifact("")["uri"], ".");
+    }
+
+    #[test]
+    fn the_marked_text_is_the_region() {
+        let excerpt = Excerpt { text: "\u{e4}bc".to_owned(), first_line: 3, mark: 0..3 };
+        let location = Location { line: Some(3), column: Some(1), excerpt: Some(excerpt), ..Location::default() };
+        let expected = json!({ "startLine": 3, "startColumn": 1, "endLine": 3, "endColumn": 3 });
+        assert_eq!(region(&location), Some(expected));
+    }
+
+    #[test]
+    fn links_and_placeholders_in_names_are_no_such() {
+        assert_eq!(text("[x](1) {0} \\"), "\\[x\\](1) {{0}} \\\\");
+    }
+
+    #[test]
+    fn more_results_than_github_takes_are_cut_gravest_first() {
+        let finding = |number: usize| {
+            let level = if number == RESULTS + 4 { Level::Error } else { Level::Info };
+            Finding::new(&RULE, "a", Place::File, "it").level(level)
+        };
+        let findings: Vec<Finding> = (0..RESULTS + 5).map(finding).collect();
+        let kept = gravest(&findings);
+        assert_eq!((kept.len(), kept[0].level), (RESULTS, Level::Error));
+        let outcome = Outcome { findings: findings.clone(), ..Outcome::default() };
+        let notes = notifications(&outcome, kept.len());
+        assert_eq!(notes[0]["message"]["text"], "5 findings are left out: code scanning accepts 25000");
+    }
+}
