@@ -5,9 +5,9 @@
 //! command `mhlint` is a thin layer over it.
 //!
 //! ```no_run
-//! use mhlint::{Level, Options, lint};
+//! use mhlint::{Config, Level, lint};
 //!
-//! let outcome = lint(&["data".into()], &Options::default())?;
+//! let outcome = lint(&["data".into()], &Config::default())?;
 //! for finding in &outcome.findings {
 //!     println!("{}: {} [{}]", finding.path, finding.message, finding.rule);
 //! }
@@ -26,6 +26,7 @@
 //! (`docs/architecture.md`).
 
 pub mod cli;
+pub mod config;
 pub mod diag;
 pub mod discover;
 pub mod engine;
@@ -37,6 +38,7 @@ pub mod report;
 mod rules;
 pub mod source;
 
+pub use config::Config;
 pub use diag::{Application, Finding, Level};
-pub use engine::{Error, Options, Outcome, lint, lint_trees};
+pub use engine::{Error, Outcome, lint, lint_trees, rule_infos};
 pub use source::Tree;

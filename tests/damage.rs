@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use cases::{CASES, Case, Edit, NUMERIC};
-use mhlint::{Options, Outcome, Tree, lint_trees};
+use mhlint::{Config, Outcome, Tree, lint_trees};
 
 /// Files by path below the corpus; the bytes are shared by all cases.
 type Files = BTreeMap<String, Arc<[u8]>>;
@@ -85,7 +85,7 @@ fn apply(files: &mut Files, edit: &Edit) -> Result<(), String> {
 
 fn run(files: &Files, no_eval: bool) -> Outcome {
     let tree = Tree::in_memory("", files.iter().map(|(path, bytes)| (path.clone(), Arc::clone(bytes))));
-    lint_trees(vec![tree], None, &Options { no_eval, ..Options::default() }).unwrap()
+    lint_trees(vec![tree], None, &Config { no_eval, ..Config::default() }).unwrap()
 }
 
 /// `rule path` of the findings of `one` that `other` does not have.
@@ -150,7 +150,7 @@ fn damage_to_mh2bot_is_named_once() {
 
 /// Whether the rules of this build include `rule`; an unknown selector is refused.
 fn knows(rule: &str) -> bool {
-    let options = Options { only: vec![rule.to_owned()], ..Options::default() };
+    let options = Config { only: vec![rule.to_owned()], ..Config::default() };
     lint_trees(Vec::new(), None, &options).is_ok()
 }
 

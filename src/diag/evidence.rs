@@ -4,6 +4,8 @@ use serde::Serialize;
 
 /// How many examples a finding carries.
 pub const EXAMPLES: usize = 5;
+/// Rows of a bulk file that are told apart by name; more of them are one mass.
+const NAMED_ROWS: usize = 64;
 
 /// What was counted.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
@@ -16,6 +18,9 @@ pub struct Evidence {
     pub examples: Vec<String>,
     /// The worst value and where it is.
     pub worst: Option<Worst>,
+    /// All of them, to tell a later run what was there before; empty where they are too many or have no names.
+    #[serde(skip)]
+    pub cases: Vec<String>,
 }
 
 /// The worst value of a finding.
@@ -33,9 +38,11 @@ impl Evidence {
         let mut evidence = Self::default();
         for case in cases {
             evidence.count += 1;
+            let case = case.to_string();
             if evidence.examples.len() < EXAMPLES {
-                evidence.examples.push(case.to_string());
+                evidence.examples.push(case.clone());
             }
+            evidence.cases.push(case);
         }
         evidence
     }
@@ -62,6 +69,9 @@ pub struct Tally {
     pub count: u64,
     /// The first few: line (from 1) and vertex index as written.
     pub first: Vec<(u32, i64)>,
+    /// Indices of all rows, as long as they are few.
+    #[serde(skip)]
+    indices: Vec<i64>,
 }
 
 impl Tally {
@@ -70,6 +80,9 @@ impl Tally {
         self.count += 1;
         if self.first.len() < EXAMPLES {
             self.first.push((line, index));
+        }
+        if self.indices.len() <= NAMED_ROWS {
+            self.indices.push(index);
         }
     }
 
@@ -85,6 +98,10 @@ impl Tally {
             of: Some(total as u64),
             examples: self.first.iter().map(|(_, index)| index.to_string()).collect(),
             worst: None,
+            cases: self.names(),
         }
+    }
+    fn names(&self) -> Vec<String> {
+        if self.indices.len() > NAMED_ROWS { Vec::new() } else { self.indices.iter().map(i64::to_string).collect() }
     }
 }

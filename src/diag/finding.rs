@@ -31,6 +31,12 @@ pub struct Finding {
     pub related: Vec<Related>,
     /// Structural name of the fault inside the file (a bone, a pattern): part of the fingerprint.
     pub key: String,
+    /// What the fingerprint names in place of [`Finding::path`] where that is only the first of several
+    /// files: a folder, a base. Written as paths are.
+    pub asset: Option<String>,
+    /// Structural names of everything that one finding speaks for, sorted. A baseline hides it only as
+    /// long as nothing is among them that was not there before.
+    pub parts: Vec<String>,
     /// Stable identity, filled by the engine.
     pub fingerprint: String,
 }
@@ -77,6 +83,8 @@ impl Finding {
             evidence: None,
             related: Vec::new(),
             key: String::new(),
+            asset: None,
+            parts: Vec::new(),
             fingerprint: String::new(),
         }
     }
@@ -92,6 +100,23 @@ impl Finding {
     #[must_use]
     pub fn key(mut self, key: impl Into<String>) -> Self {
         self.key = key.into();
+        self
+    }
+
+    /// Names what the fault belongs to where the finding stands at one of several files.
+    #[must_use]
+    pub fn asset(mut self, asset: impl Into<String>) -> Self {
+        self.asset = Some(asset.into());
+        self
+    }
+
+    /// Names everything the finding speaks for, in place of the cases of its evidence. Neither numbers that
+    /// count something nor wording may be in a name.
+    #[must_use]
+    pub fn parts<T: ToString>(mut self, parts: impl IntoIterator<Item = T>) -> Self {
+        self.parts = parts.into_iter().map(|part| part.to_string()).collect();
+        self.parts.sort();
+        self.parts.dedup();
         self
     }
 
@@ -111,9 +136,10 @@ impl Finding {
 
     /// Adds counts and examples.
     #[must_use]
-    pub fn evidence(mut self, evidence: Evidence) -> Self {
+    pub fn evidence(mut self, mut evidence: Evidence) -> Self {
+        let cases = std::mem::take(&mut evidence.cases);
         self.evidence = Some(evidence);
-        self
+        if self.parts.is_empty() { self.parts(cases) } else { self }
     }
 
     /// Replaces the usual consequence by the one of this case.

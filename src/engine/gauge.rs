@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use rayon::prelude::*;
 
 use super::compose::Rig;
-use super::run::Options;
+use crate::config::Config;
 use crate::eval::culprit::most_moving;
 use crate::eval::macro_survey::{dead_ranges, jumps, losses, sums_off};
 use crate::eval::measures::{MacroMeasure, Measures, PairMeasure, Seen, SkeletonMeasure, SpaceMeasure};
@@ -27,7 +27,7 @@ const WEIGHT_TOLERANCE: f32 = 0.01;
 const CHUNK: usize = 32;
 
 /// Measures a scene.
-pub(super) fn gauge(scene: &Scene, rigs: &[Rig], options: &Options) -> Measures {
+pub(super) fn gauge(scene: &Scene, rigs: &[Rig], options: &Config) -> Measures {
     let settings = plan(scene, &scene.macrodefs, options.samples.unwrap_or(DEFAULT_SAMPLES), options.exhaustive);
     let mirror = MirrorMap::new(&scene.positions, scene.faces(), MIRROR_TOLERANCE);
     let (parts, cubes) = parts(scene, &mirror);

@@ -3,6 +3,7 @@
 use crate::discover::Kind;
 use crate::formats::base_json::BaseJson;
 use crate::formats::geometry::Geometry;
+use crate::formats::inline_ignore::InlineIgnore;
 use crate::formats::json_file::{JsonFacts, JsonFault};
 use crate::formats::macro_json::MacroFile;
 use crate::formats::mhskel::Skeleton;
@@ -38,6 +39,8 @@ pub struct FileFacts {
     pub json: JsonFacts,
     /// What the schema of its format says.
     pub schema: SchemaFaults,
+    /// Mutes in its comments.
+    pub ignores: Vec<InlineIgnore>,
     /// Hash of the decoded content where equal content matters.
     pub content_hash: Option<u64>,
     /// What was in it.
