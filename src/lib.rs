@@ -4,19 +4,22 @@
 //! resolves it, and says what would happen to its user: a crash, a vanished asset, a dead slider. The
 //! command `mhlint` is a thin layer over it.
 //!
-//! ```no_run
+//! ```
 //! use mhlint::{Config, Level, lint};
 //!
-//! let outcome = lint(&["data".into()], &Config::default())?;
+//! let config = Config { only: vec!["macro-*".to_owned()], ..Config::default() };
+//! let outcome = lint(&["fixtures/makehuman2/data".into()], &config)?;
 //! for finding in &outcome.findings {
 //!     println!("{}: {} [{}]", finding.path, finding.message, finding.rule);
 //! }
-//! assert!(!outcome.has_at_least(Level::Error));
+//! assert!(outcome.passes(&config) && !outcome.has_at_least(Level::Warning));
 //! # Ok::<(), mhlint::Error>(())
 //! ```
 //!
+//! [`Config::load`] reads the settings of a repository (`mhlint.toml`), [`config::find`] finds them.
 //! [`lint_trees`] does the same without a disk, on [`Tree`]s in memory. [`report`] writes an [`Outcome`] in
-//! the formats of the command line.
+//! the formats of the command line, [`engine::evaluate`] computes what the application would show, [`eval`] the same on
+//! plain arrays.
 //!
 //! Two channels are never mixed: damaged data are [`Finding`]s, [`Error`] means that the run could not be
 //! done. No input makes the library panic; where one of its own bugs does, the file or rule is skipped and

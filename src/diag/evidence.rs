@@ -47,6 +47,13 @@ impl Evidence {
         evidence
     }
 
+    /// For cases that are told by line, by number or in words: a later run cannot know them by these again.
+    #[must_use]
+    pub fn unnamed(mut self) -> Self {
+        self.cases.clear();
+        self
+    }
+
     /// Says out of how many.
     #[must_use]
     pub fn out_of(mut self, total: usize) -> Self {

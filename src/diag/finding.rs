@@ -4,6 +4,9 @@ use serde::Serialize;
 
 use super::{Application, Confidence, Evidence, Level, Location, Place, RuleInfo};
 
+/// Parts of a finding that are told apart by name; more of them are one mass.
+const MOST_PARTS: usize = 256;
+
 /// Something wrong in an asset repository.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Finding {
@@ -117,6 +120,9 @@ impl Finding {
         self.parts = parts.into_iter().map(|part| part.to_string()).collect();
         self.parts.sort();
         self.parts.dedup();
+        if self.parts.len() > MOST_PARTS {
+            self.parts.clear();
+        }
         self
     }
 
@@ -138,8 +144,9 @@ impl Finding {
     #[must_use]
     pub fn evidence(mut self, mut evidence: Evidence) -> Self {
         let cases = std::mem::take(&mut evidence.cases);
+        let is_whole = cases.len() as u64 == evidence.count;
         self.evidence = Some(evidence);
-        if self.parts.is_empty() { self.parts(cases) } else { self }
+        if self.parts.is_empty() && is_whole { self.parts(cases) } else { self }
     }
 
     /// Replaces the usual consequence by the one of this case.

@@ -14,7 +14,7 @@ mod upkeep;
 
 pub use evidence::{EXAMPLES, Evidence, Tally, Worst};
 pub use finding::{Break, Finding, Related};
-pub use key::fingerprint;
+pub use key::{fingerprint, structural};
 pub use level::{Application, Confidence, Level};
 pub use nearest::nearest;
 pub use place::{Element, Excerpt, Location, Place};

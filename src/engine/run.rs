@@ -293,7 +293,9 @@ impl Reporter<'_, '_> {
         let mut ordinals: BTreeMap<(&str, String, String), u32> = BTreeMap::new();
         let identified = findings.into_iter().map(|mut finding| {
             let asset = finding.asset.clone().unwrap_or_else(|| finding.path.clone());
-            let rel = own_path(self.repository, &asset).unwrap_or_default().to_owned();
+            // What names the fault may be part of the system data, such as the mesh.
+            let below = || self.repository.system?.relative(&asset);
+            let rel = own_path(self.repository, &asset).or_else(below).unwrap_or_default().to_owned();
             let ordinal = ordinals.entry((finding.rule, rel.clone(), finding.key.clone())).or_default();
             finding.fingerprint = fingerprint(finding.rule, &rel, &finding.key, *ordinal);
             *ordinal += 1;

@@ -79,6 +79,16 @@ pub enum Content {
 }
 
 impl FileFacts {
+    /// Path of the data root as reports print it.
+    pub fn root(&self) -> &str {
+        self.path.strip_suffix(self.rel.as_str()).unwrap_or_default().trim_end_matches('/')
+    }
+
+    /// Path of the folder as reports print it.
+    pub fn folder(&self) -> &str {
+        self.path.rsplit_once('/').map_or("", |(folder, _)| folder)
+    }
+
     /// File name without folders.
     pub fn file_name(&self) -> &str {
         self.rel.rsplit('/').next().unwrap_or(&self.rel)

@@ -42,7 +42,7 @@ fn judge(file: &FileFacts, all: &[&UnknownKey]) -> Option<Finding> {
             Some(nearest) => format!("did you mean `{nearest}`?"),
             None => "remove it, or keep notes under `comment`".to_owned(),
         })
-        .evidence(Evidence::of_cases(all.iter().map(|unknown| &unknown.pointer)));
+        .evidence(Evidence::of_cases(all.iter().map(|unknown| &unknown.pointer)).unnamed());
     for other in all.iter().skip(1).take(EXAMPLES - 1) {
         finding = finding.related(file.path.clone(), Place::Key(other.pointer.clone()), "here, too");
     }

@@ -114,6 +114,7 @@ fn finding(file: &FileFacts, macrodef: &Macrodef, space: &Space<'_>, absence: &A
         Kind::System => "system",
     };
     let finding = RULE.at(file, place(macrodef), message).key(format!("{}/{word}", macrodef.components.join("-")));
+    let finding = finding.parts(&absence.names);
     let finding = if kind == Kind::Hole {
         finding.help("add the entries; write `null` for a combination that should change nothing")
     } else {

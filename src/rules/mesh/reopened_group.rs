@@ -51,5 +51,6 @@ fn finding(file: &FileFacts, groups: &[&Reopened], faces: usize) -> Option<Findi
     let mut evidence = Evidence::of_cases(cases).out_of(faces);
     evidence.count = strayed as u64;
     let place = Place::Line(first.line);
-    Some(RULE.at(file, place, message).help("sort the faces so that each group comes once").evidence(evidence))
+    let parts = groups.iter().map(|group| &group.name);
+    Some(RULE.at(file, place, message).parts(parts).help("sort the faces so that each group comes once").evidence(evidence))
 }

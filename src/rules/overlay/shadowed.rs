@@ -43,7 +43,7 @@ fn replaced_by_contarget(base: &Base<'_>, replaced: &[&Override<'_>]) -> Option<
     let names: Vec<&str> = replaced.iter().map(|each| each.name).collect();
     let (what, lost) = unreachable(base);
     let message = format!("contarget replaces the system's {} for base `{}`{what}", names.join(", "), base.name);
-    let mut finding = RULE.at(file, Place::File, message).key(base.name);
+    let mut finding = RULE.at(file, Place::File, message).key(base.name).asset(file.folder()).parts(&names);
     for system in replaced.iter().filter_map(|each| each.system) {
         finding = finding.related(system.path.clone(), Place::File, "replaced");
     }

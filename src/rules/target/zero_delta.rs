@@ -30,19 +30,20 @@ fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
     for (folder, found) in folders {
         let finding = match found.as_slice() {
-            [(file, facts)] => one_file(file, facts),
+            [(file, facts)] => one_file(layer, file, facts),
             files => many_files(layer, folder, files),
         };
         out.push(finding.help("the rows can be removed"));
     }
 }
 
-fn one_file(file: &FileFacts, facts: &TargetFacts) -> Finding {
+fn one_file(layer: &Layer, file: &FileFacts, facts: &TargetFacts) -> Finding {
     let message = match facts.zero.count {
         1 => "1 zero row moves nothing".to_owned(),
         count => format!("{count} zero rows move nothing"),
     };
-    RULE.at(file, first_row(&facts.zero), message).evidence(facts.zero.evidence(facts.rows))
+    let finding = RULE.at(file, first_row(&facts.zero), message).parts([&file.rel]);
+    finding.asset(layer.display(target_folder(file))).evidence(facts.zero.evidence(facts.rows))
 }
 
 fn many_files(layer: &Layer, folder: &str, files: &[(&FileFacts, &TargetFacts)]) -> Finding {
@@ -54,6 +55,7 @@ fn many_files(layer: &Layer, folder: &str, files: &[(&FileFacts, &TargetFacts)])
     let mut evidence = Evidence::of_cases(most.iter().map(|(count, file)| format!("{} ({count})", file.rel)));
     evidence.count = count;
     let mut finding = RULE.in_layer(layer, folder, message).evidence(evidence.out_of(of));
+    finding = finding.parts(files.iter().map(|(file, _)| &file.rel));
     for (file, facts) in files.iter().take(EXAMPLES * 2) {
         finding = finding.related(&file.path, first_row(&facts.zero), counted(facts.zero.count, "zero row"));
     }
