@@ -76,7 +76,7 @@ fn what_is_known_is_hidden_and_what_is_new_is_not() {
     edit(root, SIDE, "\n", "\n1 2 x 4\n");
     let found = run(root, &[]);
     assert_eq!(found.len(), 1, "{found:?}");
-    assert!(found[0].contains("error[target-breaks-start]"), "{found:?}");
+    assert!(found[0].contains("error[target-syntax]"), "{found:?}");
 }
 
 #[test]
@@ -212,7 +212,7 @@ fn equal_faults_of_two_data_roots_are_two() {
             fs::write(root.join(folder).join(file), "1 2 x 4\n").unwrap();
         }
     };
-    does_not_cancel_out("target-breaks-start", at("data"), at("user"));
+    does_not_cancel_out("target-syntax", at("data"), at("user"));
 }
 
 #[test]

@@ -153,7 +153,7 @@ fn system_is_relative_to_the_file() {
     assert_eq!(concise(repository.path(), &["user"]), Vec::<String>::new());
     assert_eq!(concise(&repository.path().join("user"), &[]), Vec::<String>::new());
     fs::write(repository.path().join("user/mhlint.toml"), "system = \"../gone\"\n").unwrap();
-    assert_refused(&mhlint(repository.path(), &["user"]), &["gone"]);
+    assert_refused(&mhlint(repository.path(), &["user"]), &["gone", "`system` stands in user/mhlint.toml:1"]);
 }
 
 #[test]
@@ -173,7 +173,7 @@ fn what_is_wrong_with_the_file_is_told_with_place_and_remedy() {
         ("skip = [\"macro-[\"]\n", &["mhlint.toml:1:9", "is no glob"]),
         ("exclude = [\"{a\"]\n", &["is no glob"]),
         ("max-warnings = -1\n", &["a whole number from 0 on"]),
-        ("apps = [\"makehuman3\"]\n", &["no application `makehuman3`", "did you mean `makehuman2`?"]),
+        ("apps = [\"makehuman3\"]\n", &["no application `makehuman3`", "did you mean `makehuman1`?"]),
         ("fail-on =\n", &["mhlint.toml:1:", "no TOML"]),
         ("skip = []\nskip = []\n", &["mhlint.toml:2:1", "no TOML"]),
         ("[level]\nmacro-steps-length = \"fatal\"\n", &["mhlint.toml:2:22", "\"off\""]),
@@ -288,7 +288,8 @@ fn the_schema_has_the_keys_that_the_reader_knows_and_no_others() {
         object["properties"].as_object().unwrap().keys().cloned().collect()
     };
     let top = &schema["properties"];
-    let tables = [("[[path]]", &top["path"]["items"]), ("[[ignore]]", &top["ignore"]["items"]), ("[eval]", &top["eval"])];
+    let tables =
+        [("[[path]]", &top["path"]["items"]), ("[[ignore]]", &top["ignore"]["items"]), ("[eval]", &top["eval"])];
     for (head, object) in [("", &schema)].into_iter().chain(tables) {
         for key in keys(object) {
             let output = mhlint(repository(&format!("{head}\n{key} = 1979-05-27T07:32:00\n")).path(), &["config"]);
@@ -311,7 +312,8 @@ fn the_template_fits_the_schema() {
     let schema: serde_json::Value =
         serde_json::from_str(&fs::read_to_string(project("schemas/config.schema.json")).unwrap()).unwrap();
     let validator = jsonschema::validator_for(&schema).unwrap();
-    let fits = |text: &str| validator.is_valid(&serde_json::to_value(toml::from_str::<toml::Table>(text).unwrap()).unwrap());
+    let fits =
+        |text: &str| validator.is_valid(&serde_json::to_value(toml::from_str::<toml::Table>(text).unwrap()).unwrap());
     let bare = |line: &str| line.strip_prefix('#').filter(|rest| !rest.starts_with(' ')).unwrap_or(line).to_owned();
     let lines: Vec<String> = mhlint::config::TEMPLATE.lines().map(bare).collect();
     let text = lines.join("\n").replace("2027-06-30", "\"2027-06-30\"");

@@ -29,7 +29,7 @@ pub(super) fn run(
     let progress = Progress::start("reading and evaluating");
     let outcome = lint(paths, &config);
     drop(progress);
-    let outcome = outcome.map_err(|error| mistaken_command(error, paths))?;
+    let outcome = outcome.map_err(|error| explained(error, paths, args, &config))?;
     let exit = exit(&outcome, &config, &panics.noted());
     if let (Some(file), Some(baseline)) = (new_baseline, &outcome.baseline) {
         write_baseline(file, baseline, exit, args, err)?;
@@ -150,8 +150,15 @@ fn tell(
     Ok(())
 }
 
-/// A path that does not exist and looks like a command was meant as one.
-fn mistaken_command(error: Error, paths: &[PathBuf]) -> Failure {
+/// A path that cannot be read may stand in the configuration; one that looks like a command was meant as one.
+fn explained(error: Error, paths: &[PathBuf], args: &CheckArgs, config: &Config) -> Failure {
+    if let (Error::Path { path, .. }, Some(system), Some(file)) = (&error, &config.system, &config.file)
+        && args.system.is_none()
+        && system.to_string_lossy() == path.as_str()
+    {
+        let line = file.line("system").unwrap_or(1);
+        return Failure::Usage(format!("{error}; `system` stands in {}:{line}", file.path));
+    }
     if let Error::Path { path, .. } = &error
         && paths.first().is_some_and(|first| first.as_os_str() == path.as_str() && !first.exists())
         && let Some(word) = nearest(path, Command::WORDS)

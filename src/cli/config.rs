@@ -80,7 +80,11 @@ impl Sheet<'_> {
         let (config, args, file) = (self.config, self.args, self.file);
         let path = |path: &std::path::PathBuf| quoted(path.to_string_lossy().replace('\\', "/"));
         let mut rows = vec![
-            self.row("fail-on", config.fail_on.map_or("\"never\"".to_owned(), |l| quoted(l.word())), args.fail_on.is_some()),
+            self.row(
+                "fail-on",
+                config.fail_on.map_or("\"never\"".to_owned(), |l| quoted(l.word())),
+                args.fail_on.is_some(),
+            ),
             self.row("max-warnings", or_none(config.max_warnings), args.max_warnings.is_some()),
             self.select(),
             ("skip = ".to_owned() + &list(file.skip.iter().map(|s| &s.text)), self.origin("skip", false)),

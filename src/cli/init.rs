@@ -11,7 +11,9 @@ pub(super) fn run(folder: Option<&Path>, out: &mut dyn Write) -> Result<Exit, Fa
     let folder = folder.unwrap_or(Path::new(""));
     if !folder.as_os_str().is_empty() && !folder.is_dir() {
         let shown = folder.display();
-        return Err(Failure::Usage(format!("there is no folder `{shown}`; make it first, or name the one of the data")));
+        return Err(Failure::Usage(format!(
+            "there is no folder `{shown}`; make it first, or name the one of the data"
+        )));
     }
     let file = folder.join(FILE_NAME);
     let shown = file.display();

@@ -65,7 +65,10 @@ mod tests {
     #[test]
     fn a_folder_above_is_shown_as_the_path_was_written() {
         let at = |path: &str, up| shown(Path::new(path), up).to_string_lossy().into_owned();
-        assert_eq!([at("data/target", 1), at("data", 1), at(".", 0), at(".", 1), at("data", 3)], ["data", "", "", "..", "../.."]);
+        assert_eq!(
+            [at("data/target", 1), at("data", 1), at(".", 0), at(".", 1), at("data", 3)],
+            ["data", "", "", "..", "../.."]
+        );
         assert_eq!([at("../x", 0), at("../x", 1), at("/a/b", 1)], ["../x", "../x/..", "/a"]);
     }
 }

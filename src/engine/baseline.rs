@@ -151,7 +151,10 @@ mod tests {
     fn a_part_that_was_not_there_is_not_hidden() {
         let old = entry("a.target", &["x", "y"]);
         let seen = |parts: &[&str]| known(&[old.clone()], &[entry("a.target", parts)], &[""]).0;
-        assert_eq!([seen(&["x"]), seen(&["x", "y"]), seen(&["x", "z"]), seen(&[])].concat(), [true, true, false, false]);
+        assert_eq!(
+            [seen(&["x"]), seen(&["x", "y"]), seen(&["x", "z"]), seen(&[])].concat(),
+            [true, true, false, false]
+        );
     }
 
     #[test]

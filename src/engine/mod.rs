@@ -21,8 +21,8 @@ mod scope;
 mod select;
 mod stack;
 
-pub use baseline::{Baseline, Entry};
 pub use crate::eval::settings::DEFAULT_SAMPLES;
+pub use baseline::{Baseline, Entry};
 pub use catalogue::rule_infos;
 pub use outcome::{Error, Outcome, RootSummary, Summary, Timing};
 pub use run::{lint, lint_trees};

@@ -43,7 +43,11 @@ impl<'c> Selection<'c> {
         let selection = Self {
             only: all(&config.only)?,
             skip: all(&config.skip)?,
-            levels: config.levels.iter().map(|(text, level)| Ok((selector(text)?, *level))).collect::<Result<_, _>>()?,
+            levels: config
+                .levels
+                .iter()
+                .map(|(text, level)| Ok((selector(text)?, *level)))
+                .collect::<Result<_, _>>()?,
             file: config.file.as_ref(),
             no_eval: config.no_eval,
         };

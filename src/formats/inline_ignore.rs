@@ -43,7 +43,10 @@ mod tests {
     #[test]
     fn a_mute_has_a_rule_and_a_reason() {
         let pair = |rule: &str, reason: &str| Some((rule.to_owned(), reason.to_owned()));
-        assert_eq!(rule_and_reason("# mhlint: ignore target-zero-delta  as   painted\r"), pair("target-zero-delta", "as painted"));
+        assert_eq!(
+            rule_and_reason("# mhlint: ignore target-zero-delta  as   painted\r"),
+            pair("target-zero-delta", "as painted")
+        );
         assert_eq!(rule_and_reason("#mhlint:ignore a-*"), pair("a-*", ""));
         assert_eq!(rule_and_reason("# mhlint: ignore"), None);
         assert_eq!(rule_and_reason("# basemesh hm08"), None);

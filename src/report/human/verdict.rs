@@ -43,6 +43,9 @@ fn words(outcome: &Outcome, view: &View<'_>) -> String {
     if !outcome.failed_rules.is_empty() {
         return "No verdict: mhlint itself failed on these data.".to_owned();
     }
+    if outcome.findings.is_empty() && summary.suppressed > 0 {
+        return format!("Nothing found beside what is muted: {}.", count(summary.suppressed, "finding"));
+    }
     if outcome.findings.is_empty() {
         return format!("Nothing found: as far as the rules reach, {who} loads all of it as it was written.");
     }

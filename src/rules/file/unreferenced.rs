@@ -68,10 +68,13 @@ fn reason(repository: &Repository<'_>, file: &FileFacts, used: &BTreeSet<String>
         return None;
     }
     Some(match (file.kind, name.to_lowercase()) {
-        (Kind::PackedTarget, _) => ("packed".to_owned(), "MakeHuman 2 reads no packed targets, only `.target`".to_owned()),
-        (_, lower) if lower != name && opens(&format!("{}{lower}", folder_of(&file.rel))) => {
-            (format!("capitals {lower}"), format!("extensions and names count with their capitals, `{lower}` is looked for"))
+        (Kind::PackedTarget, _) => {
+            ("packed".to_owned(), "MakeHuman 2 reads no packed targets, only `.target`".to_owned())
         }
+        (_, lower) if lower != name && opens(&format!("{}{lower}", folder_of(&file.rel))) => (
+            format!("capitals {lower}"),
+            format!("extensions and names count with their capitals, `{lower}` is looked for"),
+        ),
         (Kind::Image, _) => ("picture".to_owned(), "icons are looked for in `icons/` of the target folder".to_owned()),
         _ => ("name".to_owned(), "no loader opens a file of this name here".to_owned()),
     })

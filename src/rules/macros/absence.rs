@@ -51,7 +51,11 @@ fn absence(space: &Space<'_>, sizes: &[usize], member: &[bool]) -> Absence {
     let count = member.iter().filter(|member| **member).count();
     let patterns = if count == 0 { Vec::new() } else { cover(sizes, member) };
     let names = if count > NAMED { Vec::new() } else { names(space, sizes, member) };
-    Absence { count, names, patterns: patterns.iter().map(|pattern| (text(space, pattern), pattern.count(sizes))).collect() }
+    Absence {
+        count,
+        names,
+        patterns: patterns.iter().map(|pattern| (text(space, pattern), pattern.count(sizes))).collect(),
+    }
 }
 
 fn names(space: &Space<'_>, sizes: &[usize], member: &[bool]) -> Vec<String> {

@@ -52,5 +52,10 @@ fn finding(file: &FileFacts, groups: &[&Reopened], faces: usize) -> Option<Findi
     evidence.count = strayed as u64;
     let place = Place::Line(first.line);
     let parts = groups.iter().map(|group| &group.name);
-    Some(RULE.at(file, place, message).parts(parts).help("sort the faces so that each group comes once").evidence(evidence))
+    Some(
+        RULE.at(file, place, message)
+            .parts(parts)
+            .help("sort the faces so that each group comes once")
+            .evidence(evidence),
+    )
 }
