@@ -216,6 +216,23 @@ fn equal_faults_of_two_data_roots_are_two() {
 }
 
 #[test]
+fn an_earlier_neighbour_that_goes_away_does_not_matter() {
+    let base = "data/base/figure/base.json";
+    let repository = example();
+    let root = repository.path();
+    edit(root, base, "\"equipment\": []", "\"equipment\": [\"cloths\", \"hairs\"]");
+    edit(root, MACROS, "\"coastal-female\"", "\"costal-female\"");
+    edit(root, MACROS, "\"woodland-male\", \"t\"", "\"woodlnd-male\", \"t\"");
+    let all = write(root, &[]).len();
+    edit(root, base, "\"cloths\", ", "");
+    let named = "{ \"name\": \"costal-female\", \"t\": null },";
+    edit(root, MACROS, named, "{ \"name\": \"coastal-female\", \"t\": null },");
+    edit(root, MACROS, "\"name\": \"phenotype-gender\",", "");
+    let found = run(root, &[]);
+    assert!(found.len() == 1 && found[0].contains("[baseline-stale]"), "{found:?} of {all}");
+}
+
+#[test]
 fn a_part_of_a_known_finding_is_still_known() {
     let repository = example();
     let root = repository.path();

@@ -7,6 +7,7 @@ use std::fs;
 use std::path::Path;
 use std::process::Output;
 
+use mhlint::{Config, Tree, lint_trees, rule_infos};
 use scratch::{example, findings, mhlint, project};
 
 const OVAL: &str = "data/target/figure/head/head-oval.target";
@@ -243,6 +244,40 @@ fn wide_globs_do_not_reach_a_rule_of_safety() {
     }
     let written = fs::read_to_string(repository.path().join("b.json")).unwrap();
     assert!(!written.contains("file-path-escape"), "{written}");
+}
+
+#[test]
+fn globs_are_relative_to_trees_in_memory() {
+    let all = files_below(&project("fixtures/makehuman2"), "");
+    let damaged = |(path, bytes): (String, Vec<u8>)| {
+        let text = String::from_utf8_lossy(&bytes).replace("339 0 .001 .001", "339 0 0 0");
+        if path == OVAL { (path, text.into_bytes()) } else { (path, bytes) }
+    };
+    let found = |config: &str| {
+        let config = Config::parse(config, "mhlint.toml", &rule_infos()).unwrap();
+        let tree = Tree::in_memory("", all.clone().into_iter().map(damaged));
+        let outcome = lint_trees(vec![tree], None, &config).unwrap();
+        let rules: Vec<&str> = outcome.findings.iter().map(|finding| finding.rule).collect();
+        (rules.join(" "), outcome.findings.first().and_then(|finding| finding.location.line))
+    };
+    let mute = |path: &str| format!("[[ignore]]\nrule = 'target-zero-delta'\npath = '{path}'\nreason = 'so'\n");
+    assert_eq!(found(&mute("data/target/**")), (String::new(), None));
+    assert_eq!(found(&mute("target/**")), ("target-zero-delta config-unused-ignore".to_owned(), Some(5)));
+}
+
+fn files_below(folder: &Path, rel: &str) -> Vec<(String, Vec<u8>)> {
+    let mut files = Vec::new();
+    for entry in fs::read_dir(folder.join(rel)).unwrap() {
+        let entry = entry.unwrap();
+        let name = entry.file_name().into_string().unwrap();
+        let path = if rel.is_empty() { name } else { format!("{rel}/{name}") };
+        if entry.file_type().unwrap().is_dir() {
+            files.extend(files_below(folder, &path));
+        } else {
+            files.push((path, fs::read(entry.path()).unwrap()));
+        }
+    }
+    files
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use std::fmt::Display;
 use std::io::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use super::args::CheckArgs;
 use super::exit::{Exit, Failure};
@@ -30,14 +30,23 @@ pub(super) fn settings(args: &CheckArgs) -> Result<Config, Failure> {
     config.max_warnings = args.max_warnings.or(config.max_warnings);
     if !args.applications.is_empty() {
         config.applications.clone_from(&args.applications);
+        forget(&mut config, "apps");
     }
     if !args.bases.is_empty() {
         config.bases.clone_from(&args.bases);
+        forget(&mut config, "bases");
     }
     if let Some(fail_on) = args.fail_on {
         config.fail_on = fail_on.level();
     }
     Ok(config)
+}
+
+/// The command line stands in place of a value of the file.
+fn forget(config: &mut Config, key: &str) {
+    if let Some(file) = &mut config.file {
+        file.places.remove(key);
+    }
 }
 
 /// Shows the settings in force and where each comes from.
@@ -49,7 +58,7 @@ pub(super) fn run(args: &CheckArgs, out: &mut dyn Write) -> Result<Exit, Failure
         Some(file) => writeln!(out, "# {}", file.path)?,
         None => {
             let first = args.paths_or_here();
-            let first = first.first().map_or(Path::new("."), |first| first.as_path());
+            let first = first.first().map_or(Path::new("."), PathBuf::as_path);
             writeln!(out, "# no mhlint.toml at or above `{}`; `mhlint init` writes one", first.display())?;
         }
     }
@@ -78,7 +87,7 @@ struct Sheet<'a> {
 impl Sheet<'_> {
     fn general(&self) -> Vec<Row> {
         let (config, args, file) = (self.config, self.args, self.file);
-        let path = |path: &std::path::PathBuf| quoted(path.to_string_lossy().replace('\\', "/"));
+        let path = |path: &PathBuf| quoted(path.to_string_lossy().replace('\\', "/"));
         let mut rows = vec![
             self.row(
                 "fail-on",

@@ -98,7 +98,7 @@ pub struct ConfigFile {
     pub ignores: Vec<Ignore>,
     /// Settings for rules that do not exist.
     pub unknown: Vec<Unknown>,
-    /// Where each key stands that is set, by its full name (`eval.samples`).
+    /// Where each key stands whose value is in force, by its full name (`eval.samples`).
     pub places: BTreeMap<String, Range<usize>>,
 }
 

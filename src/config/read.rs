@@ -73,8 +73,7 @@ impl Reader<'_> {
                 self.fault((name.span(), format!("there is no key `{text}`{within}"), meant(text, known)));
                 continue;
             };
-            if let Shape::Table(_) | Shape::Tables(_) = key.shape {
-            } else if within.is_empty() {
+            if within.is_empty() && !matches!(key.shape, Shape::Table(_) | Shape::Tables(_)) {
                 self.file.places.insert(key.name.to_owned(), name.span());
             }
             found.push((key, value));

@@ -33,8 +33,10 @@ impl<'c> Scope<'c> {
         self.is_whole() && self.paths.iter().any(|path| folder.lies_in(rel, path))
     }
 
-    /// Whether nothing but PATHs narrows what is reported.
+    /// Whether nothing but PATHs narrows what is reported. What the file says holds for every run.
     pub(super) fn is_whole(&self) -> bool {
-        self.config.bases.is_empty() && self.config.applications.is_empty()
+        let by_file = |key: &str| self.config.file.as_ref().is_some_and(|file| file.places.contains_key(key));
+        (self.config.bases.is_empty() || by_file("bases"))
+            && (self.config.applications.is_empty() || by_file("apps"))
     }
 }
