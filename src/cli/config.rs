@@ -54,13 +54,12 @@ pub(super) fn run(args: &CheckArgs, out: &mut dyn Write) -> Result<Exit, Failure
     let config = settings(args)?;
     let empty = ConfigFile::default();
     let sheet = Sheet { config: &config, file: config.file.as_ref().unwrap_or(&empty), args };
-    match &config.file {
-        Some(file) => writeln!(out, "# {}", file.path)?,
-        None => {
-            let first = args.paths_or_here();
-            let first = first.first().map_or(Path::new("."), PathBuf::as_path);
-            writeln!(out, "# no mhlint.toml at or above `{}`; `mhlint init` writes one", first.display())?;
-        }
+    if let Some(file) = &config.file {
+        writeln!(out, "# {}", file.path)?;
+    } else {
+        let first = args.paths_or_here();
+        let first = first.first().map_or(Path::new("."), PathBuf::as_path);
+        writeln!(out, "# no mhlint.toml at or above `{}`; `mhlint init` writes one", first.display())?;
     }
     let mut rows = sheet.general();
     rows.extend(sheet.levels());

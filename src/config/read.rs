@@ -158,12 +158,11 @@ impl Reader<'_> {
         let texts = self.take(value::texts(name, value)).unwrap_or_default();
         let mut found = Vec::new();
         for (text, span) in texts {
-            match Application::ALL.into_iter().find(|application| application.word() == text) {
-                Some(application) => found.push(application),
-                None => {
-                    let known = Application::ALL.map(Application::word);
-                    self.fault((span, format!("there is no application `{text}`"), meant(text, known)));
-                }
+            if let Some(application) = Application::ALL.into_iter().find(|known| known.word() == text) {
+                found.push(application);
+            } else {
+                let known = Application::ALL.map(Application::word);
+                self.fault((span, format!("there is no application `{text}`"), meant(text, known)));
             }
         }
         found
@@ -220,7 +219,7 @@ impl Reader<'_> {
         let Some(list) = value.get_ref().as_array() else {
             return self.fault(value::wrong(key.name, value, &wanted));
         };
-        for item in list.iter() {
+        for item in list {
             match item.get_ref().as_table() {
                 Some(table) => read(self, table, &item.span()),
                 None => self.fault(value::wrong(key.name, item, &wanted)),

@@ -1,7 +1,7 @@
 //! The file that `mhlint init` writes: every key with its meaning, all of them commented out.
 
 /// Text of a new `mhlint.toml`. A line that begins with `#` and a letter or bracket is a setting.
-pub const TEMPLATE: &str = r##"# Settings of mhlint for this repository. Everything has a default; remove the `#` of a line to change it.
+pub const TEMPLATE: &str = r#"# Settings of mhlint for this repository. Everything has a default; remove the `#` of a line to change it.
 # Globs and paths are relative to the folder of this file. `mhlint config` shows what is in force.
 
 # The level from which on findings make the exit code 1: "error", "warning", "info" or "never".
@@ -52,7 +52,7 @@ pub const TEMPLATE: &str = r##"# Settings of mhlint for this repository. Everyth
 #[eval]
 #samples = 200
 #exhaustive = false
-"##;
+"#;
 
 #[cfg(test)]
 mod tests {

@@ -124,6 +124,8 @@ pub(super) fn placed(folder: &Folder, path: &str) -> String {
 
 #[cfg(test)]
 mod tests {
+    use std::slice::from_ref;
+
     use super::*;
 
     fn entry(path: &str, parts: &[&str]) -> Entry {
@@ -143,14 +145,14 @@ mod tests {
     #[test]
     fn a_moved_root_is_recognised_and_another_root_is_not() {
         let (old, new) = (entry("data/a.target", &[]), entry("user/a.target", &[]));
-        assert_eq!(known(&[old.clone()], &[new.clone()], &["user"]), (vec![true], 0));
-        assert_eq!(known(&[old], &[new], &["data", "user"]), (vec![false], 1));
+        assert_eq!(known(from_ref(&old), from_ref(&new), &["user"]), (vec![true], 0));
+        assert_eq!(known(from_ref(&old), from_ref(&new), &["data", "user"]), (vec![false], 1));
     }
 
     #[test]
     fn a_part_that_was_not_there_is_not_hidden() {
         let old = entry("a.target", &["x", "y"]);
-        let seen = |parts: &[&str]| known(&[old.clone()], &[entry("a.target", parts)], &[""]).0;
+        let seen = |parts: &[&str]| known(from_ref(&old), &[entry("a.target", parts)], &[""]).0;
         assert_eq!(
             [seen(&["x"]), seen(&["x", "y"]), seen(&["x", "z"]), seen(&[])].concat(),
             [true, true, false, false]
@@ -160,6 +162,6 @@ mod tests {
     #[test]
     fn each_entry_hides_one_finding() {
         let one = entry("a.target", &[]);
-        assert_eq!(known(&[one.clone()], &[one.clone(), one], &[""]), (vec![true, false], 0));
+        assert_eq!(known(from_ref(&one), &[one.clone(), one.clone()], &[""]), (vec![true, false], 0));
     }
 }

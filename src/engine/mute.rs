@@ -1,6 +1,6 @@
 //! Mutes act on findings after judging, so that those without effect are known.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::scope::Scope;
 use super::select::{Selection, is_unmutable};
@@ -35,7 +35,7 @@ impl<'c> Muting<'c> {
         file: impl Fn(&str) -> Option<&'f FileFacts>,
     ) -> (Vec<Finding>, usize) {
         let all = findings.len();
-        let mut used: BTreeMap<(String, u32), bool> = BTreeMap::new();
+        let mut used: BTreeSet<(String, u32)> = BTreeSet::new();
         let kept: Vec<Finding> = findings
             .into_iter()
             .filter(|finding| {
@@ -46,7 +46,7 @@ impl<'c> Muting<'c> {
                 let mut hidden = false;
                 for comment in comments.filter(|comment| !comment.reason.is_empty()) {
                     if Selector::new(&comment.rule, 0..0).is_ok_and(|rule| rule.fits(finding.rule)) {
-                        used.insert((finding.path.clone(), comment.line), true);
+                        used.insert((finding.path.clone(), comment.line));
                         hidden = true;
                     }
                 }
@@ -55,7 +55,7 @@ impl<'c> Muting<'c> {
             .collect();
         for mute in &mut self.inline {
             if let Place::Line(line) = mute.place
-                && used.contains_key(&(mute.path.clone(), line))
+                && used.contains(&(mute.path.clone(), line))
             {
                 mute.state = MuteState::Used;
             }

@@ -262,7 +262,7 @@ impl Reporter<'_, '_> {
         for mut finding in findings.into_iter().filter(|finding| self.is_wanted(finding)) {
             let rel = self.options.file.as_ref().and_then(|file| file.relative(&finding.path));
             match self.selection.verdict(finding.rule, finding.level, rel.as_deref()) {
-                Verdict::Off => continue,
+                Verdict::Off => {}
                 Verdict::OffHere => outcome.summary.suppressed += 1,
                 Verdict::At(level) => {
                     finding.level = level;

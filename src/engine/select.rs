@@ -83,8 +83,8 @@ impl<'c> Selection<'c> {
             (Some(Say::Off), ..) => Verdict::Off,
             (Some(Say::On(asked)), ..) => Verdict::At(asked.or(set).unwrap_or(level)),
             (None, Some(Say::Off), Say::On(_)) => Verdict::OffHere,
-            (None, Some(Say::Off), Say::Off) | (None, None, Say::Off) => Verdict::Off,
-            (None, Some(Say::On(_)), _) | (None, None, Say::On(_)) => Verdict::At(set.unwrap_or(level)),
+            (None, Some(Say::Off) | None, Say::Off) => Verdict::Off,
+            (None, ..) => Verdict::At(set.unwrap_or(level)),
         }
     }
 
@@ -104,7 +104,7 @@ impl<'c> Selection<'c> {
 
     fn for_path(&self, rule: &str, rel: &str) -> Option<Say> {
         let blocks = self.file?.blocks.iter().filter(|block| block.glob.fits(rel));
-        blocks.filter_map(|block| say(&block.skip, &block.levels, rule)).last()
+        blocks.filter_map(|block| say(&block.skip, &block.levels, rule)).next_back()
     }
 
     fn command_line(&self, rule: &str) -> Option<Say> {

@@ -73,9 +73,9 @@ fn is_absolute(path: &str) -> bool {
 }
 
 fn names_of(path: &Path) -> Vec<String> {
-    let named = if path.as_os_str().is_empty() { Path::new(".") } else { path };
-    let named = [canonical(path), std::path::absolute(named).ok()];
-    let mut names: Vec<String> = named.into_iter().flatten().map(|path| plain(&path.to_string_lossy())).collect();
+    let place = if path.as_os_str().is_empty() { Path::new(".") } else { path };
+    let both = [canonical(path), std::path::absolute(place).ok()];
+    let mut names: Vec<String> = both.into_iter().flatten().map(|path| plain(&path.to_string_lossy())).collect();
     names.dedup();
     names
 }
