@@ -36,7 +36,6 @@ impl<'c> Scope<'c> {
     /// Whether nothing but PATHs narrows what is reported. What the file says holds for every run.
     pub(super) fn is_whole(&self) -> bool {
         let by_file = |key: &str| self.config.file.as_ref().is_some_and(|file| file.places.contains_key(key));
-        (self.config.bases.is_empty() || by_file("bases"))
-            && (self.config.applications.is_empty() || by_file("apps"))
+        (self.config.bases.is_empty() || by_file("bases")) && (self.config.applications.is_empty() || by_file("apps"))
     }
 }
