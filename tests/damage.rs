@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use cases::{CASES, Case, Edit, NUMERIC};
-use mhlint::{Config, Outcome, Tree, lint_trees};
+use mhlint::{Config, Finding, Outcome, Tree, lint_trees};
 
 /// Files by path below the corpus; the bytes are shared by all cases.
 type Files = BTreeMap<String, Arc<[u8]>>;
@@ -88,10 +88,13 @@ fn run(files: &Files, no_eval: bool) -> Outcome {
     lint_trees(vec![tree], None, &Config { no_eval, ..Config::default() }).unwrap()
 }
 
-/// `rule path` of the findings of `one` that `other` does not have.
+/// `rule path` of the findings of `one` that `other` does not have, or has for fewer things.
 fn beyond(one: &Outcome, other: &Outcome) -> Vec<String> {
-    let known = |fingerprint: &str| other.findings.iter().any(|finding| finding.fingerprint == fingerprint);
-    let fresh = one.findings.iter().filter(|finding| !known(&finding.fingerprint));
+    let known = |finding: &Finding| {
+        let same = other.findings.iter().find(|known| known.fingerprint == finding.fingerprint);
+        same.is_some_and(|known| known.parts.is_empty() || finding.parts.iter().all(|part| known.parts.contains(part)))
+    };
+    let fresh = one.findings.iter().filter(|finding| !known(finding));
     let mut lines: Vec<String> = fresh
         .map(|finding| format!("{} {}", finding.rule, finding.path.strip_prefix("data/").unwrap_or(&finding.path)))
         .collect();

@@ -37,6 +37,7 @@ fn shown(path: &Path, up: usize) -> PathBuf {
     let kept = if climbs { None } else { parts.len().checked_sub(up) };
     match kept {
         Some(kept) => parts.into_iter().take(kept).collect(),
+        None if climbs && up == 0 => path.to_owned(),
         None if climbs => path.join(vec![".."; up].join("/")),
         None => PathBuf::from(vec![".."; up - parts.len()].join("/")),
     }
