@@ -9,7 +9,7 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 
 use divan::{Bencher, counter::BytesCount};
-use mhlint::{Options, Tree, lint_trees};
+use mhlint::{Config, Tree, lint_trees};
 
 fn main() {
     divan::main();
@@ -55,7 +55,7 @@ fn lint(bencher: Bencher<'_, '_>, repository: &Repository) {
     bencher
         .counter(BytesCount::new(repository.bytes()))
         .with_inputs(|| Tree::in_memory("", repository.files.iter().cloned()))
-        .bench_values(|tree| lint_trees(vec![tree], None, &Options::default()).unwrap().findings.len());
+        .bench_values(|tree| lint_trees(vec![tree], None, &Config::default()).unwrap().findings.len());
 }
 
 #[divan::bench(args = repositories())]

@@ -4,19 +4,22 @@
 //! resolves it, and says what would happen to its user: a crash, a vanished asset, a dead slider. The
 //! command `mhlint` is a thin layer over it.
 //!
-//! ```no_run
-//! use mhlint::{Level, Options, lint};
+//! ```
+//! use mhlint::{Config, Level, lint};
 //!
-//! let outcome = lint(&["data".into()], &Options::default())?;
+//! let config = Config { only: vec!["macro-*".to_owned()], ..Config::default() };
+//! let outcome = lint(&["fixtures/makehuman2/data".into()], &config)?;
 //! for finding in &outcome.findings {
 //!     println!("{}: {} [{}]", finding.path, finding.message, finding.rule);
 //! }
-//! assert!(!outcome.has_at_least(Level::Error));
+//! assert!(outcome.passes(&config) && !outcome.has_at_least(Level::Warning));
 //! # Ok::<(), mhlint::Error>(())
 //! ```
 //!
+//! [`Config::load`] reads the settings of a repository (`mhlint.toml`), [`config::find`] finds them.
 //! [`lint_trees`] does the same without a disk, on [`Tree`]s in memory. [`report`] writes an [`Outcome`] in
-//! the formats of the command line.
+//! the formats of the command line, [`engine::evaluate`] computes what the application would show, [`eval`] the same on
+//! plain arrays.
 //!
 //! Two channels are never mixed: damaged data are [`Finding`]s, [`Error`] means that the run could not be
 //! done. No input makes the library panic; where one of its own bugs does, the file or rule is skipped and
@@ -26,6 +29,7 @@
 //! (`docs/architecture.md`).
 
 pub mod cli;
+pub mod config;
 pub mod diag;
 pub mod discover;
 pub mod engine;
@@ -37,6 +41,7 @@ pub mod report;
 mod rules;
 pub mod source;
 
+pub use config::Config;
 pub use diag::{Application, Finding, Level};
-pub use engine::{Error, Options, Outcome, lint, lint_trees};
+pub use engine::{Error, Outcome, lint, lint_trees, rule_infos};
 pub use source::Tree;

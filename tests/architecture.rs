@@ -14,14 +14,15 @@ const IMPORTS: &[(&str, &[&str])] = &[
     ("diag", &[]),
     ("json", &["diag"]),
     ("source", &["diag"]),
+    ("config", &["diag", "source", "json"]),
     ("discover", &["diag"]),
     ("formats", &["diag", "json", "source"]),
     ("repo", &["diag", "json", "source", "discover", "formats"]),
     ("eval", &[]),
     ("rules", &["diag", "json", "source", "discover", "formats", "repo", "eval"]),
-    ("engine", &["diag", "json", "source", "discover", "formats", "repo", "eval", "rules"]),
+    ("engine", &["diag", "json", "source", "config", "discover", "formats", "repo", "eval", "rules"]),
     ("report", &["diag", "engine"]),
-    ("cli", &["diag", "json", "engine", "report"]),
+    ("cli", &["diag", "json", "config", "engine", "report"]),
 ];
 
 /// Where files may be opened; `engine/input.rs` turns PATH arguments into trees.

@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use cases::{CASES, Case, Edit, NUMERIC};
-use mhlint::{Finding, Options, Outcome, Tree, lint_trees};
+use mhlint::{Config, Finding, Outcome, Tree, lint_trees};
 
 /// Files by path below the corpus; the bytes are shared by all cases.
 type Files = BTreeMap<String, Arc<[u8]>>;
@@ -101,13 +101,16 @@ fn displaced(text: &str, moves: &[(u32, [f64; 3])]) -> Result<String, String> {
 
 fn run(files: &Files, no_eval: bool) -> Outcome {
     let tree = Tree::in_memory("", files.iter().map(|(path, bytes)| (path.clone(), Arc::clone(bytes))));
-    lint_trees(vec![tree], None, &Options { no_eval, ..Options::default() }).unwrap()
+    lint_trees(vec![tree], None, &Config { no_eval, ..Config::default() }).unwrap()
 }
 
-/// `rule path` of the findings of `one` that `other` does not have.
+/// `rule path` of the findings of `one` that `other` does not have, or has for fewer things.
 fn beyond(one: &Outcome, other: &Outcome) -> Vec<String> {
-    let known = |fingerprint: &str| other.findings.iter().any(|finding| finding.fingerprint == fingerprint);
-    let fresh = one.findings.iter().filter(|finding| !known(&finding.fingerprint));
+    let known = |finding: &Finding| {
+        let same = other.findings.iter().find(|known| known.fingerprint == finding.fingerprint);
+        same.is_some_and(|known| known.parts.is_empty() || finding.parts.iter().all(|part| known.parts.contains(part)))
+    };
+    let fresh = one.findings.iter().filter(|finding| !known(finding));
     let mut lines: Vec<String> = fresh
         .map(|finding| format!("{} {}", finding.rule, finding.path.strip_prefix("data/").unwrap_or(&finding.path)))
         .collect();
@@ -166,7 +169,7 @@ fn damage_to_mh2bot_is_named_once() {
 
 /// Whether the rules of this build include `rule`; an unknown selector is refused.
 fn knows(rule: &str) -> bool {
-    let options = Options { only: vec![rule.to_owned()], ..Options::default() };
+    let options = Config { only: vec![rule.to_owned()], ..Config::default() };
     lint_trees(Vec::new(), None, &options).is_ok()
 }
 

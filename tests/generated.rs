@@ -43,6 +43,19 @@ fn the_samples_of_the_reports_are_what_is_written() {
     }
 }
 
+#[test]
+fn the_schema_of_the_configuration_is_that_of_keys_and_rules() {
+    let schema = mhlint::config::schema(&mhlint::rule_infos());
+    let wanted = format!("{}\n", serde_json::to_string_pretty(&schema).unwrap());
+    let path = project("schemas/config.schema.json");
+    if fs::read_to_string(&path).unwrap_or_default() == wanted {
+        return;
+    }
+    let may_write = std::env::var_os("UPDATE").is_some();
+    assert!(may_write, "schemas/config.schema.json is not fresh: UPDATE=1 cargo test --test generated");
+    fs::write(path, wanted).unwrap();
+}
+
 /// Compares what lies between `<!-- NAME -->` and `<!-- /NAME -->`, or rewrites it.
 fn check(file: &str, name: &str, wanted: &str) {
     let path = project(file);

@@ -10,7 +10,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use flate2::{Compression, write::GzEncoder};
-use mhlint::{Options, Outcome, Tree, lint_trees};
+use mhlint::{Config, Outcome, Tree, lint_trees};
 use scratch::{example, findings, mhlint, project};
 use serde_json::{Value, json};
 
@@ -41,7 +41,7 @@ fn is_one_of(path: &str, kinds: &[&str]) -> bool {
 fn run(files: &Files, path: &str, bytes: Vec<u8>) -> Outcome {
     let shared = files.iter().map(|(path, bytes)| (path.clone(), Arc::clone(bytes)));
     let changed = shared.filter(|(other, _)| other != path).chain([(path.to_owned(), bytes.into())]);
-    let options = Options { no_eval: true, ..Options::default() };
+    let options = Config { no_eval: true, ..Config::default() };
     let outcome = lint_trees(vec![Tree::in_memory("", changed)], None, &options).unwrap();
     assert!(outcome.failed_rules.is_empty(), "{path}: {:?}", outcome.failed_rules);
     outcome

@@ -44,6 +44,8 @@ pub(super) enum Command {
     /// Judge data roots (what happens without a command).
     #[command(after_help = AFTER_HELP)]
     Check(CheckArgs),
+    /// Show the settings in force and where each comes from.
+    Config(CheckArgs),
     /// Compute what the application would show.
     #[command(subcommand)]
     Eval(EvalCommand),
@@ -51,6 +53,12 @@ pub(super) enum Command {
     Explain {
         /// A rule, or the start of its name to list a family.
         rule: String,
+    },
+    /// Write a commented mhlint.toml; overwrites nothing.
+    Init {
+        /// Where to; the current directory if none is given.
+        #[arg(value_name = "FOLDER")]
+        folder: Option<PathBuf>,
     },
     /// List all rules.
     Rules {
@@ -79,8 +87,8 @@ pub(super) enum Command {
 
 impl Command {
     /// The words for the commands, to find slips of the pen.
-    pub(super) const WORDS: [&'static str; 8] =
-        ["check", "eval", "explain", "rules", "schema", "completions", "man", "help"];
+    pub(super) const WORDS: [&'static str; 10] =
+        ["check", "config", "eval", "explain", "init", "rules", "schema", "completions", "man", "help"];
 }
 
 /// Arguments of `check`.
@@ -117,12 +125,21 @@ pub(super) struct CheckArgs {
     /// Report a rule (or glob) at another level: error, warning, info or off; repeatable.
     #[arg(long = "level", value_name = "RULE=LEVEL", value_parser = level_setting)]
     pub(super) levels: Vec<(String, Option<Level>)>,
-    /// The level from which on findings make the exit code 1.
-    #[arg(long, value_name = "LEVEL", default_value = "error")]
-    pub(super) fail_on: FailOn,
+    /// The level from which on findings make the exit code 1; error unless set.
+    #[arg(long, value_name = "LEVEL")]
+    pub(super) fail_on: Option<FailOn>,
     /// Make the exit code 1 when there are more warnings than this.
     #[arg(long, value_name = "N")]
     pub(super) max_warnings: Option<usize>,
+    /// Hide the findings that this file knows.
+    #[arg(long, value_name = "FILE")]
+    pub(super) baseline: Option<PathBuf>,
+    /// Write what is found now to the baseline, without what is found no more.
+    #[arg(long)]
+    pub(super) write_baseline: bool,
+    /// Configuration; the nearest mhlint.toml at or above the first PATH if none is given.
+    #[arg(long, value_name = "FILE")]
+    pub(super) config: Option<PathBuf>,
     /// Report as human, concise, json, sarif, github, gitlab, junit, markdown or html; to a file instead of
     /// standard output; repeatable.
     #[arg(long = "report", value_name = "FORMAT[=FILE]", value_parser = Target::parse)]
@@ -139,6 +156,13 @@ pub(super) struct CheckArgs {
     /// Leave out everything but findings and verdict.
     #[arg(long, short)]
     pub(super) quiet: bool,
+}
+
+impl CheckArgs {
+    /// The PATHs, or the current directory.
+    pub(super) fn paths_or_here(&self) -> Vec<PathBuf> {
+        if self.paths.is_empty() { vec![PathBuf::from(".")] } else { self.paths.clone() }
+    }
 }
 
 /// `--color`.
@@ -188,7 +212,7 @@ impl FailOn {
 }
 
 fn application(text: &str) -> Result<Application, String> {
-    let all = [Application::Makehuman2, Application::Makehuman1, Application::Mpfb];
+    let all = Application::ALL;
     let found = all.into_iter().find(|application| application.word() == text);
     found.ok_or_else(|| not_one_of("application", text, &all.map(Application::word)))
 }

@@ -1,18 +1,20 @@
 //! `mhlint check`: the run and its reports.
 
 use std::io::{ErrorKind, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use super::args::{CheckArgs, Command};
 use super::changed::{listed, since};
+use super::config::settings;
 use super::exit::{Exit, Failure};
-use super::output::{Target, targets, write_file};
+use super::output::{Target, refuse_unwritable, replace, targets, write_file};
 use super::panics::Panics;
 use super::progress::Progress;
 use super::step_summary;
 use super::terminal::Terminal;
+use crate::config::Config;
 use crate::diag::nearest;
-use crate::engine::{Error, Options, Outcome, lint, rule_infos};
+use crate::engine::{Baseline, Error, Outcome, lint, rule_infos};
 use crate::report::{self, Format, View};
 
 pub(super) fn run(
@@ -23,16 +25,19 @@ pub(super) fn run(
     err: &mut dyn Write,
 ) -> Result<Exit, Failure> {
     let targets = targets(&args.reports)?;
-    let here = vec![PathBuf::from(".")];
-    let paths = if args.paths.is_empty() { &here } else { &args.paths };
-    let mut options = options(args);
-    options.changed = changed(args, paths)?;
+    let paths = &args.paths_or_here();
+    let mut config = settings(args)?;
+    config.changed = changed(args, paths)?;
+    let new_baseline = new_baseline(&config)?;
     let progress = Progress::start("reading and evaluating");
-    let outcome = lint(paths, &options);
+    let outcome = lint(paths, &config);
     drop(progress);
-    let outcome = outcome.map_err(|error| mistaken_command(error, paths))?;
-    let exit = exit(&outcome, args, &panics.noted());
-    write_reports(&targets, &outcome, args, exit, terminal, out)?;
+    let outcome = outcome.map_err(|error| explained(error, paths, args, &config))?;
+    let exit = exit(&outcome, &config, &panics.noted());
+    if let (Some(file), Some(baseline)) = (new_baseline, &outcome.baseline) {
+        write_baseline(file, baseline, exit, args, err)?;
+    }
+    write_reports(&targets, &outcome, args, &config, exit, terminal, out)?;
     tell(&outcome, args, exit, &targets, err)?;
     if !panics.noted().is_empty() || !outcome.failed_rules.is_empty() {
         writeln!(err, "mhlint: {}", own_fault(&panics.noted()))?;
@@ -51,33 +56,49 @@ fn changed(args: &CheckArgs, paths: &[PathBuf]) -> Result<Option<Vec<PathBuf>>, 
     }
 }
 
-fn options(args: &CheckArgs) -> Options {
-    Options {
-        system: args.system.clone(),
-        applications: args.applications.clone(),
-        bases: args.bases.clone(),
-        only: args.only.clone(),
-        skip: args.skip.clone(),
-        levels: args.levels.clone(),
-        no_eval: args.no_eval,
-        samples: args.samples,
-        exhaustive: args.exhaustive,
-        ..Options::default()
+/// The baseline to write; refuses before the run what could not be written after it.
+fn new_baseline(config: &Config) -> Result<Option<&Path>, Failure> {
+    if !config.write_baseline {
+        return Ok(None);
     }
+    let Some(file) = config.baseline.as_deref() else {
+        let remedy = "add `--baseline FILE`, or `baseline = \"FILE\"` to mhlint.toml";
+        return Err(Failure::Usage(format!("`--write-baseline` needs a file to write to: {remedy}")));
+    };
+    refuse_unwritable("the baseline", file)?;
+    Ok(Some(file))
+}
+
+/// A run that misses findings or looked at nothing must not throw away what is known.
+fn write_baseline(
+    file: &Path,
+    baseline: &Baseline,
+    exit: Exit,
+    args: &CheckArgs,
+    err: &mut dyn Write,
+) -> Result<(), Failure> {
+    if matches!(exit, Exit::CannotWork | Exit::NothingToCheck) {
+        return Ok(());
+    }
+    let shown = file.display();
+    replace(file, baseline.text().as_bytes())
+        .map_err(|error| Failure::Usage(format!("cannot write the baseline to `{shown}`: {error}")))?;
+    if !args.quiet {
+        writeln!(err, "mhlint: {} written to `{shown}`", report::count(baseline.entries.len(), "known finding"))?;
+    }
+    Ok(())
 }
 
 /// A bug of ours outweighs everything, since findings may be missing; then comes an empty run.
-fn exit(outcome: &Outcome, args: &CheckArgs, panics: &[String]) -> Exit {
-    let graded = args.fail_on.level().is_some_and(|level| outcome.has_at_least(level));
-    let too_many = args.max_warnings.is_some_and(|limit| outcome.summary.warning > limit);
+fn exit(outcome: &Outcome, config: &Config, panics: &[String]) -> Exit {
     if !panics.is_empty() || !outcome.failed_rules.is_empty() {
         Exit::CannotWork
     } else if !outcome.judged_anything() {
         Exit::NothingToCheck
-    } else if graded || too_many {
-        Exit::Findings
-    } else {
+    } else if outcome.passes(config) {
         Exit::Clean
+    } else {
+        Exit::Findings
     }
 }
 
@@ -86,6 +107,7 @@ fn write_reports(
     targets: &[Target],
     outcome: &Outcome,
     args: &CheckArgs,
+    config: &Config,
     exit: Exit,
     terminal: Terminal,
     out: &mut dyn Write,
@@ -93,8 +115,8 @@ fn write_reports(
     let rules = rule_infos();
     let view = |terminal: Terminal| View {
         pass: exit == Exit::Clean,
-        fail_on: args.fail_on.level(),
-        max_warnings: args.max_warnings,
+        fail_on: config.fail_on,
+        max_warnings: config.max_warnings,
         color: terminal.color,
         unicode: terminal.unicode,
         width: terminal.width,
@@ -140,8 +162,15 @@ fn tell(
     Ok(())
 }
 
-/// A path that does not exist and looks like a command was meant as one.
-fn mistaken_command(error: Error, paths: &[PathBuf]) -> Failure {
+/// A path that cannot be read may stand in the configuration; one that looks like a command was meant as one.
+fn explained(error: Error, paths: &[PathBuf], args: &CheckArgs, config: &Config) -> Failure {
+    if let (Error::Path { path, .. }, Some(system), Some(file)) = (&error, &config.system, &config.file)
+        && args.system.is_none()
+        && system.to_string_lossy() == path.as_str()
+    {
+        let line = file.line("system").unwrap_or(1);
+        return Failure::Usage(format!("{error}; `system` stands in {}:{line}", file.path));
+    }
     if let Error::Path { path, .. } = &error
         && paths.first().is_some_and(|first| first.as_os_str() == path.as_str() && !first.exists())
         && let Some(word) = nearest(path, Command::WORDS)

@@ -4,7 +4,7 @@ use std::fmt;
 use std::io;
 use std::process::ExitCode;
 
-use crate::engine;
+use crate::{config, engine};
 
 /// How the command ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -35,6 +35,8 @@ impl Exit {
 pub(super) enum Failure {
     /// The run could not be done.
     Run(engine::Error),
+    /// The configuration cannot be used.
+    Config(config::Error),
     /// The arguments cannot be meant so; the text names the remedy.
     Usage(String),
     /// An evaluation could not be done.
@@ -56,6 +58,12 @@ impl From<engine::Error> for Failure {
     }
 }
 
+impl From<config::Error> for Failure {
+    fn from(error: config::Error) -> Self {
+        Self::Config(error)
+    }
+}
+
 impl From<engine::evaluate::Error> for Failure {
     fn from(error: engine::evaluate::Error) -> Self {
         Self::Eval(error)
@@ -72,6 +80,7 @@ impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Run(error) => error.fmt(f),
+            Self::Config(error) => error.fmt(f),
             Self::Usage(text) => f.write_str(text),
             Self::Eval(error) => error.fmt(f),
             Self::Io(error) => {

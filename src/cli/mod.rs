@@ -3,9 +3,11 @@
 mod args;
 mod changed;
 mod check;
+mod config;
 mod eval;
 mod exit;
 mod explain;
+mod init;
 mod list;
 mod output;
 mod panics;
@@ -56,8 +58,10 @@ fn run(args: &Args, panics: &Panics, err: &mut dyn Write) -> Result<Exit, Failur
     let exit = match &args.command {
         None => check::run(&args.check, terminal, panics, &mut out, err)?,
         Some(Command::Check(check)) => check::run(check, terminal, panics, &mut out, err)?,
+        Some(Command::Config(check)) => config::run(check, &mut out)?,
         Some(Command::Eval(command)) => eval::run(command, &mut out, err)?,
         Some(Command::Explain { rule }) => explain::run(rule, paint, terminal.width, &mut out)?,
+        Some(Command::Init { folder }) => init::run(folder.as_deref(), &mut out)?,
         Some(Command::Rules { format }) => list::run(*format, paint, &mut out)?,
         Some(Command::Schema { name }) => schema::run(name.as_deref(), &mut out)?,
         Some(Command::Completions { shell }) => shell::write_completions(*shell, &mut out)?,

@@ -43,7 +43,7 @@ pub(super) fn targets(asked: &[Target]) -> Result<Vec<Target>, Failure> {
         )));
     }
     let files: Vec<&PathBuf> = asked.iter().filter_map(|target| target.file.as_ref()).collect();
-    files.iter().try_for_each(|file| refuse_unwritable(file))?;
+    files.iter().try_for_each(|file| refuse_unwritable("a report", file))?;
     let mut places: Vec<PathBuf> = files.into_iter().map(|file| whole(file)).collect();
     places.sort_unstable();
     if let Some(twice) = places.windows(2).find(|pair| pair.first() == pair.last()).and_then(<[_]>::first) {
@@ -52,16 +52,17 @@ pub(super) fn targets(asked: &[Target]) -> Result<Vec<Target>, Failure> {
     Ok(asked.to_vec())
 }
 
-fn refuse_unwritable(file: &Path) -> Result<(), Failure> {
+/// Refuses a file that `what` could not be written to.
+pub(super) fn refuse_unwritable(what: &str, file: &Path) -> Result<(), Failure> {
     let shown = file.display();
     if file.is_dir() {
-        return Err(Failure::Usage(format!("cannot write a report to `{shown}`: it is a folder; name a file in it")));
+        return Err(Failure::Usage(format!("cannot write {what} to `{shown}`: it is a folder; name a file in it")));
     }
     let parent = folder_of(file);
     if !parent.is_dir() {
         let folder = parent.display();
         return Err(Failure::Usage(format!(
-            "cannot write a report to `{shown}`: there is no folder `{folder}`; make it first"
+            "cannot write {what} to `{shown}`: there is no folder `{folder}`; make it first"
         )));
     }
     Ok(())

@@ -6,8 +6,9 @@ use super::args::not_one_of;
 use super::exit::{Exit, Failure};
 
 /// The schemas by name.
-const SCHEMAS: [(&str, &str); 8] = [
+const SCHEMAS: [(&str, &str); 9] = [
     ("base", include_str!("../../schemas/base.schema.json")),
+    ("config", include_str!("../../schemas/config.schema.json")),
     ("geometry", include_str!("../../schemas/geometry.schema.json")),
     ("macro", include_str!("../../schemas/macro.schema.json")),
     ("mhskel", include_str!("../../schemas/mhskel.schema.json")),

@@ -4,6 +4,8 @@ use serde::Serialize;
 
 /// How many examples a finding carries.
 pub const EXAMPLES: usize = 5;
+/// Rows of a bulk file that are told apart by name; more of them are one mass.
+const NAMED_ROWS: usize = 64;
 
 /// What was counted.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
@@ -19,6 +21,9 @@ pub struct Evidence {
     pub groups: Option<u64>,
     /// The worst value and where it is.
     pub worst: Option<Worst>,
+    /// All of them, to tell a later run what was there before; empty where they are too many or have no names.
+    #[serde(skip)]
+    pub cases: Vec<String>,
 }
 
 /// The worst value of a finding.
@@ -36,9 +41,11 @@ impl Evidence {
         let mut evidence = Self::default();
         for case in cases {
             evidence.count += 1;
+            let case = case.to_string();
             if evidence.examples.len() < EXAMPLES {
-                evidence.examples.push(case.to_string());
+                evidence.examples.push(case.clone());
             }
+            evidence.cases.push(case);
         }
         evidence
     }
@@ -47,6 +54,13 @@ impl Evidence {
     pub fn of_groups<T: ToString>(groups: impl IntoIterator<Item = T>, count: u64) -> Self {
         let named = Self::of_cases(groups);
         Self { count, groups: Some(named.count), ..named }
+    }
+
+    /// For cases that are told by line, by number or in words: a later run cannot know them by these again.
+    #[must_use]
+    pub fn unnamed(mut self) -> Self {
+        self.cases.clear();
+        self
     }
 
     /// Says out of how many.
@@ -71,6 +85,9 @@ pub struct Tally {
     pub count: u64,
     /// The first few: line (from 1) and vertex index as written.
     pub first: Vec<(u32, i64)>,
+    /// Indices of all rows, as long as they are few.
+    #[serde(skip)]
+    indices: Vec<i64>,
 }
 
 impl Tally {
@@ -79,6 +96,9 @@ impl Tally {
         self.count += 1;
         if self.first.len() < EXAMPLES {
             self.first.push((line, index));
+        }
+        if self.indices.len() <= NAMED_ROWS {
+            self.indices.push(index);
         }
     }
 
@@ -93,7 +113,11 @@ impl Tally {
             count: self.count,
             of: Some(total as u64),
             examples: self.first.iter().map(|(_, index)| index.to_string()).collect(),
+            cases: self.names(),
             ..Evidence::default()
         }
+    }
+    fn names(&self) -> Vec<String> {
+        if self.indices.len() > NAMED_ROWS { Vec::new() } else { self.indices.iter().map(i64::to_string).collect() }
     }
 }

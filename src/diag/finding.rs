@@ -4,6 +4,9 @@ use serde::Serialize;
 
 use super::{Application, Confidence, Evidence, Level, Location, Place, RuleInfo};
 
+/// Parts of a finding that are told apart by name; more of them are one mass.
+const MOST_PARTS: usize = 256;
+
 /// Something wrong in an asset repository.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Finding {
@@ -31,6 +34,12 @@ pub struct Finding {
     pub related: Vec<Related>,
     /// Structural name of the fault inside the file (a bone, a pattern): part of the fingerprint.
     pub key: String,
+    /// What the fingerprint names in place of [`Finding::path`] where that is only the first of several
+    /// files: a folder, a base. Written as paths are.
+    pub asset: Option<String>,
+    /// Structural names of everything that one finding speaks for, sorted. A baseline hides it only as
+    /// long as nothing is among them that was not there before.
+    pub parts: Vec<String>,
     /// Stable identity, filled by the engine.
     pub fingerprint: String,
     /// Why a change can affect it, where the run is narrowed to a change; filled by the engine.
@@ -79,6 +88,8 @@ impl Finding {
             evidence: None,
             related: Vec::new(),
             key: String::new(),
+            asset: None,
+            parts: Vec::new(),
             fingerprint: String::new(),
             because: None,
         }
@@ -98,6 +109,26 @@ impl Finding {
         self
     }
 
+    /// Names what the fault belongs to where the finding stands at one of several files.
+    #[must_use]
+    pub fn asset(mut self, asset: impl Into<String>) -> Self {
+        self.asset = Some(asset.into());
+        self
+    }
+
+    /// Names everything the finding speaks for, in place of the cases of its evidence. Neither numbers that
+    /// count something nor wording may be in a name.
+    #[must_use]
+    pub fn parts<T: ToString>(mut self, parts: impl IntoIterator<Item = T>) -> Self {
+        self.parts = parts.into_iter().map(|part| part.to_string()).collect();
+        self.parts.sort();
+        self.parts.dedup();
+        if self.parts.len() > MOST_PARTS {
+            self.parts.clear();
+        }
+        self
+    }
+
     /// Lowers or raises the level where the consequence differs from the rule's usual one.
     #[must_use]
     pub fn level(mut self, level: Level) -> Self {
@@ -114,9 +145,11 @@ impl Finding {
 
     /// Adds counts and examples.
     #[must_use]
-    pub fn evidence(mut self, evidence: Evidence) -> Self {
+    pub fn evidence(mut self, mut evidence: Evidence) -> Self {
+        let cases = std::mem::take(&mut evidence.cases);
+        let is_whole = cases.len() as u64 == evidence.count;
         self.evidence = Some(evidence);
-        self
+        if self.parts.is_empty() && is_whole { self.parts(cases) } else { self }
     }
 
     /// Replaces the usual consequence by the one of this case.

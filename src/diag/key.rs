@@ -14,6 +14,13 @@ pub fn fingerprint(rule: &str, asset: &str, key: &str, ordinal: u32) -> String {
     format!("{:032x}", xxh3_128(&text))
 }
 
+/// A JSON pointer without positions in lists, which shift when an element before them goes away.
+pub fn structural(pointer: &str) -> String {
+    let is_position = |part: &&str| !part.is_empty() && part.bytes().all(|byte| byte.is_ascii_digit());
+    let parts = pointer.split('/').map(|part| if is_position(&part) { "*" } else { part });
+    parts.collect::<Vec<_>>().join("/")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -21,6 +28,7 @@ mod tests {
     #[test]
     fn parts_do_not_run_into_each_other() {
         assert_ne!(fingerprint("a", "bc", "", 0), fingerprint("ab", "c", "", 0));
+        assert_eq!(structural("/macrodef/2/targets/17/t"), "/macrodef/*/targets/*/t");
         assert_ne!(fingerprint("a", "b", "c", 0), fingerprint("a", "b", "c", 1));
     }
 }

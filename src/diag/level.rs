@@ -52,6 +52,9 @@ impl Level {
 }
 
 impl Application {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Makehuman2, Self::Makehuman1, Self::Mpfb];
+
     /// The word used on the command line and in the JSON report.
     pub const fn word(self) -> &'static str {
         match self {

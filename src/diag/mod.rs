@@ -10,11 +10,13 @@ mod level;
 mod nearest;
 mod place;
 mod rule_info;
+mod upkeep;
 
 pub use evidence::{EXAMPLES, Evidence, Tally, Worst};
 pub use finding::{Break, Finding, Related};
-pub use key::fingerprint;
+pub use key::{fingerprint, structural};
 pub use level::{Application, Confidence, Level};
 pub use nearest::nearest;
 pub use place::{Element, Excerpt, Location, Place};
 pub use rule_info::{FixKind, OptionInfo, RuleInfo};
+pub use upkeep::{BaselineUse, Mute, MuteState, UnknownRule, Upkeep};

@@ -7,7 +7,7 @@ use super::{Application, Level};
 pub struct RuleInfo {
     /// `family-fault`, kebab-case; never reused, never renamed without an alias.
     pub id: &'static str,
-    /// The bad state in a few words: "allow <summary>" must make sense.
+    /// The bad state in a few words: "allow `summary`" must make sense.
     pub summary: &'static str,
     /// The usual (worst) level.
     pub level: Level,

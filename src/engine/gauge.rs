@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use rayon::prelude::*;
 
 use super::compose::Rig;
-use super::run::Options;
+use crate::config::Config;
 use crate::eval::culprit::most_moving;
 use crate::eval::look::look;
 use crate::eval::macro_eval::MacroResult;
@@ -31,7 +31,7 @@ const WEIGHT_TOLERANCE: f32 = 0.01;
 const CHUNK: usize = 64;
 
 /// Measures a scene.
-pub(super) fn gauge(scene: &Scene, rigs: &[Rig], options: &Options) -> Measures {
+pub(super) fn gauge(scene: &Scene, rigs: &[Rig], options: &Config) -> Measures {
     let settings = plan(scene, &scene.macrodefs, options.samples.unwrap_or(DEFAULT_SAMPLES), options.exhaustive);
     let (space, (macros, shape)) = rayon::join(
         || survey(scene, &settings),

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::input::Input;
 use super::outcome::Outcome;
-use super::run::Options;
+use crate::config::Config;
 use crate::discover::{DataRoot, loose_place};
 use crate::source::{EntryKind, Tree};
 
@@ -16,7 +16,7 @@ pub(super) fn moved(
     inputs: &[Input],
     roots: &[Vec<DataRoot>],
     system: Option<&Tree>,
-    options: &Options,
+    options: &Config,
     outcome: &mut Outcome,
 ) -> Vec<Moved> {
     let bases = system.map(base_meshes).unwrap_or_default();
@@ -44,7 +44,7 @@ fn places(tree: &Tree, base: Option<&str>) -> Moved {
 }
 
 /// The base mesh that loose files are for: the one asked for, or the only one there is.
-fn base_for(bases: &BTreeSet<String>, options: &Options) -> Option<String> {
+fn base_for(bases: &BTreeSet<String>, options: &Config) -> Option<String> {
     match options.bases.as_slice() {
         [asked] => bases.get(asked).cloned(),
         _ if bases.len() == 1 => bases.first().cloned(),

@@ -6,12 +6,12 @@ use super::compose::{Composed, Rows, compose};
 use super::data::Data;
 use super::gauge::gauge;
 use super::load::load_targets;
-use super::run::Options;
+use crate::config::Config;
 use crate::eval::measures::Measures;
 use crate::repo::Base;
 
 /// Reads the targets of all bases and measures each base of each repository: one map a repository.
-pub(super) fn measure_bases(data: &mut Data<'_>, options: &Options) -> Vec<BTreeMap<String, Measures>> {
+pub(super) fn measure_bases(data: &mut Data<'_>, options: &Config) -> Vec<BTreeMap<String, Measures>> {
     let mut measures: Vec<BTreeMap<String, Measures>> = data.roots.iter().map(|_| BTreeMap::new()).collect();
     for name in names(data) {
         let evaluated = name.as_deref().filter(|name| is_asked_for(name, options));
@@ -38,7 +38,7 @@ fn names(data: &Data<'_>) -> BTreeSet<Option<String>> {
     names
 }
 
-fn is_asked_for(name: &str, options: &Options) -> bool {
+fn is_asked_for(name: &str, options: &Config) -> bool {
     !options.no_eval && (options.bases.is_empty() || options.bases.iter().any(|base| base == name))
 }
 
@@ -46,7 +46,7 @@ fn measure_base(
     data: &Data<'_>,
     name: &str,
     mut rows: Rows,
-    options: &Options,
+    options: &Config,
     measures: &mut [BTreeMap<String, Measures>],
 ) {
     let stacks = data.stacks();

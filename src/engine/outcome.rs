@@ -4,6 +4,8 @@ use std::time::Duration;
 
 use serde::Serialize;
 
+use super::baseline::Baseline;
+use crate::config::Config;
 use crate::diag::{Application, Finding, Level};
 
 /// Result of a run.
@@ -19,6 +21,8 @@ pub struct Outcome {
     pub summary: Summary,
     /// Time per phase and rule, in order of the run.
     pub timings: Vec<Timing>,
+    /// The baseline to write, where one was asked for: [`Config::write_baseline`].
+    pub baseline: Option<Baseline>,
     /// Rules that panicked: bugs of ours, whose findings are missing.
     pub failed_rules: Vec<String>,
 }
@@ -87,6 +91,13 @@ pub enum Error {
         /// Why.
         reason: String,
     },
+    /// A baseline that cannot be read.
+    Baseline {
+        /// The file.
+        path: String,
+        /// Why, and what to do.
+        reason: String,
+    },
 }
 
 impl Outcome {
@@ -100,6 +111,14 @@ impl Outcome {
     /// Whether something at or above `limit` was found.
     pub fn has_at_least(&self, limit: Level) -> bool {
         self.findings.iter().any(|finding| finding.level >= limit)
+    }
+
+    /// Whether the run passes: nothing at or above [`Config::fail_on`], no more warnings than
+    /// [`Config::max_warnings`], and every rule did its work.
+    pub fn passes(&self, config: &Config) -> bool {
+        let graded = config.fail_on.is_some_and(|level| self.has_at_least(level));
+        let too_many = config.max_warnings.is_some_and(|limit| self.summary.warning > limit);
+        self.failed_rules.is_empty() && !graded && !too_many
     }
 
     /// Whether any root was judged.
@@ -116,6 +135,7 @@ impl std::fmt::Display for Error {
             Self::UnknownBase { name, known } => {
                 write!(f, "there is no base mesh `{name}`; known: {}", known.join(", "))
             }
+            Self::Baseline { path, reason } => write!(f, "the baseline `{path}` {reason}"),
             Self::Selector { text, reason } => write!(f, "`{text}`: {reason}"),
         }
     }

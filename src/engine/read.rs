@@ -52,6 +52,7 @@ pub(super) fn empty(tree: &Tree, entry: &Entry, rel: &str) -> FileFacts {
         encoding: Encoding::default(),
         json: JsonFacts::default(),
         schema: SchemaFaults::default(),
+        ignores: Vec::new(),
         content_hash: None,
         content: Content::Unread,
     }
@@ -105,6 +106,7 @@ fn fill_target(facts: &mut FileFacts, bytes: &[u8], mesh: Option<MeshSize>) -> V
         target::parse(bytes, mesh)
     };
     facts.content_hash = Some(parsed.facts.content);
+    facts.ignores = parsed.ignores;
     facts.content = Content::Target(Box::new(parsed.facts));
     parsed.rows
 }

@@ -10,54 +10,29 @@ use rayon::prelude::*;
 use super::changed::{Change, explain, narrow};
 use super::data::Data;
 use super::input::{Input, open};
+use super::known::{Known, Placed};
 use super::load::Place;
 use super::locate::locate;
 use super::loose::moved;
 use super::measure::measure_bases;
+use super::mute::Muting;
 use super::outcome::{Error, Outcome, RootSummary, Timing};
-use super::select::Selection;
+use super::scope::Scope;
+use super::select::{Selection, Verdict, is_unmutable};
 use super::stack::Role;
-use crate::diag::{Application, Finding, Level, fingerprint};
+use crate::config::Config;
+use crate::diag::{Application, Finding, Upkeep, fingerprint};
 use crate::discover::{DataRoot, find_roots};
 use crate::eval::measures::Measures;
 use crate::repo::{Layer, Repository};
 use crate::rules::{Check, RULES, Rule, RuleCx};
 use crate::source::{EntryKind, Limits, Tree};
 
-/// What a run is asked to do.
-#[derive(Debug, Clone, Default)]
-pub struct Options {
-    /// System data that is read and not reported.
-    pub system: Option<PathBuf>,
-    /// Judge these applications only; empty for all.
-    pub applications: Vec<Application>,
-    /// Report these base meshes only; empty for all.
-    pub bases: Vec<String>,
-    /// Globs of rule ids to run; empty for all.
-    pub only: Vec<String>,
-    /// Globs of rule ids not to run.
-    pub skip: Vec<String>,
-    /// Levels by rule id or glob, `None` for off; the last one that fits counts.
-    pub levels: Vec<(String, Option<Level>)>,
-    /// Options of rules, by rule and name.
-    pub rule_options: BTreeMap<(String, String), f64>,
-    /// Leave out everything that needs evaluation.
-    pub no_eval: bool,
-    /// Random settings of the sliders to look at besides the deliberate ones; `None` for the default.
-    pub samples: Option<usize>,
-    /// Visit every corner of the slider space.
-    pub exhaustive: bool,
-    /// Bounds on what is read.
-    pub limits: Limits,
-    /// Report only what a change of these files can affect: paths relative to the working directory.
-    pub changed: Option<Vec<PathBuf>>,
-}
-
 /// Judges data roots found at `paths`.
 ///
 /// # Errors
 /// When a path cannot be read, or an option names nothing that exists.
-pub fn lint(paths: &[PathBuf], options: &Options) -> Result<Outcome, Error> {
+pub fn lint(paths: &[PathBuf], options: &Config) -> Result<Outcome, Error> {
     let inputs = open(paths)?;
     let system = options.system.as_deref().map(super::input::open_system).transpose()?;
     lint_inputs(&inputs, system.as_ref(), options)
@@ -67,7 +42,7 @@ pub fn lint(paths: &[PathBuf], options: &Options) -> Result<Outcome, Error> {
 ///
 /// # Errors
 /// As [`lint`].
-pub fn lint_trees(trees: Vec<Tree>, system: Option<Tree>, options: &Options) -> Result<Outcome, Error> {
+pub fn lint_trees(trees: Vec<Tree>, system: Option<Tree>, options: &Config) -> Result<Outcome, Error> {
     let inputs: Vec<Input> = trees.into_iter().map(Input::whole).collect();
     lint_inputs(&inputs, system.as_ref(), options)
 }
@@ -80,9 +55,13 @@ pub(super) struct Loaded<'t> {
     narrow: Vec<String>,
 }
 
-fn lint_inputs(inputs: &[Input], system: Option<&Tree>, options: &Options) -> Result<Outcome, Error> {
+fn lint_inputs(inputs: &[Input], system: Option<&Tree>, options: &Config) -> Result<Outcome, Error> {
     let selection = Selection::new(options)?;
     let change = options.changed.as_deref().map(Change::new);
+    let scope = Scope::new(inputs, options);
+    let known = Known::open(options)?;
+    let mut muting = Muting::new(options);
+    let mut found = Vec::new();
     let mut outcome = Outcome::default();
     let started = Instant::now();
     let system_roots = system.map(roots_of).unwrap_or_default();
@@ -93,7 +72,7 @@ fn lint_inputs(inputs: &[Input], system: Option<&Tree>, options: &Options) -> Re
         system_place = None;
     }
     let moved = moved(inputs, &roots, system, options, &mut outcome);
-    let mut places = places(inputs, &roots, system_place, options, &mut outcome);
+    let mut places = places(inputs, &roots, system_place, &scope, options, &mut outcome);
     for (input, moved) in inputs.iter().zip(&moved).filter(|(_, moved)| !moved.is_empty()) {
         let place = Place { tree: &input.tree, root: "", moved: Some(moved) };
         if is_asked_for(Application::Makehuman2, options) {
@@ -111,19 +90,33 @@ fn lint_inputs(inputs: &[Input], system: Option<&Tree>, options: &Options) -> Re
         outcome.summary.bytes += judged.layer.files.values().map(|file| file.size).sum::<u64>();
         let repository = Repository::connect(Application::Makehuman2, system, user, &judged.layer);
         summarise(&repository, &mut outcome);
-        let findings = judge(&repository, measures.get(number), &selection, options, &mut outcome);
-        let mut findings = report(&repository, findings, judged, &selection, options);
+        let mut findings = judge(&repository, measures.get(number), &selection, options, &mut outcome);
         if let Some(change) = &change {
             explain(&repository, &mut findings, change);
         }
-        outcome.findings.extend(findings);
+        let reporter = Reporter { repository: &repository, judged, selection: &selection, scope: &scope, options };
+        found.extend(reporter.report(findings, &mut muting, &mut outcome));
     }
     check_bases(options, &outcome)?;
+    let mut upkeep = Upkeep { mutes: muting.mutes(&selection, &scope), unknown: muting.unknown(), baseline: None };
+    if let Some(known) = known {
+        let roots = data.roots.iter().map(|root| root.layer.path.as_str());
+        let compared = known.compare(found, roots, &selection, &scope);
+        outcome.findings = compared.kept;
+        outcome.summary.suppressed += compared.hidden;
+        outcome.baseline = compared.new;
+        upkeep.baseline = Some(compared.used);
+    } else {
+        outcome.findings = found.into_iter().map(|placed| placed.finding).collect();
+    }
+    outcome.findings.extend(look_after(&upkeep, &selection, &muting, options));
     if let Some(change) = &change {
         narrow(&mut outcome, change);
     }
     outcome.timings.push(timing("rules", started));
-    let trees: Vec<&Tree> = inputs.iter().map(|input| &input.tree).chain(system).collect();
+    let settings = options.file.as_ref().map(|file| (file.path.clone(), file.text.clone().into_bytes()));
+    let settings = Tree::in_memory("", settings);
+    let trees: Vec<&Tree> = inputs.iter().map(|input| &input.tree).chain(system).chain([&settings]).collect();
     let started = Instant::now();
     finish(&mut outcome, &trees, &options.limits);
     outcome.timings.push(timing("places", started));
@@ -167,7 +160,8 @@ fn places<'t>(
     inputs: &'t [Input],
     roots: &'t [Vec<DataRoot>],
     system: Option<Place<'_>>,
-    options: &Options,
+    scope: &Scope<'_>,
+    options: &Config,
     outcome: &mut Outcome,
 ) -> Vec<(Place<'t>, Vec<String>)> {
     let system = system.map(Place::path);
@@ -175,7 +169,8 @@ fn places<'t>(
     for (input, roots) in inputs.iter().zip(roots) {
         for root in roots {
             let place = Place { tree: &input.tree, root: &root.path, moved: None };
-            if system == Some(place.path()) || !is_asked_for(root.application, options) {
+            let is_excluded = scope.excludes(&place.path());
+            if is_excluded || system == Some(place.path()) || !is_asked_for(root.application, options) {
                 continue;
             }
             if root.application == Application::Makehuman2 {
@@ -197,7 +192,7 @@ fn want<'t>(wanted: &mut Vec<(Place<'t>, Vec<String>)>, place: Place<'t>, narrow
     }
 }
 
-fn is_asked_for(application: Application, options: &Options) -> bool {
+fn is_asked_for(application: Application, options: &Config) -> bool {
     options.applications.is_empty() || options.applications.contains(&application)
 }
 
@@ -219,7 +214,7 @@ fn summarise(repository: &Repository<'_>, outcome: &mut Outcome) {
     });
 }
 
-fn check_bases(options: &Options, outcome: &Outcome) -> Result<(), Error> {
+fn check_bases(options: &Config, outcome: &Outcome) -> Result<(), Error> {
     let known: std::collections::BTreeSet<&String> = outcome.roots.iter().flat_map(|root| &root.bases).collect();
     let unknown = options.bases.iter().find(|name| !known.contains(name));
     unknown.filter(|_| outcome.judged_anything()).map_or(Ok(()), |name| {
@@ -231,7 +226,7 @@ fn judge(
     repository: &Repository<'_>,
     measures: Option<&BTreeMap<String, Measures>>,
     selection: &Selection,
-    options: &Options,
+    options: &Config,
     outcome: &mut Outcome,
 ) -> Vec<Finding> {
     let cx = RuleCx { options: &options.rule_options };
@@ -260,7 +255,7 @@ fn run_rule(
     repository: &Repository<'_>,
     measures: Option<&BTreeMap<String, Measures>>,
     cx: &RuleCx<'_>,
-    options: &Options,
+    options: &Config,
 ) -> Vec<Finding> {
     let mut findings = Vec::new();
     let asked = |name: &str| options.bases.is_empty() || options.bases.iter().any(|base| base == name);
@@ -268,6 +263,7 @@ fn run_rule(
     match rule.check {
         Check::Layer(run) => run(repository.judged, cx, &mut findings),
         Check::Repository(run) => run(repository, cx, &mut findings),
+        Check::Upkeep(_) => {}
         Check::Base(run) => bases().for_each(|base| run(repository, base, cx, &mut findings)),
         Check::Numeric(run) => {
             for base in bases() {
@@ -280,35 +276,84 @@ fn run_rule(
     findings
 }
 
-/// Keeps what is to be reported for the judged layer and gives it level and fingerprint.
-fn report(
-    repository: &Repository<'_>,
-    findings: Vec<Finding>,
-    judged: &Loaded<'_>,
-    selection: &Selection,
-    options: &Options,
-) -> Vec<Finding> {
-    let mut ordinals: BTreeMap<(String, String, String), u32> = BTreeMap::new();
-    let mut kept = Vec::new();
-    for mut finding in findings {
-        let Some(rel) = own_path(repository, &finding.path).map(str::to_owned) else { continue };
-        let wanted_base = || {
-            let base = crate::discover::kind_of(&rel).1;
-            options.bases.is_empty() || base.is_none_or(|base| options.bases.iter().any(|name| name == base))
-        };
-        if !judged.is_asked_for(&finding.path) || !wanted_base() {
-            continue;
+/// What is reported of one repository.
+struct Reporter<'r, 't> {
+    repository: &'r Repository<'r>,
+    judged: &'r Loaded<'t>,
+    selection: &'r Selection<'r>,
+    scope: &'r Scope<'r>,
+    options: &'r Config,
+}
+
+impl Reporter<'_, '_> {
+    /// Keeps what is to be reported for the judged layer and gives it level and fingerprint.
+    fn report(&self, findings: Vec<Finding>, muting: &mut Muting<'_>, outcome: &mut Outcome) -> Vec<Placed> {
+        let files = self.repository.judged.files.values();
+        let commented = files.filter(|file| !file.ignores.is_empty() && self.is_reported(&file.path));
+        commented.for_each(|file| muting.note(file, self.selection, self.scope));
+        let mut kept = Vec::new();
+        for mut finding in findings.into_iter().filter(|finding| self.is_wanted(finding)) {
+            let rel = self.options.file.as_ref().and_then(|file| file.relative(&finding.path));
+            match self.selection.verdict(finding.rule, finding.level, rel.as_deref()) {
+                Verdict::Off => {}
+                Verdict::OffHere => outcome.summary.suppressed += 1,
+                Verdict::At(level) => {
+                    finding.level = level;
+                    kept.push(finding);
+                }
+            }
         }
-        let Some(level) = selection.level(finding.rule, finding.level) else { continue };
-        finding.level = level;
-        let identity = (finding.rule.to_owned(), rel, finding.key.clone());
-        let ordinal = ordinals.entry(identity).or_default();
-        finding.fingerprint =
-            fingerprint(finding.rule, own_path(repository, &finding.path).unwrap_or_default(), &finding.key, *ordinal);
-        *ordinal += 1;
-        kept.push(finding);
+        let file = |path: &str| self.repository.judged.file(self.repository.judged.relative(path)?);
+        let (kept, muted) = muting.apply(kept, file);
+        outcome.summary.suppressed += muted;
+        self.identify(kept)
     }
-    kept
+
+    fn is_wanted(&self, finding: &Finding) -> bool {
+        let Some(rel) = own_path(self.repository, &finding.path) else { return false };
+        let asked = |base: &str| self.options.bases.is_empty() || self.options.bases.iter().any(|name| name == base);
+        // What is excluded is out of sight; but what is dangerous is told wherever the run looks.
+        let in_sight = !self.scope.excludes(&finding.path) || is_unmutable(finding.rule);
+        in_sight && self.judged.is_asked_for(&finding.path) && crate::discover::kind_of(rel).1.is_none_or(asked)
+    }
+
+    fn is_reported(&self, path: &str) -> bool {
+        self.judged.is_asked_for(path) && !self.scope.excludes(path)
+    }
+
+    /// Fingerprints. Keys tell findings of one rule on one asset apart; the ordinal is for those that do not.
+    fn identify(&self, findings: Vec<Finding>) -> Vec<Placed> {
+        let mut ordinals: BTreeMap<(&str, String, String), u32> = BTreeMap::new();
+        let identified = findings.into_iter().map(|mut finding| {
+            let asset = finding.asset.clone().unwrap_or_else(|| finding.path.clone());
+            // What names the fault may be part of the system data, such as the mesh.
+            let below = || self.repository.system?.relative(&asset);
+            let rel = own_path(self.repository, &asset).or_else(below).unwrap_or_default().to_owned();
+            let ordinal = ordinals.entry((finding.rule, rel.clone(), finding.key.clone())).or_default();
+            finding.fingerprint = fingerprint(finding.rule, &rel, &finding.key, *ordinal);
+            *ordinal += 1;
+            Placed { finding, asset, rel }
+        });
+        identified.collect()
+    }
+}
+
+/// Findings on the mutes themselves.
+fn look_after(upkeep: &Upkeep, selection: &Selection<'_>, muting: &Muting<'_>, options: &Config) -> Vec<Finding> {
+    let cx = RuleCx { options: &options.rule_options };
+    let mut findings = Vec::new();
+    for rule in RULES.iter().filter(|rule| selection.runs(rule.info.id)) {
+        if let Check::Upkeep(run) = rule.check {
+            run(upkeep, &cx, &mut findings);
+        }
+    }
+    findings.retain_mut(|finding| {
+        let Verdict::At(level) = selection.verdict(finding.rule, finding.level, None) else { return false };
+        finding.level = level;
+        finding.fingerprint = fingerprint(finding.rule, &muting.asset(&finding.path), &finding.key, 0);
+        true
+    });
+    findings
 }
 
 /// Path below the judged root, if the file belongs to it and not to a layer inside or beside it.

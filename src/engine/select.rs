@@ -1,56 +1,141 @@
 //! Which rules run and at which level their findings are reported.
+//!
+//! Three layers, each going before the one above it: what the configuration file says for all files, what it
+//! says for some (`[[path]]`), and the command line (the fields of [`Config`] itself).
 
 use globset::{Glob, GlobMatcher};
 
 use super::outcome::Error;
-use super::run::Options;
+use crate::config::{Config, ConfigFile, Selector};
 use crate::diag::{Level, nearest};
-use crate::rules::RULES;
+use crate::rules::{Check, RULES};
 
 /// Compiled selectors of a run.
-pub(super) struct Selection {
+pub(super) struct Selection<'c> {
     only: Vec<GlobMatcher>,
     skip: Vec<GlobMatcher>,
     levels: Vec<(GlobMatcher, Option<Level>)>,
+    file: Option<&'c ConfigFile>,
+    no_eval: bool,
 }
 
-impl Selection {
+/// What becomes of a finding.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Verdict {
+    /// Reported at this level.
+    At(Level),
+    /// The rule is off.
+    Off,
+    /// The rule is on, but not for this path.
+    OffHere,
+}
+
+/// What a layer says on a rule.
+enum Say {
+    Off,
+    On(Option<Level>),
+}
+
+impl<'c> Selection<'c> {
     /// Compiles the selectors; one that fits no rule is refused.
-    pub(super) fn new(options: &Options) -> Result<Self, Error> {
+    pub(super) fn new(config: &'c Config) -> Result<Self, Error> {
         let all = |texts: &[String]| texts.iter().map(|text| selector(text)).collect::<Result<Vec<_>, _>>();
         let selection = Self {
-            only: all(&options.only)?,
-            skip: all(&options.skip)?,
-            levels: options
+            only: all(&config.only)?,
+            skip: all(&config.skip)?,
+            levels: config
                 .levels
                 .iter()
                 .map(|(text, level)| Ok((selector(text)?, *level)))
                 .collect::<Result<_, _>>()?,
+            file: config.file.as_ref(),
+            no_eval: config.no_eval,
         };
-        refuse_muted_safety(options)?;
+        refuse_muted_safety(config)?;
         Ok(selection)
     }
 
-    /// Whether a rule runs at all.
+    /// Whether a rule runs at all: whether there is a path for which it is on.
     pub(super) fn runs(&self, rule: &str) -> bool {
-        let fits = |globs: &[GlobMatcher]| globs.iter().any(|glob| glob.is_match(rule));
-        is_unmutable(rule) || ((self.only.is_empty() || fits(&self.only)) && !fits(&self.skip))
+        let blocks = || self.file.iter().flat_map(|file| &file.blocks);
+        let turned_on = || blocks().any(|block| matches!(say(&block.skip, &block.levels, rule), Some(Say::On(_))));
+        is_unmutable(rule)
+            || match self.command_line(rule) {
+                Some(Say::Off) => false,
+                Some(Say::On(_)) => true,
+                None => matches!(self.for_all_paths(rule), Say::On(_)) || turned_on(),
+            }
     }
 
-    /// The level a finding is reported at, `None` for off.
-    pub(super) fn level(&self, rule: &str, level: Level) -> Option<Level> {
+    /// What becomes of a finding of a rule; `rel` is its path relative to the configuration file.
+    pub(super) fn verdict(&self, rule: &str, level: Level, rel: Option<&str>) -> Verdict {
         if is_unmutable(rule) {
-            return Some(level);
+            return Verdict::At(level);
         }
-        let set = self.levels.iter().rev().find(|(glob, _)| glob.is_match(rule));
-        set.map_or(Some(level), |(_, set)| *set)
+        let general = self.for_all_paths(rule);
+        let here = rel.and_then(|rel| self.for_path(rule, rel));
+        let set = match (&here, &general) {
+            (Some(Say::On(set)), _) => *set,
+            (_, Say::On(set)) => *set,
+            (_, Say::Off) => None,
+        };
+        match (self.command_line(rule), here, general) {
+            (Some(Say::Off), ..) => Verdict::Off,
+            (Some(Say::On(asked)), ..) => Verdict::At(asked.or(set).unwrap_or(level)),
+            (None, Some(Say::Off), Say::On(_)) => Verdict::OffHere,
+            (None, Some(Say::Off) | None, Say::Off) => Verdict::Off,
+            (None, ..) => Verdict::At(set.unwrap_or(level)),
+        }
+    }
+
+    /// Whether the command line keeps a rule from saying all that it would say.
+    pub(super) fn is_silenced(&self, rule: &str) -> bool {
+        let numeric = || RULES.iter().any(|r| r.info.id == rule && matches!(r.check, Check::Numeric(_)));
+        matches!(self.command_line(rule), Some(Say::Off)) || self.no_eval && numeric()
+    }
+
+    fn for_all_paths(&self, rule: &str) -> Say {
+        let Some(file) = self.file else { return Say::On(None) };
+        if !file.select.is_empty() && !fits(&file.select, rule) {
+            return Say::Off;
+        }
+        say(&file.skip, &file.levels, rule).unwrap_or(Say::On(None))
+    }
+
+    fn for_path(&self, rule: &str, rel: &str) -> Option<Say> {
+        let blocks = self.file?.blocks.iter().filter(|block| block.glob.fits(rel));
+        blocks.filter_map(|block| say(&block.skip, &block.levels, rule)).next_back()
+    }
+
+    fn command_line(&self, rule: &str) -> Option<Say> {
+        let fits = |globs: &[GlobMatcher]| globs.iter().any(|glob| glob.is_match(rule));
+        if fits(&self.skip) || !self.only.is_empty() && !fits(&self.only) {
+            return Some(Say::Off);
+        }
+        match self.levels.iter().rev().find(|(glob, _)| glob.is_match(rule)) {
+            Some((_, None)) => Some(Say::Off),
+            Some((_, set)) => Some(Say::On(*set)),
+            None => (!self.only.is_empty()).then_some(Say::On(None)),
+        }
     }
 }
 
+fn say(skip: &[Selector], levels: &[(Selector, Option<Level>)], rule: &str) -> Option<Say> {
+    if fits(skip, rule) {
+        return Some(Say::Off);
+    }
+    let (_, level) = levels.iter().rev().find(|(selector, _)| selector.fits(rule))?;
+    Some(level.map_or(Say::Off, |level| Say::On(Some(level))))
+}
+
+fn fits(selectors: &[Selector], rule: &str) -> bool {
+    selectors.iter().any(|selector| selector.fits(rule))
+}
+
 /// Naming a safety rule to mute it is refused aloud; a wide glob just does not reach it.
-fn refuse_muted_safety(options: &Options) -> Result<(), Error> {
-    let levels = options.levels.iter().map(|(text, _)| text);
-    let named = options.skip.iter().chain(levels).find(|text| is_unmutable(text));
+fn refuse_muted_safety(config: &Config) -> Result<(), Error> {
+    let levels = config.levels.iter().map(|(text, _)| text);
+    let named = config.skip.iter().chain(levels).find(|text| is_unmutable(text));
     named.map_or(Ok(()), |text| {
         Err(Error::Selector {
             text: text.clone(),
@@ -59,7 +144,8 @@ fn refuse_muted_safety(options: &Options) -> Result<(), Error> {
     })
 }
 
-fn is_unmutable(rule: &str) -> bool {
+/// Whether a rule is a matter of safety.
+pub(super) fn is_unmutable(rule: &str) -> bool {
     RULES.iter().any(|known| known.info.id == rule && known.info.unmutable)
 }
 

@@ -11,7 +11,7 @@ use super::settings::Dimension;
 
 /// Distance from a step at which both of its sides are compared.
 const SIDE: f64 = 1e-6;
-/// A change of the factor of a target over twice [`SIDE`] beyond this is a jump. The loader's own limits (0.001 on a
+/// A change of the factor of a target over twice `SIDE` beyond this is a jump. The loader's own limits (0.001 on a
 /// share, 0.01 on a factor) make smaller ones at every step.
 pub const JUMP: f64 = 0.02;
 /// Weights of a component may miss one by the shares of up to 0.001 that the loader leaves out on either side.

@@ -8,6 +8,18 @@
 //! the application would turn into NaN is NaN here.
 //!
 //! Formulas are those of MakeHuman 2 (formats/makehuman2.md) unless a function names another application.
+//!
+//! ```
+//! use mhlint::eval::joints::joint_position;
+//! use mhlint::eval::morph::morphed;
+//!
+//! let mesh = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0]];
+//! let target = [(1, [0.0, 1.0, 0.0])];
+//! let moved = morphed(&mesh, [(target.into_iter(), 0.5)])?;
+//! assert_eq!(moved, [[0.0, 0.0, 0.0], [2.0, 0.5, 0.0]]);
+//! assert_eq!(joint_position(&moved, &[0, 1])?, [1.0, 0.25, 0.0]);
+//! # Ok::<(), mhlint::eval::error::EvalError>(())
+//! ```
 
 #![cfg_attr(
     test,

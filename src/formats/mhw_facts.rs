@@ -77,13 +77,22 @@ pub struct PairTally {
     pub first: Vec<(String, u32, i64, f32)>,
     /// The largest number by amount.
     pub worst: Option<(String, i64, f32)>,
+    /// All of them as `bone[vertex]`, as long as they are few.
+    #[serde(skip)]
+    names: Vec<String>,
 }
+
+/// Pairs that are told apart by name; more of them are one mass.
+const NAMED_PAIRS: usize = 64;
 
 impl PairTally {
     fn add(&mut self, bone: &str, pair: Pair) {
         self.count += 1;
         if self.first.len() < EXAMPLES {
             self.first.push((bone.to_owned(), pair.position, pair.vertex, pair.weight));
+        }
+        if self.names.len() <= NAMED_PAIRS {
+            self.names.push(format!("{bone}[{}]", pair.vertex));
         }
         let farther = |worst: &(String, i64, f32)| pair.weight.abs() > worst.2.abs();
         if self.worst.as_ref().is_none_or(farther) {
@@ -98,6 +107,7 @@ impl PairTally {
             count: self.count,
             of: Some(total as u64),
             examples: examples.map(|(bone, _, vertex, _)| format!("{bone}[{vertex}]")).collect(),
+            cases: if self.names.len() > NAMED_PAIRS { Vec::new() } else { self.names.clone() },
             ..Evidence::default()
         }
     }

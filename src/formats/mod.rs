@@ -10,6 +10,7 @@ pub mod expression;
 mod fields;
 pub mod format_text;
 pub mod geometry;
+pub mod inline_ignore;
 pub mod json_file;
 pub mod macro_json;
 pub mod mhclo;

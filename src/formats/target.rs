@@ -6,6 +6,7 @@
 
 use super::content_hash::ContentHash;
 use super::fields::fields;
+use super::inline_ignore::{self, InlineIgnore};
 pub use super::target_facts::{Largest, TargetFacts, UnreadableField};
 use super::target_row::fast_row;
 use super::{python_float, python_int};
@@ -17,6 +18,8 @@ pub struct Target {
     pub rows: Vec<Row>,
     /// What was counted on the way.
     pub facts: TargetFacts,
+    /// Mutes in comments.
+    pub ignores: Vec<InlineIgnore>,
 }
 
 /// One displacement. The index is kept as written; deltas are float32, in decimetres.
@@ -95,6 +98,7 @@ impl Parser {
     }
 
     fn comment(&mut self, line: u32, text: &[u8]) {
+        inline_ignore::note(line, text, &mut self.target.ignores);
         if self.target.facts.basemesh.is_some() {
             return;
         }

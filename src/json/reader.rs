@@ -36,7 +36,7 @@ pub enum SyntaxKind {
     UnexpectedEnd(&'static str),
     /// Something follows the top level value.
     TrailingText,
-    /// Nested deeper than [`DEEPEST`].
+    /// Nested deeper than `DEEPEST`.
     TooDeep,
 }
 

@@ -3,6 +3,7 @@
 use crate::discover::Kind;
 use crate::formats::base_json::BaseJson;
 use crate::formats::geometry::Geometry;
+use crate::formats::inline_ignore::InlineIgnore;
 use crate::formats::json_file::{JsonFacts, JsonFault};
 use crate::formats::macro_json::MacroFile;
 use crate::formats::mhskel::Skeleton;
@@ -38,6 +39,8 @@ pub struct FileFacts {
     pub json: JsonFacts,
     /// What the schema of its format says.
     pub schema: SchemaFaults,
+    /// Mutes in its comments.
+    pub ignores: Vec<InlineIgnore>,
     /// Hash of the decoded content where equal content matters.
     pub content_hash: Option<u64>,
     /// What was in it.
@@ -76,6 +79,16 @@ pub enum Content {
 }
 
 impl FileFacts {
+    /// Path of the data root as reports print it.
+    pub fn root(&self) -> &str {
+        self.path.strip_suffix(self.rel.as_str()).unwrap_or_default().trim_end_matches('/')
+    }
+
+    /// Path of the folder as reports print it.
+    pub fn folder(&self) -> &str {
+        self.path.rsplit_once('/').map_or("", |(folder, _)| folder)
+    }
+
     /// File name without folders.
     pub fn file_name(&self) -> &str {
         self.rel.rsplit('/').next().unwrap_or(&self.rel)

@@ -4,6 +4,7 @@
 
 mod archive;
 mod base;
+mod config;
 mod file;
 mod json;
 mod macros;
@@ -28,6 +29,11 @@ pub(crate) static RULES: &[&Rule] = &[
     &base::unknown_preset::RULE,
     &base::unsafe_rule::RULE,
     &base::vertex_count::RULE,
+    &config::baseline_stale::RULE,
+    &config::expired_ignore::RULE,
+    &config::missing_reason::RULE,
+    &config::unknown_rule::RULE,
+    &config::unused_ignore::RULE,
     &file::absolute_path::RULE,
     &file::backslash_path::RULE,
     &file::byte_order_mark::RULE,

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::diag::{Finding, Place, RuleInfo};
+use crate::diag::{Finding, Place, RuleInfo, Upkeep};
 use crate::eval::measures::Measures;
 use crate::repo::{Base, FileFacts, Layer, Repository};
 
@@ -24,6 +24,8 @@ pub(crate) enum Check {
     Numeric(fn(&Repository<'_>, &Base<'_>, &Measures, &RuleCx<'_>, &mut Vec<Finding>)),
     /// All layers.
     Repository(fn(&Repository<'_>, &RuleCx<'_>, &mut Vec<Finding>)),
+    /// Mutes and baseline, after everything else.
+    Upkeep(fn(&Upkeep, &RuleCx<'_>, &mut Vec<Finding>)),
 }
 
 /// What a rule may ask besides facts.

@@ -3,6 +3,7 @@
 //! The only reader of assets. Gives listings, bytes, unpacked bytes and lines; knows no format and
 //! writes nothing. Everything read is bounded, because assets come from strangers.
 
+mod folder;
 mod gunzip;
 mod limits;
 mod lines;
@@ -11,6 +12,7 @@ mod tree;
 mod walk;
 mod zip_size;
 
+pub use folder::{Folder, canonical, holds, is_below};
 pub use gunzip::{GzipFault, gunzip, try_gunzip};
 pub use limits::Limits;
 pub use lines::{Position, excerpt, line_span, position};

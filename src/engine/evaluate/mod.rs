@@ -3,6 +3,19 @@
 //!
 //! Differs from a lint run in what damage means: here the first fault that stands in the way is an error
 //! with name and cause. Writes nothing.
+//!
+//! ```
+//! use std::path::Path;
+//! use mhlint::engine::evaluate::Evaluation;
+//!
+//! let mut evaluation = Evaluation::open(Path::new("fixtures/makehuman2/data"), None, Some("figure"))?;
+//! let rest = evaluation.morphed(&evaluation.setting(&[])?)?;
+//! let oval = evaluation.setting(&[("head/head-oval".to_owned(), 1.0)])?;
+//! let morphed = evaluation.morphed(&oval)?;
+//! assert_eq!(rest.len(), morphed.len());
+//! assert_ne!(rest, morphed);
+//! # Ok::<(), mhlint::engine::evaluate::Error>(())
+//! ```
 
 mod asset;
 mod cases;

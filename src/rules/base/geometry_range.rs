@@ -51,14 +51,14 @@ fn without_group(file: &FileFacts, range: &Range, mesh: &Mesh) -> Finding {
         None => "name a group of the mesh without `joint-`".to_owned(),
     };
     let message = format!("the mesh has no group `{PREFIX}{}`", range.name);
-    RULE.at(file, Place::key([JOINTS, &range.name]), message).key(&range.name).help(help)
+    RULE.at(file, Place::key([JOINTS, &range.name]), message).key(format!("{JOINTS} {}", range.name)).help(help)
 }
 
 fn unlike(file: &FileFacts, section: &str, range: &Range, mesh: &Mesh, group: Option<&Group>) -> Option<Finding> {
     let (first, last) = range.ends?;
     let at = |message: String| {
         let place = Place::pointer([section, &range.name]);
-        RULE.at(file, place, message).key(&range.name)
+        RULE.at(file, place, message).key(format!("{section} {}", range.name))
     };
     let vertices = i64::try_from(mesh.facts.vertices).unwrap_or(i64::MAX);
     if first > last || first < 0 || last >= vertices {

@@ -24,7 +24,7 @@ fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let (folder, name) = path.rsplit_once('/').unwrap_or(("", path));
         siblings.entry((folder, name.to_lowercase())).or_default().push(path);
     }
-    for ((_, folded), mut paths) in siblings {
+    for ((folder, folded), mut paths) in siblings {
         paths.sort_unstable();
         let [first, others @ ..] = paths.as_slice() else { continue };
         let Some(last) = others.last() else { continue };
@@ -34,6 +34,7 @@ fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let message = format!("`{}` and {} differ only in case", name(last), before.join(" and "));
         let finding =
             RULE.in_layer(layer, last, message).key(folded).help("rename all but one, and what refers to them");
+        let finding = finding.asset(layer.display(folder)).parts(&paths);
         out.push(finding.related(layer.display(first), Place::File, "the other name"));
     }
 }

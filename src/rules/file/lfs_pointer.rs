@@ -39,7 +39,12 @@ fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         };
         let evidence = Evidence::of_cases(files.iter().map(|file| file.file_name()));
         out.push(
-            finding.level(level).key(if parsed { "parsed" } else { "" }).evidence(evidence).help("run `git lfs pull`"),
+            finding
+                .asset(layer.display(folder))
+                .level(level)
+                .key(if parsed { "parsed" } else { "" })
+                .evidence(evidence)
+                .help("run `git lfs pull`"),
         );
     }
 }

@@ -24,7 +24,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let used = icons_in_use(repository);
     // One finding for a folder and reason: a folder of packed targets is one decision.
-    let mut idle: BTreeMap<(&str, String), Vec<&FileFacts>> = BTreeMap::new();
+    let mut idle: BTreeMap<(&str, Reason), Vec<&FileFacts>> = BTreeMap::new();
     for file in repository.judged.files.values() {
         let folder = file.rel.rsplit_once('/').map_or("", |(folder, _)| folder);
         if let Some(reason) = reason(repository, file, &used) {
@@ -35,22 +35,26 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let names = files.iter().map(|file| file.file_name());
         let finding = match files.as_slice() {
             [file] => {
-                RULE.in_layer(repository.judged, &file.rel, format!("`{}` is not used: {reason}", file.file_name()))
+                RULE.in_layer(repository.judged, &file.rel, format!("`{}` is not used: {}", file.file_name(), reason.1))
             }
             [first, .., last] => {
                 let (count, first, last) = (files.len(), first.file_name(), last.file_name());
-                let message = format!("{count} files here (`{first}` to `{last}`) are not used: {reason}");
+                let message = format!("{count} files here (`{first}` to `{last}`) are not used: {}", reason.1);
                 RULE.in_layer(repository.judged, folder, message)
             }
             [] => continue,
         };
         let help = "give it the name that is looked for, refer to it, or remove it";
-        out.push(finding.key(reason).evidence(Evidence::of_cases(names)).help(help));
+        let asset = repository.judged.display(folder);
+        out.push(finding.key(reason.0).asset(asset).evidence(Evidence::of_cases(names)).help(help));
     }
 }
 
+/// A word for the reason, and the reason in words.
+type Reason = (String, String);
+
 /// Why nothing uses the file, if nothing does.
-fn reason(repository: &Repository<'_>, file: &FileFacts, used: &BTreeSet<String>) -> Option<String> {
+fn reason(repository: &Repository<'_>, file: &FileFacts, used: &BTreeSet<String>) -> Option<Reason> {
     let name = file.file_name();
     // A file called `icons` stands in the place of a folder: unreadable.
     if file.encoding.lfs_pointer || file.gzip_fault.is_some() || name == "icons" || is_note(name) {
@@ -58,7 +62,7 @@ fn reason(repository: &Repository<'_>, file: &FileFacts, used: &BTreeSet<String>
     }
     if file.kind == Kind::TargetIcon {
         let idle = is_icon_store(repository, file) && !used.contains(&file.rel) && !is_misspelt(repository, name);
-        return idle.then(|| "no slider has this icon".to_owned());
+        return idle.then(|| ("icon".to_owned(), "no slider has this icon".to_owned()));
     }
     // `file-case-mismatch` names a file that takes the place of one that is needed.
     let misnamed = fixed_name(&file.rel).is_some_and(|right| repository.judged.file(&right).is_none());
@@ -66,12 +70,15 @@ fn reason(repository: &Repository<'_>, file: &FileFacts, used: &BTreeSet<String>
         return None;
     }
     Some(match (file.kind, name.to_lowercase()) {
-        (Kind::PackedTarget, _) => "MakeHuman 2 reads no packed targets, only `.target`".to_owned(),
-        (_, lower) if lower != name && opens(&format!("{}{lower}", folder_of(&file.rel))) => {
-            format!("extensions and names count with their capitals, `{lower}` is looked for")
+        (Kind::PackedTarget, _) => {
+            ("packed".to_owned(), "MakeHuman 2 reads no packed targets, only `.target`".to_owned())
         }
-        (Kind::Image, _) => "icons are looked for in `icons/` of the target folder".to_owned(),
-        _ => "no loader opens a file of this name here".to_owned(),
+        (_, lower) if lower != name && opens(&format!("{}{lower}", folder_of(&file.rel))) => (
+            format!("capitals {lower}"),
+            format!("extensions and names count with their capitals, `{lower}` is looked for"),
+        ),
+        (Kind::Image, _) => ("picture".to_owned(), "icons are looked for in `icons/` of the target folder".to_owned()),
+        _ => ("name".to_owned(), "no loader opens a file of this name here".to_owned()),
     })
 }
 

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo, structural};
 use crate::json::Duplicate;
 use crate::repo::{FileFacts, Layer};
 
@@ -40,7 +40,7 @@ fn judge(file: &FileFacts, pointer: &str, all: &[&Duplicate]) -> Option<Finding>
     let related = Place::Span(last.kept.clone());
     Some(
         finding
-            .key(pointer)
+            .key(structural(pointer))
             .level(if equal { Level::Info } else { Level::Warning })
             .help(if equal { "remove one of them" } else { "give one of them another key, or remove it" })
             .related(file.path.clone(), related, format!("this `{key}` wins")),

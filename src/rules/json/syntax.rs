@@ -60,7 +60,7 @@ fn special_numbers(file: &FileFacts) -> Option<Finding> {
         1 => "a number that JSON does not have (`NaN` or `Infinity`)".to_owned(),
         count => format!("{count} numbers that JSON does not have (`NaN` or `Infinity`)"),
     };
-    let evidence = Evidence::of_cases(specials.iter().map(|span| format!("byte {}", span.start)));
+    let evidence = Evidence::of_cases(specials.iter().map(|span| format!("byte {}", span.start))).unnamed();
     Some(
         RULE.at(file, Place::Span(first.clone()), message)
             .key("special numbers")

@@ -75,7 +75,7 @@ fn judge(file: &FileFacts, all: &[&UnknownKey]) -> Option<Finding> {
             Some(nearest) => format!("did you mean `{nearest}`?"),
             None => "remove it, or keep notes under `comment`".to_owned(),
         })
-        .evidence(Evidence::of_cases(all.iter().map(|unknown| &unknown.pointer)));
+        .evidence(Evidence::of_cases(all.iter().map(|unknown| &unknown.pointer)).unnamed());
     let matters = matches!(file.kind, Kind::ModellingJson | Kind::TargetCategories | Kind::BaseJson);
     if matters && first.nearest.is_some() {
         finding = finding.level(Level::Warning);

@@ -6,9 +6,15 @@ use super::space::Space;
 use crate::formats::macro_json::Component;
 use crate::repo::Base;
 
+/// Absent combinations that are told apart by name; more of them are one mass.
+const NAMED: usize = 256;
+
 /// Absent combinations of one kind.
+#[derive(Default)]
 pub(super) struct Absence {
     pub(super) count: usize,
+    /// Their names, as long as they are few.
+    pub(super) names: Vec<String>,
     /// Patterns with the number of combinations each stands for.
     pub(super) patterns: Vec<(String, usize)>,
 }
@@ -45,7 +51,31 @@ fn index(sizes: &[usize], combination: &[usize]) -> usize {
 fn absence(space: &Space<'_>, sizes: &[usize], member: &[bool]) -> Absence {
     let count = member.iter().filter(|member| **member).count();
     let patterns = if count == 0 { Vec::new() } else { cover(sizes, member) };
-    Absence { count, patterns: patterns.iter().map(|pattern| (text(space, pattern), pattern.count(sizes))).collect() }
+    let names = if count > NAMED { Vec::new() } else { names(space, sizes, member) };
+    Absence {
+        count,
+        names,
+        patterns: patterns.iter().map(|pattern| (text(space, pattern), pattern.count(sizes))).collect(),
+    }
+}
+
+fn names(space: &Space<'_>, sizes: &[usize], member: &[bool]) -> Vec<String> {
+    let absent = member.iter().enumerate().filter(|(_, member)| **member);
+    let name = |(at, _): (usize, &bool)| {
+        let mut rest = at;
+        let mut combination: Vec<usize> = sizes
+            .iter()
+            .rev()
+            .map(|size| {
+                let value = rest % size.max(&1);
+                rest /= size.max(&1);
+                value
+            })
+            .collect();
+        combination.reverse();
+        space.name(&combination)
+    };
+    absent.map(name).collect()
 }
 
 /// `*` for any value, `a|b` for a choice.

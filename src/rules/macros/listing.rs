@@ -44,6 +44,18 @@ pub(super) enum Slip {
     Other(String),
 }
 
+impl Slip {
+    /// A name for what is wrong.
+    pub(super) fn word(&self) -> String {
+        match self {
+            Self::Order => "order".to_owned(),
+            Self::Value { token, .. } => format!("value {token}"),
+            Self::Parts(count) => format!("parts {count}"),
+            Self::Other(text) => format!("other {text}"),
+        }
+    }
+}
+
 impl<'a> Listing<'a> {
     pub(super) fn of(space: &Space<'_>, macrodef: &'a Macrodef) -> Self {
         let mut found = BTreeMap::new();

@@ -68,7 +68,7 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
             let below = format!("/macrodef/{}/targets/", macrodef.index);
             let faulty = file.schema.faults.iter().filter(|fault| fault.pointer.starts_with(&below)).count();
             let nameless = macrodef.links.iter().filter(|link| link.name.is_empty()).count();
-            let holes = if holes.count <= faulty + nameless { Absence { count: 0, patterns: Vec::new() } } else { holes };
+            let holes = if holes.count <= faulty + nameless { Absence::default() } else { holes };
             let is_hole = holes.count <= listing.found.len();
             out.extend(finding(file, macrodef, &space, &holes, if is_hole { Kind::Hole } else { Kind::Sparse }));
             out.extend(finding(file, macrodef, &space, &system, Kind::System));
@@ -122,6 +122,7 @@ fn finding(file: &FileFacts, macrodef: &Macrodef, space: &Space<'_>, absence: &A
         Kind::System => "system",
     };
     let finding = RULE.at(file, place(macrodef), message).key(format!("{}/{word}", macrodef.components.join("-")));
+    let finding = finding.parts(&absence.names);
     let finding = if kind == Kind::Hole {
         finding.help("add the entries; write `null` for a combination that should change nothing")
     } else {

@@ -52,7 +52,8 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
             };
             let message = format!("`{}` {reason}{more}", first.link.name);
             let place = Place::Pointer(macrodef.link_pointer(first.link, "name"));
-            let mut finding = RULE.at(file, place, message).key(format!("{}/{slip:?}", macrodef.components.join("-")));
+            let mut finding =
+                RULE.at(file, place, message).key(format!("{}/{}", macrodef.components.join("-"), slip.word()));
             finding = finding.help(match &first.intended {
                 Some(intended) => format!("did you mean `{}`?", space.name(intended)),
                 None => format!("a name has one value of each of `{}`", macrodef.components.join("-")),

@@ -50,5 +50,11 @@ fn finding(file: &FileFacts, groups: &[&Reopened], faces: usize) -> Option<Findi
     let cases = groups.iter().map(|group| format!("{} ({} of {} faces)", group.name, group.strayed, group.faces));
     let evidence = Evidence::of_groups(cases, strayed as u64).out_of(faces);
     let place = Place::Line(first.line);
-    Some(RULE.at(file, place, message).help("sort the faces so that each group comes once").evidence(evidence))
+    let parts = groups.iter().map(|group| &group.name);
+    Some(
+        RULE.at(file, place, message)
+            .parts(parts)
+            .help("sort the faces so that each group comes once")
+            .evidence(evidence),
+    )
 }

@@ -42,6 +42,7 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
         let (key, winner) = (hidden.slider.key.as_str(), last.slider.key.as_str());
         let message = format!("`{key}` and `{winner}` both write to line {slot} of the status area");
         let finding = RULE.at(last.file, place(last), message).key(format!("slot {slot}"));
+        let finding = finding.asset(last.file.root()).parts(sliders.iter().map(|slider| &slider.slider.key));
         out.push(
             finding
                 .related(hidden.file.path.clone(), place(hidden), "is not shown")

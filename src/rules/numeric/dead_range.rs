@@ -40,6 +40,7 @@ fn run(_: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &RuleCx<'_>,
         let message = format!("macrodef `{}` applies nothing {}", title(macrodef), parts.join(", nor "));
         let place = Place::pointer(["macrodef", &macrodef.index.to_string(), "comp"]);
         let finding = RULE.at(file, place, message).key(title(macrodef)).evidence(Evidence::of_cases(&parts));
+        let finding = finding.parts(ranges.iter().map(|range| format!("{}: {}", range.position, range.from)));
         out.push(if is_wide {
             finding.help("list the combinations, or write `null` where no shape is meant")
         } else {

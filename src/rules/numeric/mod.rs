@@ -26,7 +26,8 @@ pub(super) mod zero_length_bone;
 fn at_setting(rule: &Rule, base: &Base<'_>, seen: &Seen, message: &str) -> Finding {
     let mesh = || base.mesh.map(|(file, _)| file.path.clone());
     let path = seen.target.clone().or_else(mesh).unwrap_or_default();
-    Finding::new(&rule.info, path, Place::File, format!("{message}; shown by {}", setting(&seen.setting)))
+    let asset = mesh().unwrap_or_default();
+    Finding::new(&rule.info, path, Place::File, format!("{message}; shown by {}", setting(&seen.setting))).asset(asset)
 }
 
 /// A setting as a message shows it.

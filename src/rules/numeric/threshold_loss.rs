@@ -42,6 +42,7 @@ fn run(_: &Repository<'_>, base: &Base<'_>, measures: &Measures, cx: &RuleCx<'_>
     out.push(
         RULE.at(file, Place::pointer(["macrodef", &macrodef.index.to_string(), "comp"]), message)
             .key("loss")
+            .parts(over().map(|(number, ..)| macros.macrodefs.get(*number).map(super::title).unwrap_or_default()))
             .help("nothing needs to be done; fewer components in a macrodef lose less")
             .evidence(Evidence::of_cases(over().map(named)).out_of(macros.macrodefs.len()).with_worst(*lost, title)),
     );

@@ -44,7 +44,7 @@ fn run(_: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &RuleCx<'_>,
         let member = if component.steps.is_some() { "steps" } else { "sum" };
         out.push(
             RULE.at(file, Place::pointer(["components", name, member]), message)
-                .key(name)
+                .key(format!("{}/{name}", title(macrodef)))
                 .help("give every corner of the slider a value; its combinations may be `null`")
                 .evidence(Evidence { count: 1, ..Evidence::default() }.with_worst(off.sum, at)),
         );

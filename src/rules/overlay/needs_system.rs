@@ -42,6 +42,7 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
         base.name
     );
     let finding = RULE.at(first.from, first.place.clone(), message).key(base.name);
+    let finding = finding.asset(&repository.judged.path);
     let help = "add `--system` with the data folder of MakeHuman 2; it is read and not reported";
     let of = repository.references_of(base).count();
     out.push(finding.help(help).evidence(Evidence::of_cases(open.iter().map(|open| &open.rel)).out_of(of)));

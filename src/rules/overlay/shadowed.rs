@@ -65,7 +65,8 @@ fn replaced_by_contarget(base: &Base<'_>, replaced: &[&Override<'_>]) -> Option<
     let names: Vec<&str> = replaced.iter().map(|each| each.name).collect();
     let (what, lost) = unreachable(base);
     let message = format!("contarget replaces the system's {} for base `{}`{what}", names.join(", "), base.name);
-    let mut finding = RULE.at(file, BEGINNING, message).key(base.name);
+    let finding = RULE.at(file, BEGINNING, message).key(base.name).asset(file.folder());
+    let mut finding = finding.parts(&names);
     for system in replaced.iter().filter_map(|each| each.system) {
         finding = finding.related(system.path.clone(), BEGINNING, "replaced");
     }

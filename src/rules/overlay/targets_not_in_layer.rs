@@ -50,6 +50,7 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
         other.layer.display(&other.rel()),
     );
     let mut finding = finding_where_to_act(repository, base, &lost, message).key(base.name);
+    finding = finding.asset(&repository.judged.path);
     for reference in lost.iter().take(EXAMPLES) {
         let text = format!("needs `{}`", reference.rel);
         finding = finding.related(reference.from.path.clone(), reference.place.clone(), text);

@@ -90,6 +90,7 @@ fn finding(rig: &Rig<'_>, fault: Fault, cases: &[(&str, usize, i64)], vertices: 
             format!("joint `{joint}` lists {what}{more}"),
         )
         .key(key)
+        .parts(cases.iter().map(|(joint, _, vertex)| format!("{joint}: {vertex}")))
         .level(if wrong_only { Level::Warning } else { Level::Error })
         .help(format!(
             "list vertices from 0 to {}; was the skeleton made for another mesh?",

@@ -48,7 +48,7 @@ fn finding(rig: &Measured<'_>, (head, tail): (&str, &str), bones: &[&str]) -> Op
     let evidence = Evidence::of_cases(bones).out_of(rig.skeleton.bones.len()).with_worst(length, *first);
     Some(
         RULE.at(rig.file, Place::key(["bones", first]), message)
-            .key(*first)
+            .key(format!("{head}/{tail}"))
             .help("give the bone two joints at different places")
             .evidence(evidence),
     )

@@ -88,6 +88,8 @@ fn uneven(base: &Base<'_>, slight: &[(&FileFacts, &TargetMeasure)], judged: usiz
     Some(
         RULE.at(file, Place::File, message)
             .key(base.name)
+            .asset(file.root())
+            .parts(slight.iter().map(|(_, target)| &target.name))
             .help("make these vertices symmetric")
             .evidence(evidence.out_of(judged).with_worst(distance, format!("{} vertex {vertex}", target.name))),
     )

@@ -51,5 +51,5 @@ fn finding(layer: &Layer, folder: &str, named: &str, files: &[(&FileFacts, u32)]
     };
     let evidence = Evidence::of_cases(files.iter().map(|(file, _)| &file.rel));
     let help = format!("move it to the targets of `{named}`, or correct the header if it fits `{base}`");
-    Some(finding.key(named).help(help).evidence(evidence))
+    Some(finding.asset(layer.display(folder)).key(named).help(help).evidence(evidence))
 }

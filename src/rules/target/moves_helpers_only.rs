@@ -34,7 +34,7 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &Ru
         _ => format!("{} targets move no vertex of the body but helpers, the first is `{}`", hidden.len(), first.name),
     };
     let evidence = Evidence::of_cases(hidden.iter().map(|(_, target)| &target.name)).out_of(measures.targets.len());
-    let mut finding = RULE.at(file, Place::File, message).key(base.name).evidence(evidence);
+    let mut finding = RULE.at(file, Place::File, message).key(base.name).asset(file.root()).evidence(evidence);
     for (file, target) in hidden.iter().skip(1) {
         finding = finding.related(&file.path, Place::File, moved(target.joints, target.helpers));
     }

@@ -41,7 +41,8 @@ pub(super) fn finding(rule: &Rule, file: &FileFacts, facts: &TargetFacts) -> Opt
         format!("`{}` is no number ({rows} rows like it)", first.field)
     };
     let place = Place::Span(first.start..first.start + first.field.len());
-    let mut evidence = Evidence::of_cases(facts.unreadable.iter().map(|field| format!("line {}", field.line)));
+    let mut evidence =
+        Evidence::of_cases(facts.unreadable.iter().map(|field| format!("line {}", field.line))).unnamed();
     evidence.count = rows;
     let finding = rule.at(file, place, message).evidence(evidence.out_of(facts.rows));
     Some(finding.help("a row is `INDEX X Y Z`: an integer and three decimals with a point"))

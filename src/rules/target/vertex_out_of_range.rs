@@ -49,6 +49,7 @@ fn vertices(repository: &Repository<'_>, file: &FileFacts) -> Option<usize> {
 fn overflow(file: &FileFacts, facts: &TargetFacts) -> Finding {
     let message = format!("vertex index {} does not fit 32 bits", first(&facts.overflow));
     RULE.at(file, first_row(&facts.overflow), message)
+        .key("overflow")
         .help("write the index that the base mesh has, or remove the row")
         .evidence(facts.overflow.evidence(facts.rows))
         .breaks(

@@ -31,10 +31,11 @@ fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (folder, found) in folders {
         let finding = match found.as_slice() {
             [] => continue,
-            [(file, facts)] => one_file(file, facts),
+            [(file, facts)] => one_file(layer, file, facts),
             [(file, facts), ..] => {
                 let (message, evidence) = of_folder(folder, &found);
-                let finding = RULE.at(file, first_row(&facts.zero), message).key(folder).evidence(evidence);
+                let finding = RULE.at(file, first_row(&facts.zero), message).evidence(evidence);
+                let finding = finding.asset(layer.display(folder)).parts(found.iter().map(|(file, _)| &file.rel));
                 found.iter().take(EXAMPLES * 2).fold(finding, |finding, (file, facts)| {
                     finding.related(&file.path, first_row(&facts.zero), counted(facts.zero.count, "zero row"))
                 })
@@ -44,12 +45,13 @@ fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
 }
 
-fn one_file(file: &FileFacts, facts: &TargetFacts) -> Finding {
+fn one_file(layer: &Layer, file: &FileFacts, facts: &TargetFacts) -> Finding {
     let message = match facts.zero.count {
         1 => "1 zero row moves nothing".to_owned(),
         count => format!("{count} zero rows move nothing"),
     };
-    RULE.at(file, first_row(&facts.zero), message).evidence(facts.zero.evidence(facts.rows))
+    let finding = RULE.at(file, first_row(&facts.zero), message).parts([&file.rel]);
+    finding.asset(layer.display(target_folder(file))).evidence(facts.zero.evidence(facts.rows))
 }
 
 /// What is said of several files, at the first of them.

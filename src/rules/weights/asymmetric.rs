@@ -50,6 +50,7 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &Ru
     );
     out.push(
         RULE.at(file, Place::key(["weights", name(worst.left)]), message)
+            .parts(weights.asymmetric.iter().map(|pair| name(pair.left)))
             .help("mirror the weights of one side")
             .evidence(evidence.with_worst(f64::from(difference), format!("{}[{vertex}]", name(worst.left)))),
     );

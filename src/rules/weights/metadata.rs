@@ -26,7 +26,7 @@ fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             continue;
         }
         let message = format!("the weights have no {}", missing.join(", no "));
-        out.push(RULE.at(file, Place::File, message).help("add them beside `weights`"));
+        out.push(RULE.at(file, Place::File, message).parts(&missing).help("add them beside `weights`"));
     }
 }
 

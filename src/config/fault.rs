@@ -1,0 +1,83 @@
+//! What is wrong with a configuration file, with the lines that it stands in.
+
+use std::fmt;
+use std::ops::Range;
+
+use crate::source::{excerpt, position};
+
+/// Why a configuration cannot be used.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Error {
+    /// The file.
+    pub path: String,
+    /// All that is wrong with it, in order of the file.
+    pub faults: Vec<Fault>,
+}
+
+/// One thing that is wrong.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Fault {
+    /// What.
+    pub message: String,
+    /// What to do.
+    pub help: String,
+    /// Line and column, counted from 1, where there is a text.
+    pub place: Option<(u32, u32)>,
+    /// The line with the place marked below it.
+    pub quoted: String,
+}
+
+impl Error {
+    /// A file that cannot be read at all.
+    pub(super) fn unreadable(path: &str, reason: &str) -> Self {
+        let fault = Fault {
+            message: format!("cannot be read: {reason}"),
+            help: "name a file that exists with `--config`, or write one with `mhlint init`".to_owned(),
+            place: None,
+            quoted: String::new(),
+        };
+        Self { path: path.to_owned(), faults: vec![fault] }
+    }
+}
+
+impl Fault {
+    pub(super) fn new(text: &str, span: Range<usize>, message: String, help: String) -> Self {
+        let at = position(text.as_bytes(), span.start);
+        let quoted = quote(text, span).unwrap_or_default();
+        Self { message, help, place: Some((at.line, at.column)), quoted }
+    }
+}
+
+fn quote(text: &str, span: Range<usize>) -> Option<String> {
+    let found = excerpt(text.as_bytes(), span.clone())?;
+    let before = found.text.get(..found.mark.start)?;
+    let start = before.rfind('\n').map_or(0, |at| at + 1);
+    let line = found.text.get(start..)?.lines().next()?.replace('\t', " ");
+    let indent = found.text.get(start..found.mark.start)?.chars().count();
+    let marked = found.text.get(found.mark)?.chars().take_while(|c| *c != '\n').count().max(1);
+    let number = position(text.as_bytes(), span.start).line.to_string();
+    let margin = " ".repeat(number.len());
+    Some(format!("  {number} | {line}\n  {margin} | {}{}", " ".repeat(indent), "^".repeat(marked)))
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (number, fault) in self.faults.iter().enumerate() {
+            if number > 0 {
+                f.write_str("\n")?;
+            }
+            f.write_str(&self.path)?;
+            if let Some((line, column)) = fault.place {
+                write!(f, ":{line}:{column}")?;
+            }
+            write!(f, ": {}", fault.message)?;
+            if !fault.quoted.is_empty() {
+                write!(f, "\n{}", fault.quoted)?;
+            }
+            write!(f, "\n  help: {}", fault.help)?;
+        }
+        Ok(())
+    }
+}
+
+impl std::error::Error for Error {}

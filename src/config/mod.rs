@@ -1,0 +1,222 @@
+//! What a run is asked to do: the model and the loader of `mhlint.toml`.
+//!
+//! Gets the text of the file and the declared halves of the rules, gives a [`Config`] or all that is wrong
+//! with the file, with spans. Knows no rule by name and looks for no asset.
+
+mod date;
+mod fault;
+mod find;
+mod glob;
+mod keys;
+mod read;
+mod schema;
+mod template;
+mod value;
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+
+use crate::diag::{Application, Level, RuleInfo};
+use crate::source::{Folder, Limits, position};
+
+pub use date::Date;
+pub use fault::{Error, Fault};
+pub use find::{FILE_NAME, find};
+pub use glob::{PathGlob, Selector};
+pub use schema::schema;
+pub use template::TEMPLATE;
+
+/// What a run is asked to do.
+///
+/// The fields are the values in force for the whole run. What the configuration file says on single rules
+/// and paths stays apart in [`Config::file`], because the fields [`only`](Config::only),
+/// [`skip`](Config::skip) and [`levels`](Config::levels) go before it, as the command line does.
+///
+/// ```
+/// use mhlint::{Config, Level};
+///
+/// let config = Config { skip: vec!["numeric-*".to_owned()], no_eval: true, ..Config::default() };
+/// assert_eq!(config.fail_on, Some(Level::Error));
+/// ```
+#[derive(Debug, Clone)]
+pub struct Config {
+    /// System data that is read and not reported.
+    pub system: Option<PathBuf>,
+    /// Judge these applications only; empty for all.
+    pub applications: Vec<Application>,
+    /// Report these base meshes only; empty for all.
+    pub bases: Vec<String>,
+    /// Globs of rule ids to run, in place of what the file selects; empty to leave it to the file.
+    pub only: Vec<String>,
+    /// Globs of rule ids not to run, besides those of the file.
+    pub skip: Vec<String>,
+    /// Levels by rule id or glob, `None` for off; the last one that fits counts, and goes before the file.
+    pub levels: Vec<(String, Option<Level>)>,
+    /// Options of rules, by rule and name.
+    pub rule_options: BTreeMap<(String, String), f64>,
+    /// Leave out everything that needs evaluation.
+    pub no_eval: bool,
+    /// Random settings of the sliders to look at besides the deliberate ones; `None` for the default.
+    pub samples: Option<usize>,
+    /// Visit every corner of the slider space.
+    pub exhaustive: bool,
+    /// The level from which on a finding fails the run; `None` for never.
+    pub fail_on: Option<Level>,
+    /// More warnings than this fail the run.
+    pub max_warnings: Option<usize>,
+    /// File with known findings, which are hidden.
+    pub baseline: Option<PathBuf>,
+    /// Make a new baseline of what is found instead: [`Outcome::baseline`](crate::Outcome::baseline).
+    pub write_baseline: bool,
+    /// What the configuration file says on rules and paths.
+    pub file: Option<ConfigFile>,
+    /// Bounds on what is read.
+    pub limits: Limits,
+    /// Report only what a change of these files can affect: paths relative to the working directory.
+    pub changed: Option<Vec<PathBuf>>,
+}
+
+/// What `mhlint.toml` says on rules and paths.
+#[derive(Debug, Clone, Default)]
+pub struct ConfigFile {
+    /// Its path as printed.
+    pub path: String,
+    /// Its text.
+    pub text: String,
+    /// Its folder: what globs are relative to.
+    pub folder: Folder,
+    /// `select`; empty for all.
+    pub select: Vec<Selector>,
+    /// `skip`.
+    pub skip: Vec<Selector>,
+    /// `[level]`, in order of the file.
+    pub levels: Vec<(Selector, Option<Level>)>,
+    /// `exclude`.
+    pub exclude: Vec<PathGlob>,
+    /// `[[path]]`.
+    pub blocks: Vec<PathBlock>,
+    /// `[[ignore]]`.
+    pub ignores: Vec<Ignore>,
+    /// Settings for rules that do not exist.
+    pub unknown: Vec<Unknown>,
+    /// Where each key stands whose value is in force, by its full name (`eval.samples`).
+    pub places: BTreeMap<String, Range<usize>>,
+}
+
+/// A `[[path]]`.
+#[derive(Debug, Clone)]
+pub struct PathBlock {
+    /// The files that it is for.
+    pub glob: PathGlob,
+    /// `skip`.
+    pub skip: Vec<Selector>,
+    /// `level`, in order of the file.
+    pub levels: Vec<(Selector, Option<Level>)>,
+    /// Where it stands.
+    pub span: Range<usize>,
+}
+
+/// An `[[ignore]]`.
+#[derive(Debug, Clone)]
+pub struct Ignore {
+    /// `rule`.
+    pub rule: Selector,
+    /// `path`.
+    pub path: PathGlob,
+    /// `reason`, if there is one that says something.
+    pub reason: Option<String>,
+    /// `until`.
+    pub until: Option<Date>,
+    /// Where it stands.
+    pub span: Range<usize>,
+    /// Where `until` stands.
+    pub until_span: Range<usize>,
+}
+
+/// A setting for a rule that does not exist.
+#[derive(Debug, Clone)]
+pub struct Unknown {
+    /// The setting: `skip`, `level`.
+    pub setting: String,
+    /// The name or glob.
+    pub rule: String,
+    /// Where.
+    pub span: Range<usize>,
+    /// A rule that may be meant.
+    pub nearest: Option<&'static str>,
+}
+
+impl Default for Config {
+    fn default() -> Self {
+        Self {
+            system: None,
+            applications: Vec::new(),
+            bases: Vec::new(),
+            only: Vec::new(),
+            skip: Vec::new(),
+            levels: Vec::new(),
+            rule_options: BTreeMap::new(),
+            no_eval: false,
+            samples: None,
+            exhaustive: false,
+            fail_on: Some(Level::Error),
+            max_warnings: None,
+            baseline: None,
+            write_baseline: false,
+            file: None,
+            limits: Limits::default(),
+            changed: None,
+        }
+    }
+}
+
+impl Config {
+    /// Reads a configuration file. `rules` are those that there are: [`rule_infos`](crate::rule_infos).
+    ///
+    /// # Errors
+    /// When the file cannot be read, is no TOML, or holds keys or values that do not exist.
+    pub fn load(path: &Path, rules: &[&'static RuleInfo]) -> Result<Self, Error> {
+        find::load(path, rules)
+    }
+
+    /// The same for a text; `path` is what messages call it. Globs and paths in it are relative to the
+    /// trees of [`lint_trees`](crate::lint_trees).
+    ///
+    /// ```
+    /// use mhlint::{Config, rule_infos};
+    ///
+    /// let error = Config::parse("selct = ['macro-*']", "mhlint.toml", &rule_infos()).unwrap_err();
+    /// assert!(error.to_string().contains("did you mean `select`?"));
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Config::load`].
+    pub fn parse(text: &str, path: &str, rules: &[&'static RuleInfo]) -> Result<Self, Error> {
+        read::read(text, path, Path::new(""), Folder::default(), rules)
+    }
+
+    /// Whether nothing is to be reported for a printed path.
+    pub fn excludes(&self, path: &str) -> bool {
+        let Some(file) = self.file.as_ref().filter(|file| !file.exclude.is_empty()) else { return false };
+        let Some(rel) = file.folder.relative(path) else { return false };
+        file.exclude.iter().any(|glob| glob.fits(&rel))
+    }
+}
+
+impl ConfigFile {
+    /// Line of a key that is set, counted from 1.
+    pub fn line(&self, key: &str) -> Option<u32> {
+        self.places.get(key).map(|span| self.line_at(span))
+    }
+
+    /// Line of a span, counted from 1.
+    pub fn line_at(&self, span: &Range<usize>) -> u32 {
+        position(self.text.as_bytes(), span.start).line
+    }
+
+    /// Path of a printed path relative to the folder of the file; none if it lies elsewhere.
+    pub fn relative(&self, path: &str) -> Option<String> {
+        self.folder.relative(path)
+    }
+}

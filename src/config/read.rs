@@ -1,0 +1,309 @@
+//! The text of `mhlint.toml` to a [`Config`], or to everything that is wrong with it.
+
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+
+use toml::de::{DeTable, DeValue};
+
+use super::fault::{Error, Fault};
+use super::keys::{FILE, Key, Shape};
+use super::value::{self, Value, Wrong};
+use super::{Config, ConfigFile, Date, Ignore, PathBlock, PathGlob, Selector, Unknown};
+use crate::diag::{Application, Level, RuleInfo, nearest};
+use crate::source::Folder;
+
+/// Reads a text. `inside` is its folder as printed, `folder` the same to compare paths with.
+pub(super) fn read(
+    text: &str,
+    path: &str,
+    inside: &Path,
+    folder: Folder,
+    rules: &[&'static RuleInfo],
+) -> Result<Config, Error> {
+    let file = ConfigFile { path: path.to_owned(), text: text.to_owned(), folder, ..ConfigFile::default() };
+    let mut reader = Reader { inside, rules, config: Config::default(), file, faults: Vec::new() };
+    match DeTable::parse(text) {
+        Ok(table) => reader.file(table.get_ref()),
+        Err(error) => {
+            let help = "correct the line; texts stand in quotes, lists in brackets".to_owned();
+            reader.fault((error.span().unwrap_or(0..0), format!("no TOML: {}", error.message()), help));
+        }
+    }
+    let Reader { mut config, file, mut faults, .. } = reader;
+    if faults.is_empty() {
+        config.file = Some(file);
+        return Ok(config);
+    }
+    faults.sort_by_key(|(span, ..)| span.start);
+    let told = faults.into_iter().map(|(span, message, help)| Fault::new(text, span, message, help));
+    Err(Error { path: path.to_owned(), faults: told.collect() })
+}
+
+struct Reader<'r> {
+    inside: &'r Path,
+    rules: &'r [&'static RuleInfo],
+    config: Config,
+    file: ConfigFile,
+    faults: Vec<Wrong>,
+}
+
+impl Reader<'_> {
+    fn fault(&mut self, wrong: Wrong) {
+        self.faults.push(wrong);
+    }
+
+    /// Notes what is wrong with a value, if anything.
+    fn take<T>(&mut self, result: Result<T, Wrong>) -> Option<T> {
+        result.map_err(|wrong| self.fault(wrong)).ok()
+    }
+
+    /// The members of a table that `keys` has; the others are faults, as is a key that must be there.
+    fn members<'t, 'i>(
+        &mut self,
+        table: &'t DeTable<'i>,
+        keys: &'static [Key],
+        within: &str,
+        span: &Range<usize>,
+    ) -> Vec<(&'static Key, &'t Value<'i>)> {
+        let mut found = Vec::new();
+        for (name, value) in table {
+            let Some(key) = keys.iter().find(|key| key.name == name.get_ref()) else {
+                let known = keys.iter().map(|key| key.name);
+                let text = name.get_ref();
+                self.fault((name.span(), format!("there is no key `{text}`{within}"), meant(text, known)));
+                continue;
+            };
+            if within.is_empty() && !matches!(key.shape, Shape::Table(_) | Shape::Tables(_)) {
+                self.file.places.insert(key.name.to_owned(), name.span());
+            }
+            found.push((key, value));
+        }
+        for key in keys.iter().filter(|key| key.required && !found.iter().any(|(known, _)| known.name == key.name)) {
+            self.fault((span.clone(), format!("there is no `{}`{within}", key.name), format!("add it: {}", key.docs)));
+        }
+        found
+    }
+
+    fn file(&mut self, table: &DeTable<'_>) {
+        for (key, value) in self.members(table, FILE, "", &(0..0)) {
+            match key.name {
+                "fail-on" => {
+                    let level = value::level(key.name, value, "never");
+                    self.config.fail_on = self.take(level).unwrap_or_default();
+                }
+                "max-warnings" => self.config.max_warnings = self.take(value::number(key.name, value)),
+                "select" => self.file.select = self.selectors(key.name, value),
+                "skip" => self.file.skip = self.selectors(key.name, value),
+                "exclude" => self.file.exclude = self.globs(key.name, value),
+                "system" => self.config.system = self.path(key.name, value),
+                "baseline" => self.config.baseline = self.path(key.name, value),
+                "apps" => self.config.applications = self.applications(key.name, value),
+                "bases" => {
+                    let names = self.take(value::texts(key.name, value)).unwrap_or_default();
+                    self.config.bases = names.into_iter().map(|(name, _)| name.to_owned()).collect();
+                }
+                "level" => self.file.levels = self.levels(key.name, value),
+                "rule" => self.options(value),
+                "path" => self.each(key, value, Self::block),
+                "ignore" => self.each(key, value, Self::ignore),
+                _ => self.eval(key, value),
+            }
+        }
+    }
+
+    fn path(&mut self, name: &str, value: &Value<'_>) -> Option<PathBuf> {
+        self.take(value::text(name, value)).map(|text| self.inside.join(text))
+    }
+
+    fn globs(&mut self, name: &str, value: &Value<'_>) -> Vec<PathGlob> {
+        let texts = self.take(value::texts(name, value)).unwrap_or_default();
+        texts.into_iter().filter_map(|(text, span)| self.glob(text, span)).collect()
+    }
+
+    fn glob(&mut self, text: &str, span: Range<usize>) -> Option<PathGlob> {
+        let glob = PathGlob::new(text);
+        let help = "`*` is any part of a name, `**/` any folders; a bracket or brace must be closed";
+        self.take(glob.map_err(|reason| (span, format!("`{text}` is no glob: {reason}"), help.to_owned())))
+    }
+
+    /// Selectors of rules. One that names a safety rule is refused, one that fits nothing is noted.
+    fn selectors(&mut self, name: &str, value: &Value<'_>) -> Vec<Selector> {
+        let texts = self.take(value::texts(name, value)).unwrap_or_default();
+        let mutes = name != "select";
+        texts.into_iter().filter_map(|(text, span)| self.selector(name, text, span, mutes)).collect()
+    }
+
+    fn selector(&mut self, setting: &str, text: &str, span: Range<usize>, mutes: bool) -> Option<Selector> {
+        let selector = Selector::new(text, span.clone());
+        let help = "a rule such as `macro-steps-length`, or a glob such as `macro-*`";
+        let selector =
+            self.take(selector.map_err(|why| (span.clone(), format!("`{text}` is no glob: {why}"), help.to_owned())))?;
+        if mutes && self.rules.iter().any(|rule| rule.id == text && rule.unmutable) {
+            let why = "it guards against running foreign code or filling memory";
+            let message = format!("`{text}` cannot be muted or lowered: {why}");
+            self.fault((span.clone(), message, "remove this entry, and what the rule finds".to_owned()));
+        }
+        if !self.rules.iter().any(|rule| selector.fits(rule.id)) {
+            self.unknown(setting, text, span);
+        }
+        Some(selector)
+    }
+
+    fn unknown(&mut self, setting: &str, rule: &str, span: Range<usize>) {
+        let nearest = nearest(rule, self.rules.iter().map(|rule| rule.id));
+        self.file.unknown.push(Unknown { setting: setting.to_owned(), rule: rule.to_owned(), span, nearest });
+    }
+
+    fn applications(&mut self, name: &str, value: &Value<'_>) -> Vec<Application> {
+        let texts = self.take(value::texts(name, value)).unwrap_or_default();
+        let mut found = Vec::new();
+        for (text, span) in texts {
+            if let Some(application) = Application::ALL.into_iter().find(|known| known.word() == text) {
+                found.push(application);
+            } else {
+                let known = Application::ALL.map(Application::word);
+                self.fault((span, format!("there is no application `{text}`"), meant(text, known)));
+            }
+        }
+        found
+    }
+
+    /// A table of levels by rule, in order of the file.
+    fn levels(&mut self, name: &str, value: &Value<'_>) -> Vec<(Selector, Option<Level>)> {
+        let Some(table) = value.get_ref().as_table() else {
+            self.fault(value::wrong(name, value, "a table of levels by rule"));
+            return Vec::new();
+        };
+        let mut levels = Vec::new();
+        for (rule, value) in table {
+            let level = self.take(value::level(rule.get_ref(), value, "off"));
+            let selector = self.selector(name, rule.get_ref(), rule.span(), true);
+            levels.extend(selector.zip(level));
+        }
+        levels.sort_by_key(|(selector, _)| selector.span.start);
+        levels
+    }
+
+    fn options(&mut self, value: &Value<'_>) {
+        let Some(table) = value.get_ref().as_table() else {
+            return self.fault(value::wrong("rule", value, "a table for each rule"));
+        };
+        for (name, value) in table {
+            let Some(rule) = self.rules.iter().find(|rule| rule.id == name.get_ref()) else {
+                self.unknown("rule", name.get_ref(), name.span());
+                continue;
+            };
+            match value.get_ref() {
+                DeValue::Table(options) => self.options_of(rule, options),
+                _ => self.fault(value::wrong(&format!("rule.{}", rule.id), value, "a table of options")),
+            }
+        }
+    }
+
+    fn options_of(&mut self, rule: &RuleInfo, options: &DeTable<'_>) {
+        for (name, value) in options {
+            let text = name.get_ref();
+            if !rule.options.iter().any(|option| option.name == text) {
+                let known = rule.options.iter().map(|option| option.name);
+                let message = format!("the rule `{}` has no option `{text}`", rule.id);
+                self.fault((name.span(), message, meant(text, known)));
+            } else if let Some(number) = self.take(value::real(text, value)) {
+                self.config.rule_options.insert((rule.id.to_owned(), text.to_string()), number);
+                self.file.places.insert(format!("rule.{}.{text}", rule.id), name.span());
+            }
+        }
+    }
+
+    fn each(&mut self, key: &Key, value: &Value<'_>, read: fn(&mut Self, &DeTable<'_>, &Range<usize>)) {
+        let wanted = format!("a list of tables, written `[[{}]]`,", key.name);
+        let Some(list) = value.get_ref().as_array() else {
+            return self.fault(value::wrong(key.name, value, &wanted));
+        };
+        for item in list {
+            match item.get_ref().as_table() {
+                Some(table) => read(self, table, &item.span()),
+                None => self.fault(value::wrong(key.name, item, &wanted)),
+            }
+        }
+    }
+
+    fn block(&mut self, table: &DeTable<'_>, span: &Range<usize>) {
+        let (mut glob, mut skip, mut levels) = (None, Vec::new(), Vec::new());
+        for (key, value) in self.members(table, members_of("path"), " in `[[path]]`", span) {
+            match key.name {
+                "glob" => glob = self.one_glob(key.name, value),
+                "skip" => skip = self.selectors(key.name, value),
+                _ => levels = self.levels(key.name, value),
+            }
+        }
+        self.file.blocks.extend(glob.map(|glob| PathBlock { glob, skip, levels, span: span.clone() }));
+    }
+
+    fn one_glob(&mut self, name: &str, value: &Value<'_>) -> Option<PathGlob> {
+        let text = self.take(value::text(name, value))?;
+        self.glob(text, value.span())
+    }
+
+    fn ignore(&mut self, table: &DeTable<'_>, span: &Range<usize>) {
+        let (mut rule, mut path, mut reason, mut until) = (None, None, None, None);
+        for (key, value) in self.members(table, members_of("ignore"), " in `[[ignore]]`", span) {
+            match key.name {
+                "rule" => rule = self.rule_to_ignore(value),
+                "path" => path = self.one_glob(key.name, value),
+                "reason" => reason = self.take(value::text(key.name, value)),
+                _ => until = self.take(date(value)).map(|date| (date, value.span())),
+            }
+        }
+        let reason = reason.map(str::trim).filter(|reason| !reason.is_empty()).map(str::to_owned);
+        let Some((rule, path)) = rule.zip(path) else { return };
+        let until_span = until.as_ref().map_or_else(|| span.clone(), |(_, span)| span.clone());
+        let until = until.map(|(date, _)| date);
+        self.file.ignores.push(Ignore { rule, path, reason, until, span: span.clone(), until_span });
+    }
+
+    /// The rule of a mute: one that does not exist is told with the mute.
+    fn rule_to_ignore(&mut self, value: &Value<'_>) -> Option<Selector> {
+        let text = self.take(value::text("rule", value))?;
+        let known = self.file.unknown.len();
+        let selector = self.selector("ignore", text, value.span(), true);
+        self.file.unknown.truncate(known);
+        selector
+    }
+
+    fn eval(&mut self, key: &'static Key, value: &Value<'_>) {
+        let Some(table) = value.get_ref().as_table() else {
+            return self.fault(value::wrong(key.name, value, "a table"));
+        };
+        for (key, value) in self.members(table, members_of("eval"), " in `[eval]`", &value.span()) {
+            self.file.places.insert(format!("eval.{}", key.name), value.span());
+            match key.name {
+                "samples" => self.config.samples = self.take(value::number(key.name, value)),
+                _ => self.config.exhaustive = self.take(value::flag(key.name, value)).unwrap_or_default(),
+            }
+        }
+    }
+}
+
+/// The keys of a table of the file.
+fn members_of(name: &str) -> &'static [Key] {
+    let shape = FILE.iter().find(|key| key.name == name).map(|key| key.shape);
+    match shape {
+        Some(Shape::Table(keys) | Shape::Tables(keys)) => keys,
+        _ => &[],
+    }
+}
+
+fn date(value: &Value<'_>) -> Result<Date, Wrong> {
+    let day = value.get_ref().as_datetime().filter(|moment| moment.time.is_none()).and_then(|moment| moment.date);
+    let day = day.map(|day| Date(i64::from(day.year), day.month, day.day));
+    day.ok_or_else(|| value::wrong("until", value, "a day without quotes, such as 2027-06-30,"))
+}
+
+/// What may be meant by a name, or what there is.
+fn meant(name: &str, known: impl IntoIterator<Item = &'static str> + Clone) -> String {
+    if let Some(near) = nearest(name, known.clone()) {
+        return format!("did you mean `{near}`?");
+    }
+    let known: Vec<&str> = known.into_iter().collect();
+    if known.is_empty() { "remove it; there are none".to_owned() } else { format!("there are {}", known.join(", ")) }
+}

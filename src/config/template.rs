@@ -1,0 +1,86 @@
+//! The file that `mhlint init` writes: every key with its meaning, all of them commented out.
+
+/// Text of a new `mhlint.toml`. A line that begins with `#` and a letter or bracket is a setting.
+pub const TEMPLATE: &str = r#"# Settings of mhlint for this repository. Everything has a default; remove the `#` of a line to change it.
+# Globs and paths are relative to the folder of this file. `mhlint config` shows what is in force.
+
+# The level from which on findings make the exit code 1: "error", "warning", "info" or "never".
+#fail-on = "error"
+
+# Makes the exit code 1 when there are more warnings than this.
+#max-warnings = 0
+
+# Rules to run and rules to leave out, as names or globs; `mhlint rules` lists them.
+#select = ["*"]
+#skip = ["weights-metadata"]
+
+# Files and folders that nothing is reported for. They are still read to resolve names.
+#exclude = ["scratch/**"]
+
+# MakeHuman's own data: read to resolve references, not reported.
+#system = "../makehuman2/data"
+
+# Judge only what these applications load, and only these base meshes.
+#apps = ["makehuman2"]
+#bases = ["hm08"]
+
+# Known findings to hide; `mhlint --write-baseline` writes the file.
+#baseline = "mhlint-baseline.json"
+
+# Another level for a rule: "error", "warning", "info" or "off".
+#[level]
+#macro-unused-component = "warning"
+
+# Options of one rule; `mhlint explain RULE` lists them.
+#[rule.target-oversized-delta]
+#ratio = 20
+
+# Other rules and levels for a part of the repository.
+#[[path]]
+#glob = "target/hm08/measure/**"
+#skip = ["target-asymmetric"]
+#level = { target-missing-side = "info" }
+
+# A mute for a finding that is known. It needs a reason, and may end.
+#[[ignore]]
+#rule = "weights-not-normalized"
+#path = "rigs/hm08/*.mhw"
+#reason = "normalised by the loader, kept as painted"
+#until = 2027-06-30
+
+# How much of the slider space is looked at.
+#[eval]
+#samples = 200
+#exhaustive = false
+"#;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::config::Config;
+    use crate::diag::{Level, OptionInfo, RuleInfo};
+
+    fn rules() -> Vec<&'static RuleInfo> {
+        static RATIO: [OptionInfo; 1] = [OptionInfo { name: "ratio", default: 10.0, docs: "" }];
+        static OVERSIZED: RuleInfo =
+            RuleInfo { options: &RATIO, ..RuleInfo::new("target-oversized-delta", Level::Warning, "") };
+        vec![&OVERSIZED]
+    }
+
+    #[test]
+    fn the_template_sets_nothing_and_every_line_of_it_can_be_set() {
+        let silent = Config::parse(TEMPLATE, "mhlint.toml", &rules()).unwrap();
+        assert!(silent.file.unwrap().places.is_empty());
+        let bare = |line: &str| match line.strip_prefix('#') {
+            Some(rest) if !rest.starts_with(' ') => rest.to_owned(),
+            _ => line.to_owned(),
+        };
+        let all: Vec<String> = TEMPLATE.lines().map(bare).collect();
+        let config = Config::parse(&all.join("\n"), "mhlint.toml", &rules()).unwrap();
+        let file = config.file.unwrap();
+        assert_eq!((file.blocks.len(), file.ignores.len(), config.samples), (1, 1, Some(200)));
+        for key in crate::config::keys::FILE {
+            assert!(TEMPLATE.contains(key.name), "the template lacks `{}`", key.name);
+        }
+    }
+}

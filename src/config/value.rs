@@ -1,0 +1,84 @@
+//! Single values of the file: what is there, what is wanted.
+
+use std::ops::Range;
+
+use toml::Spanned;
+use toml::de::{DeInteger, DeValue};
+
+use crate::diag::Level;
+
+/// A value with its place.
+pub(super) type Value<'i> = Spanned<DeValue<'i>>;
+
+/// What is wrong with a value: where, what, and what to do.
+pub(super) type Wrong = (Range<usize>, String, String);
+
+/// `TEXT` of the key `name`.
+pub(super) fn text<'v>(name: &str, value: &'v Value<'_>) -> Result<&'v str, Wrong> {
+    value.get_ref().as_str().ok_or_else(|| wrong(name, value, "a text in quotes"))
+}
+
+/// A list of texts with their places.
+pub(super) fn texts<'v>(name: &str, value: &'v Value<'_>) -> Result<Vec<(&'v str, Range<usize>)>, Wrong> {
+    let wanted = "a list of texts";
+    let Some(list) = value.get_ref().as_array() else { return Err(wrong(name, value, wanted)) };
+    let each = list.iter().map(|item| match item.get_ref().as_str() {
+        Some(text) => Ok((text, item.span())),
+        None => Err(wrong(&format!("an element of `{name}`"), item, "a text in quotes")),
+    });
+    each.collect()
+}
+
+/// A whole number that is not negative.
+pub(super) fn number(name: &str, value: &Value<'_>) -> Result<usize, Wrong> {
+    let whole = value.get_ref().as_integer().and_then(integer);
+    whole.and_then(|whole| usize::try_from(whole).ok()).ok_or_else(|| wrong(name, value, "a whole number from 0 on"))
+}
+
+/// A finite number.
+pub(super) fn real(name: &str, value: &Value<'_>) -> Result<f64, Wrong> {
+    let number = match value.get_ref() {
+        DeValue::Integer(whole) => integer(whole).map(|whole| whole as f64),
+        DeValue::Float(real) => real.as_str().replace('_', "").parse().ok(),
+        _ => None,
+    };
+    number.filter(|number: &f64| number.is_finite()).ok_or_else(|| wrong(name, value, "a finite number"))
+}
+
+/// `true` or `false`.
+pub(super) fn flag(name: &str, value: &Value<'_>) -> Result<bool, Wrong> {
+    value.get_ref().as_bool().ok_or_else(|| wrong(name, value, "true or false"))
+}
+
+/// A level, `None` for the word `none_word`.
+pub(super) fn level(name: &str, value: &Value<'_>, none_word: &str) -> Result<Option<Level>, Wrong> {
+    match value.get_ref().as_str() {
+        Some("error") => Ok(Some(Level::Error)),
+        Some("warning") => Ok(Some(Level::Warning)),
+        Some("info") => Ok(Some(Level::Info)),
+        Some(word) if word == none_word => Ok(None),
+        _ => Err(wrong(name, value, &format!("one of \"error\", \"warning\", \"info\", \"{none_word}\""))),
+    }
+}
+
+/// Says what is there and what is wanted.
+pub(super) fn wrong(name: &str, value: &Value<'_>, wanted: &str) -> Wrong {
+    let name = if name.contains('`') { name.to_owned() } else { format!("`{name}`") };
+    (value.span(), format!("{name} is {}; {wanted} is wanted", shown(value.get_ref())), format!("write {wanted}"))
+}
+
+fn shown(value: &DeValue<'_>) -> String {
+    match value {
+        DeValue::String(text) => format!("the text \"{}\"", text.chars().take(40).collect::<String>()),
+        DeValue::Integer(number) => format!("the number {}", number.as_str()),
+        DeValue::Float(number) => format!("the number {}", number.as_str()),
+        DeValue::Boolean(flag) => format!("`{flag}`"),
+        DeValue::Datetime(day) => format!("the date {day}"),
+        DeValue::Array(_) => "a list".to_owned(),
+        DeValue::Table(_) => "a table".to_owned(),
+    }
+}
+
+fn integer(number: &DeInteger<'_>) -> Option<i64> {
+    i64::from_str_radix(&number.as_str().replace('_', ""), number.radix()).ok()
+}

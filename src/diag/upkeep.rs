@@ -1,0 +1,80 @@
+//! What became of the mutes of a run: facts for the rules that look after them.
+
+use super::Place;
+
+/// Mutes, settings and baseline after everything was judged.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Upkeep {
+    /// Every mute, of the configuration and in the assets.
+    pub mutes: Vec<Mute>,
+    /// Settings for rules that do not exist.
+    pub unknown: Vec<UnknownRule>,
+    /// The baseline, if there is one.
+    pub baseline: Option<BaselineUse>,
+}
+
+/// One mute: an `[[ignore]]` of the configuration, or a comment in an asset.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Mute {
+    /// The file that it stands in.
+    pub path: String,
+    /// Where in it.
+    pub place: Place,
+    /// The rule, or a glob of rules.
+    pub rule: String,
+    /// The files that it is for, where it does not stand in one of them.
+    pub covers: Option<String>,
+    /// What became of it.
+    pub state: MuteState,
+}
+
+/// What became of a mute.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum MuteState {
+    /// It hides something.
+    Used,
+    /// There is nothing that it could hide.
+    Unused,
+    /// This run did not look at all of what it is for.
+    NotJudged,
+    /// Without a reason it does not count.
+    NoReason,
+    /// Its last day is over.
+    Expired {
+        /// That day.
+        until: String,
+    },
+    /// The rule is a matter of safety.
+    Unmutable,
+    /// There is no such rule.
+    UnknownRule {
+        /// One that may be meant.
+        nearest: Option<&'static str>,
+    },
+}
+
+/// A setting of the configuration for a rule that does not exist.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct UnknownRule {
+    /// The configuration file.
+    pub path: String,
+    /// Where in it.
+    pub place: Place,
+    /// What the setting is: `skip`, `level`.
+    pub setting: String,
+    /// The name or glob that fits no rule.
+    pub rule: String,
+    /// One that may be meant.
+    pub nearest: Option<&'static str>,
+}
+
+/// What became of the entries of a baseline.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct BaselineUse {
+    /// The file.
+    pub path: String,
+    /// Entries that this run could have found again.
+    pub judged: usize,
+    /// Those of them that it did not find, as `path: rule key`.
+    pub stale: Vec<String>,
+}

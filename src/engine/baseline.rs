@@ -1,0 +1,167 @@
+//! `mhlint-baseline/1`: findings that are known, by fingerprint, and what of them is found again.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+
+use super::outcome::Error;
+use crate::source::{Folder, Limits, ReadFault, read_file};
+
+const FORMAT: &str = "mhlint-baseline/1";
+
+/// Known findings. [`Baseline::text`] is the file.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Baseline {
+    /// Sorted by path, rule and key.
+    pub entries: Vec<Entry>,
+}
+
+/// One known finding.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+pub struct Entry {
+    /// The asset, relative to the folder of the file. For people, and to tell equal data roots apart.
+    pub path: String,
+    /// Id of the rule.
+    pub rule: String,
+    /// Structural name of the fault in the asset. For people.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub key: String,
+    /// What it is recognised by.
+    pub fingerprint: String,
+    /// Everything it spoke for, by name; empty where that is one thing, or too many.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub parts: Vec<String>,
+}
+
+/// A finding as the baseline compares it.
+pub(super) struct Found {
+    /// The entry that it would be.
+    pub(super) entry: Entry,
+    /// Path of the asset below its data root: the end of the path of the entry.
+    pub(super) rel: String,
+}
+
+impl Baseline {
+    /// Reads a baseline.
+    pub(super) fn read(path: &Path) -> Result<Self, Error> {
+        let refuse = |reason: &str| Error::Baseline { path: path.display().to_string(), reason: reason.to_owned() };
+        let bytes = read_file(path, &Limits::default()).map_err(|fault| match fault {
+            ReadFault::Unreadable(reason) => refuse(&format!("{reason}; `--write-baseline` writes one")),
+            ReadFault::TooLarge { .. } => refuse("is too large for a baseline"),
+        })?;
+        let damaged = |error: serde_json::Error| {
+            refuse(&format!("is damaged ({error}); restore it, or remove it and write it anew with `--write-baseline`"))
+        };
+        let mut file: serde_json::Value = serde_json::from_slice(&bytes).map_err(damaged)?;
+        match file.get("format").and_then(|format| format.as_str()) {
+            Some(FORMAT) => {}
+            Some(other) if other.starts_with("mhlint-baseline/") => {
+                return Err(refuse(&format!(
+                    "has the format `{other}`, this version reads `{FORMAT}`; remove it and write it anew with `--write-baseline`"
+                )));
+            }
+            _ => return Err(refuse("is no baseline of mhlint; name another file with `--baseline`")),
+        }
+        let entries = file.get_mut("entries").map(serde_json::Value::take).unwrap_or_default();
+        let entries = serde_json::from_value(entries).map_err(damaged)?;
+        Ok(Self { entries })
+    }
+
+    /// The file: sorted, one entry a line, so that changes can be read and merged.
+    pub fn text(&self) -> String {
+        let mut entries: Vec<&Entry> = self.entries.iter().collect();
+        entries.sort();
+        entries.dedup();
+        let line = |entry: &&Entry| serde_json::to_string(entry).unwrap_or_default();
+        let lines: Vec<String> = entries.iter().map(line).collect();
+        let list = if lines.is_empty() { "[]".to_owned() } else { format!("[\n{}\n]", lines.join(",\n")) };
+        format!("{{\"format\": \"{FORMAT}\", \"entries\": {list}}}\n")
+    }
+
+    /// For each finding whether it is known, and the entries that were not found again. `roots` are the
+    /// judged data roots, relative to the folder of the file.
+    ///
+    /// Fingerprints do not depend on where a data root lies. Where several roots hold an asset of the same
+    /// name the path decides; an entry of a root that is still there is not for another one.
+    pub(super) fn compare(&self, found: &[Found], roots: &BTreeSet<String>) -> (Vec<bool>, Vec<&Entry>) {
+        let mut open: BTreeMap<&str, Vec<&Entry>> = BTreeMap::new();
+        for entry in &self.entries {
+            open.entry(&entry.fingerprint).or_default().push(entry);
+        }
+        let mut known = vec![false; found.len()];
+        for exact in [true, false] {
+            for (found, known) in found.iter().zip(&mut known).filter(|(_, known)| !**known) {
+                let Some(entries) = open.get_mut(found.entry.fingerprint.as_str()) else { continue };
+                let same = |entry: &Entry| entry.path == found.entry.path;
+                let moved = |entry: &Entry| !roots.contains(root_of(&entry.path, &found.rel));
+                let fits = |entry: &&Entry| if exact { same(entry) } else { moved(entry) };
+                if let Some(at) = entries.iter().position(fits) {
+                    *known = entries.swap_remove(at).speaks_for(&found.entry);
+                }
+            }
+        }
+        (known, open.into_values().flatten().collect())
+    }
+}
+
+impl Entry {
+    /// Whether everything that a finding speaks for was there before.
+    fn speaks_for(&self, found: &Self) -> bool {
+        self.parts.is_empty() || !found.parts.is_empty() && found.parts.iter().all(|part| self.parts.contains(part))
+    }
+}
+
+/// The data root of an asset: its path without what lies below the root.
+fn root_of<'p>(path: &'p str, rel: &str) -> &'p str {
+    path.strip_suffix(rel).unwrap_or(path).trim_end_matches('/')
+}
+
+/// A printed path relative to the folder of the baseline, or as it is where it lies elsewhere.
+pub(super) fn placed(folder: &Folder, path: &str) -> String {
+    folder.relative(path).unwrap_or_else(|| path.to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use std::slice::from_ref;
+
+    use super::*;
+
+    fn entry(path: &str, parts: &[&str]) -> Entry {
+        let parts = parts.iter().map(|part| (*part).to_owned()).collect();
+        Entry { path: path.to_owned(), rule: "r".to_owned(), key: String::new(), fingerprint: "f".to_owned(), parts }
+    }
+
+    fn known(baseline: &[Entry], found: &[Entry], roots: &[&str]) -> (Vec<bool>, usize) {
+        let baseline = Baseline { entries: baseline.to_vec() };
+        let found: Vec<Found> =
+            found.iter().map(|entry| Found { entry: entry.clone(), rel: "a.target".to_owned() }).collect();
+        let roots = roots.iter().map(|root| (*root).to_owned()).collect();
+        let (known, stale) = baseline.compare(&found, &roots);
+        (known, stale.len())
+    }
+
+    #[test]
+    fn a_moved_root_is_recognised_and_another_root_is_not() {
+        let (old, new) = (entry("data/a.target", &[]), entry("user/a.target", &[]));
+        assert_eq!(known(from_ref(&old), from_ref(&new), &["user"]), (vec![true], 0));
+        assert_eq!(known(from_ref(&old), from_ref(&new), &["data", "user"]), (vec![false], 1));
+    }
+
+    #[test]
+    fn a_part_that_was_not_there_is_not_hidden() {
+        let old = entry("a.target", &["x", "y"]);
+        let seen = |parts: &[&str]| known(from_ref(&old), &[entry("a.target", parts)], &[""]).0;
+        assert_eq!(
+            [seen(&["x"]), seen(&["x", "y"]), seen(&["x", "z"]), seen(&[])].concat(),
+            [true, true, false, false]
+        );
+    }
+
+    #[test]
+    fn each_entry_hides_one_finding() {
+        let one = entry("a.target", &[]);
+        assert_eq!(known(from_ref(&one), &[one.clone(), one.clone()], &[""]), (vec![true, false], 0));
+    }
+}

@@ -1,0 +1,116 @@
+//! The baseline of a run: what it hides, what of it is stale, what a new one holds.
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+use super::baseline::{Baseline, Entry, Found, placed};
+use super::outcome::Error;
+use super::scope::Scope;
+use super::select::{Selection, is_unmutable};
+use crate::config::Config;
+use crate::diag::{BaselineUse, Finding};
+use crate::rules::RULES;
+use crate::source::{Folder, holds};
+
+/// A finding with the place of its asset.
+pub(super) struct Placed {
+    pub(super) finding: Finding,
+    /// Printed path of the asset that the fingerprint names.
+    pub(super) asset: String,
+    /// The same below its data root.
+    pub(super) rel: String,
+}
+
+/// The baseline of a run, read before it begins.
+pub(super) struct Known {
+    path: PathBuf,
+    folder: Folder,
+    old: Baseline,
+    write: bool,
+}
+
+/// What a baseline did.
+pub(super) struct Compared {
+    pub(super) kept: Vec<Finding>,
+    pub(super) hidden: usize,
+    pub(super) used: BaselineUse,
+    /// The one to write.
+    pub(super) new: Option<Baseline>,
+}
+
+impl Known {
+    /// Reads the baseline, if there is to be one. To write the first one none need be there.
+    pub(super) fn open(config: &Config) -> Result<Option<Self>, Error> {
+        let Some(path) = config.baseline.clone() else { return Ok(None) };
+        let inside = path.parent().unwrap_or(Path::new("")).to_owned();
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let is_new = config.write_baseline && !holds(&inside, &name);
+        let old = if is_new { Baseline::default() } else { Baseline::read(&path)? };
+        Ok(Some(Self { folder: Folder::of(&inside), path, old, write: config.write_baseline }))
+    }
+
+    /// Hides what is known. `roots` are printed paths of the judged data roots.
+    pub(super) fn compare<'r>(
+        &self,
+        found: Vec<Placed>,
+        roots: impl Iterator<Item = &'r str>,
+        selection: &Selection<'_>,
+        scope: &Scope<'_>,
+    ) -> Compared {
+        let roots: BTreeSet<String> = roots.map(|root| placed(&self.folder, root)).collect();
+        let (safe, rest): (Vec<Placed>, Vec<Placed>) =
+            found.into_iter().partition(|placed| is_unmutable(placed.finding.rule));
+        let entries: Vec<Found> = rest.iter().map(|placed| self.found(placed)).collect();
+        let (known, lost) = self.old.compare(&entries, &roots);
+        let judged = |entry: &&Entry| self.is_judged(entry, selection, scope);
+        let stale: Vec<&Entry> = lost.into_iter().filter(judged).collect();
+        let mut used = BaselineUse {
+            path: self.path.to_string_lossy().replace('\\', "/"),
+            judged: self.old.entries.iter().filter(judged).count(),
+            stale: stale.iter().map(|entry| describe(entry)).collect(),
+        };
+        let mut new = None;
+        let hides = if self.write {
+            // Without what this run could not look at a narrower run would throw entries away.
+            let others = self.old.entries.iter().filter(|entry| !judged(entry) && !is_found(entry, &entries));
+            let mut all: Vec<Entry> = others.cloned().collect();
+            all.extend(entries.into_iter().map(|found| found.entry));
+            new = Some(Baseline { entries: all });
+            used.stale.clear();
+            vec![true; known.len()]
+        } else {
+            known
+        };
+        let hidden = hides.iter().filter(|hides| **hides).count();
+        let rest = rest.into_iter().zip(hides).filter(|(_, hides)| !hides).map(|(placed, _)| placed);
+        let kept = safe.into_iter().chain(rest).map(|placed| placed.finding).collect();
+        Compared { kept, hidden, used, new }
+    }
+
+    fn found(&self, placed_at: &Placed) -> Found {
+        let finding = &placed_at.finding;
+        let entry = Entry {
+            path: placed(&self.folder, &placed_at.asset),
+            rule: finding.rule.to_owned(),
+            key: finding.key.clone(),
+            fingerprint: finding.fingerprint.clone(),
+            parts: finding.parts.clone(),
+        };
+        Found { entry, rel: placed_at.rel.clone() }
+    }
+
+    /// Whether this run would have found it if it were still there.
+    fn is_judged(&self, entry: &Entry, selection: &Selection<'_>, scope: &Scope<'_>) -> bool {
+        let exists = RULES.iter().any(|rule| rule.info.id == entry.rule);
+        !exists || !selection.is_silenced(&entry.rule) && scope.covers(&self.folder, &entry.path)
+    }
+}
+
+fn is_found(entry: &Entry, found: &[Found]) -> bool {
+    found.iter().any(|found| found.entry.fingerprint == entry.fingerprint && found.entry.path == entry.path)
+}
+
+fn describe(entry: &Entry) -> String {
+    let key = if entry.key.is_empty() { String::new() } else { format!(" ({})", entry.key) };
+    format!("{}: {}{key}", entry.path, entry.rule)
+}

@@ -1,0 +1,165 @@
+//! Mutes act on findings after judging, so that those without effect are known.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::scope::Scope;
+use super::select::{Selection, is_unmutable};
+use crate::config::{Config, Date, Ignore, Selector};
+use crate::diag::{Finding, Mute, MuteState, Place, UnknownRule, nearest};
+use crate::repo::FileFacts;
+use crate::rules::RULES;
+
+/// The mutes of a run, and what became of them so far.
+pub(super) struct Muting<'c> {
+    config: &'c Config,
+    today: Date,
+    /// For each `[[ignore]]` whether it hid something.
+    hits: Vec<bool>,
+    /// Comments of the files that were reported on.
+    inline: Vec<Mute>,
+    /// Paths below the data root of the files with comments.
+    assets: BTreeMap<String, String>,
+}
+
+impl<'c> Muting<'c> {
+    pub(super) fn new(config: &'c Config) -> Self {
+        let ignores = config.file.as_ref().map_or(0, |file| file.ignores.len());
+        let hits = vec![false; ignores];
+        Self { config, today: Date::today(), hits, inline: Vec::new(), assets: BTreeMap::new() }
+    }
+
+    /// Splits off the findings of one repository that are muted; gives the others and how many there were.
+    pub(super) fn apply<'f>(
+        &mut self,
+        findings: Vec<Finding>,
+        file: impl Fn(&str) -> Option<&'f FileFacts>,
+    ) -> (Vec<Finding>, usize) {
+        let all = findings.len();
+        let mut used: BTreeSet<(String, u32)> = BTreeSet::new();
+        let kept: Vec<Finding> = findings
+            .into_iter()
+            .filter(|finding| {
+                if is_unmutable(finding.rule) {
+                    return true;
+                }
+                let comments = file(&finding.path).into_iter().flat_map(|file| &file.ignores);
+                let mut hidden = false;
+                for comment in comments.filter(|comment| !comment.reason.is_empty()) {
+                    if Selector::new(&comment.rule, 0..0).is_ok_and(|rule| rule.fits(finding.rule)) {
+                        used.insert((finding.path.clone(), comment.line));
+                        hidden = true;
+                    }
+                }
+                !(self.is_ignored(finding) || hidden)
+            })
+            .collect();
+        for mute in &mut self.inline {
+            if let Place::Line(line) = mute.place
+                && used.contains(&(mute.path.clone(), line))
+            {
+                mute.state = MuteState::Used;
+            }
+        }
+        let hidden = all - kept.len();
+        (kept, hidden)
+    }
+
+    fn is_ignored(&mut self, finding: &Finding) -> bool {
+        let Some(file) = &self.config.file else { return false };
+        let Some(rel) = file.relative(&finding.path).filter(|_| !file.ignores.is_empty()) else { return false };
+        let mut hidden = false;
+        for (ignore, hit) in file.ignores.iter().zip(&mut self.hits) {
+            if counts(ignore, self.today) && ignore.rule.fits(finding.rule) && ignore.path.fits(&rel) {
+                *hit = true;
+                hidden = true;
+            }
+        }
+        hidden
+    }
+
+    /// Notes the comments of a file that is reported on.
+    pub(super) fn note(&mut self, file: &FileFacts, selection: &Selection<'_>, scope: &Scope<'_>) {
+        for comment in &file.ignores {
+            let state = match standing(&comment.rule) {
+                Some(state) => state,
+                None if comment.reason.is_empty() => MuteState::NoReason,
+                None if scope.is_whole() && !is_silenced(&comment.rule, selection) => MuteState::Unused,
+                None => MuteState::NotJudged,
+            };
+            let (path, place) = (file.path.clone(), Place::Line(comment.line));
+            self.inline.push(Mute { path, place, rule: comment.rule.clone(), covers: None, state });
+            self.assets.insert(file.path.clone(), file.rel.clone());
+        }
+    }
+
+    /// All mutes with what became of them.
+    pub(super) fn mutes(&self, selection: &Selection<'_>, scope: &Scope<'_>) -> Vec<Mute> {
+        let file = self.config.file.iter();
+        let ignores = file.flat_map(|file| file.ignores.iter().zip(&self.hits).map(move |each| (file, each)));
+        let mut mutes: Vec<Mute> = ignores
+            .map(|(file, (ignore, hit))| {
+                let state = match standing(&ignore.rule.text) {
+                    _ if *hit => MuteState::Used,
+                    Some(state) => state,
+                    None if ignore.reason.is_none() => MuteState::NoReason,
+                    None => match ignore.until.filter(|until| *until < self.today) {
+                        Some(until) => MuteState::Expired { until: until.to_string() },
+                        None if is_silenced(&ignore.rule.text, selection) => MuteState::NotJudged,
+                        None if !scope.covers(&file.folder, ignore.path.folder()) => MuteState::NotJudged,
+                        None => MuteState::Unused,
+                    },
+                };
+                let span = if let MuteState::Expired { .. } = state { &ignore.until_span } else { &ignore.rule.span };
+                Mute {
+                    path: file.path.clone(),
+                    place: Place::Span(span.clone()),
+                    rule: ignore.rule.text.clone(),
+                    covers: Some(ignore.path.text.clone()),
+                    state,
+                }
+            })
+            .collect();
+        mutes.extend(self.inline.iter().cloned());
+        mutes
+    }
+
+    /// Settings of the file for rules that do not exist.
+    pub(super) fn unknown(&self) -> Vec<UnknownRule> {
+        let Some(file) = &self.config.file else { return Vec::new() };
+        let unknown = file.unknown.iter().map(|unknown| UnknownRule {
+            path: file.path.clone(),
+            place: Place::Span(unknown.span.clone()),
+            setting: unknown.setting.clone(),
+            rule: unknown.rule.clone(),
+            nearest: unknown.nearest,
+        });
+        unknown.collect()
+    }
+
+    /// What a fingerprint calls the file of a finding on mutes: not where it lies, but what it is.
+    pub(super) fn asset(&self, path: &str) -> String {
+        let name = || path.rsplit('/').next().unwrap_or(path).to_owned();
+        self.assets.get(path).cloned().unwrap_or_else(name)
+    }
+}
+
+/// Whether a mute has a reason and has not ended.
+fn counts(ignore: &Ignore, today: Date) -> bool {
+    ignore.reason.is_some() && ignore.until.is_none_or(|until| today <= until)
+}
+
+/// What can be said of a mute by its rule alone.
+fn standing(rule: &str) -> Option<MuteState> {
+    if is_unmutable(rule) {
+        return Some(MuteState::Unmutable);
+    }
+    let known = Selector::new(rule, 0..0).is_ok_and(|selector| RULES.iter().any(|rule| selector.fits(rule.info.id)));
+    let nearest = || nearest(rule, RULES.iter().map(|rule| rule.info.id));
+    (!known).then(|| MuteState::UnknownRule { nearest: nearest() })
+}
+
+/// Whether the command line silenced a rule that the mute is for.
+fn is_silenced(rule: &str, selection: &Selection<'_>) -> bool {
+    let Ok(selector) = Selector::new(rule, 0..0) else { return true };
+    RULES.iter().any(|rule| selector.fits(rule.info.id) && selection.is_silenced(rule.info.id))
+}

@@ -1,0 +1,33 @@
+//! Entries of the baseline that no longer occur.
+
+use crate::diag::{Evidence, Finding, Level, Place, RuleInfo, Upkeep};
+use crate::rules::{Check, Rule, RuleCx};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        docs: "The baseline holds findings that were not found again: they are mended. As long as they are in it \
+               they would be hidden if they came back.\n\nRun again with `--write-baseline`: that prunes them, and \
+               keeps what this run could not look at (with another PATH, `--only` and the like). If no entry at all \
+               is found again the file probably belongs to another repository.",
+        ..RuleInfo::new("baseline-stale", Level::Info, "entries of the baseline that no longer occur")
+    },
+    check: Check::Upkeep(run),
+};
+
+fn run(upkeep: &Upkeep, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(baseline) = upkeep.baseline.as_ref().filter(|baseline| !baseline.stale.is_empty()) else { return };
+    let (stale, judged) = (baseline.stale.len(), baseline.judged);
+    let (message, help) = match (stale, judged) {
+        (1, 1) => ("the only entry of the baseline no longer occurs".to_owned(), PRUNE),
+        (stale, judged) if stale == judged => (
+            format!("none of the {judged} entries of the baseline occurs: is it that of another repository?"),
+            "name the baseline of this repository, or write it anew with `--write-baseline`",
+        ),
+        (1, judged) => (format!("1 of {judged} entries of the baseline no longer occurs"), PRUNE),
+        (stale, judged) => (format!("{stale} of {judged} entries of the baseline no longer occur"), PRUNE),
+    };
+    let finding = Finding::new(&RULE.info, baseline.path.clone(), Place::File, message).help(help);
+    out.push(finding.evidence(Evidence::of_cases(&baseline.stale).out_of(judged)));
+}
+
+const PRUNE: &str = "run again with `--write-baseline`, which prunes them";

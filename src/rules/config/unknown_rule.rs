@@ -1,0 +1,34 @@
+//! A setting or mute for a rule that does not exist.
+
+use super::on;
+use crate::diag::{Finding, Level, MuteState, RuleInfo, Upkeep};
+use crate::rules::{Check, Rule, RuleCx};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        docs: "A setting of mhlint.toml, or a comment `# mhlint: ignore RULE reason`, names a rule that does not \
+               exist. It has no effect: what it was meant to mute or to change is reported as ever. Names of rules \
+               never change, so it is a slip of the pen or a rule of a newer version.\n\nWrite the name of a rule; \
+               `mhlint rules` lists them. A glob such as `macro-*` must fit at least one.",
+        ..RuleInfo::new("config-unknown-rule", Level::Warning, "a setting for a rule that does not exist")
+    },
+    check: Check::Upkeep(run),
+};
+
+fn run(upkeep: &Upkeep, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for unknown in &upkeep.unknown {
+        let message = format!("`{}` names `{}`, and there is no such rule", unknown.setting, unknown.rule);
+        let finding = Finding::new(&RULE.info, unknown.path.clone(), unknown.place.clone(), message);
+        out.push(finding.key(format!("{} {}", unknown.setting, unknown.rule)).help(help(unknown.nearest)));
+    }
+    for mute in &upkeep.mutes {
+        if let MuteState::UnknownRule { nearest } = mute.state {
+            let message = format!("the mute names `{}`, and there is no such rule", mute.rule);
+            out.push(on(&RULE, mute, message).help(help(nearest)));
+        }
+    }
+}
+
+fn help(nearest: Option<&str>) -> String {
+    nearest.map_or_else(|| "`mhlint rules` lists all rules".to_owned(), |rule| format!("did you mean `{rule}`?"))
+}

@@ -1,0 +1,35 @@
+//! A mute without effect.
+
+use super::{on, where_of};
+use crate::diag::{Finding, Level, MuteState, RuleInfo, Upkeep};
+use crate::rules::{Check, Rule, RuleCx};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        docs: "An `[[ignore]]` of mhlint.toml, or a comment `# mhlint: ignore RULE reason` in an asset, hides \
+               nothing: the fault is mended, the file is gone, or the rule is off. Left where it is, it will hide \
+               the next fault of the kind without a word.\n\nRemove it. It is reported only where the run looked at \
+               everything that the mute is for: not with `--only`, `--skip` or `--base`, and not when PATH is \
+               narrower than the mute. A rule that is a matter of safety cannot be muted, so a mute for it has no \
+               effect either.",
+        ..RuleInfo::new("config-unused-ignore", Level::Warning, "a mute that hides nothing")
+    },
+    check: Check::Upkeep(run),
+};
+
+fn run(upkeep: &Upkeep, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for mute in &upkeep.mutes {
+        let (message, help) = match mute.state {
+            MuteState::Unused => (
+                format!("the mute of `{}` hides nothing: nothing of the kind is found{}", mute.rule, where_of(mute)),
+                "remove the mute",
+            ),
+            MuteState::Unmutable => (
+                format!("`{}` is a matter of safety and cannot be muted; the mute has no effect", mute.rule),
+                "remove the mute, and mend what the rule finds",
+            ),
+            _ => continue,
+        };
+        out.push(on(&RULE, mute, message).help(help));
+    }
+}

@@ -1,0 +1,335 @@
+//! The baseline through the real binary: what it hides, what it does not, and what leaves it alone.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may stop where it fails")]
+
+mod scratch;
+
+use std::fs;
+use std::io::Write;
+use std::path::Path;
+use std::process::Output;
+
+use scratch::{copy_folder, example, findings, mhlint};
+
+const MACROS: &str = "data/target/figure/macro.json";
+const MODELLING: &str = "data/target/figure/modelling.json";
+const OVAL: &str = "data/target/figure/head/head-oval.target";
+const SIDE: &str = "data/target/figure/head/head-side-in.target";
+const WEIGHTS: &str = "data/rigs/figure/default_weights.mhw";
+
+fn edit(root: &Path, file: &str, find: &str, replace: &str) {
+    let path = root.join(file);
+    let text = fs::read_to_string(&path).unwrap();
+    assert!(text.contains(find), "`{find}` is not in {file}");
+    fs::write(path, text.replacen(find, replace, 1)).unwrap();
+}
+
+fn stderr(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+fn run(root: &Path, args: &[&str]) -> Vec<String> {
+    let output = mhlint(root, &[args, &["--baseline", "known.json", "--report", "concise"]].concat());
+    assert!(matches!(output.status.code(), Some(0 | 1)), "{}", stderr(&output));
+    findings(&output)
+}
+
+/// Writes the baseline and gives its lines.
+fn write(root: &Path, args: &[&str]) -> Vec<String> {
+    assert_eq!(run(root, &[args, &["--write-baseline"]].concat()), Vec::<String>::new());
+    let text = fs::read_to_string(root.join("known.json")).unwrap();
+    text.lines().map(|line| line.trim_end_matches(',').to_owned()).filter(|line| line.starts_with("{\"path")).collect()
+}
+
+/// A copy of the example repository with faults of many kinds.
+fn damaged() -> tempfile::TempDir {
+    let repository = example();
+    let root = repository.path();
+    edit(root, MACROS, "\"steps\": [0.0, 0.25, 0.5, 1.0]", "\"steps\": [0.0, 0.5, 1.0]");
+    edit(root, OVAL, "339 0 .001 .001", "339 0 0 0");
+    edit(root, WEIGHTS, "[158, 1.0]", "[158, 0.5]");
+    fs::write(root.join("data/target/figure/head/head-lost.target"), "337 .1 0 0\n337 .1 0 0\n").unwrap();
+    fs::write(root.join("data/rigs/figure/walk.xyz"), "x").unwrap();
+    gzip(&root.join("data/target/figure/head/packed.target.gz"), 1);
+    repository
+}
+
+fn gzip(path: &Path, level: u32) {
+    let file = fs::File::create(path).unwrap();
+    let mut encoder = flate2::write::GzEncoder::new(file, flate2::Compression::new(level));
+    encoder.write_all("337 .002 0 0\n".repeat(40).as_bytes()).unwrap();
+    encoder.finish().unwrap();
+}
+
+#[test]
+fn what_is_known_is_hidden_and_what_is_new_is_not() {
+    let repository = damaged();
+    let root = repository.path();
+    let before = mhlint(root, &["--report", "concise"]);
+    assert_eq!(before.status.code(), Some(1));
+    let lines = write(root, &[]);
+    assert_eq!(lines.len(), findings(&before).len());
+    assert!(lines.is_sorted());
+    let hidden = mhlint(root, &["--baseline", "known.json", "--report", "json"]);
+    assert_eq!(hidden.status.code(), Some(0));
+    let report: serde_json::Value = serde_json::from_slice(&hidden.stdout).unwrap();
+    assert_eq!(report["summary"]["suppressed"], lines.len());
+    edit(root, SIDE, "\n", "\n1 2 x 4\n");
+    let found = run(root, &[]);
+    assert_eq!(found.len(), 1, "{found:?}");
+    assert!(found[0].contains("error[target-syntax]"), "{found:?}");
+}
+
+#[test]
+fn the_baseline_of_the_configuration_is_used() {
+    let repository = damaged();
+    fs::write(repository.path().join("mhlint.toml"), "baseline = \"known.json\"\n").unwrap();
+    let missing = mhlint(repository.path(), &[]);
+    assert_eq!(missing.status.code(), Some(2));
+    assert!(stderr(&missing).contains("`--write-baseline` writes one"), "{}", stderr(&missing));
+    let written = mhlint(repository.path(), &["--write-baseline"]);
+    assert_eq!(written.status.code(), Some(0), "{}", stderr(&written));
+    assert!(stderr(&written).contains("written to `known.json`"), "{}", stderr(&written));
+    assert_eq!(mhlint(repository.path(), &[]).status.code(), Some(0));
+    assert_eq!(mhlint(&repository.path().join("data"), &[]).status.code(), Some(0));
+}
+
+/// Changes something and asks that the baseline hides as much as before.
+fn stays_hidden(change: impl Fn(&Path)) {
+    let repository = damaged();
+    write(repository.path(), &[]);
+    change(repository.path());
+    assert_eq!(run(repository.path(), &[]), Vec::<String>::new());
+}
+
+#[test]
+fn layout_of_json_does_not_matter() {
+    for file in [MACROS, MODELLING, WEIGHTS, "data/target/figure/target_cat.json"] {
+        stays_hidden(|root| {
+            let text = fs::read_to_string(root.join(file)).unwrap();
+            let value: serde_json::Value = serde_json::from_str(&text).unwrap();
+            fs::write(root.join(file), format!("\n\n{value}")).unwrap();
+        });
+    }
+}
+
+#[test]
+fn the_order_of_keys_does_not_matter() {
+    fn reversed(value: &serde_json::Value) -> serde_json::Value {
+        match value {
+            serde_json::Value::Object(members) => {
+                members.iter().rev().map(|(key, value)| (key.clone(), reversed(value))).collect()
+            }
+            serde_json::Value::Array(elements) => elements.iter().map(reversed).collect(),
+            other => other.clone(),
+        }
+    }
+    for file in [MACROS, MODELLING, WEIGHTS] {
+        stays_hidden(|root| {
+            let text = fs::read_to_string(root.join(file)).unwrap();
+            fs::write(root.join(file), reversed(&serde_json::from_str(&text).unwrap()).to_string()).unwrap();
+        });
+    }
+}
+
+#[test]
+fn packing_anew_and_other_assets_do_not_matter() {
+    stays_hidden(|root| gzip(&root.join("data/target/figure/head/packed.target.gz"), 9));
+    stays_hidden(|root| {
+        fs::create_dir_all(root.join("data/clothes/figure/hat")).unwrap();
+        fs::write(root.join("data/clothes/figure/hat/readme.txt"), "a hat").unwrap();
+    });
+    stays_hidden(|root| edit(root, OVAL, "337 .002", "# a remark\n\n337 .002"));
+}
+
+#[test]
+fn a_moved_repository_keeps_its_baseline() {
+    let repository = damaged();
+    write(repository.path(), &["."]);
+    let elsewhere = tempfile::tempdir().unwrap();
+    let moved = elsewhere.path().join("other/name");
+    copy_folder(repository.path(), &moved);
+    assert_eq!(run(&moved, &[]), Vec::<String>::new());
+    let known = moved.join("known.json");
+    let at = |folder: &Path, args: &[&str]| {
+        let output = mhlint(folder, &[args, &["--baseline", known.to_str().unwrap(), "--report", "concise"]].concat());
+        findings(&output)
+    };
+    assert_eq!(at(elsewhere.path(), &[moved.to_str().unwrap()]), Vec::<String>::new());
+    assert_eq!(at(&moved.join("user"), &["../data"]), Vec::<String>::new());
+    fs::rename(moved.join("data"), moved.join("makehuman2")).unwrap();
+    assert_eq!(run(&moved, &[]), Vec::<String>::new());
+}
+
+/// Writes the baseline with the first fault, mends it and makes the second: that one must be reported,
+/// and by a rule of this name.
+fn does_not_cancel_out(rule: &str, first: impl Fn(&Path), second: impl Fn(&Path)) {
+    let repository = example();
+    first(repository.path());
+    assert!(write(repository.path(), &[]).iter().any(|line| line.contains(rule)), "{rule} does not fire");
+    let mended = example();
+    fs::copy(repository.path().join("known.json"), mended.path().join("known.json")).unwrap();
+    second(mended.path());
+    let found = run(mended.path(), &[]);
+    assert!(found.iter().any(|line| line.contains(&format!("[{rule}]"))), "{rule}: {found:?}");
+}
+
+#[test]
+fn mending_one_fault_and_making_another_does_not_cancel_out() {
+    let write_file = |root: &Path, file: &str, text: &str| fs::write(root.join(file), text).unwrap();
+    does_not_cancel_out(
+        "target-zero-delta",
+        |root| edit(root, OVAL, "339 0 .001 .001", "339 0 0 0"),
+        |root| edit(root, SIDE, "\n", "\n1 0 0 0\n"),
+    );
+    does_not_cancel_out(
+        "target-duplicate-vertex",
+        |root| edit(root, OVAL, "338 .001 .001 .001", "338 .001 .001 .001\n338 .001 .001 .001"),
+        |root| edit(root, OVAL, "337 .002 0 0", "337 .002 0 0\n337 .002 0 0"),
+    );
+    does_not_cancel_out(
+        "file-unreferenced",
+        |root| write_file(root, "data/rigs/figure/walk.xyz", "x"),
+        |root| write_file(root, "data/rigs/figure/run.xyz", "x"),
+    );
+    does_not_cancel_out(
+        "weights-not-normalized",
+        |root| edit(root, WEIGHTS, "[158, 1.0]", "[158, 0.5]"),
+        |root| edit(root, WEIGHTS, "[159, 1.0]", "[159, 0.5]"),
+    );
+    does_not_cancel_out(
+        "macro-steps-length",
+        |root| edit(root, MACROS, "\"steps\": [0.0, 0.25, 0.5, 1.0]", "\"steps\": [0.0, 0.5, 1.0]"),
+        |root| edit(root, MACROS, "\"steps\": [0.0, 1.0]", "\"steps\": [0.0, 0.5, 1.0]"),
+    );
+}
+
+#[test]
+fn equal_faults_of_two_data_roots_are_two() {
+    let file = "target/imp/broken.target";
+    let at = |folder: &'static str| {
+        move |root: &Path| {
+            fs::create_dir_all(root.join(folder).join("target/imp")).unwrap();
+            fs::write(root.join(folder).join(file), "1 2 x 4\n").unwrap();
+        }
+    };
+    does_not_cancel_out("target-syntax", at("data"), at("user"));
+}
+
+#[test]
+fn an_earlier_neighbour_that_goes_away_does_not_matter() {
+    let base = "data/base/figure/base.json";
+    let repository = example();
+    let root = repository.path();
+    edit(root, base, "\"equipment\": []", "\"equipment\": [\"cloths\", \"hairs\"]");
+    edit(root, MACROS, "\"coastal-female\"", "\"costal-female\"");
+    edit(root, MACROS, "\"woodland-male\", \"t\"", "\"woodlnd-male\", \"t\"");
+    let all = write(root, &[]).len();
+    edit(root, base, "\"cloths\", ", "");
+    let named = "{ \"name\": \"costal-female\", \"t\": null },";
+    edit(root, MACROS, named, "{ \"name\": \"coastal-female\", \"t\": null },");
+    edit(root, MACROS, "\"name\": \"phenotype-gender\",", "");
+    let found = run(root, &[]);
+    assert!(found.len() == 1 && found[0].contains("[baseline-stale]"), "{found:?} of {all}");
+}
+
+#[test]
+fn a_part_of_a_known_finding_is_still_known() {
+    let repository = example();
+    let root = repository.path();
+    fs::write(root.join("data/rigs/figure/walk.xyz"), "x").unwrap();
+    fs::write(root.join("data/rigs/figure/run.xyz"), "x").unwrap();
+    assert_eq!(write(root, &[]).len(), 1);
+    fs::remove_file(root.join("data/rigs/figure/run.xyz")).unwrap();
+    assert_eq!(run(root, &[]), Vec::<String>::new());
+    fs::write(root.join("data/rigs/figure/jump.xyz"), "x").unwrap();
+    assert_eq!(run(root, &[]).len(), 1);
+}
+
+#[test]
+fn stale_entries_are_told_and_pruned() {
+    let repository = damaged();
+    let root = repository.path();
+    let all = write(root, &[]).len();
+    edit(root, OVAL, "339 0 0 0", "339 0 .001 .001");
+    let found = run(root, &[]);
+    let expected = format!("known.json: info[baseline-stale] 1 of {all} entries of the baseline no longer occurs");
+    assert_eq!(found, [expected]);
+    assert_eq!(run(root, &["user"]), Vec::<String>::new());
+    assert_eq!(run(root, &["--skip", "target-*"]), Vec::<String>::new());
+    assert_eq!(write(root, &[]).len(), all - 1);
+    assert_eq!(run(root, &[]), Vec::<String>::new());
+}
+
+#[test]
+fn a_narrow_run_keeps_what_it_did_not_look_at() {
+    let repository = damaged();
+    let root = repository.path();
+    let all = write(root, &[]);
+    assert_eq!(write(root, &["user"]), all);
+    assert_eq!(write(root, &["--only", "macro-*"]), all);
+    assert_eq!(write(root, &["--base", "figure"]), all);
+}
+
+#[test]
+fn a_baseline_that_is_none_is_refused_and_left_alone() {
+    let repository = damaged();
+    let root = repository.path();
+    let good = write(root, &[]).len();
+    assert!(good > 3);
+    let text = fs::read_to_string(root.join("known.json")).unwrap();
+    for (text, words) in [
+        (text[..text.len() / 2].to_owned(), "is damaged"),
+        (text.replace("baseline/1", "baseline/2"), "this version reads `mhlint-baseline/1`"),
+        ("{\"format\": \"mhlint-report/1\"}".to_owned(), "is no baseline of mhlint"),
+        (String::new(), "is damaged"),
+        ("{\"format\": \"mhlint-baseline/1\", \"entries\": [{\"path\": 3}]}".to_owned(), "is damaged"),
+    ] {
+        fs::write(root.join("known.json"), &text).unwrap();
+        for args in [&[][..], &["--write-baseline"]] {
+            let output = mhlint(root, &[&["--baseline", "known.json"], args].concat());
+            assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0), "{}", stderr(&output));
+            assert!(stderr(&output).contains(words), "{}", stderr(&output));
+            assert_eq!(fs::read_to_string(root.join("known.json")).unwrap(), text);
+        }
+    }
+}
+
+#[test]
+fn a_baseline_that_cannot_be_written_is_refused_before_the_run() {
+    let repository = damaged();
+    for (args, words) in [
+        (&["--write-baseline"][..], "add `--baseline FILE`"),
+        (&["--baseline", "no/such/b.json", "--write-baseline"], "no folder `no/such`"),
+        (&["--baseline", "data", "--write-baseline"], "is a folder"),
+        (&["--baseline", "gone.json"], "`--write-baseline` writes one"),
+    ] {
+        let output = mhlint(repository.path(), args);
+        assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0), "{}", stderr(&output));
+        assert!(stderr(&output).contains(words), "{}", stderr(&output));
+    }
+}
+
+#[test]
+fn entries_of_another_repository_are_told_as_such() {
+    let repository = damaged();
+    write(repository.path(), &[]);
+    let other = example();
+    fs::copy(repository.path().join("known.json"), other.path().join("known.json")).unwrap();
+    let found = run(other.path(), &[]);
+    assert!(found.len() == 1 && found[0].contains("is it that of another repository?"), "{found:?}");
+}
+
+#[test]
+fn keys_tell_all_findings_of_an_asset_apart() {
+    let repository = damaged();
+    let mut seen: Vec<(String, String, String)> = Vec::new();
+    for line in write(repository.path(), &[]) {
+        let entry: serde_json::Value = serde_json::from_str(&line).unwrap();
+        let text = |key: &str| entry[key].as_str().unwrap_or_default().to_owned();
+        seen.push((text("path"), text("rule"), text("key")));
+    }
+    let all = seen.len();
+    seen.sort();
+    seen.dedup();
+    assert_eq!(seen.len(), all);
+}
