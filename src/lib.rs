@@ -30,6 +30,7 @@ pub mod diag;
 pub mod discover;
 pub mod engine;
 pub mod eval;
+pub mod fix;
 pub mod formats;
 pub mod json;
 pub mod repo;

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::{Parser, Subcommand, ValueEnum};
 
 use super::eval::EvalCommand;
+use super::fix::FixArgs;
 use super::output::Target;
 use crate::diag::{Application, Level, nearest};
 
@@ -15,6 +16,7 @@ Examples:
   mhlint data/                                     judge a data folder
   mhlint my-pack/ --system makehuman2/data         judge a pack against MakeHuman's own data
   mhlint data/ --report human --report json=r.json read it here, keep it for a program
+  mhlint data/ --diff                              what --fix would change
   mhlint explain macro-steps-length                what a finding means, with an example";
 
 /// Judges asset repositories of the MakeHuman family before an application meets them.
@@ -105,6 +107,8 @@ pub(super) struct CheckArgs {
     /// Report as human, concise or json; with a file instead of standard output; repeatable.
     #[arg(long = "report", value_name = "FORMAT[=FILE]", value_parser = Target::parse)]
     pub(super) reports: Vec<Target>,
+    #[command(flatten)]
+    pub(super) fixes: FixArgs,
     /// Print time per phase and rule to standard error.
     #[arg(long)]
     pub(super) timings: bool,

@@ -5,12 +5,13 @@ use std::path::PathBuf;
 
 use super::args::{CheckArgs, Command};
 use super::exit::{Exit, Failure};
+use super::fix;
 use super::output::{Target, targets, write_file};
 use super::panics::Panics;
 use super::progress::Progress;
 use super::terminal::Terminal;
 use crate::diag::nearest;
-use crate::engine::{Error, Options, Outcome, lint, rule_infos};
+use crate::engine::{Error, Options, Outcome, rule_infos};
 use crate::report::{self, View};
 
 pub(super) fn run(
@@ -24,20 +25,29 @@ pub(super) fn run(
     let here = vec![PathBuf::from(".")];
     let paths = if args.paths.is_empty() { &here } else { &args.paths };
     let progress = Progress::start("reading and evaluating");
-    let outcome = lint(paths, &options(args));
+    let checked = fix::check(paths, &options(args), args.fixes);
     drop(progress);
-    let outcome = outcome.map_err(|error| mistaken_command(error, paths))?;
-    let exit = exit(&outcome, args, &panics.noted());
+    let checked = checked.map_err(|error| mistaken_command(error, paths))?;
+    let outcome = &checked.outcome;
+    let exit = exit(outcome, args, &panics.noted());
+    if args.fixes.diff && !matches!(exit, Exit::CannotWork | Exit::NothingToCheck) {
+        let changes = checked.show(terminal, out)?;
+        out.flush()?;
+        checked.tell(args.fixes, err)?;
+        return Ok(if changes { Exit::Findings } else { Exit::Clean });
+    }
+    checked.write()?;
     for target in &targets {
-        write_report(target, &outcome, args, exit, terminal, out)?;
+        write_report(target, outcome, args, exit, terminal, out)?;
     }
     out.flush()?;
-    tell(&outcome, args, exit, &targets, err)?;
+    tell(outcome, args, exit, &targets, err)?;
+    checked.tell(args.fixes, err)?;
     if !panics.noted().is_empty() || !outcome.failed_rules.is_empty() {
         writeln!(err, "mhlint: {}", own_fault(&panics.noted()))?;
     }
     if args.timings {
-        print_timings(&outcome, err)?;
+        print_timings(outcome, err)?;
     }
     Ok(exit)
 }

@@ -5,6 +5,7 @@ mod check;
 mod eval;
 mod exit;
 mod explain;
+mod fix;
 mod list;
 mod output;
 mod panics;

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::{Application, Confidence, Evidence, Level, Location, Place, RuleInfo};
+use super::{Application, Confidence, Evidence, Fix, Level, Location, Place, RuleInfo};
 
 /// Something wrong in an asset repository.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,6 +29,8 @@ pub struct Finding {
     pub evidence: Option<Evidence>,
     /// Other places that belong to the same fault.
     pub related: Vec<Related>,
+    /// How it can be mended without a person.
+    pub fix: Option<Fix>,
     /// Structural name of the fault inside the file (a bone, a pattern): part of the fingerprint.
     pub key: String,
     /// Stable identity, filled by the engine.
@@ -76,6 +78,7 @@ impl Finding {
                 .collect(),
             evidence: None,
             related: Vec::new(),
+            fix: None,
             key: String::new(),
             fingerprint: String::new(),
         }
@@ -121,6 +124,13 @@ impl Finding {
     pub fn breaks(mut self, application: Application, effect: impl Into<String>) -> Self {
         self.breaks.retain(|other| other.application != application);
         self.breaks.push(Break { application, effect: effect.into() });
+        self
+    }
+
+    /// Says how it can be mended; nothing where a fix has no steps.
+    #[must_use]
+    pub fn fix(mut self, fix: Fix) -> Self {
+        self.fix = (!fix.steps.is_empty()).then_some(fix);
         self
     }
 

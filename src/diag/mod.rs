@@ -5,6 +5,7 @@
 
 mod evidence;
 mod finding;
+mod fix;
 mod key;
 mod level;
 mod nearest;
@@ -13,6 +14,7 @@ mod rule_info;
 
 pub use evidence::{EXAMPLES, Evidence, Tally, Worst};
 pub use finding::{Break, Finding, Related};
+pub use fix::{Change, Edit, Fix, Rewrite, Step};
 pub use key::fingerprint;
 pub use level::{Application, Confidence, Level};
 pub use nearest::nearest;

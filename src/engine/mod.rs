@@ -11,6 +11,7 @@ mod input;
 mod load;
 mod locate;
 mod measure;
+mod mend;
 mod outcome;
 mod read;
 mod run;
@@ -18,5 +19,6 @@ mod select;
 mod stack;
 
 pub use catalogue::rule_infos;
+pub use mend::{Mended, mend, mendable};
 pub use outcome::{Error, Outcome, RootSummary, Summary, Timing};
 pub use run::{Options, lint, lint_trees};

@@ -76,7 +76,7 @@ pub(super) struct Loaded<'t> {
     narrow: Vec<String>,
 }
 
-fn lint_inputs(inputs: &[Input], system: Option<&Tree>, options: &Options) -> Result<Outcome, Error> {
+pub(super) fn lint_inputs(inputs: &[Input], system: Option<&Tree>, options: &Options) -> Result<Outcome, Error> {
     let selection = Selection::new(options)?;
     let mut outcome = Outcome::default();
     let started = Instant::now();

@@ -12,7 +12,7 @@ use miette::{
 };
 
 use super::snippet::{Snippet, snippet};
-use crate::diag::{Break, Confidence, Evidence, Finding, Level, Location};
+use crate::diag::{Break, Confidence, Evidence, Finding, FixKind, Level, Location};
 use crate::report::{Paint, View, hang, printable};
 
 /// Related places shown for one finding.
@@ -57,6 +57,10 @@ fn footer(finding: &Finding, has_source: bool) -> Vec<(&'static str, String)> {
     }
     if let Some(help) = &finding.help {
         lines.push(("help", help.clone()));
+    }
+    if let Some(fix) = &finding.fix {
+        let option = if fix.kind == FixKind::Safe { "`--fix`" } else { "`--fix --unsafe-fixes`" };
+        lines.push(("fix", format!("{option} mends it: {}", fix.title)));
     }
     lines
 }

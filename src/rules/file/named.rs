@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::super::Rule;
-use crate::diag::{Evidence, Finding, Level};
+use crate::diag::{Change, Evidence, Finding, Fix, Level, Place};
 use crate::repo::{Reference, ReferenceKind, Repository};
 
 /// References of one cause in one file, in the order of the file.
@@ -40,6 +40,17 @@ impl Cause<'_, '_> {
         let worst = self.references.iter().map(|reference| level(reference.kind)).max().unwrap_or(Level::Error);
         let finding = rule.at(first.from, first.place.clone(), message).key(&self.key).level(worst);
         Some(finding.evidence(Evidence::of_cases(names)))
+    }
+}
+
+/// A fix that also writes `text` for a name.
+pub(super) fn written(fix: Fix, reference: &Reference<'_>, text: Option<String>) -> Fix {
+    match &reference.place {
+        Place::Pointer(pointer) => {
+            fix.step(&reference.from.path, Change::Value { pointer: pointer.clone(), text })
+        }
+        // A name that is not written, such as that of a default.
+        _ => fix,
     }
 }
 
