@@ -18,6 +18,8 @@
 //! [`lint_trees`] does the same without a disk, on [`Tree`]s in memory. [`report`] writes an [`Outcome`] in
 //! the formats of the command line.
 //!
+//! [`mend`] judges and mends in memory; [`fix::write_all`] brings the changes to disk, each file as a whole.
+//!
 //! Two channels are never mixed: damaged data are [`Finding`]s, [`Error`] means that the run could not be
 //! done. No input makes the library panic; where one of its own bugs does, the file or rule is skipped and
 //! [`Outcome::failed_rules`] tells.
@@ -39,5 +41,5 @@ mod rules;
 pub mod source;
 
 pub use diag::{Application, Finding, Level};
-pub use engine::{Error, Options, Outcome, lint, lint_trees};
+pub use engine::{Error, Mended, Options, Outcome, lint, lint_trees, mend};
 pub use source::Tree;

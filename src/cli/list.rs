@@ -70,7 +70,14 @@ pub(super) fn write_table(rules: &[&RuleInfo], paint: Paint, out: &mut dyn Write
 fn write_markdown(rules: &[&RuleInfo], out: &mut dyn Write) -> Result<(), Failure> {
     writeln!(out, "| rule | level | fix | what is wrong |\n|---|---|---|---|")?;
     for rule in rules {
-        writeln!(out, "| `{}` | {} | {} | {} |", rule.id, rule.level, shown_fix(rule), rule.summary.replace('|', "\\|"))?;
+        writeln!(
+            out,
+            "| `{}` | {} | {} | {} |",
+            rule.id,
+            rule.level,
+            shown_fix(rule),
+            rule.summary.replace('|', "\\|")
+        )?;
     }
     Ok(())
 }

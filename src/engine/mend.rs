@@ -35,7 +35,8 @@ pub fn mend(paths: &[PathBuf], options: &Options, with_unsafe: bool) -> Result<M
     let mut inputs = open(paths)?;
     inputs.iter_mut().for_each(|input| input.tree.watch());
     let system = options.system.as_deref().map(open_system).transpose()?;
-    let mut work = Work { limits: options.limits, with_unsafe, system: options.system.clone(), judged: BTreeMap::new() };
+    let mut work =
+        Work { limits: options.limits, with_unsafe, system: options.system.clone(), judged: BTreeMap::new() };
     let mut mended = Mended::default();
     for turn in 0.. {
         mended.outcome = lint_inputs(&inputs, system.as_ref(), options)?;
@@ -150,8 +151,7 @@ impl Work {
         let mut changes: Vec<FileChange> = Vec::new();
         let mut known = BTreeSet::new();
         for (path, judged) in self.judged {
-            let after = find(inputs, &path)
-                .and_then(|(tree, rel)| tree.read(tree.entry(rel)?, &self.limits).ok());
+            let after = find(inputs, &path).and_then(|(tree, rel)| tree.read(tree.entry(rel)?, &self.limits).ok());
             if after.as_ref() == Some(&judged.bytes) || !known.insert(real_path(&judged.file)) {
                 continue;
             }

@@ -26,7 +26,8 @@ mod tests {
 
     #[test]
     fn lines_keep_their_ends() {
-        let expected = "--- a/a/b.target\n+++ b/a/b.target\n@@ -1,3 +1,2 @@\n 1\r\n-2\r\n 3\n\\ No newline at end of file\n";
+        let expected =
+            "--- a/a/b.target\n+++ b/a/b.target\n@@ -1,3 +1,2 @@\n 1\r\n-2\r\n 3\n\\ No newline at end of file\n";
         assert_eq!(shown("1\r\n2\r\n3", Some("1\r\n3")), expected);
         assert_eq!(shown("1\n", Some("1\n")), "");
     }

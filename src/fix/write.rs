@@ -56,8 +56,12 @@ impl fmt::Display for WriteError {
         write!(f, "cannot change `{}`: ", self.path)?;
         match &self.reason {
             Reason::ChangedMeanwhile => f.write_str("it was changed while it was judged; run mhlint again"),
-            Reason::ReadOnly => f.write_str("it is read-only; allow writing to it, or leave it out by naming other PATHs"),
-            Reason::LeavesRoot => f.write_str("a link leads out of the data folder; give mhlint the folder it leads to"),
+            Reason::ReadOnly => {
+                f.write_str("it is read-only; allow writing to it, or leave it out by naming other PATHs")
+            }
+            Reason::LeavesRoot => {
+                f.write_str("a link leads out of the data folder; give mhlint the folder it leads to")
+            }
             Reason::NoFile => f.write_str("it is no regular file"),
             Reason::Io(error) => write!(f, "{error}"),
         }
@@ -142,7 +146,9 @@ fn beside(file: &Path) -> PathBuf {
 }
 
 fn write_beside(file: &Path, beside: &Path, bytes: &[u8], permissions: fs::Permissions) -> io::Result<()> {
-    let mut out = File::create(beside)?;
+    // What an earlier process of this number left behind, or somebody put there, is not written into.
+    let _ = fs::remove_file(beside);
+    let mut out = File::create_new(beside)?;
     out.write_all(bytes)?;
     keep_owner(file, beside);
     out.set_permissions(permissions)?;

@@ -60,8 +60,11 @@ pub fn normalize_weights(text: &[u8]) -> Vec<Edit> {
 /// Takes out entries that the loader drops, and bones that nothing is left of.
 pub fn drop_small_weights(text: &[u8]) -> Vec<Edit> {
     edit(text, |table| {
-        let sums: BTreeMap<i64, f32> =
-            table.by_vertex().into_iter().map(|(vertex, entries)| (vertex, sum(entries.iter().map(|e| e.loaded())))).collect();
+        let sums: BTreeMap<i64, f32> = table
+            .by_vertex()
+            .into_iter()
+            .map(|(vertex, entries)| (vertex, sum(entries.iter().map(|e| e.loaded()))))
+            .collect();
         let is_small = |entry: &&Entry| {
             let sum = sums.get(&entry.vertex).copied().unwrap_or(0.0);
             sum > 0.0 && entry.weight >= 0.0 && entry.loaded() / sum <= THRESHOLD
@@ -236,8 +239,7 @@ mod tests {
     #[test]
     fn only_vertices_that_are_off_are_written() {
         let text = "{\"weights\": {\n\t\"a\": [[0, 0.250], [1, 0.25],\n\t\t[2, 2], [3, 1e-1]],\n\t\"b\": [[1,0.5], [0, 0.75]]}}";
-        let expected =
-            "{\"weights\": {\n\t\"a\": [[0, 0.250], [1, 0.33333334],\n\t\t[2, 2], [3, 1]],\n\t\"b\": [[1,0.6666667], [0, 0.75]]}}";
+        let expected = "{\"weights\": {\n\t\"a\": [[0, 0.250], [1, 0.33333334],\n\t\t[2, 2], [3, 1]],\n\t\"b\": [[1,0.6666667], [0, 0.75]]}}";
         assert_eq!(by(normalize_weights, text), expected);
         assert_eq!(by(normalize_weights, expected), expected);
     }

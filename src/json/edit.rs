@@ -50,7 +50,8 @@ fn run_removal(text: &[u8], parts: &[Range<usize>], run: Range<usize>) -> Option
     let last = parts.get(run.end.checked_sub(1)?)?;
     let before = run.start.checked_sub(1).and_then(|at| parts.get(at));
     let shares_line = |before: &Range<usize>| {
-        text.get(before.end..first.start).is_some_and(|between| !between.iter().any(|byte| matches!(byte, b'\n' | b'\r')))
+        text.get(before.end..first.start)
+            .is_some_and(|between| !between.iter().any(|byte| matches!(byte, b'\n' | b'\r')))
     };
     match (before, parts.get(run.end)) {
         (Some(before), Some(_)) if shares_line(before) => Some(Edit::removal(before.end..last.end)),

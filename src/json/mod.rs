@@ -12,6 +12,6 @@ mod syntax_text;
 mod unknown_key;
 
 pub use document::{Document, Duplicate, Member, Node, Value, parse};
-pub use edit::{remove_elements, removals, set_value};
+pub use edit::{removals, remove_elements, set_value};
 pub use reader::{Reader, SyntaxFault, SyntaxKind};
 pub use schema::{SchemaFault, SchemaFaults, UnknownKey, check, schema_names, schema_text};

@@ -99,6 +99,8 @@ const fn fix(kind: FixKind) -> &'static str {
     match kind {
         FixKind::None => "none; only a person can decide what was meant.",
         FixKind::Safe => "`--fix`, where the finding says so; nothing else about the asset changes.",
-        FixKind::Unsafe => "`--fix --unsafe-fixes`, where the finding says so; look at the result (`--diff`), it may not be what was meant.",
+        FixKind::Unsafe => {
+            "`--fix --unsafe-fixes`, where the finding says so; look at the result (`--diff`), it may not be what was meant."
+        }
     }
 }

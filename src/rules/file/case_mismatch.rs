@@ -47,7 +47,9 @@ fn found<'a>(reference: &Reference<'a>) -> Option<&'a str> {
 /// The name as it has to be written; nothing where the difference is not in the name itself but around it.
 fn as_on_disk(reference: &Reference<'_>) -> Option<String> {
     let found = found(reference)?;
-    let start = reference.rel.rfind(reference.text)?;
+    // Targets are named without their suffix.
+    let stems = [Some(reference.rel.as_str()), reference.rel.strip_suffix(".target")];
+    let start = stems.into_iter().flatten().find_map(|stem| stem.strip_suffix(reference.text))?.len();
     let end = start + reference.text.len();
     let around = |rel: &str| Some((rel.get(..start)?.to_owned(), rel.get(end..)?.to_owned()));
     (around(&reference.rel)? == around(found)?).then(|| found.get(start..end).map(str::to_owned))?

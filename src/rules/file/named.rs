@@ -46,9 +46,7 @@ impl Cause<'_, '_> {
 /// A fix that also writes `text` for a name.
 pub(super) fn written(fix: Fix, reference: &Reference<'_>, text: Option<String>) -> Fix {
     match &reference.place {
-        Place::Pointer(pointer) => {
-            fix.step(&reference.from.path, Change::Value { pointer: pointer.clone(), text })
-        }
+        Place::Pointer(pointer) => fix.step(&reference.from.path, Change::Value { pointer: pointer.clone(), text }),
         // A name that is not written, such as that of a default.
         _ => fix,
     }

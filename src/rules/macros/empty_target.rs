@@ -60,7 +60,8 @@ fn fix(
     if users != links.len() || archived || !repository.is_judged(target) {
         return fix;
     }
-    let nulls = links.iter().filter_map(|link| if let Place::Pointer(pointer) = link.place() { Some(pointer) } else { None });
+    let nulls =
+        links.iter().filter_map(|link| if let Place::Pointer(pointer) = link.place() { Some(pointer) } else { None });
     let fix = nulls.fold(fix, |fix, pointer| fix.step(&file.path, Change::Value { pointer, text: None }));
     fix.step(&target.path, Change::Remove)
 }
