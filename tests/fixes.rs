@@ -99,6 +99,9 @@ fn every_fixable_case_is_mended_for_good() {
     assert_eq!(mended, rules.keys().map(String::as_str).collect(), "every rule that declares a fix has a case for it");
 }
 
+/// A fault that kept another rule from looking: what that one then says was there before.
+const HIDDEN: [(&str, &str); 1] = [("weights-duplicate-vertex", "weights-asymmetric")];
+
 /// Mends one case with all fixes. `false`: this case is one that only a person can mend.
 fn mend_case(rule: &str, declared: &str, folder: &Path) -> Result<bool, String> {
     let repository = example();
@@ -127,8 +130,7 @@ fn mend_case(rule: &str, declared: &str, folder: &Path) -> Result<bool, String> 
     let known: BTreeSet<&str> = old.iter().map(|line| rule_of(line)).collect();
     let fresh: Vec<&String> =
         new.iter().filter(|line| rule_of(line) == rule || !known.contains(rule_of(line))).collect();
-    // A mark keeps a JSON from being read; what stands behind it was there before.
-    if !fresh.is_empty() && !(rule == "file-byte-order-mark" && fresh.iter().all(|line| rule_of(line) != rule)) {
+    if fresh.iter().any(|line| rule_of(line) == rule || !HIDDEN.contains(&(rule, rule_of(line)))) {
         return Err(format!("{}: {fresh:#?}", folder.display()));
     }
     let again = check(root, &["--fix", "--unsafe-fixes"]);
@@ -146,7 +148,7 @@ fn all_bytes_but_the_fault_stay() {
     let repository = example();
     let root = repository.path();
     let before = content(root);
-    edit(root, OVAL, "339 0 .001 .001\n", "339 0 .001 .001\n# kept  as is\r\n340  0\t0 -0.000\r\n");
+    edit(root, OVAL, "339 0 .001 .001\n", "339 0 .001 .001\n# kept  as is\r\n600  0\t0 -0.000\r\n");
     edit(root, MACRO, "\"t\": \"coastal-male\"", "\"t\" :\t\"coastal-male.target\"");
     edit(root, WEIGHTS, "[158, 1.0], [159, 1.0]", "[158, 0.5], [158,0.5], [159, 2.5e-1]");
     let output = check(root, &["--fix"]);

@@ -1,7 +1,7 @@
 //! Backslashes between folders work on Windows only.
 
 use super::super::{Check, Rule, RuleCx};
-use super::named::{causes, effect, written};
+use super::named::{causes, effect, is_known_by, written};
 use crate::diag::{Application, Finding, Fix, FixKind, Level, RuleInfo};
 use crate::repo::{Repository, Resolution};
 
@@ -33,7 +33,7 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let slashed = first.text.replace('\\', "/");
         let mut fix = Fix::new(RULE.info.fix, "write `/` for `\\`");
         // Where nobody finds the file, its name has to be found out first.
-        for reference in cause.references.iter().filter(|_| exists) {
+        for reference in cause.references.iter().filter(|reference| exists && !is_known_by(repository, reference)) {
             let text = Some(reference.text.replace('\\', "/"));
             fix = written(fix, reference, text);
         }

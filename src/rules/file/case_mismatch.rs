@@ -1,7 +1,7 @@
 //! References that only a file system without regard to case resolves.
 
 use super::super::{Check, Rule, RuleCx};
-use super::named::{causes, effect, written};
+use super::named::{causes, effect, is_known_by, written};
 use crate::diag::{Application, Finding, Fix, FixKind, Level, Place, RuleInfo};
 use crate::repo::{Reference, Repository, Resolution};
 
@@ -30,7 +30,10 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         if let Some(layer) = holder {
             finding = finding.related(layer.display(target), Place::File, "the file that is meant");
         }
-        let names = cause.references.iter().map(|reference| Some((*reference, as_on_disk(reference)?)));
+        let names = cause.references.iter().map(|reference| {
+            let text = as_on_disk(reference).filter(|_| !is_known_by(repository, reference))?;
+            Some((*reference, text))
+        });
         if let Some(names) = names.collect::<Option<Vec<_>>>() {
             let fix = Fix::new(RULE.info.fix, format!("write `{on_disk}`"));
             let fix = names.into_iter().fold(fix, |fix, (reference, text)| written(fix, reference, Some(text)));

@@ -43,6 +43,19 @@ impl Cause<'_, '_> {
     }
 }
 
+/// Whether the name is part of a pattern by which something else knows the slider: written otherwise, it would be lost.
+pub(super) fn is_known_by(repository: &Repository<'_>, reference: &Reference<'_>) -> bool {
+    let names_it = |pattern: &str| pattern.starts_with(reference.text);
+    let mut bases = repository.bases.iter().filter(|base| base.name == reference.base);
+    matches!(reference.kind, ReferenceKind::Incr | ReferenceKind::Decr)
+        && bases.any(|base| {
+            let mut partners = base.sliders.iter().flat_map(|bound| [&bound.slider.lsym, &bound.slider.rsym]);
+            let presets = base.settings().map(|(_, settings)| settings.presets.as_slice()).unwrap_or_default();
+            partners.any(|partner| partner.as_deref().is_some_and(names_it))
+                || presets.iter().any(|(pattern, _)| names_it(pattern))
+        })
+}
+
 /// A fix that also writes `text` for a name.
 pub(super) fn written(fix: Fix, reference: &Reference<'_>, text: Option<String>) -> Fix {
     match &reference.place {
