@@ -21,6 +21,8 @@
 //! the formats of the command line, [`engine::evaluate`] computes what the application would show, [`eval`] the same on
 //! plain arrays.
 //!
+//! [`mend`] judges and mends in memory; [`fix::write_all`] brings the changes to disk, each file as a whole.
+//!
 //! Two channels are never mixed: damaged data are [`Finding`]s, [`Error`] means that the run could not be
 //! done. No input makes the library panic; where one of its own bugs does, the file or rule is skipped and
 //! [`Outcome::failed_rules`] tells.
@@ -34,6 +36,7 @@ pub mod diag;
 pub mod discover;
 pub mod engine;
 pub mod eval;
+pub mod fix;
 pub mod formats;
 pub mod json;
 pub mod repo;
@@ -43,5 +46,5 @@ pub mod source;
 
 pub use config::Config;
 pub use diag::{Application, Finding, Level};
-pub use engine::{Error, Outcome, lint, lint_trees, rule_infos};
+pub use engine::{Error, Mended, Outcome, lint, lint_trees, mend, rule_infos};
 pub use source::Tree;

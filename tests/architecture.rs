@@ -18,11 +18,12 @@ const IMPORTS: &[(&str, &[&str])] = &[
     ("discover", &["diag"]),
     ("formats", &["diag", "json", "source"]),
     ("repo", &["diag", "json", "source", "discover", "formats"]),
+    ("fix", &["diag", "source"]),
     ("eval", &[]),
     ("rules", &["diag", "json", "source", "discover", "formats", "repo", "eval"]),
-    ("engine", &["diag", "json", "source", "config", "discover", "formats", "repo", "eval", "rules"]),
+    ("engine", &["diag", "json", "source", "config", "fix", "discover", "formats", "repo", "eval", "rules"]),
     ("report", &["diag", "engine"]),
-    ("cli", &["diag", "json", "config", "engine", "report"]),
+    ("cli", &["diag", "json", "source", "config", "fix", "engine", "report"]),
 ];
 
 /// Where files may be opened; `engine/input.rs` turns PATH arguments into trees.

@@ -6,6 +6,7 @@ use clap::{Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
 use super::eval::EvalCommand;
+use super::fix::FixArgs;
 use super::output::Target;
 use crate::diag::{Application, Level, nearest};
 
@@ -16,6 +17,7 @@ Examples:
   mhlint data/                                     judge a data folder
   mhlint my-pack/ --system makehuman2/data         judge a pack against MakeHuman's own data
   mhlint data/ --report human --report json=r.json read it here, keep it for a program
+  mhlint data/ --diff                              what --fix would change
   mhlint explain macro-steps-length                what a finding means, with an example";
 
 const COMPLETIONS_HELP: &str = "\
@@ -150,6 +152,8 @@ pub(super) struct CheckArgs {
     /// The same for the files listed in FILE (`-` for standard input), a path a line.
     #[arg(long, value_name = "FILE")]
     pub(super) changed_files: Option<PathBuf>,
+    #[command(flatten)]
+    pub(super) fixes: FixArgs,
     /// Print time per phase and rule to standard error.
     #[arg(long)]
     pub(super) timings: bool,

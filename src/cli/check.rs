@@ -7,6 +7,7 @@ use super::args::{CheckArgs, Command};
 use super::changed::{listed, since};
 use super::config::settings;
 use super::exit::{Exit, Failure};
+use super::fix;
 use super::output::{Target, refuse_unwritable, replace, targets, write_file};
 use super::panics::Panics;
 use super::progress::Progress;
@@ -14,7 +15,7 @@ use super::step_summary;
 use super::terminal::Terminal;
 use crate::config::Config;
 use crate::diag::nearest;
-use crate::engine::{Baseline, Error, Outcome, lint, rule_infos};
+use crate::engine::{Baseline, Error, Outcome, rule_infos};
 use crate::report::{self, Format, View};
 
 pub(super) fn run(
@@ -30,20 +31,29 @@ pub(super) fn run(
     config.changed = changed(args, paths)?;
     let new_baseline = new_baseline(&config)?;
     let progress = Progress::start("reading and evaluating");
-    let outcome = lint(paths, &config);
+    let checked = fix::check(paths, &config, args.fixes);
     drop(progress);
-    let outcome = outcome.map_err(|error| explained(error, paths, args, &config))?;
-    let exit = exit(&outcome, &config, &panics.noted());
+    let checked = checked.map_err(|error| explained(error, paths, args, &config))?;
+    let outcome = &checked.outcome;
+    let exit = exit(outcome, &config, &panics.noted());
+    if args.fixes.diff && !matches!(exit, Exit::CannotWork | Exit::NothingToCheck) {
+        let changes = checked.show(terminal, out)?;
+        out.flush()?;
+        checked.tell(args.fixes, err)?;
+        return Ok(if changes { Exit::Findings } else { Exit::Clean });
+    }
+    checked.write()?;
     if let (Some(file), Some(baseline)) = (new_baseline, &outcome.baseline) {
         write_baseline(file, baseline, exit, args, err)?;
     }
-    write_reports(&targets, &outcome, args, &config, exit, terminal, out)?;
-    tell(&outcome, args, exit, &targets, err)?;
+    write_reports(&targets, outcome, args, &config, exit, terminal, out)?;
+    tell(outcome, args, exit, &targets, err)?;
+    checked.tell(args.fixes, err)?;
     if !panics.noted().is_empty() || !outcome.failed_rules.is_empty() {
         writeln!(err, "mhlint: {}", own_fault(&panics.noted()))?;
     }
     if args.timings {
-        print_timings(&outcome, err)?;
+        print_timings(outcome, err)?;
     }
     Ok(exit)
 }

@@ -49,29 +49,35 @@ pub(super) fn run(format: ListFormat, paint: Paint, out: &mut dyn Write) -> Resu
     Ok(Exit::Clean)
 }
 
-/// The word for a kind of fix.
-pub(super) const fn fix_word(fix: FixKind) -> &'static str {
-    match fix {
-        FixKind::None => "none",
-        FixKind::Safe => "safe",
-        FixKind::Unsafe => "unsafe",
+/// How a rule mends what it finds; nothing where only a person can.
+const fn shown_fix(rule: &RuleInfo) -> &'static str {
+    match rule.fix {
+        FixKind::None => "",
+        kind => kind.word(),
     }
 }
 
-/// Writes rules as lines of id, level and summary.
+/// Writes rules as lines of id, level, kind of fix and summary.
 pub(super) fn write_table(rules: &[&RuleInfo], paint: Paint, out: &mut dyn Write) -> Result<(), Failure> {
     let width = rules.iter().map(|rule| rule.id.len()).max().unwrap_or(0);
     for rule in rules {
         let level = paint.level(rule.level, &format!("{:<7}", rule.level.word()));
-        writeln!(out, "{:<width$}  {level}  {}", rule.id, rule.summary)?;
+        writeln!(out, "{:<width$}  {level}  {:<6}  {}", rule.id, shown_fix(rule), rule.summary)?;
     }
     Ok(())
 }
 
 fn write_markdown(rules: &[&RuleInfo], out: &mut dyn Write) -> Result<(), Failure> {
-    writeln!(out, "| rule | level | what is wrong |\n|---|---|---|")?;
+    writeln!(out, "| rule | level | fix | what is wrong |\n|---|---|---|---|")?;
     for rule in rules {
-        writeln!(out, "| `{}` | {} | {} |", rule.id, rule.level, rule.summary.replace('|', "\\|"))?;
+        writeln!(
+            out,
+            "| `{}` | {} | {} | {} |",
+            rule.id,
+            rule.level,
+            shown_fix(rule),
+            rule.summary.replace('|', "\\|")
+        )?;
     }
     Ok(())
 }
@@ -84,7 +90,7 @@ fn item(rule: &RuleInfo) -> Item {
         family: rule.family(),
         level: rule.level,
         summary: rule.summary,
-        fix: fix_word(rule.fix),
+        fix: rule.fix.word(),
         unmutable: rule.unmutable,
         breaks: breaks.collect(),
         options: options

@@ -7,6 +7,7 @@ mod config;
 mod eval;
 mod exit;
 mod explain;
+mod fix;
 mod init;
 mod list;
 mod output;

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::{Application, Confidence, Evidence, Level, Location, Place, RuleInfo};
+use super::{Application, Confidence, Evidence, Fix, Level, Location, Place, RuleInfo};
 
 /// Parts of a finding that are told apart by name; more of them are one mass.
 const MOST_PARTS: usize = 256;
@@ -32,6 +32,8 @@ pub struct Finding {
     pub evidence: Option<Evidence>,
     /// Other places that belong to the same fault.
     pub related: Vec<Related>,
+    /// How it can be mended without a person.
+    pub fix: Option<Fix>,
     /// Structural name of the fault inside the file (a bone, a pattern): part of the fingerprint.
     pub key: String,
     /// What the fingerprint names in place of [`Finding::path`] where that is only the first of several
@@ -87,6 +89,7 @@ impl Finding {
                 .collect(),
             evidence: None,
             related: Vec::new(),
+            fix: None,
             key: String::new(),
             asset: None,
             parts: Vec::new(),
@@ -157,6 +160,13 @@ impl Finding {
     pub fn breaks(mut self, application: Application, effect: impl Into<String>) -> Self {
         self.breaks.retain(|other| other.application != application);
         self.breaks.push(Break { application, effect: effect.into() });
+        self
+    }
+
+    /// Says how it can be mended; nothing where a fix has no steps.
+    #[must_use]
+    pub fn fix(mut self, fix: Fix) -> Self {
+        self.fix = (!fix.steps.is_empty()).then_some(fix);
         self
     }
 

@@ -5,6 +5,7 @@
 
 mod evidence;
 mod finding;
+mod fix;
 mod key;
 mod level;
 mod nearest;
@@ -14,6 +15,7 @@ mod upkeep;
 
 pub use evidence::{EXAMPLES, Evidence, Tally, Worst};
 pub use finding::{Break, Finding, Related};
+pub use fix::{Change, Edit, Fix, Rewrite, Step};
 pub use key::{fingerprint, structural};
 pub use level::{Application, Confidence, Level};
 pub use nearest::nearest;

@@ -34,6 +34,17 @@ pub enum FixKind {
     Unsafe,
 }
 
+impl FixKind {
+    /// The word in lists and reports.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::None => "none",
+            Self::Safe => "safe",
+            Self::Unsafe => "unsafe",
+        }
+    }
+}
+
 /// One numeric option of a rule.
 #[derive(Debug, Clone, Copy)]
 pub struct OptionInfo {

@@ -55,7 +55,7 @@ pub(super) struct Loaded<'t> {
     narrow: Vec<String>,
 }
 
-fn lint_inputs(inputs: &[Input], system: Option<&Tree>, options: &Config) -> Result<Outcome, Error> {
+pub(super) fn lint_inputs(inputs: &[Input], system: Option<&Tree>, options: &Config) -> Result<Outcome, Error> {
     let selection = Selection::new(options)?;
     let change = options.changed.as_deref().map(Change::new);
     let scope = Scope::new(inputs, options);

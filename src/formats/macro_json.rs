@@ -66,7 +66,12 @@ pub struct Link {
 impl Macrodef {
     /// Pointer to a link's member.
     pub fn link_pointer(&self, link: &Link, member: &str) -> String {
-        format!("/macrodef/{}/targets/{}/{member}", self.index, link.index)
+        format!("{}/{member}", self.entry_pointer(link))
+    }
+
+    /// Pointer to a link.
+    pub fn entry_pointer(&self, link: &Link) -> String {
+        format!("/macrodef/{}/targets/{}", self.index, link.index)
     }
 }
 

@@ -14,7 +14,7 @@ use crate::diag::{EXAMPLES, Evidence};
 /// Entries whose normalised weight is not above this are dropped by the loaders.
 pub const THRESHOLD: f32 = 1e-4;
 /// A sum this near to 1 is 1: weights are written with three or four decimals and added as float32.
-const SUM_TOLERANCE: f32 = 1e-4;
+pub(super) const SUM_TOLERANCE: f32 = 1e-4;
 /// Distances from 1 that the distribution of sums is counted at.
 pub const FAR_SUMS: [f32; 2] = [0.01, 0.1];
 

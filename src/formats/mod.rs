@@ -16,6 +16,7 @@ pub mod macro_json;
 pub mod mhclo;
 pub mod mhskel;
 pub mod mhw;
+pub mod mhw_edit;
 mod mhw_facts;
 pub mod modelling;
 mod npy;
@@ -26,6 +27,7 @@ pub mod obj;
 mod obj_facts;
 pub mod target;
 pub mod target_cat;
+pub mod target_edit;
 mod target_facts;
 mod target_row;
 

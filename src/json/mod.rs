@@ -4,6 +4,7 @@
 //! every value, which `serde_json` does not keep. No asset knowledge here.
 
 mod document;
+mod edit;
 mod reader;
 mod schema;
 mod schema_fault;
@@ -11,5 +12,6 @@ mod syntax_text;
 mod unknown_key;
 
 pub use document::{Document, Duplicate, Member, Node, Value, parse};
+pub use edit::{removals, remove_elements, set_value};
 pub use reader::{Reader, SyntaxFault, SyntaxKind};
 pub use schema::{SchemaFault, SchemaFaults, UnknownKey, check, schema_names, schema_text};

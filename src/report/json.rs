@@ -38,8 +38,16 @@ struct Item<'a> {
     breaks: &'a [Break],
     evidence: Option<Evidence>,
     related: Vec<RelatedItem<'a>>,
-    fix: Option<()>,
+    fix: Option<FixItem<'a>>,
     fingerprint: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    because: Option<&'a str>,
+}
+
+#[derive(Serialize)]
+struct FixItem<'a> {
+    kind: &'static str,
+    title: &'a str,
 }
 
 #[derive(Serialize)]
@@ -80,8 +88,9 @@ fn item(finding: &Finding) -> Item<'_> {
             .iter()
             .map(|related| RelatedItem { path: &related.path, place: &related.location, message: &related.message })
             .collect(),
-        fix: None,
+        fix: finding.fix.as_ref().map(|fix| FixItem { kind: fix.kind.word(), title: &fix.title }),
         fingerprint: &finding.fingerprint,
+        because: finding.because.as_deref(),
     }
 }
 

@@ -4,7 +4,9 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use xxhash_rust::xxh3::xxh3_64;
 
 use super::{Limits, walk};
 
@@ -15,6 +17,10 @@ pub struct Tree {
     backend: Backend,
     entries: Vec<Entry>,
     faults: Vec<WalkFault>,
+    /// Contents that stand in for those of files, until they are written.
+    changed: BTreeMap<String, Vec<u8>>,
+    /// Hashes of what was read first, where somebody watches.
+    seen: Option<Mutex<BTreeMap<String, u64>>>,
 }
 
 #[derive(Debug)]
@@ -97,7 +103,14 @@ impl Tree {
     pub fn on_disk_to_depth(label: impl Into<String>, root: impl Into<PathBuf>, depth: usize) -> Self {
         let root = root.into();
         let (entries, faults) = walk::walk(&root, depth);
-        Self { label: label.into(), backend: Backend::Disk(root), entries, faults }
+        Self {
+            label: label.into(),
+            backend: Backend::Disk(root),
+            entries,
+            faults,
+            changed: BTreeMap::new(),
+            seen: None,
+        }
     }
 
     /// A tree of files held in memory: `Vec<u8>`, or `Arc<[u8]>` where several trees share their bytes.
@@ -111,6 +124,8 @@ impl Tree {
             entries: memory_entries(&files),
             backend: Backend::Memory(files),
             faults: Vec::new(),
+            changed: BTreeMap::new(),
+            seen: None,
         }
     }
 
@@ -148,13 +163,50 @@ impl Tree {
         if entry.size > limits.file_bytes {
             return Err(too_large(entry.size, limits));
         }
-        match &self.backend {
+        if let Some(bytes) = self.changed.get(&entry.path) {
+            return Ok(bytes.clone());
+        }
+        let bytes = match &self.backend {
             Backend::Disk(root) => read_bounded(&root.join(&entry.native), entry.size, limits),
             Backend::Memory(files) => files
                 .get(&entry.path)
                 .map(|bytes| bytes.to_vec())
                 .ok_or_else(|| ReadFault::Unreadable("is gone".to_owned())),
+        }?;
+        if let Some(seen) = &self.seen {
+            let mut seen = seen.lock().unwrap_or_else(PoisonError::into_inner);
+            seen.entry(entry.path.clone()).or_insert_with(|| xxh3_64(&bytes));
         }
+        Ok(bytes)
+    }
+
+    /// From now on the hash of what is read first of each file is kept.
+    pub fn watch(&mut self) {
+        self.seen = Some(Mutex::default());
+    }
+
+    /// Hash of what was first read at `path` since [`Tree::watch`].
+    pub fn seen(&self, path: &str) -> Option<u64> {
+        self.seen.as_ref()?.lock().unwrap_or_else(PoisonError::into_inner).get(path).copied()
+    }
+
+    /// From now on `bytes` are what is read at `path`, or nothing is there; the file itself stays as it is.
+    pub fn change(&mut self, path: &str, bytes: Option<Vec<u8>>) {
+        let Ok(at) = self.entries.binary_search_by(|entry| entry.path.as_str().cmp(path)) else { return };
+        match bytes {
+            Some(bytes) => {
+                if let Some(entry) = self.entries.get_mut(at) {
+                    entry.size = bytes.len() as u64;
+                }
+                self.changed.insert(path.to_owned(), bytes);
+            }
+            None => drop(self.entries.remove(at)),
+        }
+    }
+
+    /// The folder on disk that was listed.
+    pub fn root(&self) -> Option<&Path> {
+        if let Backend::Disk(root) = &self.backend { Some(root) } else { None }
     }
 }
 
@@ -227,6 +279,18 @@ mod tests {
             tree.entries().iter().map(line).collect()
         };
         assert_eq!(seen(&disk), seen(&memory));
+    }
+
+    #[test]
+    fn changes_are_read_and_the_first_content_is_remembered() {
+        let mut tree = Tree::in_memory("", ["a", "b"].map(|path| (path.to_owned(), b"old".to_vec())));
+        tree.watch();
+        let read = |tree: &Tree, path| tree.entry(path).map(|entry| tree.read(entry, &Limits::default()).unwrap());
+        assert_eq!((read(&tree, "a"), tree.seen("b")), (Some(b"old".to_vec()), None));
+        tree.change("a", Some(b"newer".to_vec()));
+        tree.change("b", None);
+        assert_eq!((read(&tree, "a"), read(&tree, "b")), (Some(b"newer".to_vec()), None));
+        assert_eq!((tree.seen("a"), tree.entry("a").unwrap().size), (Some(xxh3_64(b"old")), 5));
     }
 
     #[test]

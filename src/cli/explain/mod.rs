@@ -98,7 +98,9 @@ fn write_case(case: &Case, page: Page, out: &mut dyn Write) -> Result<(), Failur
 const fn fix(kind: FixKind) -> &'static str {
     match kind {
         FixKind::None => "none; only a person can decide what was meant.",
-        FixKind::Safe => "possible without changing what the asset does (not in this version yet).",
-        FixKind::Unsafe => "possible, but it changes what the asset does (not in this version yet).",
+        FixKind::Safe => "`--fix`, where the finding says so; nothing else about the asset changes.",
+        FixKind::Unsafe => {
+            "`--fix --unsafe-fixes`, where the finding says so; look at the result (`--diff`), it may not be what was meant."
+        }
     }
 }

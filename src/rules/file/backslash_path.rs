@@ -1,8 +1,8 @@
 //! Backslashes between folders work on Windows only.
 
 use super::super::{Check, Rule, RuleCx};
-use super::named::{causes, effect};
-use crate::diag::{Application, Finding, FixKind, Level, RuleInfo};
+use super::named::{causes, effect, is_known_by, written};
+use crate::diag::{Application, Finding, Fix, FixKind, Level, RuleInfo};
 use crate::repo::{Repository, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -31,8 +31,15 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let (Some(finding), Some(first)) = (finding, cause.references.first()) else { continue };
         let level = if exists { Level::Warning } else { finding.level };
         let slashed = first.text.replace('\\', "/");
+        let mut fix = Fix::new(RULE.info.fix, "write `/` for `\\`");
+        // Where nobody finds the file, its name has to be found out first.
+        for reference in cause.references.iter().filter(|reference| exists && !is_known_by(repository, reference)) {
+            let text = Some(reference.text.replace('\\', "/"));
+            fix = written(fix, reference, text);
+        }
         out.push(
             finding
+                .fix(fix)
                 .level(level)
                 .breaks(Application::Makehuman2, format!("on Linux and macOS: {}", effect(first.kind)))
                 .help(format!("write `{slashed}`")),

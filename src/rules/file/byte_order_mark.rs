@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::loader::{is_met, is_override, refused_json};
-use crate::diag::{Application, Finding, FixKind, Level, Place, RuleInfo};
+use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Place, Rewrite, RuleInfo};
 use crate::discover::Kind;
 use crate::repo::{FileFacts, Repository};
 
@@ -29,8 +29,10 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for file in texts.filter(|file| is_met(repository, file)).filter(marked) {
         let (level, effect) = consequence(repository, file);
         let message = format!("`{}` begins with a byte order mark", file.file_name());
+        let fix = Fix::new(RULE.info.fix, "remove the mark");
         out.push(
             RULE.at(file, Place::Span(0..3), message)
+                .fix(fix.step(&file.path, Change::Rewrite(Rewrite::DropByteOrderMark)))
                 .level(level)
                 .breaks(Application::Makehuman2, effect)
                 .help("save the file as UTF-8 without byte order mark"),

@@ -2,8 +2,8 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::loader::{fixed_name, is_generated};
-use super::named::{causes, effect};
-use crate::diag::{Application, Finding, FixKind, Level, Place, RuleInfo};
+use super::named::{causes, effect, is_known_by, written};
+use crate::diag::{Application, Finding, Fix, FixKind, Level, Place, RuleInfo};
 use crate::repo::{Reference, Repository, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -24,13 +24,22 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for cause in causes(repository, |reference| found(reference).map(|found| differing(&reference.rel, found).0)) {
         let Some(first) = cause.references.first() else { continue };
         let Some(target) = found(first) else { continue };
-        let (written, on_disk) = differing(&first.rel, target);
+        let (name, on_disk) = differing(&first.rel, target);
         let holder = repository.strongest_first().find(|layer| layer.file(target).is_some());
-        let finding = cause.finding(&RULE, |_| format!("`{written}` is called `{on_disk}` on disk"));
+        let finding = cause.finding(&RULE, |_| format!("`{name}` is called `{on_disk}` on disk"));
         let Some(mut finding) = finding else { continue };
         finding = finding.breaks(Application::Makehuman2, format!("on Linux: {}", effect(first.kind)));
         if let Some(layer) = holder {
             finding = finding.related(layer.display(target), Place::File, "the file that is meant");
+        }
+        let names = cause.references.iter().map(|reference| {
+            let text = as_on_disk(reference).filter(|_| !is_known_by(repository, reference))?;
+            Some((*reference, text))
+        });
+        if let Some(names) = names.collect::<Option<Vec<_>>>() {
+            let fix = Fix::new(RULE.info.fix, format!("write `{on_disk}`"));
+            let fix = names.into_iter().fold(fix, |fix, (reference, text)| written(fix, reference, Some(text)));
+            finding = finding.fix(fix);
         }
         out.push(finding.help(format!("write `{on_disk}`, or rename the file")));
     }
@@ -51,6 +60,17 @@ fn misnamed(repository: &Repository<'_>, out: &mut Vec<Finding>) {
 
 fn found<'a>(reference: &Reference<'a>) -> Option<&'a str> {
     if let Resolution::CaseOnly(file) = reference.resolution { Some(&file.rel) } else { None }
+}
+
+/// The name as it has to be written; nothing where the difference is not in the name itself but around it.
+fn as_on_disk(reference: &Reference<'_>) -> Option<String> {
+    let found = found(reference)?;
+    // Targets are named without their suffix.
+    let stems = [Some(reference.rel.as_str()), reference.rel.strip_suffix(".target")];
+    let start = stems.into_iter().flatten().find_map(|stem| stem.strip_suffix(reference.text))?.len();
+    let end = start + reference.text.len();
+    let around = |rel: &str| Some((rel.get(..start)?.to_owned(), rel.get(end..)?.to_owned()));
+    (around(&reference.rel)? == around(found)?).then(|| found.get(start..end).map(str::to_owned))?
 }
 
 /// The shortest beginnings of both paths that hold the whole difference: a folder, where one differs.

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::super::Rule;
-use crate::diag::{Evidence, Finding, Level};
+use crate::diag::{Change, Evidence, Finding, Fix, Level, Place};
 use crate::repo::{Reference, ReferenceKind, Repository};
 
 /// References of one cause in one file, in the order of the file.
@@ -40,6 +40,28 @@ impl Cause<'_, '_> {
         let worst = self.references.iter().map(|reference| level(reference.kind)).max().unwrap_or(Level::Error);
         let finding = rule.at(first.from, first.place.clone(), message).key(&self.key).level(worst);
         Some(finding.evidence(Evidence::of_cases(names)))
+    }
+}
+
+/// Whether the name is part of a pattern by which something else knows the slider: written otherwise, it would be lost.
+pub(super) fn is_known_by(repository: &Repository<'_>, reference: &Reference<'_>) -> bool {
+    let names_it = |pattern: &str| pattern.starts_with(reference.text);
+    let mut bases = repository.bases.iter().filter(|base| base.name == reference.base);
+    matches!(reference.kind, ReferenceKind::Incr | ReferenceKind::Decr)
+        && bases.any(|base| {
+            let mut partners = base.sliders.iter().flat_map(|bound| [&bound.slider.lsym, &bound.slider.rsym]);
+            let presets = base.settings().map(|(_, settings)| settings.presets.as_slice()).unwrap_or_default();
+            partners.any(|partner| partner.as_deref().is_some_and(names_it))
+                || presets.iter().any(|(pattern, _)| names_it(pattern))
+        })
+}
+
+/// A fix that also writes `text` for a name.
+pub(super) fn written(fix: Fix, reference: &Reference<'_>, text: Option<String>) -> Fix {
+    match &reference.place {
+        Place::Pointer(pointer) => fix.step(&reference.from.path, Change::Value { pointer: pointer.clone(), text }),
+        // A name that is not written, such as that of a default.
+        _ => fix,
     }
 }
 

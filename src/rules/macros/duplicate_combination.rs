@@ -1,7 +1,7 @@
 //! A combination may be listed in a macro definition only once.
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Finding, FixKind, Level, Place, RuleInfo};
+use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Place, RuleInfo};
 use crate::repo::{Base, Repository};
 use std::collections::BTreeMap;
 
@@ -38,7 +38,11 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
                 .related(&file.path, Place::Pointer(macrodef.link_pointer(last, "name")), "this entry wins");
             if links.iter().all(|link| link.target == last.target) {
                 let effect = "nothing: the entries are equal";
-                finding = finding.level(Level::Info).breaks(Application::Makehuman2, effect);
+                let surplus = links.iter().skip(1);
+                let fix = surplus.fold(Fix::new(RULE.info.fix, "remove the repetition"), |fix, link| {
+                    fix.step(&file.path, Change::Element(macrodef.entry_pointer(link)))
+                });
+                finding = finding.level(Level::Info).breaks(Application::Makehuman2, effect).fix(fix);
             }
             out.push(finding);
         }

@@ -2,9 +2,9 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::links::{MacroLink, links};
-use crate::diag::{Application, Evidence, Finding, FixKind, Level, Place, RuleInfo};
+use crate::diag::{Application, Change, Evidence, Finding, Fix, FixKind, Level, Place, RuleInfo};
 use crate::formats::target::TargetFacts;
-use crate::repo::{Base, FileFacts, Repository};
+use crate::repo::{Base, FileFacts, Reference, Repository, Resolution};
 use std::collections::BTreeMap;
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -36,11 +36,34 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
         out.push(
             RULE.at(file, first.place(), message)
                 .key(rel)
+                .fix(fix(repository, base, file, &links, target))
                 .help("write `null` and remove the file, or store the shape that was meant")
                 .related(&target.path, Place::File, "no displacement")
                 .evidence(Evidence::of_cases(links.iter().map(|link| &link.link.name))),
         );
     }
+}
+
+/// Writes `null` and removes the file, which would only be left lying around. Not where something else names it, or
+/// a binary archive holds it.
+fn fix(
+    repository: &Repository<'_>,
+    base: &Base<'_>,
+    file: &FileFacts,
+    links: &[MacroLink<'_>],
+    target: &FileFacts,
+) -> Fix {
+    let names_it = |reference: &&Reference<'_>| matches!(reference.resolution, Resolution::Found(found) if found.path == target.path);
+    let users = repository.references.iter().filter(names_it).count();
+    let archived = base.targets.is_some_and(|folder| folder.archive().is_some());
+    let fix = Fix::new(RULE.info.fix, "write `null` and remove the file");
+    if users != links.len() || archived || !repository.is_judged(target) {
+        return fix;
+    }
+    let nulls =
+        links.iter().filter_map(|link| if let Place::Pointer(pointer) = link.place() { Some(pointer) } else { None });
+    let fix = nulls.fold(fix, |fix, pointer| fix.step(&file.path, Change::Value { pointer, text: None }));
+    fix.step(&target.path, Change::Remove)
 }
 
 fn moves_nothing(file: &FileFacts) -> bool {

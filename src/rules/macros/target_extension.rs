@@ -2,8 +2,9 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::links::{has_suffix, links};
-use crate::diag::{Application, Evidence, Finding, FixKind, Level, Place, RuleInfo};
-use crate::repo::{Base, Repository};
+use crate::diag::{Application, Change, Evidence, Finding, Fix, FixKind, Level, Place, RuleInfo};
+use crate::formats::macro_json::{Link, Macrodef};
+use crate::repo::{Base, FileFacts, Repository};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -37,11 +38,34 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
         let (message, help) = if text.is_empty() {
             (format!("`t` of `{}` is empty{more}", first.name), "write `null` where nothing should change".to_owned())
         } else {
-            let without = text.trim_end_matches(".gz").trim_end_matches(".target");
+            let without = without_suffix(text);
             (format!("`{text}` ends in a suffix{more}"), format!("write `{without}`"))
         };
         let finding = RULE.at(file, Place::Pointer(macrodef.link_pointer(first, "t")), message).help(help);
         let evidence = Evidence::of_cases(wrong.iter().map(|link| &link.name)).out_of(macrodef.links.len());
-        out.push(finding.key(macrodef.components.join("-")).evidence(evidence));
+        let fix = fix(base, file, macrodef, &wrong);
+        out.push(finding.key(macrodef.components.join("-")).evidence(evidence).fix(fix));
     }
+}
+
+/// Takes the suffix off where that leads to a file, and writes `null` for an empty text.
+fn fix(base: &Base<'_>, file: &FileFacts, macrodef: &Macrodef, wrong: &[&Link]) -> Fix {
+    let exists = |name: &str| {
+        let folder = macrodef.effective_folder.as_deref();
+        let name = folder.map_or_else(|| name.to_owned(), |folder| format!("{folder}/{name}"));
+        base.targets.is_some_and(|targets| targets.target(&name).is_some())
+    };
+    let mut fix = Fix::new(RULE.info.fix, "remove the suffix, or write `null` for an empty text");
+    for link in wrong {
+        let text = Some(without_suffix(link.target.as_deref().unwrap_or_default())).filter(|text| !text.is_empty());
+        if text.is_none_or(exists) {
+            let pointer = macrodef.link_pointer(link, "t");
+            fix = fix.step(&file.path, Change::Value { pointer, text: text.map(str::to_owned) });
+        }
+    }
+    fix
+}
+
+fn without_suffix(text: &str) -> &str {
+    text.trim_end_matches(".gz").trim_end_matches(".target")
 }

@@ -1,8 +1,8 @@
 //! A target names each vertex once.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{first_row, targets};
-use crate::diag::{Application, Finding, FixKind, Level, RuleInfo};
+use super::{first_row, is_archived, targets};
+use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Rewrite, RuleInfo};
 use crate::repo::Layer;
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -26,9 +26,14 @@ fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 format!("{count} rows name a vertex again, the first vertex {index}; only the last row of each counts")
             }
         };
+        let mut fix = Fix::new(RULE.info.fix, "keep the last row of each vertex, the one that MakeHuman 2 applies");
+        if !is_archived(layer, file) {
+            fix = fix.step(&file.path, Change::Rewrite(Rewrite::KeepLastRows));
+        }
         out.push(
             RULE.at(file, first_row(&facts.duplicate), message)
                 .help("keep one row for each vertex")
+                .fix(fix)
                 .evidence(facts.duplicate.evidence(facts.rows)),
         );
     }

@@ -60,6 +60,11 @@ fn target_folder(file: &FileFacts) -> &str {
     file.rel.get(..end).unwrap_or(&file.rel)
 }
 
+/// Whether a binary archive stands for the target; a changed text would no longer be what the application loads.
+fn is_archived(layer: &Layer, file: &FileFacts) -> bool {
+    layer.file(&format!("{}/compressedtargets.npz", target_folder(file))).is_some()
+}
+
 /// The folder of a path, empty at the top.
 fn parent(rel: &str) -> &str {
     rel.rsplit_once('/').map_or("", |(folder, _)| folder)

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
-use super::{counted, first_row, target_folder, targets};
-use crate::diag::{Application, EXAMPLES, Evidence, Finding, FixKind, Level, RuleInfo};
+use super::{counted, first_row, is_archived, target_folder, targets};
+use crate::diag::{Application, Change, EXAMPLES, Evidence, Finding, Fix, FixKind, Level, Rewrite, RuleInfo};
 use crate::formats::target::TargetFacts;
 use crate::repo::{FileFacts, Layer};
 
@@ -41,8 +41,15 @@ fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 })
             }
         };
-        out.push(finding.help("the rows can be removed"));
+        out.push(finding.help("the rows can be removed").fix(fix(layer, &found)));
     }
+}
+
+/// A zero may be the last row of a vertex that is named twice; those targets wait until that is mended.
+fn fix(layer: &Layer, found: &[(&FileFacts, &TargetFacts)]) -> Fix {
+    let plain = found.iter().filter(|(file, facts)| facts.duplicate.count == 0 && !is_archived(layer, file));
+    let fix = Fix::new(RULE.info.fix, "remove the rows");
+    plain.fold(fix, |fix, (file, _)| fix.step(&file.path, Change::Rewrite(Rewrite::DropZeroRows)))
 }
 
 fn one_file(layer: &Layer, file: &FileFacts, facts: &TargetFacts) -> Finding {

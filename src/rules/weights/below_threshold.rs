@@ -3,15 +3,18 @@
 use super::super::{Check, Rule, RuleCx};
 use super::loss::noticeable_loss;
 use super::{has_unusable_entries, pair_place};
-use crate::diag::{Application, Finding, Level, RuleInfo};
+use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Rewrite, RuleInfo};
 use crate::repo::{Base, Repository};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
+        fix: FixKind::Safe,
         breaks: &[(Application::Makehuman2, "drops the entry: it keeps weights above 0.0001 only")],
         docs: "After dividing by the sum of a vertex, MakeHuman keeps weights above 0.0001. Smaller ones, zeros \
             among them, only make the file larger; their share is not given to the other bones.\n\nRemove the \
-            entries. What is lost so much of that it can be seen is `weights-lost-after-threshold`.",
+            entries. Then the other bones of the vertex get their share, at most 0.0001 for each; a bone that \
+            nothing is left of goes, too. What is lost so much of that it can be seen is \
+            `weights-lost-after-threshold`.",
         ..RuleInfo::new("weights-below-threshold", Level::Info, "a weight is too small to have an effect")
     },
     check: Check::Base(run),
@@ -31,6 +34,9 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut 
                 weights.facts.pairs
             ),
         };
-        out.push(RULE.at(file, place, message).help("remove them").evidence(tally.evidence(weights.facts.pairs)));
+        let fix = Fix::new(RULE.info.fix, "remove the entries");
+        let fix = fix.step(&file.path, Change::Rewrite(Rewrite::DropSmallWeights));
+        let evidence = tally.evidence(weights.facts.pairs);
+        out.push(RULE.at(file, place, message).help("remove them").evidence(evidence).fix(fix));
     }
 }

@@ -1,12 +1,13 @@
 //! A bone must list a vertex once.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{pair_place, weights_files};
-use crate::diag::{Application, Finding, Level, RuleInfo};
+use super::{has_unusable_entries, pair_place, weights_files};
+use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Rewrite, RuleInfo};
 use crate::repo::Layer;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
+        fix: FixKind::Safe,
         breaks: &[(
             Application::Makehuman2,
             "uses only one of the two shares in pose mode: the vertex lacks the other and is pulled towards the \
@@ -15,7 +16,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
         docs: "A bone lists a vertex once.\n\nMakeHuman 2 does not merge two entries of one vertex: both count for \
             the sum that it divides by, but posing uses one of them. The missing share pulls the vertex towards \
             the origin. (MakeHuman 1, and the transfer of weights to clothes, add the entries.)\n\nReplace the \
-            entries by one with their sum.",
+            entries by one with their sum. Where the weights of the vertex then do not add up to 1, the fix divides \
+            them by their sum, as the loader does.",
         ..RuleInfo::new("weights-duplicate-vertex", Level::Warning, "a bone lists a vertex twice")
     },
     check: Check::Layer(run),
@@ -30,6 +32,11 @@ fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             count => format!("{count} entries list a vertex again, the first is vertex {vertex} of bone `{bone}`"),
         };
         let finding = RULE.at(file, place, message).help("replace the entries by one with the sum of their weights");
-        out.push(finding.evidence(tally.evidence(weights.facts.pairs)));
+        let mut fix = Fix::new(RULE.info.fix, "replace the entries by one with their sum");
+        // What a negative or malformed entry beside them should have been changes the sum.
+        if weights.facts.negative.count == 0 && !has_unusable_entries(weights) {
+            fix = fix.step(&file.path, Change::Rewrite(Rewrite::MergeWeights));
+        }
+        out.push(finding.evidence(tally.evidence(weights.facts.pairs)).fix(fix));
     }
 }

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use super::super::{Check, Rule, RuleCx};
 use super::has_unusable_entries;
-use crate::diag::{Application, Evidence, Finding, FixKind, Level, Place, RuleInfo};
+use crate::diag::{Application, Change, Evidence, Finding, Fix, FixKind, Level, Place, Rewrite, RuleInfo};
 use crate::formats::mhw::FAR_SUMS;
 use crate::formats::obj::Mesh;
 use crate::repo::{Base, Repository};
@@ -19,7 +19,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
             (`info`); an exporter or engine that reads the file itself may not do so. A sum within 0.0001 of 1 \
             counts as 1. Vertices without any weight, and such with a negative, infinite, too large or repeated \
             entry, have rules of their own and are not counted here.\n\nNormalise the weights in the tool that \
-            painted them.",
+            painted them. The fix writes the numbers that MakeHuman 2 gets when it divides, with as many decimals \
+            as that takes (seven to nine), and leaves all other vertices as they are.",
         ..RuleInfo::new("weights-not-normalized", Level::Info, "the weights of a vertex do not add up to 1")
     },
     check: Check::Base(run),
@@ -51,7 +52,9 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
         let mut evidence =
             Evidence::of_cases(&sums.first).out_of(vertices).with_worst(f64::from(sum), format!("vertex {vertex}"));
         evidence.count = sums.off;
-        out.push(RULE.at(file, Place::pointer(["weights"]), message).help(help).evidence(evidence));
+        let fix = Fix::new(RULE.info.fix, "divide the weights of these vertices by their sum");
+        let fix = fix.step(&file.path, Change::Rewrite(Rewrite::NormalizeWeights));
+        out.push(RULE.at(file, Place::pointer(["weights"]), message).help(help).evidence(evidence).fix(fix));
     }
 }
 

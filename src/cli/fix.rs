@@ -1,0 +1,107 @@
+//! `--fix` and `--diff`: what can be mended is mended on disk, or shown.
+
+use std::collections::BTreeMap;
+use std::io::{IsTerminal, Write};
+use std::path::PathBuf;
+
+use super::exit::Failure;
+use super::terminal::Terminal;
+use crate::config::Config;
+use crate::engine::{self, Mended, Outcome, mendable};
+use crate::fix::{FileChange, unified, unpack, write_all};
+use crate::report::{Paint, count, printable};
+use crate::source::Limits;
+
+/// Options of `check` that mend.
+#[derive(Debug, Clone, Copy, Default, clap::Args)]
+pub(super) struct FixArgs {
+    /// Mend what can be mended without a person, then report what remains.
+    #[arg(long, group = "mending")]
+    fix: bool,
+    /// Show what --fix would change as a diff, and change nothing; exit code 1 if there is something.
+    #[arg(long, group = "mending", conflicts_with = "reports")]
+    pub(super) diff: bool,
+    /// With --fix or --diff: also fixes that may change more than the fault.
+    #[arg(long, requires = "mending")]
+    unsafe_fixes: bool,
+}
+
+/// A run, and what it mended.
+pub(super) struct Checked {
+    pub(super) outcome: Outcome,
+    /// Rules of the findings that are mended.
+    fixed: Vec<&'static str>,
+    changes: Vec<FileChange>,
+}
+
+/// Judges, and mends if that was asked for; with `--diff` in memory only.
+pub(super) fn check(paths: &[PathBuf], options: &Config, args: FixArgs) -> Result<Checked, engine::Error> {
+    if !args.fix && !args.diff {
+        let outcome = engine::lint(paths, options)?;
+        return Ok(Checked { outcome, fixed: Vec::new(), changes: Vec::new() });
+    }
+    let Mended { outcome, fixed, changes } = engine::mend(paths, options, args.unsafe_fixes)?;
+    Ok(Checked { outcome, fixed, changes })
+}
+
+impl Checked {
+    /// Brings the changes to disk.
+    pub(super) fn write(&self) -> Result<(), Failure> {
+        write_all(&self.changes).map_err(|error| Failure::Usage(printable(&error.to_string())))
+    }
+
+    /// Shows the changes. Gives whether there are any.
+    pub(super) fn show(&self, terminal: Terminal, out: &mut dyn Write) -> Result<bool, Failure> {
+        for change in &self.changes {
+            let text = |stored: &[u8]| unpack(stored, &Limits::default()).unwrap_or_default();
+            let after = change.after.as_deref().map(text);
+            let diff = unified(&change.path, &text(&change.before), after.as_deref());
+            if std::io::stdout().is_terminal() {
+                write_painted(&diff, Paint { color: terminal.color }, out)?;
+            } else {
+                out.write_all(&diff)?;
+            }
+        }
+        Ok(!self.changes.is_empty())
+    }
+
+    /// What was mended and what else could be, for standard error.
+    pub(super) fn tell(&self, args: FixArgs, err: &mut dyn Write) -> Result<(), Failure> {
+        if !args.fix && !args.diff {
+            return Ok(());
+        }
+        let files = count(self.changes.len(), "file");
+        let done = if args.fix { "fixed" } else { "would be fixed" };
+        match self.fixed.len() {
+            0 => writeln!(err, "mhlint: nothing {done}")?,
+            number => writeln!(err, "mhlint: {number} {done} in {files}: {}", by_rule(&self.fixed))?,
+        }
+        let (_, risky) = mendable(&self.outcome.findings);
+        if risky > 0 && !args.unsafe_fixes {
+            writeln!(err, "mhlint: {risky} more can be mended with --unsafe-fixes; look at --diff first")?;
+        }
+        Ok(())
+    }
+}
+
+/// `target-zero-delta (1), weights-not-normalized (2)`.
+fn by_rule(fixed: &[&'static str]) -> String {
+    let mut rules: BTreeMap<&str, usize> = BTreeMap::new();
+    fixed.iter().for_each(|rule| *rules.entry(rule).or_default() += 1);
+    rules.iter().map(|(rule, number)| format!("{rule} ({number})")).collect::<Vec<_>>().join(", ")
+}
+
+/// A diff for a person: in colour, and with nothing in it that could steer the terminal.
+fn write_painted(diff: &[u8], paint: Paint, out: &mut dyn Write) -> Result<(), Failure> {
+    for line in String::from_utf8_lossy(diff).lines() {
+        let line = printable(&line.replace('\t', "    "));
+        let painted = match line.as_bytes().first() {
+            Some(b'-') => paint.bad(&line),
+            Some(b'+') => paint.good(&line),
+            Some(b'@') => paint.hint(&line),
+            _ => line,
+        };
+        writeln!(out, "{painted}")?;
+    }
+    Ok(())
+}

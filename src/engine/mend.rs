@@ -1,0 +1,221 @@
+//! Fixes: judge, change in memory, judge again, until nothing is left that can be mended; writing comes after.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::PathBuf;
+
+use super::input::{Input, open, open_system};
+use super::outcome::{Error, Outcome};
+use super::run::lint_inputs;
+use crate::config::Config;
+use crate::diag::{Change, Edit, Finding, Fix, FixKind, Rewrite};
+use crate::fix::{FileChange, Patch, Plan, apply, is_packed, pack, real_path, unpack};
+use crate::formats::{mhw_edit, target_edit};
+use crate::json;
+use crate::source::{Limits, Tree};
+
+/// Turns at most; what still asks for fixes then is left as it is and said.
+const TURNS: usize = 20;
+
+/// What mending came to.
+#[derive(Debug, Default)]
+pub struct Mended {
+    /// What remains, judged after the last change.
+    pub outcome: Outcome,
+    /// What is mended: rules in the order of the work, one entry for each finding.
+    pub fixed: Vec<&'static str>,
+    /// Files that differ from what is on disk, by path; nothing was written.
+    pub changes: Vec<FileChange>,
+}
+
+/// Judges data roots found at `paths` and mends in memory what can be: unsafe fixes too, if `with_unsafe`.
+/// Only what would be reported is mended, never a file of the system data.
+///
+/// # Errors
+/// As [`super::lint`].
+pub fn mend(paths: &[PathBuf], options: &Config, with_unsafe: bool) -> Result<Mended, Error> {
+    let mut inputs = open(paths)?;
+    inputs.iter_mut().for_each(|input| input.tree.watch());
+    let system = options.system.as_deref().map(open_system).transpose()?;
+    let mut work =
+        Work { limits: options.limits, with_unsafe, system: options.system.clone(), judged: BTreeMap::new() };
+    let mut mended = Mended::default();
+    for turn in 0.. {
+        mended.outcome = lint_inputs(&inputs, system.as_ref(), options)?;
+        let (plan, fixed) = work.plan(&inputs, &mended.outcome);
+        if plan.is_empty() {
+            break;
+        }
+        if turn == TURNS {
+            let note = format!("fixes did not come to an end in {TURNS} turns; run mhlint again for the rest");
+            mended.outcome.notes.push(note);
+            break;
+        }
+        mended.fixed.extend(fixed);
+        for (path, patch) in plan.into_files() {
+            work.change(&mut inputs, &path, &patch);
+        }
+    }
+    mended.changes = work.changes(&inputs);
+    Ok(mended)
+}
+
+/// What is kept from turn to turn.
+struct Work {
+    limits: Limits,
+    with_unsafe: bool,
+    system: Option<PathBuf>,
+    /// What was judged first of the files that change, by printed path.
+    judged: BTreeMap<String, Judged>,
+}
+
+/// A file as it was judged first.
+struct Judged {
+    hash: u64,
+    bytes: Vec<u8>,
+    /// Place on disk and the folder it was found in.
+    file: PathBuf,
+    root: PathBuf,
+}
+
+impl Work {
+    /// The fixes that can be done together, with the rules of their findings.
+    fn plan(&self, inputs: &[Input], outcome: &Outcome) -> (Plan, Vec<&'static str>) {
+        let mut plan = Plan::default();
+        let mut fixed = Vec::new();
+        for finding in &outcome.findings {
+            if let Some(fix) = finding.fix.as_ref().filter(|fix| self.may(fix))
+                && let Some(patches) = self.patches(inputs, fix)
+                && plan.accept(patches)
+            {
+                fixed.push(finding.rule);
+            }
+        }
+        (plan, fixed)
+    }
+
+    fn may(&self, fix: &Fix) -> bool {
+        fix.kind == FixKind::Safe || self.with_unsafe
+    }
+
+    /// Byte edits of all steps; nothing if one of them cannot be done.
+    fn patches(&self, inputs: &[Input], fix: &Fix) -> Option<Vec<(String, Patch)>> {
+        let mut changes: BTreeMap<&str, Vec<&Change>> = BTreeMap::new();
+        for step in &fix.steps {
+            changes.entry(&step.path).or_default().push(&step.change);
+        }
+        let patch = |(path, changes): (&str, Vec<&Change>)| {
+            let (tree, rel) = find(inputs, path).filter(|(tree, rel)| !self.is_system(tree, rel))?;
+            if changes.iter().any(|change| matches!(change, Change::Remove)) {
+                return Some((path.to_owned(), Patch::Remove));
+            }
+            let stored = tree.read(tree.entry(rel)?, &self.limits).ok()?;
+            let text = unpack(&stored, &self.limits).ok()?;
+            Some((path.to_owned(), Patch::Edits(edits(&text, &changes)?)))
+        };
+        changes.into_iter().map(patch).collect()
+    }
+
+    /// Whether a file belongs to the system data, unless the folder that is judged lies inside of them.
+    fn is_system(&self, tree: &Tree, rel: &str) -> bool {
+        let (Some(system), Some(root)) = (self.system.as_deref().map(real_path), tree.root().map(real_path)) else {
+            return false;
+        };
+        let is_inside = root != system && root.starts_with(&system);
+        !is_inside && disk_path(tree, rel).is_some_and(|file| real_path(&file).starts_with(system))
+    }
+
+    fn change(&mut self, inputs: &mut [Input], path: &str, patch: &Patch) {
+        let Some((tree, rel)) = find(inputs, path) else { return };
+        let Some(stored) = tree.entry(rel).and_then(|entry| tree.read(entry, &self.limits).ok()) else { return };
+        let after = match patch {
+            Patch::Remove => None,
+            Patch::Edits(edits) => {
+                let Ok(text) = unpack(&stored, &self.limits) else { return };
+                let text = apply(&text, edits);
+                let Ok(stored) = (if is_packed(&stored) { pack(&text) } else { Ok(text) }) else { return };
+                Some(stored)
+            }
+        };
+        if let (Some(hash), Some(file), Some(root)) = (tree.seen(rel), disk_path(tree, rel), tree.root()) {
+            let judged = || Judged { hash, bytes: stored, file, root: root.to_owned() };
+            self.judged.entry(path.to_owned()).or_insert_with(judged);
+        }
+        for input in inputs {
+            if let Some(rel) = below(&input.tree, path).map(str::to_owned) {
+                input.tree.change(&rel, after.clone());
+            }
+        }
+    }
+
+    /// The files that differ in the end. A file that links lead to from two places changes once.
+    fn changes(self, inputs: &[Input]) -> Vec<FileChange> {
+        let mut changes: Vec<FileChange> = Vec::new();
+        let mut known = BTreeSet::new();
+        for (path, judged) in self.judged {
+            let after = find(inputs, &path).and_then(|(tree, rel)| tree.read(tree.entry(rel)?, &self.limits).ok());
+            if after.as_ref() == Some(&judged.bytes) || !known.insert(real_path(&judged.file)) {
+                continue;
+            }
+            let Judged { hash, bytes, file, root } = judged;
+            changes.push(FileChange { path, file, root, judged: hash, before: bytes, after });
+        }
+        changes
+    }
+}
+
+/// The tree that holds a file, and its path there.
+fn find<'i, 'p>(inputs: &'i [Input], path: &'p str) -> Option<(&'i Tree, &'p str)> {
+    let mut found = inputs.iter().filter_map(|input| Some((&input.tree, below(&input.tree, path)?)));
+    found.find(|(tree, rel)| tree.entry(rel).is_some())
+}
+
+fn below<'p>(tree: &Tree, path: &'p str) -> Option<&'p str> {
+    if tree.label().is_empty() { Some(path) } else { path.strip_prefix(tree.label())?.strip_prefix('/') }
+}
+
+fn disk_path(tree: &Tree, rel: &str) -> Option<PathBuf> {
+    Some(tree.root()?.join(&tree.entry(rel)?.native))
+}
+
+/// Descriptions to bytes. Nothing if one of them does not fit the text.
+fn edits(text: &[u8], changes: &[&Change]) -> Option<Vec<Edit>> {
+    let mut edits = Vec::new();
+    let mut elements = Vec::new();
+    let document = changes
+        .iter()
+        .any(|change| matches!(change, Change::Value { .. } | Change::Element(_)))
+        .then(|| json::parse(text).ok())
+        .flatten();
+    for change in changes {
+        match change {
+            Change::Value { pointer, text } => {
+                edits.push(json::set_value(document.as_ref()?, pointer, text.as_deref())?);
+            }
+            Change::Element(pointer) => elements.push(pointer.as_str()),
+            Change::Rewrite(rewrite) => edits.extend(rewritten(*rewrite, text)),
+            Change::Remove => return None,
+        }
+    }
+    if let Some(document) = document.filter(|_| !elements.is_empty()) {
+        edits.extend(json::remove_elements(text, &document, &elements));
+    }
+    Some(edits)
+}
+
+fn rewritten(rewrite: Rewrite, text: &[u8]) -> Vec<Edit> {
+    match rewrite {
+        Rewrite::DropByteOrderMark if text.starts_with(b"\xef\xbb\xbf") => vec![Edit::removal(0..3)],
+        Rewrite::DropByteOrderMark => Vec::new(),
+        Rewrite::DropZeroRows => target_edit::drop_zero_rows(text),
+        Rewrite::KeepLastRows => target_edit::keep_last_rows(text),
+        Rewrite::DropSmallWeights => mhw_edit::drop_small_weights(text),
+        Rewrite::MergeWeights => mhw_edit::merge_weights(text),
+        Rewrite::NormalizeWeights => mhw_edit::normalize_weights(text),
+    }
+}
+
+/// How many findings `--fix` alone could mend, and how many need `--unsafe-fixes`.
+pub fn mendable(findings: &[Finding]) -> (usize, usize) {
+    let of = |kind| findings.iter().filter(|one| one.fix.as_ref().is_some_and(|fix| fix.kind == kind)).count();
+    (of(FixKind::Safe), of(FixKind::Unsafe))
+}

@@ -1,0 +1,13 @@
+//! Edits to bytes to disk: what is asked for is planned, applied, shown as a difference, or written.
+//!
+//! Knows neither formats nor rules: it gets byte ranges. A file is replaced as a whole or left alone.
+
+mod diff;
+mod packed;
+mod plan;
+mod write;
+
+pub use diff::unified;
+pub use packed::{is_packed, pack, unpack};
+pub use plan::{Patch, Plan, apply};
+pub use write::{FileChange, WriteError, real_path, write_all};

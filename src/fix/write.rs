@@ -1,0 +1,262 @@
+//! Changes to disk: every file is replaced as a whole, and all are prepared before the first is.
+//!
+//! The new content goes to a hidden file in the same folder and takes the place of the old one by renaming. Killed
+//! at any moment, every file is whole, the old or the new one.
+
+use std::fmt;
+use std::fs::{self, File};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use xxhash_rust::xxh3::xxh3_64;
+
+/// A file before and after.
+#[derive(Debug, Clone)]
+pub struct FileChange {
+    /// Path as reports print it.
+    pub path: String,
+    /// Where it is.
+    pub file: PathBuf,
+    /// The folder that it must not lie outside of.
+    pub root: PathBuf,
+    /// Hash of the bytes that were judged.
+    pub judged: u64,
+    /// The bytes that were judged.
+    pub before: Vec<u8>,
+    /// The new bytes; `None` for a file that goes away.
+    pub after: Option<Vec<u8>>,
+}
+
+/// Why nothing was changed, or not everything.
+#[derive(Debug)]
+pub struct WriteError {
+    /// The file.
+    pub path: String,
+    /// What was in the way.
+    pub reason: Reason,
+}
+
+/// What keeps a file from being changed.
+#[derive(Debug)]
+pub enum Reason {
+    /// Not the bytes that were judged.
+    ChangedMeanwhile,
+    /// May not be written to.
+    ReadOnly,
+    /// A link leads out of the folder that was judged.
+    LeavesRoot,
+    /// No regular file.
+    NoFile,
+    /// What the operating system says.
+    Io(io::Error),
+}
+
+impl fmt::Display for WriteError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "cannot change `{}`: ", self.path)?;
+        match &self.reason {
+            Reason::ChangedMeanwhile => f.write_str("it was changed while it was judged; run mhlint again"),
+            Reason::ReadOnly => {
+                f.write_str("it is read-only; allow writing to it, or leave it out by naming other PATHs")
+            }
+            Reason::LeavesRoot => {
+                f.write_str("a link leads out of the data folder; give mhlint the folder it leads to")
+            }
+            Reason::NoFile => f.write_str("it is no regular file"),
+            Reason::Io(error) => write!(f, "{error}"),
+        }
+    }
+}
+
+impl std::error::Error for WriteError {}
+
+/// A new content that waits beside its file; goes away if it is not used.
+struct Prepared<'c> {
+    change: &'c FileChange,
+    /// The file itself, behind all links.
+    file: PathBuf,
+    /// The new content.
+    beside: Option<PathBuf>,
+}
+
+/// The path behind all links, or as it is where nothing is there.
+pub fn real_path(path: &Path) -> PathBuf {
+    fs::canonicalize(path).unwrap_or_else(|_| path.to_owned())
+}
+
+/// Writes all changes. Contents come first, files go away last.
+///
+/// # Errors
+/// The first file that cannot be changed. Then nothing was, unless the operating system refused a step that it
+/// had allowed a moment before.
+pub fn write_all(changes: &[FileChange]) -> Result<(), WriteError> {
+    let mut prepared = changes.iter().map(prepare).collect::<Result<Vec<_>, _>>()?;
+    prepared.sort_by_key(|one| one.beside.is_none());
+    for one in &mut prepared {
+        let failed = |reason| WriteError { path: one.change.path.clone(), reason };
+        refuse_changed(&one.file, one.change.judged).map_err(failed)?;
+        let done = match &one.beside {
+            Some(beside) => fs::rename(beside, &one.file),
+            None => fs::remove_file(&one.file),
+        };
+        done.map_err(|error| failed(Reason::Io(error)))?;
+        one.beside = None;
+        sync_folder(&one.file);
+    }
+    Ok(())
+}
+
+fn prepare(change: &FileChange) -> Result<Prepared<'_>, WriteError> {
+    let failed = |reason| WriteError { path: change.path.clone(), reason };
+    let file = real_file(change).map_err(failed)?;
+    let permissions = fs::metadata(&file).map_err(|error| failed(Reason::Io(error)))?.permissions();
+    if permissions.readonly() {
+        return Err(failed(Reason::ReadOnly));
+    }
+    refuse_changed(&file, change.judged).map_err(failed)?;
+    let mut prepared = Prepared { change, file, beside: None };
+    if let Some(bytes) = &change.after {
+        let beside = beside(&prepared.file);
+        let written = write_beside(&prepared.file, &beside, bytes, permissions);
+        prepared.beside = Some(beside);
+        written.map_err(|error| failed(Reason::Io(error)))?;
+    }
+    Ok(prepared)
+}
+
+/// The file behind all links, inside the root.
+fn real_file(change: &FileChange) -> Result<PathBuf, Reason> {
+    let file = fs::canonicalize(&change.file).map_err(Reason::Io)?;
+    let root = fs::canonicalize(&change.root).map_err(Reason::Io)?;
+    if !file.starts_with(root) {
+        return Err(Reason::LeavesRoot);
+    }
+    if file.is_file() { Ok(file) } else { Err(Reason::NoFile) }
+}
+
+fn refuse_changed(file: &Path, judged: u64) -> Result<(), Reason> {
+    let bytes = fs::read(file).map_err(Reason::Io)?;
+    if xxh3_64(&bytes) == judged { Ok(()) } else { Err(Reason::ChangedMeanwhile) }
+}
+
+/// Hidden, so that no walk over the data takes it for an asset should it be left behind.
+fn beside(file: &Path) -> PathBuf {
+    let name = file.file_name().unwrap_or_default().to_string_lossy();
+    file.with_file_name(format!(".{name}.mhlint-{}", std::process::id()))
+}
+
+fn write_beside(file: &Path, beside: &Path, bytes: &[u8], permissions: fs::Permissions) -> io::Result<()> {
+    // What an earlier process of this number left behind, or somebody put there, is not written into.
+    let _ = fs::remove_file(beside);
+    let mut out = File::create_new(beside)?;
+    out.write_all(bytes)?;
+    keep_owner(file, beside);
+    out.set_permissions(permissions)?;
+    out.sync_all()
+}
+
+/// Owner and group stay where that is allowed; only an administrator changes files of others.
+#[cfg(unix)]
+fn keep_owner(file: &Path, beside: &Path) {
+    use std::os::unix::fs::{MetadataExt, chown};
+    if let Ok(metadata) = fs::metadata(file) {
+        let _ = chown(beside, Some(metadata.uid()), Some(metadata.gid()));
+    }
+}
+
+#[cfg(not(unix))]
+fn keep_owner(_: &Path, _: &Path) {}
+
+/// The new name is on disk only when its folder is. Where folders cannot be opened, the system sees to it.
+fn sync_folder(file: &Path) {
+    if let Some(folder) = file.parent()
+        && let Ok(folder) = File::open(folder)
+    {
+        let _ = folder.sync_all();
+    }
+}
+
+impl Drop for Prepared<'_> {
+    fn drop(&mut self) {
+        if let Some(beside) = &self.beside {
+            // What is left behind is hidden and harmless.
+            let _ = fs::remove_file(beside);
+        }
+    }
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use std::os::unix::fs::{PermissionsExt, symlink};
+
+    use super::*;
+
+    fn change(root: &Path, name: &str, before: &str, after: Option<&str>) -> FileChange {
+        FileChange {
+            path: name.to_owned(),
+            file: root.join(name),
+            root: root.to_owned(),
+            judged: xxh3_64(before.as_bytes()),
+            before: before.as_bytes().to_vec(),
+            after: after.map(|text| text.as_bytes().to_vec()),
+        }
+    }
+
+    fn folder(files: &[(&str, &str)]) -> tempfile::TempDir {
+        let folder = tempfile::tempdir().unwrap();
+        files.iter().for_each(|(name, text)| fs::write(folder.path().join(name), text).unwrap());
+        folder
+    }
+
+    fn content(root: &Path) -> Vec<(String, String)> {
+        let entries = fs::read_dir(root).unwrap().map(|entry| entry.unwrap().path());
+        let name = |path: &Path| path.file_name().unwrap().to_str().unwrap().to_owned();
+        let mut all: Vec<_> = entries.map(|path| (name(&path), fs::read_to_string(&path).unwrap())).collect();
+        all.sort();
+        all
+    }
+
+    fn texts(files: &[(&str, &str)]) -> Vec<(String, String)> {
+        files.iter().map(|(name, text)| ((*name).to_owned(), (*text).to_owned())).collect()
+    }
+
+    #[test]
+    fn files_are_replaced_and_removed_and_keep_their_mode() {
+        let folder = folder(&[("a", "old"), ("b", "gone")]);
+        let root = folder.path();
+        fs::set_permissions(root.join("a"), fs::Permissions::from_mode(0o640)).unwrap();
+        write_all(&[change(root, "b", "gone", None), change(root, "a", "old", Some("new"))]).unwrap();
+        assert_eq!(content(root), texts(&[("a", "new")]));
+        assert_eq!(fs::metadata(root.join("a")).unwrap().permissions().mode() & 0o777, 0o640);
+    }
+
+    #[test]
+    fn one_file_in_the_way_leaves_all_as_they_were() {
+        let before = [("a", "old"), ("b", "other")];
+        let folder = folder(&before);
+        let root = folder.path();
+        let first = change(root, "a", "old", Some("new"));
+        let changed = write_all(&[first.clone(), change(root, "b", "judged", Some("x"))]).unwrap_err();
+        assert!(changed.to_string().contains("`b`: it was changed while it was judged"), "{changed}");
+        fs::set_permissions(root.join("b"), fs::Permissions::from_mode(0o444)).unwrap();
+        let read_only = write_all(&[first, change(root, "b", "other", Some("x"))]).unwrap_err();
+        assert!(read_only.to_string().contains("`b`: it is read-only"), "{read_only}");
+        assert_eq!(content(root), texts(&before));
+    }
+
+    #[test]
+    fn links_are_followed_inside_the_root_only() {
+        let folder = folder(&[("outside", "old")]);
+        let root = folder.path().join("root");
+        fs::create_dir(&root).unwrap();
+        fs::write(root.join("a"), "old").unwrap();
+        symlink("a", root.join("link")).unwrap();
+        symlink("../outside", root.join("out")).unwrap();
+        write_all(&[change(&root, "link", "old", Some("new"))]).unwrap();
+        assert!(fs::symlink_metadata(root.join("link")).unwrap().is_symlink());
+        assert_eq!(fs::read_to_string(root.join("a")).unwrap(), "new");
+        let leaves = write_all(&[change(&root, "out", "old", Some("new"))]).unwrap_err();
+        assert!(leaves.to_string().contains("leads out of the data folder"), "{leaves}");
+        assert_eq!(fs::read_to_string(folder.path().join("outside")).unwrap(), "old");
+    }
+}

@@ -1,0 +1,115 @@
+//! Rows taken out of a `.target`, whole lines with their line ends; every other byte stays as it is.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+use super::fields::fields;
+use super::{python_float, python_int};
+use crate::diag::Edit;
+
+/// A row that the loader takes for data, and the bytes of its line.
+struct Row {
+    line: Range<usize>,
+    index: i64,
+    is_zero: bool,
+}
+
+/// Takes out rows that move nothing. Rows of a vertex that is named again stay: the last one counts.
+pub fn drop_zero_rows(text: &[u8]) -> Vec<Edit> {
+    let rows = rows(text);
+    let mut seen: BTreeMap<i64, u32> = BTreeMap::new();
+    rows.iter().for_each(|row| *seen.entry(row.index).or_default() += 1);
+    let gone = rows.into_iter().filter(|row| row.is_zero && seen.get(&row.index) == Some(&1));
+    gone.map(|row| Edit::removal(row.line)).collect()
+}
+
+/// Takes out all rows of a vertex but the last, which is the one that counts.
+pub fn keep_last_rows(text: &[u8]) -> Vec<Edit> {
+    let rows = rows(text);
+    let last: BTreeMap<i64, usize> = rows.iter().enumerate().map(|(at, row)| (row.index, at)).collect();
+    let gone = rows.into_iter().enumerate().filter(|(at, row)| last.get(&row.index) != Some(at));
+    gone.map(|(_, row)| Edit::removal(row.line)).collect()
+}
+
+fn rows(text: &[u8]) -> Vec<Row> {
+    let mut rows = Vec::new();
+    let mut start = 0;
+    while start < text.len() {
+        let rest = text.get(start..).unwrap_or_default();
+        let end = rest.iter().position(|byte| matches!(byte, b'\n' | b'\r')).unwrap_or(rest.len());
+        let line_end = if rest.get(end..end + 2) == Some(b"\r\n") { 2 } else { 1 };
+        let next = (start + end + line_end).min(text.len());
+        if let Some((index, is_zero)) = row(rest.get(..end).unwrap_or_default()) {
+            rows.push(Row { line: start..next, index, is_zero });
+        }
+        start = next;
+    }
+    rows
+}
+
+/// Index of a row, and whether it moves nothing. As float32: what is too small for the application is zero, too.
+fn row(line: &[u8]) -> Option<(i64, bool)> {
+    let fields = fields(line);
+    let [(_, index), deltas @ ..] = fields.as_slice() else { return None };
+    if deltas.len() != 3 || index.starts_with(b"#") {
+        return None;
+    }
+    let index = python_int(index)?;
+    let mut is_zero = true;
+    for (_, delta) in deltas {
+        #[expect(clippy::cast_possible_truncation, reason = "stored as float32, as the application does")]
+        let delta = python_float(delta)? as f32;
+        is_zero &= delta == 0.0;
+    }
+    Some((index, is_zero))
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::formats::target;
+
+    fn edited(text: &str, edits: Vec<Edit>) -> String {
+        let mut bytes = text.as_bytes().to_vec();
+        edits.into_iter().rev().for_each(|edit| drop(bytes.splice(edit.range, edit.text)));
+        String::from_utf8(bytes).unwrap()
+    }
+
+    #[test]
+    fn whole_lines_go_and_all_others_stay() {
+        let text = "# a 0 0\r\n1 0 0 0\r\n  2  0 .1 0\n3 0.0 -0 1e-60\r\r4 0 0 0 x\n5 0 0 nan\n6 0 0 0";
+        let expected = "# a 0 0\r\n  2  0 .1 0\n\r4 0 0 0 x\n5 0 0 nan\n";
+        assert_eq!(edited(text, drop_zero_rows(text.as_bytes())), expected);
+    }
+
+    #[test]
+    fn a_zero_that_undoes_an_earlier_row_stays() {
+        let text = "1 0 .1 0\n2 0 0 0\n1 0 0 0\n";
+        assert_eq!(edited(text, drop_zero_rows(text.as_bytes())), "1 0 .1 0\n1 0 0 0\n");
+    }
+
+    #[test]
+    fn the_last_row_of_a_vertex_stays() {
+        let text = "1 0 .1 0\n2 0 .1 0\n+1 0 .2 0\n1 0 .3 0";
+        assert_eq!(edited(text, keep_last_rows(text.as_bytes())), "2 0 .1 0\n1 0 .3 0");
+    }
+
+    proptest! {
+        #[test]
+        fn the_parser_agrees(text in "([0-3] (0|-0|\\.1|x) 0 0(\n|\r|\r\n| 1\n)|# 0 0 0\n| ?\n){0,12}") {
+            let parsed = |text: &str| target::parse(text.as_bytes(), None);
+            let single = edited(&text, keep_last_rows(text.as_bytes()));
+            prop_assert_eq!(parsed(&single).facts.duplicate.count, 0);
+            let last = |text: &str| -> BTreeMap<u32, String> {
+                parsed(text).rows.iter().map(|row| (row.index, format!("{:?}", row.delta))).collect()
+            };
+            prop_assert_eq!(last(&single), last(&text));
+            let moving = edited(&single, drop_zero_rows(single.as_bytes()));
+            prop_assert_eq!(parsed(&moving).facts.zero.count, 0);
+            prop_assert_eq!(parsed(&moving).facts.moving, parsed(&single).facts.moving);
+            prop_assert_eq!(parsed(&moving).facts.unreadable_rows, parsed(&text).facts.unreadable_rows);
+        }
+    }
+}

@@ -1,0 +1,114 @@
+//! Changes of a JSON text that leave every other byte as it is: a value, elements of a list.
+
+use std::ops::Range;
+
+use super::{Document, Node};
+use crate::diag::Edit;
+
+/// Puts a text, or `null`, in the place of the value at `pointer`.
+pub fn set_value(document: &Document, pointer: &str, text: Option<&str>) -> Option<Edit> {
+    let node = document.at(pointer)?;
+    let value = text.map_or(serde_json::Value::Null, Into::into).to_string();
+    (node.as_str() != text).then(|| Edit::replacement(node.span.clone(), value))
+}
+
+/// Takes the elements at `pointers` out of their lists.
+pub fn remove_elements(text: &[u8], document: &Document, pointers: &[&str]) -> Vec<Edit> {
+    let mut by_list: std::collections::BTreeMap<&str, Vec<usize>> = std::collections::BTreeMap::new();
+    for (list, position) in pointers.iter().filter_map(|pointer| pointer.rsplit_once('/')) {
+        by_list.entry(list).or_default().extend(position.parse::<usize>());
+    }
+    let lists = by_list.into_iter().filter_map(|(pointer, gone)| Some((document.at(pointer)?, gone)));
+    lists.flat_map(|(list, gone)| removals(text, list, &spans(list), &|at| gone.contains(&at))).collect()
+}
+
+fn spans(list: &Node) -> Vec<Range<usize>> {
+    list.elements().iter().map(|element| element.span.clone()).collect()
+}
+
+/// Takes parts out of a list or object: the parts at the positions that `gone` names, with one comma each.
+///
+/// A part that shares its line with the one before leaves that line; a part alone on its lines takes them along.
+pub fn removals(text: &[u8], whole: &Node, parts: &[Range<usize>], gone: &dyn Fn(usize) -> bool) -> Vec<Edit> {
+    let kept = (0..parts.len()).filter(|at| !gone(*at)).count();
+    if kept == 0 && !parts.is_empty() {
+        return vec![Edit::removal(whole.span.start + 1..whole.span.end.saturating_sub(1))];
+    }
+    let mut edits = Vec::new();
+    let mut at = 0;
+    while at < parts.len() {
+        let end = (at..parts.len()).find(|at| !gone(*at)).unwrap_or(parts.len());
+        edits.extend(run_removal(text, parts, at..end));
+        at = end.max(at) + 1;
+    }
+    edits
+}
+
+/// Takes neighbouring parts out; others remain.
+fn run_removal(text: &[u8], parts: &[Range<usize>], run: Range<usize>) -> Option<Edit> {
+    let first = parts.get(run.start).filter(|_| !run.is_empty())?;
+    let last = parts.get(run.end.checked_sub(1)?)?;
+    let before = run.start.checked_sub(1).and_then(|at| parts.get(at));
+    let shares_line = |before: &Range<usize>| {
+        text.get(before.end..first.start)
+            .is_some_and(|between| !between.iter().any(|byte| matches!(byte, b'\n' | b'\r')))
+    };
+    match (before, parts.get(run.end)) {
+        (Some(before), Some(_)) if shares_line(before) => Some(Edit::removal(before.end..last.end)),
+        (_, Some(next)) => Some(Edit::removal(first.start..next.start)),
+        (Some(before), None) => Some(Edit::removal(before.end..last.end)),
+        (None, None) => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::json::parse;
+
+    fn edited(text: &str, mut edits: Vec<Edit>) -> String {
+        edits.sort_by_key(|edit| std::cmp::Reverse(edit.range.start));
+        let mut bytes = text.as_bytes().to_vec();
+        for edit in edits {
+            bytes.splice(edit.range, edit.text);
+        }
+        String::from_utf8(bytes).unwrap()
+    }
+
+    fn without(text: &str, pointers: &[&str]) -> String {
+        edited(text, remove_elements(text.as_bytes(), &parse(text.as_bytes()).unwrap(), pointers))
+    }
+
+    #[test]
+    fn a_value_changes_and_its_surroundings_do_not() {
+        let text = "{ \"a\" : [ \"x\\\\y\",1.50 ] }";
+        let document = parse(text.as_bytes()).unwrap();
+        let set = |value| edited(text, set_value(&document, "/a/0", value).into_iter().collect());
+        assert_eq!(set(Some("x/y")), "{ \"a\" : [ \"x/y\",1.50 ] }");
+        assert_eq!(set(Some("\"")), "{ \"a\" : [ \"\\\"\",1.50 ] }");
+        assert_eq!(set(None), "{ \"a\" : [ null,1.50 ] }");
+        assert_eq!(set(Some("x\\y")), text, "nothing to do");
+    }
+
+    #[test]
+    fn elements_on_one_line_leave_it() {
+        assert_eq!(without("[1, 2,  3]", &["/0"]), "[2,  3]");
+        assert_eq!(without("[1, 2,  3]", &["/1"]), "[1,  3]");
+        assert_eq!(without("[1, 2,  3]", &["/2", "/1"]), "[1]");
+        assert_eq!(without("[1, 2,  3]", &["/2", "/0"]), "[2]");
+        assert_eq!(without("[ 1 ]", &["/0"]), "[]");
+    }
+
+    #[test]
+    fn elements_take_their_own_lines_along() {
+        assert_eq!(without("[\n  1,\n  2,\n  3\n]", &["/1"]), "[\n  1,\n  3\n]");
+        assert_eq!(without("[\n  1,\n  2,\n  3\n]", &["/2"]), "[\n  1,\n  2\n]");
+        assert_eq!(without("[\n  1, 2,\n  3, 4\n]", &["/1"]), "[\n  1,\n  3, 4\n]");
+        assert_eq!(without("[\n  1, 2,\n  3, 4\n]", &["/2"]), "[\n  1, 2,\n  4\n]");
+    }
+
+    #[test]
+    fn what_is_not_there_is_left_alone() {
+        assert_eq!(without("[1]", &["/7", "/x", "/0/0", ""]), "[1]");
+    }
+}
