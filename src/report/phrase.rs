@@ -187,7 +187,7 @@ mod tests {
             finding = finding.related("b", Place::File, "there");
         }
         assert_eq!(lines(&finding).len(), RELATED + 1);
-        assert!(plain(&finding).ends_with("see: 2 places more"));
+        assert!(plain(&finding).ends_with("see: 2 more places"));
     }
 
     #[test]
