@@ -23,14 +23,14 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         Resolution::Backslash(file) => Some(key(file.is_some()).to_owned()),
         _ => None,
     }) {
-        let exists = cause.key == key(true);
-        let finding = cause.finding(&RULE, |reference| {
+        let exists = cause.key.starts_with(key(true));
+        let finding = cause.finding(&RULE, |text| {
             let also = if exists { "" } else { "; with `/` there is no such file either" };
-            format!("`{}` is separated by backslashes{also}", reference.text)
+            format!("`{text}` is separated by backslashes{also}")
         });
         let (Some(finding), Some(first)) = (finding, cause.references.first()) else { continue };
         let level = if exists { Level::Warning } else { finding.level };
-        let slashed = first.text.replace('\\', "/");
+        let slashed = cause.text().replace('\\', "/");
         out.push(
             finding
                 .level(level)

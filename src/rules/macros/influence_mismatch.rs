@@ -1,11 +1,11 @@
 //! `macro_influence` should be the macro definitions that really read the slider.
 
 use super::super::{Check, Rule, RuleCx};
-use super::component::{patterns, unknown_patterns};
+use super::component::{is_sound, patterns, unknown_patterns};
 use super::judgeable::clear_space;
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::formats::macro_json::{MacroFile, Macrodef};
-use crate::repo::{Base, FileFacts, Pattern, Repository};
+use crate::repo::{Base, BoundSlider, FileFacts, Pattern, Repository};
 use std::collections::BTreeSet;
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -31,6 +31,11 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
     let Some((file, macros)) = base.macro_file() else { return };
     let unsure: BTreeSet<i64> =
         macros.macrodefs.iter().filter(|macrodef| is_unsure(base, (file, macros), macrodef)).map(index).collect();
+    // An index beyond the last definition may mean that one was removed: then all behind it are off by one.
+    let last = i64::try_from(macros.macrodefs.len()).unwrap_or(i64::MAX);
+    if base.sliders.iter().any(|bound| bound.slider.macro_influence.iter().flatten().any(|at| *at == last)) {
+        return;
+    }
     for bound in &base.sliders {
         let names = match &bound.pattern {
             Pattern::Macro(_) | Pattern::Barycentric(_) => bound.pattern.names(),
@@ -38,11 +43,10 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
         };
         // An empty list is a fault of another kind, and so are indices out of range.
         let listed: BTreeSet<i64> = bound.slider.macro_influence.iter().flatten().copied().collect();
-        if listed.is_empty() || is_only_in_unused(macros, names) {
+        if listed.is_empty() || is_only_in_unused(macros, names) || is_misshapen(bound) {
             continue;
         }
         let used: BTreeSet<i64> = macros.macrodefs.iter().filter(|m| reads(macros, m, names)).map(index).collect();
-        let last = i64::try_from(macros.macrodefs.len()).unwrap_or(i64::MAX);
         let missing: Vec<i64> = used.difference(&listed).copied().filter(|at| !unsure.contains(at)).collect();
         let superfluous = listed.difference(&used).copied();
         let superfluous: Vec<i64> = superfluous.filter(|at| (0..last).contains(at) && !unsure.contains(at)).collect();
@@ -56,6 +60,12 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
         let finding = RULE.at(bound.file, Place::pointer([key, "macro_influence"]), message).key(key);
         out.push(finding.help(format!("the macrodefs that read the slider are [{right}]")));
     }
+}
+
+/// Whether the schema refuses an element of the list, or the list.
+fn is_misshapen(bound: &BoundSlider<'_>) -> bool {
+    let key = bound.slider.key.replace('~', "~0").replace('/', "~1");
+    !is_sound(bound.file, &format!("/{key}/macro_influence"))
 }
 
 fn index(macrodef: &Macrodef) -> i64 {

@@ -7,6 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::combination_patterns::is_walkable;
 use super::space::{Combination, Space};
+use super::spelled::Spelled;
 use crate::diag::nearest;
 use crate::formats::macro_json::{Link, Macrodef};
 
@@ -61,6 +62,7 @@ impl<'a> Listing<'a> {
         let free = if unknown.is_empty() || unknown.len() > COMPARED { Vec::new() } else { free_names(space, &found) };
         let stranger = |link: &'a Link| {
             let (slip, intended) = slip(space, &found, &link.name);
+            let intended = intended.or_else(|| by_file(space, &found, link));
             let intended = intended.or_else(|| space.parse(nearest(&link.name, free.iter().map(String::as_str))?));
             Stranger { link, slip, intended }
         };
@@ -68,6 +70,13 @@ impl<'a> Listing<'a> {
         claimed.extend(strangers.iter().filter_map(|stranger| stranger.intended.clone()));
         Self { found, strangers, claimed }
     }
+}
+
+/// The combination that the words of the name spell, and where they leave something open those of the file.
+fn by_file(space: &Space<'_>, found: &BTreeMap<Combination, &Link>, link: &Link) -> Option<Combination> {
+    let file = link.target.as_deref()?.rsplit('/').next()?;
+    let combination = Spelled::of(space, &link.name).completed(&Spelled::of(space, file))?;
+    (!found.contains_key(&combination)).then_some(combination)
 }
 
 /// Names without an entry, if they are few enough to be compared.

@@ -7,7 +7,10 @@ mod fit;
 mod judgeable;
 mod links;
 mod listing;
+mod misspelt_value;
 mod space;
+mod spelled;
+mod survey;
 
 pub(super) mod alias_suspect;
 pub(super) mod ambiguous_value;

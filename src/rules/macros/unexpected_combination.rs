@@ -2,12 +2,13 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::judgeable::judged_space;
+use super::misspelt_value::{MisspeltValue, misspelt_values};
 use super::listing::{Listing, Slip, Stranger};
 use super::space::Space;
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
-use crate::formats::macro_json::{MacroFile, Macrodef};
+use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
+use crate::formats::macro_json::{Component, MacroFile, Macrodef};
 use crate::repo::{Base, FileFacts, Repository};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -31,14 +32,23 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };
+    let misspelt = misspelt_values(file, macros);
+    out.extend(misspelt.iter().map(|value| finding_on_value(file, value)));
     for macrodef in &macros.macrodefs {
         if macrodef.components.is_empty() {
             out.extend(without_components(file, macrodef));
         }
         let Some(space) = judged_space(file, macros, macrodef) else { continue };
         let listing = Listing::of(&space, macrodef);
+        if let Some(finding) = other_component(file, macros, macrodef, (&space, &listing)) {
+            out.push(finding);
+            continue;
+        }
         let mut groups: BTreeMap<(Option<usize>, Slip), Vec<&Stranger<'_>>> = BTreeMap::new();
         for stranger in &listing.strangers {
+            if misspelt.iter().any(|value| value.explains(&space, &stranger.slip)) {
+                continue;
+            }
             let home = home(macros, macrodef, &stranger.link.name);
             groups.entry((home, stranger.slip.clone())).or_default().push(stranger);
         }
@@ -66,6 +76,48 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
             out.push(finding.evidence(Evidence::of_cases(names).out_of(macrodef.links.len())));
         }
     }
+}
+
+/// A value that no name has: the fault is in the component, not in the names.
+fn finding_on_value(file: &FileFacts, value: &MisspeltValue<'_>) -> Finding {
+    let (written, token, component) = (value.written(), &value.token, &value.component.name);
+    let count = value.names.len();
+    let message = format!("no combination has the value `{written}` of `{component}`: {count} names have `{token}`");
+    let place = Place::pointer(["components", component, "values", &value.value.to_string()]);
+    let mut finding = RULE.at(file, place, message).key(format!("{component}/{written}"));
+    finding = finding.help(format!("did you mean `{token}`?"));
+    let mut seen = BTreeSet::new();
+    for (macrodef, link) in value.names.iter().filter(|(macrodef, _)| seen.insert(macrodef.index)).take(EXAMPLES) {
+        let place = Place::Pointer(macrodef.link_pointer(link, "name"));
+        finding = finding.related(&file.path, place, format!("macrodef `{}`", macrodef.components.join("-")));
+    }
+    finding.evidence(Evidence::of_cases(value.names.iter().map(|(_, link)| &link.name)))
+}
+
+/// If no name is right because all have values of another component in one place, `comp` is wrong there.
+fn other_component(
+    file: &FileFacts,
+    macros: &MacroFile,
+    macrodef: &Macrodef,
+    (space, listing): (&Space<'_>, &Listing<'_>),
+) -> Option<Finding> {
+    let mut tokens: BTreeSet<(usize, &str)> = BTreeSet::new();
+    for stranger in &listing.strangers {
+        let Slip::Value { axis, token } = &stranger.slip else { return None };
+        tokens.insert((*axis, token));
+    }
+    let (axis, _) = *tokens.first()?;
+    if !listing.found.is_empty() || tokens.len() < 2 || tokens.iter().any(|(other, _)| *other != axis) {
+        return None;
+    }
+    let has_all = |other: &&Component| tokens.iter().all(|(_, token)| other.values.iter().any(|value| value == token));
+    let (meant, written) = (macros.components.iter().find(has_all)?, space.axes.get(axis)?);
+    let message = format!("`comp` has `{}` where the names have values of `{}`", written.name, meant.name);
+    let place = Place::pointer(["macrodef", &macrodef.index.to_string(), "comp", &axis.to_string()]);
+    let names = listing.strangers.iter().map(|stranger| &stranger.link.name);
+    let finding = RULE.at(file, place, message).key(format!("{}/comp", macrodef.components.join("-")));
+    let evidence = Evidence::of_cases(names).out_of(macrodef.links.len());
+    Some(finding.help(format!("did you mean `{}`?", meant.name)).evidence(evidence))
 }
 
 /// Without components a definition generates the empty name alone.
