@@ -41,7 +41,8 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
                     }
                     _ => format!("folder `{folder}` holds no target"),
                 };
-                RULE.at(file, place, message).help(folder_of_files(base, &own).unwrap_or_else(|| nearest_folder(base, folder)))
+                RULE.at(file, place, message)
+                    .help(folder_of_files(base, &own).unwrap_or_else(|| nearest_folder(base, folder)))
             }
             (Some(_), _) => continue,
             (None, Some(folder)) => {
@@ -78,12 +79,12 @@ fn holds_files(targets: TargetFolder<'_>, folder: &str) -> bool {
 fn folder_of_files(base: &Base<'_>, own: &[&MacroLink<'_>]) -> Option<String> {
     let targets = base.targets?;
     let first = own.first()?.reference.text;
-    let mut folders = targets.targets().filter(|file| file.stem() == first).filter_map(|file| {
-        targets.name_of(file)?.rsplit_once('/').map(|(folder, _)| folder.to_owned())
-    });
-    let holds_all = |folder: &String| {
-        own.iter().all(|link| targets.target(&format!("{folder}/{}", link.reference.text)).is_some())
-    };
+    let mut folders = targets
+        .targets()
+        .filter(|file| file.stem() == first)
+        .filter_map(|file| targets.name_of(file)?.rsplit_once('/').map(|(folder, _)| folder.to_owned()));
+    let holds_all =
+        |folder: &String| own.iter().all(|link| targets.target(&format!("{folder}/{}", link.reference.text)).is_some());
     folders.find(holds_all).map(|folder| format!("its targets are in `{folder}`: write that"))
 }
 

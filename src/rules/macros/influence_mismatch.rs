@@ -31,10 +31,9 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
     let Some((file, macros)) = base.macro_file() else { return };
     let unsure: BTreeSet<i64> =
         macros.macrodefs.iter().filter(|macrodef| is_unsure(base, (file, macros), macrodef)).map(index).collect();
-    // An index beyond the last definition may mean that one was removed: then all behind it are off by one.
     let last = i64::try_from(macros.macrodefs.len()).unwrap_or(i64::MAX);
-    if base.sliders.iter().any(|bound| bound.slider.macro_influence.iter().flatten().any(|at| *at == last)) {
-        return;
+    if base.lacks_macrodef() {
+        return; // The positions behind it are off by one.
     }
     for bound in &base.sliders {
         let names = match &bound.pattern {
@@ -80,11 +79,12 @@ fn reads(macros: &MacroFile, macrodef: &Macrodef, names: &[String]) -> bool {
 
 /// Whether a definition might read a slider, were it not for another fault.
 fn is_unsure(base: &Base<'_>, (file, macros): (&FileFacts, &MacroFile), macrodef: &Macrodef) -> bool {
-    clear_space(file, macros, macrodef).is_none() || macrodef.components.iter().any(|name| {
-        let component = macros.components.iter().find(|component| component.name == *name);
-        component
-            .is_none_or(|component| patterns(component).is_empty() || !unknown_patterns(base, component).is_empty())
-    })
+    clear_space(file, macros, macrodef).is_none()
+        || macrodef.components.iter().any(|name| {
+            let component = macros.components.iter().find(|component| component.name == *name);
+            component
+                .is_none_or(|component| patterns(component).is_empty() || !unknown_patterns(base, component).is_empty())
+        })
 }
 
 /// Whether only components that no definition uses read the slider.

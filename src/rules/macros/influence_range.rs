@@ -28,23 +28,21 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
     }
     let count = i64::try_from(macros.macrodefs.len()).unwrap_or(i64::MAX);
     // A macro definition that was removed leaves the same index in many sliders: one cause.
-    let mut groups: BTreeMap<(Vec<i64>, bool), Vec<&BoundSlider<'_>>> = BTreeMap::new();
+    let mut groups: BTreeMap<Vec<i64>, Vec<&BoundSlider<'_>>> = BTreeMap::new();
     for bound in &base.sliders {
         let Some(influence) = &bound.slider.macro_influence else { continue };
         let wrong: Vec<i64> = influence.iter().copied().filter(|index| !(0..count).contains(index)).collect();
-        // Negative indices pass the loader's test, which looks at the upper end only.
-        let is_harmless = influence.iter().any(|index| *index < count);
         if !wrong.is_empty() {
-            groups.entry((wrong, is_harmless)).or_default().push(bound);
+            groups.entry(wrong).or_default().push(bound);
         }
     }
-    for ((wrong, is_harmless), sliders) in groups {
-        out.extend(finding(&wrong, is_harmless, &sliders, count));
+    for (wrong, sliders) in groups {
+        out.extend(finding(&wrong, &sliders, count));
     }
 }
 
 /// One finding on all sliders that list the same wrong indices.
-fn finding(wrong: &[i64], is_harmless: bool, sliders: &[&BoundSlider<'_>], count: i64) -> Option<Finding> {
+fn finding(wrong: &[i64], sliders: &[&BoundSlider<'_>], count: i64) -> Option<Finding> {
     let (first, others) = sliders.split_first()?;
     let place = |bound: &BoundSlider<'_>| Place::pointer([bound.slider.key.as_str(), "macro_influence"]);
     let key = &first.slider.key;
@@ -52,7 +50,12 @@ fn finding(wrong: &[i64], is_harmless: bool, sliders: &[&BoundSlider<'_>], count
     let range = if count == 1 { "the only one is 0".to_owned() } else { format!("they are 0 to {}", count - 1) };
     let more = if others.is_empty() { String::new() } else { format!(" ({} sliders list it)", sliders.len()) };
     let message = format!("`macro_influence` of `{key}` lists {shown}, which is no macrodef: {range}{more}");
-    let mut finding = RULE.at(first.file, place(first), message).help("correct or remove the index");
+    let mut finding = RULE.at(first.file, place(first), message);
+    finding = finding.help(if others.is_empty() {
+        "correct or remove the index"
+    } else {
+        "correct or remove the index; if a macrodef was removed, add it again, or remove its components and its folder"
+    });
     finding = if others.is_empty() {
         let listed = first.slider.macro_influence.as_ref().map_or(0, Vec::len);
         finding.key(key).evidence(Evidence::of_cases(wrong).out_of(listed))
@@ -62,7 +65,10 @@ fn finding(wrong: &[i64], is_harmless: bool, sliders: &[&BoundSlider<'_>], count
     for other in others.iter().take(EXAMPLES - 1) {
         finding = finding.related(&other.file.path, place(other), "lists it, too");
     }
-    if is_harmless {
+    // Negative indices pass the loader's test, which looks at the upper end only.
+    let has_other =
+        |bound: &&BoundSlider<'_>| bound.slider.macro_influence.iter().flatten().any(|index| *index < count);
+    if sliders.iter().all(has_other) {
         finding = finding.level(Level::Info).breaks(Application::Makehuman2, "nothing: another index is left");
     }
     Some(finding)

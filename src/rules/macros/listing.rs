@@ -45,6 +45,21 @@ pub(super) enum Slip {
     Other(String),
 }
 
+impl Slip {
+    /// Why a name with this slip is not generated.
+    pub(super) fn reason(&self, space: &Space<'_>) -> String {
+        match self {
+            Self::Order => "has its values in another order than `comp`".to_owned(),
+            Self::Value { axis, token } => {
+                let name = space.axes.get(*axis).map_or("", |axis| &axis.name);
+                format!("can never be reached: `{token}` is no value of `{name}`")
+            }
+            Self::Parts(parts) => format!("can never be reached: it has {parts} parts, not {}", space.axes.len()),
+            Self::Other(_) => "can never be reached: its parts are no values of the components".to_owned(),
+        }
+    }
+}
+
 impl<'a> Listing<'a> {
     pub(super) fn of(space: &Space<'_>, macrodef: &'a Macrodef) -> Self {
         let mut found = BTreeMap::new();

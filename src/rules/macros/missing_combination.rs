@@ -2,6 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::absence::Absence;
+use super::absence_text::{Kind, message};
 use super::links::unreferenced;
 use super::survey::{Survey, survey};
 use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
@@ -35,9 +36,6 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Base(run),
 };
 
-/// Patterns in the message and in the evidence.
-const SHOWN: usize = 8;
-
 fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };
     let free = unreferenced(repository, base);
@@ -57,17 +55,6 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
     }
 }
 
-/// How combinations are absent.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Kind {
-    /// In a block that is listed otherwise.
-    Hole,
-    /// In a table that lists fewer than half of its block.
-    Sparse,
-    /// By a system.
-    System,
-}
-
 /// A finding on absent combinations of one kind, if there are any.
 fn finding(
     file: &FileFacts,
@@ -78,25 +65,7 @@ fn finding(
 ) -> Option<Finding> {
     let total = survey.space.size()?;
     let count = absence.count;
-    let (first, size) = absence.patterns.first()?;
-    let shown = shown(absence);
-    let message = match (kind, *size, count) {
-        (Kind::Hole, 1, 1) => format!("`{first}` is not listed, a hole in a block that is listed otherwise"),
-        (Kind::Hole, ..) if survey.listed == 0 => {
-            let files = survey.files.len();
-            format!("none of the {total} combinations is listed, but the folder holds {files} targets that nothing uses")
-        }
-        (Kind::Hole, ..) => {
-            format!("{count} of {total} combinations are holes in a block that is listed otherwise: {shown}")
-        }
-        (Kind::System, 1, 1) => {
-            format!(
-                "`{first}` is not listed, a hole without effect: the state is neutral, or all its siblings are null"
-            )
-        }
-        (Kind::System, ..) => format!("{count} of {total} combinations are left out systematically: {shown}"),
-        (Kind::Sparse, ..) => format!("{count} of {total} combinations are left out, more than are listed: {shown}"),
-    };
+    let message = message(absence, total, survey, kind)?;
     let evidence = Evidence::of_groups(absence.patterns.iter().map(|(text, _)| text), count as u64).out_of(total);
     let word = match kind {
         Kind::Hole => "holes",
@@ -112,19 +81,6 @@ fn finding(
         finding.level(Level::Info).breaks(Application::Makehuman2, effect).help(help)
     };
     Some(finding.evidence(evidence))
-}
-
-/// The first patterns with their sizes.
-fn shown(absence: &Absence) -> String {
-    let shown = absence.patterns.iter().take(SHOWN).map(|(text, size)| match size {
-        1 => format!("`{text}`"),
-        size => format!("`{text}` ({size})"),
-    });
-    let shown = shown.collect::<Vec<_>>().join(", ");
-    if absence.patterns.len() <= SHOWN {
-        return shown;
-    }
-    format!("{shown} and {} patterns more", absence.patterns.len() - SHOWN)
 }
 
 /// The help for holes, and the files that wait for them.

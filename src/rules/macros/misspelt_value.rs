@@ -76,3 +76,18 @@ fn of_component<'a>(component: &'a Component, usage: &Usage<'a>) -> Vec<Misspelt
     });
     misspelt.collect()
 }
+
+/// Where no name is right because all have values of another component in one place: that place, and the component.
+pub(super) fn other_component<'a>(macros: &'a MacroFile, listing: &Listing<'_>) -> Option<(usize, &'a Component)> {
+    let mut tokens: BTreeSet<(usize, &str)> = BTreeSet::new();
+    for stranger in &listing.strangers {
+        let Slip::Value { axis, token } = &stranger.slip else { return None };
+        tokens.insert((*axis, token));
+    }
+    let (axis, _) = *tokens.first()?;
+    if !listing.found.is_empty() || tokens.len() < 2 || tokens.iter().any(|(other, _)| *other != axis) {
+        return None;
+    }
+    let has_all = |other: &&Component| tokens.iter().all(|(_, token)| other.values.iter().any(|value| value == token));
+    Some((axis, macros.components.iter().find(has_all)?))
+}

@@ -1,6 +1,7 @@
 //! Rules on `macro.json` of MakeHuman 2.
 
 mod absence;
+mod absence_text;
 mod combination_patterns;
 mod component;
 mod fit;

@@ -2,11 +2,11 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::judgeable::judged_space;
-use super::misspelt_value::{MisspeltValue, misspelt_values};
 use super::listing::{Listing, Slip, Stranger};
+use super::misspelt_value::{MisspeltValue, misspelt_values, other_component};
 use super::space::Space;
 use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
-use crate::formats::macro_json::{Component, MacroFile, Macrodef};
+use crate::formats::macro_json::{MacroFile, Macrodef};
 use crate::repo::{Base, FileFacts, Repository};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -40,7 +40,7 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
         }
         let Some(space) = judged_space(file, macros, macrodef) else { continue };
         let listing = Listing::of(&space, macrodef);
-        if let Some(finding) = other_component(file, macros, macrodef, (&space, &listing)) {
+        if let Some(finding) = finding_on_comp(file, macros, macrodef, (&space, &listing)) {
             out.push(finding);
             continue;
         }
@@ -58,7 +58,7 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
                 if strangers.len() > 1 { format!(" ({} names like it)", strangers.len()) } else { String::new() };
             let reason = match home.and_then(|home| macros.macrodefs.get(home)) {
                 Some(home) => format!("is a combination of macrodef `{}`", home.components.join("-")),
-                None => reason(&space, &slip),
+                None => slip.reason(&space),
             };
             let message = format!("`{}` {reason}{more}", first.link.name);
             let place = Place::Pointer(macrodef.link_pointer(first.link, "name"));
@@ -95,24 +95,15 @@ fn finding_on_value(file: &FileFacts, value: &MisspeltValue<'_>) -> Finding {
 }
 
 /// If no name is right because all have values of another component in one place, `comp` is wrong there.
-fn other_component(
+fn finding_on_comp(
     file: &FileFacts,
     macros: &MacroFile,
     macrodef: &Macrodef,
     (space, listing): (&Space<'_>, &Listing<'_>),
 ) -> Option<Finding> {
-    let mut tokens: BTreeSet<(usize, &str)> = BTreeSet::new();
-    for stranger in &listing.strangers {
-        let Slip::Value { axis, token } = &stranger.slip else { return None };
-        tokens.insert((*axis, token));
-    }
-    let (axis, _) = *tokens.first()?;
-    if !listing.found.is_empty() || tokens.len() < 2 || tokens.iter().any(|(other, _)| *other != axis) {
-        return None;
-    }
-    let has_all = |other: &&Component| tokens.iter().all(|(_, token)| other.values.iter().any(|value| value == token));
-    let (meant, written) = (macros.components.iter().find(has_all)?, space.axes.get(axis)?);
-    let message = format!("`comp` has `{}` where the names have values of `{}`", written.name, meant.name);
+    let (axis, meant) = other_component(macros, listing)?;
+    let message =
+        format!("`comp` has `{}` where the names have values of `{}`", space.axes.get(axis)?.name, meant.name);
     let place = Place::pointer(["macrodef", &macrodef.index.to_string(), "comp", &axis.to_string()]);
     let names = listing.strangers.iter().map(|stranger| &stranger.link.name);
     let finding = RULE.at(file, place, message).key(format!("{}/comp", macrodef.components.join("-")));
@@ -136,16 +127,4 @@ fn home(macros: &MacroFile, own: &Macrodef, name: &str) -> Option<usize> {
     others
         .find(|other| Space::of(macros, other).is_some_and(|space| space.parse(name).is_some()))
         .map(|other| other.index)
-}
-
-fn reason(space: &Space<'_>, slip: &Slip) -> String {
-    match slip {
-        Slip::Order => "has its values in another order than `comp`".to_owned(),
-        Slip::Value { axis, token } => {
-            let name = space.axes.get(*axis).map_or("", |axis| &axis.name);
-            format!("can never be reached: `{token}` is no value of `{name}`")
-        }
-        Slip::Parts(parts) => format!("can never be reached: it has {parts} parts, not {}", space.axes.len()),
-        Slip::Other(_) => "can never be reached: its parts are no values of the components".to_owned(),
-    }
 }

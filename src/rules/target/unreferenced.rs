@@ -36,7 +36,7 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
             folders.entry(parent(&file.rel)).or_default().push(file);
         }
     }
-    let is_lost = lost_macrodefs(base);
+    let is_lost = lost_macrodefs(base) || base.lacks_macrodef();
     for (path, files) in folders {
         let all = folder.layer.below(path).filter(|file| file.target().is_some()).count();
         if files.len() > 1 && files.len() == all {
