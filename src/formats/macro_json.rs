@@ -50,6 +50,8 @@ pub struct Macrodef {
     pub incomplete: Vec<usize>,
     /// Names of entries that give no usable `t`: meant to be listed, reported by the schema.
     pub unusable: Vec<String>,
+    /// `t` of entries without a usable `name`: meant to be listed as well.
+    pub nameless: Vec<String>,
 }
 
 /// An entry of `targets`.
@@ -126,6 +128,10 @@ fn read_links(node: &Node, macrodef: &mut Macrodef) {
             macrodef.unusable.push(name);
         }
         match (text(entry, "name"), entry.get("t").map(|t| &t.value)) {
+            (None, Some(Value::String(target))) => {
+                macrodef.nameless.push(target.clone());
+                macrodef.incomplete.push(index);
+            }
             (Some(name), Some(Value::Null)) => macrodef.links.push(Link { index, name, target: None }),
             (Some(name), Some(Value::String(target))) => {
                 macrodef.links.push(Link { index, name, target: Some(target.clone()) });

@@ -195,7 +195,7 @@ fn slider(key: &str, node: &Node) -> Slider {
         rsym: text(node, "rsym"),
         lsym: text(node, "lsym"),
         macro_pattern: text(node, "macro"),
-        macro_influence: node.get("macro_influence").and_then(integers),
+        macro_influence: node.get("macro_influence").and_then(indices),
         barycentric: node.get("barycentric").and_then(texts),
         barycentric_len: node.get("barycentric").map_or(0, |patterns| patterns.elements().len()),
         barycentric_colours: node
@@ -232,6 +232,14 @@ fn keys(node: &Node) -> Vec<String> {
     let members = node.effective_members().into_iter();
     let there = members.filter(|member| member.node.value != Value::Null || !optional.contains(&member.key.as_str()));
     there.map(|member| member.key.clone()).collect()
+}
+
+/// Whole numbers, whether written `1` or `1.0`: the loader compares them only.
+fn indices(node: &Node) -> Option<Vec<i64>> {
+    let elements = node.is_array().then(|| node.elements())?;
+    #[expect(clippy::cast_possible_truncation, reason = "saturates, which is as far out of any range")]
+    let whole = |element: &Node| element.as_f64().filter(|number| number.fract() == 0.0).map(|number| number as i64);
+    Some(elements.iter().filter_map(whole).collect())
 }
 
 /// An array of integers; elements of other types are left out.

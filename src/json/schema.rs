@@ -97,11 +97,35 @@ pub fn check(name: &str, document: &Document) -> SchemaFaults {
     let Some(schema) = find(name).map(Schema::compiled) else { return SchemaFaults::default() };
     let plain = plain(&document.root);
     let errors = schema.validator.iter_errors(&plain);
+    let faults = errors.map(|error| schema_fault::describe(&error, &schema.tree)).collect();
     SchemaFaults {
-        faults: errors.map(|error| schema_fault::describe(&error, &schema.tree)).collect(),
+        faults: empty_objects_once(&plain, faults),
         unknown: unknown_key::find(&document.root, &schema.tree),
     }
 }
+
+/// An object without any member lacks all its keys for one reason: the first of them stands for all.
+fn empty_objects_once(root: &Plain, faults: Vec<SchemaFault>) -> Vec<SchemaFault> {
+    let is_empty = |fault: &SchemaFault| {
+        fault.keyword.ends_with("/required")
+            && root.pointer(&fault.pointer).and_then(Plain::as_object).is_some_and(serde_json::Map::is_empty)
+    };
+    let mut once: Vec<SchemaFault> = Vec::with_capacity(faults.len());
+    for fault in faults {
+        match once.last_mut() {
+            Some(first) if first.pointer == fault.pointer && is_empty(&fault) && is_empty(first) => {
+                if !first.message.ends_with(NOR_ELSE) {
+                    first.message.push_str(NOR_ELSE);
+                }
+            }
+            _ => once.push(fault),
+        }
+    }
+    once
+}
+
+/// Said of an object that lacks several keys and has none.
+const NOR_ELSE: &str = ", nor anything else";
 
 fn find(name: &str) -> Option<&'static Schema> {
     SCHEMAS.iter().find(|schema| schema.name == name)

@@ -15,6 +15,16 @@ impl<'a> Base<'a> {
             || self.misspells_target(pattern)
     }
 
+    /// Whether several sliders list the position behind the last macro definition: one was probably removed, and what
+    /// it alone used is unused for that reason.
+    pub fn lacks_macrodef(&self) -> bool {
+        let count = self.macro_file().and_then(|(_, macros)| i64::try_from(macros.macrodefs.len()).ok());
+        let lists = |slider: &&BoundSlider<'_>| {
+            slider.slider.macro_influence.iter().flatten().any(|index| Some(*index) == count)
+        };
+        count.is_some_and(|count| count > 0) && self.sliders.iter().filter(lists).nth(1).is_some()
+    }
+
     /// Whether some slider cannot be read, so that nobody can tell which patterns, targets and pictures it
     /// would have used.
     pub fn has_unreadable_sliders(&self) -> bool {

@@ -2,6 +2,7 @@
 
 use super::{Base, BoundSlider, FileFacts, Layer, Repository, TargetFolder};
 use crate::diag::Place;
+use crate::formats::macro_json::MacroFile;
 
 /// A name of a file in a file.
 #[derive(Debug)]
@@ -18,6 +19,8 @@ pub struct Reference<'a> {
     pub text: &'a str,
     /// What the name belongs to: a combination, a slider, a skeleton.
     pub owner: &'a str,
+    /// Place and text of the folder that is put in front, where that is at fault and not the name.
+    pub folder_at_fault: Option<(Place, &'a str)>,
     /// Path relative to the data root that the application would open.
     pub rel: String,
     /// What is there.
@@ -96,6 +99,8 @@ fn macro_references<'a>(base: &Base<'a>, out: &mut Vec<Reference<'a>>) {
             let (rel, resolution) = resolve_target(base, base.targets, &name);
             // Behind a folder the beginning of the name would be hidden.
             let resolution = if is_absolute(text) { Resolution::Absolute } else { resolution };
+            let folder_at_fault = folder.filter(|folder| is_fault_of_folder(folder, text, &resolution));
+            let folder_at = Place::pointer(["macrodef", &folder_owner(file, macrodef.index).to_string(), "folder"]);
             out.push(Reference {
                 kind: ReferenceKind::MacroTarget,
                 base: base.name,
@@ -103,11 +108,28 @@ fn macro_references<'a>(base: &Base<'a>, out: &mut Vec<Reference<'a>>) {
                 place: Place::Pointer(macrodef.link_pointer(link, "t")),
                 text,
                 owner: &link.name,
+                folder_at_fault: folder_at_fault.map(|folder| (folder_at, folder)),
                 rel,
                 resolution,
             });
         }
     }
+}
+
+/// Whether the folder alone makes the whole name absolute, or brings the backslash or the way out into it.
+fn is_fault_of_folder(folder: &str, text: &str, resolution: &Resolution<'_>) -> bool {
+    match resolution {
+        Resolution::Absolute => !is_absolute(text),
+        Resolution::Backslash(_) => !text.contains('\\'),
+        Resolution::Escapes => folder.contains("..") && !text.contains(".."),
+        _ => false,
+    }
+}
+
+/// The definition whose `folder` is in use for one: itself, or the last before it that has any.
+fn folder_owner(file: &MacroFile, index: usize) -> usize {
+    let owner = file.macrodefs.iter().take(index + 1).rev().find(|macrodef| macrodef.folder.is_some());
+    owner.map_or(index, |macrodef| macrodef.index)
 }
 
 fn slider_references<'a>(base: &Base<'a>, bound: &BoundSlider<'a>, out: &mut Vec<Reference<'a>>) {
@@ -132,6 +154,7 @@ fn slider_references<'a>(base: &Base<'a>, bound: &BoundSlider<'a>, out: &mut Vec
             place: Place::pointer([&slider.key, member]),
             text,
             owner: &slider.key,
+            folder_at_fault: None,
             rel,
             resolution,
         });
@@ -181,6 +204,7 @@ fn skeleton_references<'a>(repository: &Repository<'a>, base: &Base<'a>, out: &m
             },
             text,
             owner: from.stem(),
+            folder_at_fault: None,
             rel: format!("rigs/{}/{text}", base.name),
             resolution: resolve_layered(repository, base, text, &format!("rigs/{}/{text}", base.name)),
         });
@@ -203,6 +227,7 @@ fn base_references<'a>(repository: &Repository<'a>, base: &Base<'a>, out: &mut V
             place: Place::pointer([member]),
             text,
             owner: member,
+            folder_at_fault: None,
             resolution: resolve_layered(repository, base, text, &rel),
             rel,
         });

@@ -19,7 +19,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
 fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let is_absolute = |resolution| matches!(resolution, Resolution::Absolute);
     for cause in causes(repository, |reference| is_absolute(reference.resolution).then(String::new)) {
-        let finding = cause.finding(&RULE, |reference| format!("`{}` is an absolute path", reference.text));
+        let finding = cause.finding(&RULE, |text| match text {
+            "" => "`folder` is empty, which makes an absolute path of every name behind it".to_owned(),
+            text => format!("`{text}` is an absolute path"),
+        });
         let (Some(finding), Some(first)) = (finding, cause.references.first()) else { continue };
         out.push(
             finding

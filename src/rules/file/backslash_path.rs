@@ -23,17 +23,19 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         Resolution::Backslash(file) => Some(key(file.is_some()).to_owned()),
         _ => None,
     }) {
-        let exists = cause.key == key(true);
-        let finding = cause.finding(&RULE, |reference| {
+        let exists = cause.key.starts_with(key(true));
+        let finding = cause.finding(&RULE, |text| {
             let also = if exists { "" } else { "; with `/` there is no such file either" };
-            format!("`{}` is separated by backslashes{also}", reference.text)
+            format!("`{text}` is separated by backslashes{also}")
         });
         let (Some(finding), Some(first)) = (finding, cause.references.first()) else { continue };
         let level = if exists { Level::Warning } else { finding.level };
-        let slashed = first.text.replace('\\', "/");
+        let slashed = cause.text().replace('\\', "/");
+        let is_fixable =
+            |reference: &&&Reference<'_>| exists && reference.text.contains('\\') && !is_known_by(repository, reference);
         let mut fix = Fix::new(RULE.info.fix, "write `/` for `\\`");
         // Where nobody finds the file, its name has to be found out first.
-        for reference in cause.references.iter().filter(|reference| exists && !is_known_by(repository, reference)) {
+        for reference in cause.references.iter().filter(|reference| is_fixable(reference)) {
             let text = Some(reference.text.replace('\\', "/"));
             fix = written(fix, reference, text);
         }

@@ -22,6 +22,10 @@ pub(super) fn causes<'r, 'a>(
     let mut causes: BTreeMap<(&str, String), Vec<&Reference<'a>>> = BTreeMap::new();
     for reference in repository.references.iter().filter(|reference| repository.is_judged(reference.from)) {
         if let Some(key) = key(reference) {
+            // A faulty folder is one cause for all names behind it, and another than a name of its own.
+            let folder = reference.folder_at_fault.as_ref().map(|(_, folder)| format!("folder {folder}"));
+            let key = [Some(key), folder].into_iter().flatten().filter(|part| !part.is_empty());
+            let key = key.collect::<Vec<_>>().join("/");
             causes.entry((reference.from.path.as_str(), key)).or_default().push(reference);
         }
     }
@@ -29,16 +33,23 @@ pub(super) fn causes<'r, 'a>(
 }
 
 impl Cause<'_, '_> {
-    /// A finding at the first reference; the others are counted, the worst sets the level.
-    pub(super) fn finding(&self, rule: &Rule, message: impl FnOnce(&Reference<'_>) -> String) -> Option<Finding> {
+    /// The text to blame: the folder in front of the names, or the first name.
+    pub(super) fn text(&self) -> &str {
+        let first = self.references.first();
+        first.map_or("", |first| first.folder_at_fault.as_ref().map_or(first.text, |(_, folder)| folder))
+    }
+
+    /// A finding at the first reference, or at its folder; the others are counted, the worst sets the level.
+    pub(super) fn finding(&self, rule: &Rule, message: impl FnOnce(&str) -> String) -> Option<Finding> {
         let first = self.references.first()?;
-        let mut message = message(first);
+        let mut message = message(self.text());
+        let place = first.folder_at_fault.as_ref().map_or_else(|| first.place.clone(), |(place, _)| place.clone());
         if self.references.len() > 1 {
             message = format!("{message} ({} references like it)", self.references.len());
         }
         let names = self.references.iter().map(|reference| reference.text);
         let worst = self.references.iter().map(|reference| level(reference.kind)).max().unwrap_or(Level::Error);
-        let finding = rule.at(first.from, first.place.clone(), message).key(&self.key).level(worst);
+        let finding = rule.at(first.from, place, message).key(&self.key).level(worst);
         Some(finding.evidence(Evidence::of_cases(names)))
     }
 }

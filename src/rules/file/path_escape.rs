@@ -22,7 +22,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let leaves = |resolution| matches!(resolution, Resolution::Escapes);
     for cause in causes(repository, |reference| leaves(reference.resolution).then(String::new)) {
-        let finding = cause.finding(&RULE, |reference| format!("`{}` leads out of the data folder", reference.text));
+        let finding = cause.finding(&RULE, |text| format!("`{text}` leads out of the data folder"));
         out.extend(finding.map(|finding| finding.level(Level::Error).help("copy the file into the data folder")));
     }
     let layer = repository.judged;

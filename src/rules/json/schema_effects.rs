@@ -33,7 +33,7 @@ use Kind::{BaseJson, Geometry, MacroJson, ModellingJson, TargetCategories};
 use Level::{Error, Warning};
 
 #[rustfmt::skip]
-static ROWS: [Row; 25] = [
+static ROWS: [Row; 26] = [
     row(Geometry, "", ANY, Warning, "never reads this file; the scripts that align joint cubes stop"),
     row(MacroJson, "/type", ANY, Error, "stops at start with a TypeError"),
     row(MacroJson, "/allOf/", ANY, Error, "stops at start with a KeyError"),
@@ -47,6 +47,8 @@ static ROWS: [Row; 25] = [
     row(ModellingJson, "/$defs/entry/type", TEXT_OR_LIST, Warning,
         "takes it for an entry without keys: the slider is gone, without a word"),
     row(ModellingJson, "/$defs/entry/type", ANY, Error, "stops at start with a TypeError"),
+    row(ModellingJson, "/$defs/entry/properties/macro_influence/items/type", &["is the number"], Level::Info,
+        "nothing: it only asks whether the list is empty"),
     row(ModellingJson, "/$defs/entry/properties/macro_influence", ANY, Error, "stops at start with a TypeError"),
     row(ModellingJson, "/$defs/entry/properties/default/type", TEXT, Error,
         "repeats the text 100 times at the next reset, and stops later with a TypeError"),

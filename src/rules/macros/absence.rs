@@ -19,32 +19,28 @@ pub(super) struct Absence {
     pub(super) patterns: Vec<(String, usize)>,
 }
 
-/// Systems and holes. The grid of the space must be walkable.
-pub(super) fn absences(base: &Base<'_>, space: &Space<'_>, listing: &Listing<'_>) -> [Absence; 2] {
+/// Systems and holes. The grid of the space must be walkable; in no system are the cells that are `wanted`.
+pub(super) fn absences(base: &Base<'_>, space: &Space<'_>, listing: &Listing<'_>, wanted: &[bool]) -> [Absence; 2] {
     let sizes = space.sizes();
     let mut cells = vec![Cell::Absent; sizes.iter().product()];
-    let mut claimed = vec![false; cells.len()];
     for (combination, link) in &listing.found {
         if let Some(cell) = cells.get_mut(index(&sizes, combination)) {
             *cell = if link.target.is_some() { Cell::Target } else { Cell::Null };
         }
     }
     for combination in &listing.claimed {
-        let at = index(&sizes, combination);
-        if let (Some(claimed), Some(cell)) = (claimed.get_mut(at), cells.get_mut(at))
-            && *cell == Cell::Absent
-        {
-            *claimed = true;
+        if let Some(cell) = cells.get_mut(index(&sizes, combination)).filter(|cell| **cell == Cell::Absent) {
             *cell = Cell::Target;
         }
     }
     let neutral: Vec<Vec<bool>> = space.axes.iter().map(|axis| neutral_values(base, axis)).collect();
-    let system = systematic(&sizes, &cells, &neutral);
+    let system = systematic(&sizes, &cells, &neutral, wanted);
     let holes: Vec<bool> = cells.iter().zip(&system).map(|(cell, system)| *cell == Cell::Absent && !system).collect();
     [absence(space, &sizes, &system), absence(space, &sizes, &holes)]
 }
 
-fn index(sizes: &[usize], combination: &[usize]) -> usize {
+/// Place of a combination in the grid.
+pub(super) fn index(sizes: &[usize], combination: &[usize]) -> usize {
     sizes.iter().zip(combination).fold(0, |index, (size, value)| index * size + value)
 }
 

@@ -2,7 +2,10 @@
 //!
 //! Pure functions over a grid of cells (mixed radix, the last component runs fastest). An absent cell is part of a *system* if
 //! * one of its values is absent everywhere, and leaves out more than one combination (or is neutral): the macro is not meant for it;
-//! * or it has neutral values, and no listed cell with the same neutral values moves anything (none listed, or two and more, all null).
+//! * or it has neutral values, and no listed cell with the same neutral values moves anything (none listed, or two and more, all null,
+//!   and something listed around the neutral state).
+//!
+//! Neither holds where a cell of the slice in question is *wanted*: files wait for it.
 //!
 //! Every other absent cell is a *hole*.
 
@@ -39,11 +42,13 @@ pub(super) fn is_walkable(sizes: &[usize]) -> bool {
     sizes.iter().try_fold(1_usize, |cells, size| cells.checked_mul(size + 1)).is_some_and(|cells| cells <= LIMIT)
 }
 
-/// For each cell whether it belongs to a system of absent ones. `neutral` tells the neutral values of each component.
-pub(super) fn systematic(sizes: &[usize], cells: &[Cell], neutral: &[Vec<bool>]) -> Vec<bool> {
+/// For each cell whether it belongs to a system of absent ones. `neutral` tells the neutral values of each component,
+/// `wanted` the cells that a file waits for.
+pub(super) fn systematic(sizes: &[usize], cells: &[Cell], neutral: &[Vec<bool>], wanted: &[bool]) -> Vec<bool> {
     let cube = Cube::new(sizes);
     let listed = cube.counts(|cell| cells.get(cell) != Some(&Cell::Absent));
     let moving = cube.counts(|cell| cells.get(cell) == Some(&Cell::Target));
+    let waiting = cube.counts(|cell| wanted.get(cell) == Some(&true));
     let is_neutral = |axis: usize, value: usize| neutral.get(axis).and_then(|values| values.get(value)) == Some(&true);
     let slice = |counts: &[u32], fixed: &[Option<usize>]| counts.get(cube.index(fixed)).copied().unwrap_or(0);
     let mut result = vec![false; cells.len()];
@@ -57,12 +62,20 @@ pub(super) fn systematic(sizes: &[usize], cells: &[Cell], neutral: &[Vec<bool>])
             if let Some(place) = fixed.get_mut(axis) {
                 *place = Some(*value);
             }
-            slice(&listed, &fixed) == 0 && (cube.size(&fixed) > 1 || is_neutral(axis, *value))
+            slice(&listed, &fixed) == 0
+                && slice(&waiting, &fixed) == 0
+                && (cube.size(&fixed) > 1 || is_neutral(axis, *value))
         });
-        let fixed: Vec<Option<usize>> =
-            digits.iter().enumerate().map(|(axis, value)| is_neutral(axis, *value).then_some(*value)).collect();
-        let neutral_state =
-            fixed.iter().any(Option::is_some) && slice(&moving, &fixed) == 0 && slice(&listed, &fixed) != 1;
+        let part = |neutral: bool| -> Vec<Option<usize>> {
+            let of_axis = |(axis, value): (usize, &usize)| (is_neutral(axis, *value) == neutral).then_some(*value);
+            digits.iter().enumerate().map(of_axis).collect()
+        };
+        let (state, around) = (part(true), part(false));
+        let nulls = slice(&listed, &state);
+        let neutral_state = state.iter().any(Option::is_some)
+            && slice(&moving, &state) == 0
+            && slice(&waiting, &state) == 0
+            && (nulls == 0 || nulls > 1 && slice(&listed, &around) > 0);
         *result = value_absent || neutral_state;
     }
     result
@@ -283,7 +296,7 @@ mod tests {
             .into_iter()
             .map(|absent| if absent { Cell::Absent } else { Cell::Target })
             .collect();
-        let found = systematic(&sizes, &cells, &neutral);
+        let found = systematic(&sizes, &cells, &neutral, &[]);
         assert_eq!(found, members(&sizes, |at| (at[1], at[2]) == (1, 1)));
     }
 
@@ -293,20 +306,23 @@ mod tests {
             let cells = members(sizes, |at| at[0] == 0).into_iter();
             cells.map(|absent| if absent { Cell::Absent } else { Cell::Target }).collect()
         };
-        assert_eq!(systematic(&[2], &absent(&[2]), &[vec![false; 2]]), [false, false]);
+        assert_eq!(systematic(&[2], &absent(&[2]), &[vec![false; 2]], &[]), [false, false]);
         assert_eq!(
-            systematic(&[2, 2], &absent(&[2, 2]), &[vec![false; 2], vec![false; 2]]),
+            systematic(&[2, 2], &absent(&[2, 2]), &[vec![false; 2], vec![false; 2]], &[]),
             [true, true, false, false]
         );
+        let waiting = [false, true, false, false];
+        let found = systematic(&[2, 2], &absent(&[2, 2]), &[vec![false; 2], vec![false; 2]], &waiting);
+        assert_eq!(found, [false; 4]);
     }
 
     #[test]
     fn two_null_siblings_make_it_harmless_and_one_does_not() {
         let neutral = [vec![false; 3], vec![true, false]];
         let cell = |second| [Cell::Absent, Cell::Target, second, Cell::Target, Cell::Null, Cell::Target];
-        assert!(systematic(&[3, 2], &cell(Cell::Null), &neutral)[0]);
-        assert!(!systematic(&[3, 2], &cell(Cell::Target), &neutral)[0]);
-        assert!(!systematic(&[2, 2], &cell(Cell::Null)[..4], &neutral)[0]);
+        assert!(systematic(&[3, 2], &cell(Cell::Null), &neutral, &[])[0]);
+        assert!(!systematic(&[3, 2], &cell(Cell::Target), &neutral, &[])[0]);
+        assert!(!systematic(&[2, 2], &cell(Cell::Null)[..4], &neutral, &[])[0]);
     }
 
     #[test]

@@ -17,9 +17,9 @@ pub(super) fn fits(file: &BTreeSet<&str>, name: &BTreeSet<&str>) -> bool {
     !file.is_empty() && file.is_subset(name)
 }
 
-/// Listed names that a file fits, those only that leave the fewest values open.
-pub(super) fn fitting_names<'s>(macros: &'s MacroFile, file: &BTreeSet<&str>) -> Vec<&'s str> {
-    let links = macros.macrodefs.iter().flat_map(|macrodef| &macrodef.links);
+/// Listed names of some definitions that a file fits, those only that leave the fewest values open.
+pub(super) fn fitting_names<'s>(macrodefs: &[&'s Macrodef], file: &BTreeSet<&str>) -> Vec<&'s str> {
+    let links = macrodefs.iter().flat_map(|macrodef| &macrodef.links);
     let names = links.map(|link| (values_of(&link.name), link.name.as_str()));
     let fitting: Vec<(usize, &str)> =
         names.filter(|(values, _)| fits(file, values)).map(|(values, name)| (values.len(), name)).collect();

@@ -5,7 +5,7 @@ use super::component::is_sound;
 use super::links::{MacroLink, links};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo, nearest};
 use crate::formats::macro_json::Macrodef;
-use crate::repo::{Base, Repository};
+use crate::repo::{Base, Repository, TargetFolder};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -35,8 +35,14 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
         let finding = match (&macrodef.folder, &macrodef.effective_folder) {
             (Some(folder), _) if speaks(base, macrodef, &all) => {
                 let place = Place::pointer(["macrodef", &index, "folder"]);
-                let finding = RULE.at(file, place, format!("folder `{folder}` holds no target"));
-                finding.help(nearest_folder(base, folder))
+                let message = match base.targets {
+                    Some(targets) if holds_files(targets, folder) => {
+                        format!("folder `{folder}` holds none of the {} targets of this macrodef", own.len())
+                    }
+                    _ => format!("folder `{folder}` holds no target"),
+                };
+                RULE.at(file, place, message)
+                    .help(folder_of_files(base, &own).unwrap_or_else(|| nearest_folder(base, folder)))
             }
             (Some(_), _) => continue,
             (None, Some(folder)) => {
@@ -61,8 +67,25 @@ pub(super) fn speaks(base: &Base<'_>, macrodef: &Macrodef, all: &[MacroLink<'_>]
     let (Some(folder), Some(_)) = (&macrodef.effective_folder, &macrodef.folder) else { return true };
     let Some(targets) = base.targets else { return false };
     let own = || all.iter().filter(|link| link.macrodef.index == macrodef.index);
-    let rel = format!("{}/{}", targets.rel(), folder.trim_matches('/'));
-    own().all(MacroLink::is_missing) && targets.layer.below(&rel).next().is_none()
+    // A single name that is missing may be a slip of its own; all of several are not.
+    own().all(MacroLink::is_missing) && (own().nth(1).is_some() || !holds_files(targets, folder))
+}
+
+fn holds_files(targets: TargetFolder<'_>, folder: &str) -> bool {
+    targets.layer.below(&format!("{}/{}", targets.rel(), folder.trim_matches('/'))).next().is_some()
+}
+
+/// The folder that holds all files of a definition, as help.
+fn folder_of_files(base: &Base<'_>, own: &[&MacroLink<'_>]) -> Option<String> {
+    let targets = base.targets?;
+    let first = own.first()?.reference.text;
+    let mut folders = targets
+        .targets()
+        .filter(|file| file.stem() == first)
+        .filter_map(|file| targets.name_of(file)?.rsplit_once('/').map(|(folder, _)| folder.to_owned()));
+    let holds_all =
+        |folder: &String| own.iter().all(|link| targets.target(&format!("{folder}/{}", link.reference.text)).is_some());
+    folders.find(holds_all).map(|folder| format!("its targets are in `{folder}`: write that"))
 }
 
 fn nearest_folder(base: &Base<'_>, folder: &str) -> String {

@@ -1,11 +1,11 @@
 //! `macro_influence` should be the macro definitions that really read the slider.
 
 use super::super::{Check, Rule, RuleCx};
-use super::component::{patterns, unknown_patterns};
+use super::component::{is_sound, patterns, unknown_patterns};
 use super::judgeable::clear_space;
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::formats::macro_json::{MacroFile, Macrodef};
-use crate::repo::{Base, FileFacts, Pattern, Repository};
+use crate::repo::{Base, BoundSlider, FileFacts, Pattern, Repository};
 use std::collections::BTreeSet;
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -31,6 +31,10 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
     let Some((file, macros)) = base.macro_file() else { return };
     let unsure: BTreeSet<i64> =
         macros.macrodefs.iter().filter(|macrodef| is_unsure(base, (file, macros), macrodef)).map(index).collect();
+    let last = i64::try_from(macros.macrodefs.len()).unwrap_or(i64::MAX);
+    if base.lacks_macrodef() {
+        return; // The positions behind it are off by one.
+    }
     for bound in &base.sliders {
         let names = match &bound.pattern {
             Pattern::Macro(_) | Pattern::Barycentric(_) => bound.pattern.names(),
@@ -38,11 +42,10 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
         };
         // An empty list is a fault of another kind, and so are indices out of range.
         let listed: BTreeSet<i64> = bound.slider.macro_influence.iter().flatten().copied().collect();
-        if listed.is_empty() || is_only_in_unused(macros, names) {
+        if listed.is_empty() || is_only_in_unused(macros, names) || is_misshapen(bound) {
             continue;
         }
         let used: BTreeSet<i64> = macros.macrodefs.iter().filter(|m| reads(macros, m, names)).map(index).collect();
-        let last = i64::try_from(macros.macrodefs.len()).unwrap_or(i64::MAX);
         let missing: Vec<i64> = used.difference(&listed).copied().filter(|at| !unsure.contains(at)).collect();
         let superfluous = listed.difference(&used).copied();
         let superfluous: Vec<i64> = superfluous.filter(|at| (0..last).contains(at) && !unsure.contains(at)).collect();
@@ -58,6 +61,12 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
     }
 }
 
+/// Whether the schema refuses an element of the list, or the list.
+fn is_misshapen(bound: &BoundSlider<'_>) -> bool {
+    let key = bound.slider.key.replace('~', "~0").replace('/', "~1");
+    !is_sound(bound.file, &format!("/{key}/macro_influence"))
+}
+
 fn index(macrodef: &Macrodef) -> i64 {
     i64::try_from(macrodef.index).unwrap_or(i64::MAX)
 }
@@ -70,11 +79,12 @@ fn reads(macros: &MacroFile, macrodef: &Macrodef, names: &[String]) -> bool {
 
 /// Whether a definition might read a slider, were it not for another fault.
 fn is_unsure(base: &Base<'_>, (file, macros): (&FileFacts, &MacroFile), macrodef: &Macrodef) -> bool {
-    clear_space(file, macros, macrodef).is_none() || macrodef.components.iter().any(|name| {
-        let component = macros.components.iter().find(|component| component.name == *name);
-        component
-            .is_none_or(|component| patterns(component).is_empty() || !unknown_patterns(base, component).is_empty())
-    })
+    clear_space(file, macros, macrodef).is_none()
+        || macrodef.components.iter().any(|name| {
+            let component = macros.components.iter().find(|component| component.name == *name);
+            component
+                .is_none_or(|component| patterns(component).is_empty() || !unknown_patterns(base, component).is_empty())
+        })
 }
 
 /// Whether only components that no definition uses read the slider.

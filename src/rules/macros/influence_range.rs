@@ -1,8 +1,9 @@
 //! `macro_influence` must hold indices of macro definitions.
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
-use crate::repo::{Base, Repository};
+use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
+use crate::repo::{Base, BoundSlider, Repository};
+use std::collections::BTreeMap;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -26,24 +27,49 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
         return; // `macro-unused-component`, or the schema: no index could be right.
     }
     let count = i64::try_from(macros.macrodefs.len()).unwrap_or(i64::MAX);
+    // A macro definition that was removed leaves the same index in many sliders: one cause.
+    let mut groups: BTreeMap<Vec<i64>, Vec<&BoundSlider<'_>>> = BTreeMap::new();
     for bound in &base.sliders {
         let Some(influence) = &bound.slider.macro_influence else { continue };
         let wrong: Vec<i64> = influence.iter().copied().filter(|index| !(0..count).contains(index)).collect();
-        if wrong.is_empty() {
-            continue;
+        if !wrong.is_empty() {
+            groups.entry(wrong).or_default().push(bound);
         }
-        let key = &bound.slider.key;
-        let shown = wrong.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
-        let range = if count == 1 { "the only one is 0".to_owned() } else { format!("they are 0 to {}", count - 1) };
-        let message = format!("`macro_influence` of `{key}` lists {shown}, which is no macrodef: {range}");
-        let place = Place::pointer([key, "macro_influence"]);
-        let evidence = Evidence::of_cases(&wrong).out_of(influence.len());
-        let mut finding =
-            RULE.at(bound.file, place, message).key(key).help("correct or remove the index").evidence(evidence);
-        // Negative indices pass the loader's test, which looks at the upper end only.
-        if influence.iter().any(|index| *index < count) {
-            finding = finding.level(Level::Info).breaks(Application::Makehuman2, "nothing: another index is left");
-        }
-        out.push(finding);
     }
+    for (wrong, sliders) in groups {
+        out.extend(finding(&wrong, &sliders, count));
+    }
+}
+
+/// One finding on all sliders that list the same wrong indices.
+fn finding(wrong: &[i64], sliders: &[&BoundSlider<'_>], count: i64) -> Option<Finding> {
+    let (first, others) = sliders.split_first()?;
+    let place = |bound: &BoundSlider<'_>| Place::pointer([bound.slider.key.as_str(), "macro_influence"]);
+    let key = &first.slider.key;
+    let shown = wrong.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
+    let range = if count == 1 { "the only one is 0".to_owned() } else { format!("they are 0 to {}", count - 1) };
+    let more = if others.is_empty() { String::new() } else { format!(" ({} sliders list it)", sliders.len()) };
+    let message = format!("`macro_influence` of `{key}` lists {shown}, which is no macrodef: {range}{more}");
+    let mut finding = RULE.at(first.file, place(first), message);
+    finding = finding.help(if others.is_empty() {
+        "correct or remove the index"
+    } else {
+        "correct or remove the index; if a macrodef was removed, add it again, or remove its components and its folder"
+    });
+    finding = if others.is_empty() {
+        let listed = first.slider.macro_influence.as_ref().map_or(0, Vec::len);
+        finding.key(key).evidence(Evidence::of_cases(wrong).out_of(listed))
+    } else {
+        finding.key(shown).evidence(Evidence::of_cases(sliders.iter().map(|bound| &bound.slider.key)))
+    };
+    for other in others.iter().take(EXAMPLES - 1) {
+        finding = finding.related(&other.file.path, place(other), "lists it, too");
+    }
+    // Negative indices pass the loader's test, which looks at the upper end only.
+    let has_other =
+        |bound: &&BoundSlider<'_>| bound.slider.macro_influence.iter().flatten().any(|index| *index < count);
+    if sliders.iter().all(has_other) {
+        finding = finding.level(Level::Info).breaks(Application::Makehuman2, "nothing: another index is left");
+    }
+    Some(finding)
 }

@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::fit::{fits, values_of};
 use crate::diag::Place;
 use crate::formats::macro_json::{Link, Macrodef};
 use crate::repo::{Base, FileFacts, Reference, ReferenceKind, Repository, Resolution};
@@ -40,6 +41,14 @@ impl<'s> MacroLink<'s> {
         matches!(self.reference.resolution, Resolution::Missing)
     }
 
+    /// Whether no file is there, for whatever reason.
+    fn is_nowhere(&self) -> bool {
+        !matches!(
+            self.reference.resolution,
+            Resolution::Found(_) | Resolution::CaseOnly(_) | Resolution::Backslash(Some(_)) | Resolution::NeedsSystem
+        )
+    }
+
     pub(super) fn place(&self) -> Place {
         self.reference.place.clone()
     }
@@ -69,9 +78,57 @@ pub(super) fn unreferenced<'s>(repository: &'s Repository<'_>, base: &'s Base<'_
             }
         }
     }
+    let faulty = FaultyEntries::of(repository, base);
     let readable = |file: &&FileFacts| file.target().is_some_and(|facts| facts.unreadable_rows == 0);
     let free = folder.targets().filter(|file| base.is_in_macro_folder(file) && !named.contains(file.rel.as_str()));
-    free.filter(|file| file.encoding.invalid_utf8_at.is_none()).filter(readable).collect()
+    let free = free.filter(|file| file.encoding.invalid_utf8_at.is_none()).filter(readable);
+    free.filter(|file| !faulty.mean(base, file)).collect()
+}
+
+/// Entries that lead to no file, for which something is reported.
+struct FaultyEntries<'s> {
+    /// Last parts of what they write.
+    stems: BTreeSet<&'s str>,
+    /// Their definitions and names, with the parts of the names.
+    names: Vec<(&'s Macrodef, BTreeSet<&'s str>)>,
+}
+
+impl<'s> FaultyEntries<'s> {
+    fn of(repository: &'s Repository<'_>, base: &'s Base<'_>) -> Self {
+        let mut faulty = Self { stems: BTreeSet::new(), names: Vec::new() };
+        let Some((_, macros)) = base.macro_file() else { return faulty };
+        for link in links(repository, base) {
+            if link.is_nowhere() {
+                faulty.stems.extend(last_part(link.reference.text));
+                faulty.names.push((link.macrodef, values_of(&link.link.name)));
+            }
+        }
+        for macrodef in &macros.macrodefs {
+            faulty.stems.extend(macrodef.nameless.iter().filter_map(|text| last_part(text)));
+            let empty = macrodef.links.iter().filter(|link| link.target.as_deref() == Some(""));
+            let names = empty.map(|link| &link.name).chain(&macrodef.unusable);
+            faulty.names.extend(names.map(|name| (macrodef, values_of(name))));
+        }
+        faulty
+    }
+
+    /// Whether a file is what one of them was meant to name.
+    fn mean(&self, base: &Base<'_>, file: &FileFacts) -> bool {
+        let spelt = values_of(file.stem());
+        self.stems.contains(file.stem())
+            || self.names.iter().any(|(macrodef, name)| fits(&spelt, name) && is_in_folder(base, macrodef, file))
+    }
+}
+
+fn last_part(text: &str) -> Option<&str> {
+    text.rsplit(['/', '\\']).next().filter(|part| !part.is_empty())
+}
+
+/// Whether a target lies in the folder that a definition uses, or below it.
+pub(super) fn is_in_folder(base: &Base<'_>, macrodef: &Macrodef, file: &FileFacts) -> bool {
+    let name = base.targets.and_then(|folder| folder.name_of(file)).unwrap_or_default();
+    let folder = macrodef.effective_folder.as_deref().map_or("", |folder| folder.trim_matches('/'));
+    !folder.is_empty() && name.strip_prefix(folder).is_some_and(|rest| rest.starts_with('/'))
 }
 
 /// The file whose name is most like that of a missing one, in the same folder.

@@ -7,6 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::combination_patterns::is_walkable;
 use super::space::{Combination, Space};
+use super::spelled::Spelled;
 use crate::diag::nearest;
 use crate::formats::macro_json::{Link, Macrodef};
 
@@ -54,6 +55,19 @@ impl Slip {
             Self::Other(text) => format!("other {text}"),
         }
     }
+
+    /// Why a name with this slip is not generated.
+    pub(super) fn reason(&self, space: &Space<'_>) -> String {
+        match self {
+            Self::Order => "has its values in another order than `comp`".to_owned(),
+            Self::Value { axis, token } => {
+                let name = space.axes.get(*axis).map_or("", |axis| &axis.name);
+                format!("can never be reached: `{token}` is no value of `{name}`")
+            }
+            Self::Parts(parts) => format!("can never be reached: it has {parts} parts, not {}", space.axes.len()),
+            Self::Other(_) => "can never be reached: its parts are no values of the components".to_owned(),
+        }
+    }
 }
 
 impl<'a> Listing<'a> {
@@ -73,6 +87,7 @@ impl<'a> Listing<'a> {
         let free = if unknown.is_empty() || unknown.len() > COMPARED { Vec::new() } else { free_names(space, &found) };
         let stranger = |link: &'a Link| {
             let (slip, intended) = slip(space, &found, &link.name);
+            let intended = intended.or_else(|| by_file(space, &found, link));
             let intended = intended.or_else(|| space.parse(nearest(&link.name, free.iter().map(String::as_str))?));
             Stranger { link, slip, intended }
         };
@@ -80,6 +95,13 @@ impl<'a> Listing<'a> {
         claimed.extend(strangers.iter().filter_map(|stranger| stranger.intended.clone()));
         Self { found, strangers, claimed }
     }
+}
+
+/// The combination that the words of the name spell, and where they leave something open those of the file.
+fn by_file(space: &Space<'_>, found: &BTreeMap<Combination, &Link>, link: &Link) -> Option<Combination> {
+    let file = link.target.as_deref()?.rsplit('/').next()?;
+    let combination = Spelled::of(space, &link.name).completed(&Spelled::of(space, file))?;
+    (!found.contains_key(&combination)).then_some(combination)
 }
 
 /// Names without an entry, if they are few enough to be compared.

@@ -1,13 +1,17 @@
 //! Rules on `macro.json` of MakeHuman 2.
 
 mod absence;
+mod absence_text;
 mod combination_patterns;
 mod component;
 mod fit;
 mod judgeable;
 mod links;
 mod listing;
+mod misspelt_value;
 mod space;
+mod spelled;
+mod survey;
 
 pub(super) mod alias_suspect;
 pub(super) mod ambiguous_value;

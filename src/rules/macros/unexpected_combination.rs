@@ -3,11 +3,12 @@
 use super::super::{Check, Rule, RuleCx};
 use super::judgeable::judged_space;
 use super::listing::{Listing, Slip, Stranger};
+use super::misspelt_value::{MisspeltValue, misspelt_values, other_component};
 use super::space::Space;
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::macro_json::{MacroFile, Macrodef};
 use crate::repo::{Base, FileFacts, Repository};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -31,14 +32,23 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };
+    let misspelt = misspelt_values(file, macros);
+    out.extend(misspelt.iter().map(|value| finding_on_value(file, value)));
     for macrodef in &macros.macrodefs {
         if macrodef.components.is_empty() {
             out.extend(without_components(file, macrodef));
         }
         let Some(space) = judged_space(file, macros, macrodef) else { continue };
         let listing = Listing::of(&space, macrodef);
+        if let Some(finding) = finding_on_comp(file, macros, macrodef, (&space, &listing)) {
+            out.push(finding);
+            continue;
+        }
         let mut groups: BTreeMap<(Option<usize>, Slip), Vec<&Stranger<'_>>> = BTreeMap::new();
         for stranger in &listing.strangers {
+            if misspelt.iter().any(|value| value.explains(&space, &stranger.slip)) {
+                continue;
+            }
             let home = home(macros, macrodef, &stranger.link.name);
             groups.entry((home, stranger.slip.clone())).or_default().push(stranger);
         }
@@ -48,7 +58,7 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
                 if strangers.len() > 1 { format!(" ({} names like it)", strangers.len()) } else { String::new() };
             let reason = match home.and_then(|home| macros.macrodefs.get(home)) {
                 Some(home) => format!("is a combination of macrodef `{}`", home.components.join("-")),
-                None => reason(&space, &slip),
+                None => slip.reason(&space),
             };
             let message = format!("`{}` {reason}{more}", first.link.name);
             let place = Place::Pointer(macrodef.link_pointer(first.link, "name"));
@@ -69,6 +79,39 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
     }
 }
 
+/// A value that no name has: the fault is in the component, not in the names.
+fn finding_on_value(file: &FileFacts, value: &MisspeltValue<'_>) -> Finding {
+    let (written, token, component) = (value.written(), &value.token, &value.component.name);
+    let count = value.names.len();
+    let message = format!("no combination has the value `{written}` of `{component}`: {count} names have `{token}`");
+    let place = Place::pointer(["components", component, "values", &value.value.to_string()]);
+    let mut finding = RULE.at(file, place, message).key(format!("{component}/{written}"));
+    finding = finding.help(format!("did you mean `{token}`?"));
+    let mut seen = BTreeSet::new();
+    for (macrodef, link) in value.names.iter().filter(|(macrodef, _)| seen.insert(macrodef.index)).take(EXAMPLES) {
+        let place = Place::Pointer(macrodef.link_pointer(link, "name"));
+        finding = finding.related(&file.path, place, format!("macrodef `{}`", macrodef.components.join("-")));
+    }
+    finding.evidence(Evidence::of_cases(value.names.iter().map(|(_, link)| &link.name)))
+}
+
+/// If no name is right because all have values of another component in one place, `comp` is wrong there.
+fn finding_on_comp(
+    file: &FileFacts,
+    macros: &MacroFile,
+    macrodef: &Macrodef,
+    (space, listing): (&Space<'_>, &Listing<'_>),
+) -> Option<Finding> {
+    let (axis, meant) = other_component(macros, listing)?;
+    let message =
+        format!("`comp` has `{}` where the names have values of `{}`", space.axes.get(axis)?.name, meant.name);
+    let place = Place::pointer(["macrodef", &macrodef.index.to_string(), "comp", &axis.to_string()]);
+    let names = listing.strangers.iter().map(|stranger| &stranger.link.name);
+    let finding = RULE.at(file, place, message).key(format!("{}/comp", macrodef.components.join("-")));
+    let evidence = Evidence::of_cases(names).out_of(macrodef.links.len());
+    Some(finding.help(format!("did you mean `{}`?", meant.name)).evidence(evidence))
+}
+
 /// Without components a definition generates the empty name alone.
 fn without_components(file: &FileFacts, macrodef: &Macrodef) -> Option<Finding> {
     let names = || macrodef.links.iter().map(|link| &link.name).filter(|name| !name.is_empty());
@@ -85,16 +128,4 @@ fn home(macros: &MacroFile, own: &Macrodef, name: &str) -> Option<usize> {
     others
         .find(|other| Space::of(macros, other).is_some_and(|space| space.parse(name).is_some()))
         .map(|other| other.index)
-}
-
-fn reason(space: &Space<'_>, slip: &Slip) -> String {
-    match slip {
-        Slip::Order => "has its values in another order than `comp`".to_owned(),
-        Slip::Value { axis, token } => {
-            let name = space.axes.get(*axis).map_or("", |axis| &axis.name);
-            format!("can never be reached: `{token}` is no value of `{name}`")
-        }
-        Slip::Parts(parts) => format!("can never be reached: it has {parts} parts, not {}", space.axes.len()),
-        Slip::Other(_) => "can never be reached: its parts are no values of the components".to_owned(),
-    }
 }

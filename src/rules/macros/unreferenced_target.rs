@@ -3,10 +3,12 @@
 use super::super::{Check, Rule, RuleCx};
 use super::alias_suspect::suspects;
 use super::fit::{fitting_names, values_of};
-use super::links::unreferenced;
+use super::links::{is_in_folder, unreferenced};
+use super::survey::survey;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
-use crate::formats::macro_json::MacroFile;
+use crate::formats::macro_json::Macrodef;
 use crate::repo::{Base, FileFacts, Repository};
+use std::collections::BTreeSet;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -27,11 +29,22 @@ pub(in crate::rules) static RULE: Rule = Rule {
 fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((macro_file, macros)) = base.macro_file() else { return };
     let free = unreferenced(repository, base);
-    let suspects = if free.is_empty() { Vec::new() } else { suspects(repository, base, &free) };
-    for file in free.iter().filter(|file| !is_for_faulty_entry(base, (macro_file, macros), file)) {
+    if free.is_empty() {
+        return;
+    }
+    let suspects = suspects(repository, base, &free);
+    // `macro-missing-combination` names the files of its holes.
+    let surveys = macros.macrodefs.iter().filter_map(|macrodef| survey(base, macrodef, &free));
+    let awaited: BTreeSet<&str> = surveys.flat_map(|survey| survey.files).map(|file| file.rel.as_str()).collect();
+    for file in free.iter().filter(|file| !awaited.contains(file.rel.as_str())) {
+        let holders: Vec<&Macrodef> =
+            macros.macrodefs.iter().filter(|macrodef| is_in_folder(base, macrodef, file)).collect();
+        let fitting = fitting_names(&holders, &values_of(file.stem()));
+        if is_for_faulty_entry(macro_file, &holders, !fitting.is_empty()) {
+            continue;
+        }
         let message = format!("no macrodef uses `{}`", file.stem());
         let mut finding = RULE.at(file, Place::File, message).key(file.stem());
-        let fitting = fitting_names(macros, &values_of(file.stem()));
         finding = match fitting.as_slice() {
             [] => finding.help("let the combination it is for name it in `t`, or remove it"),
             [one] => finding.help(format!("the combination `{one}` fits; let it name the file, or remove the file")),
@@ -51,13 +64,13 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
     }
 }
 
-/// Whether the schema refuses an entry, or all entries, of a definition whose folder holds the file: the entry was
-/// probably the one that names it.
-fn is_for_faulty_entry(base: &Base<'_>, (file, macros): (&FileFacts, &MacroFile), target: &FileFacts) -> bool {
-    let name = base.targets.and_then(|folder| folder.name_of(target)).unwrap_or_default();
-    let is_inside = |folder: &str| name.strip_prefix(folder.trim_matches('/')).is_some_and(|rest| rest.starts_with('/'));
-    let holders = macros.macrodefs.iter().filter(|macrodef| macrodef.effective_folder.as_deref().is_some_and(is_inside));
-    let mut below = holders.map(|macrodef| format!("/macrodef/{}/targets", macrodef.index));
-    let fits_listed = || !fitting_names(macros, &values_of(target.stem())).is_empty();
-    below.any(|below| file.schema.faults.iter().any(|fault| fault.pointer.starts_with(&below))) && !fits_listed()
+/// Whether the schema refuses the entries of a definition whose folder holds the file, or one of them while no listed
+/// name fits: that entry was probably the one for the file.
+fn is_for_faulty_entry(file: &FileFacts, holders: &[&Macrodef], fits_listed: bool) -> bool {
+    let own = |macrodef: &&Macrodef| format!("/macrodef/{}", macrodef.index);
+    let faults = |test: &dyn Fn(&str) -> bool| file.schema.faults.iter().any(|fault| test(&fault.pointer));
+    let all = |own: String| faults(&|fault| fault == own || fault == format!("{own}/targets"));
+    let single = |own: String| faults(&|fault| fault.starts_with(&format!("{own}/targets/")));
+    holders.iter().any(|holder| holder.links.is_empty() && (all(own(holder)) || single(own(holder))))
+        || !fits_listed && holders.iter().any(|holder| single(own(holder)))
 }

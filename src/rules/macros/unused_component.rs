@@ -38,7 +38,7 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
             || names.len() < macrodef.components.len()
             || (Space::of(macros, macrodef).is_some() && clear_space(file, macros, macrodef).is_none())
     };
-    if macros.macrodefs.iter().any(is_open) {
+    if macros.macrodefs.iter().any(is_open) || base.lacks_macrodef() {
         return;
     }
     for component in &macros.components {

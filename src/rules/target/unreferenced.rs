@@ -36,14 +36,30 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
             folders.entry(parent(&file.rel)).or_default().push(file);
         }
     }
+    let is_lost = lost_macrodefs(base) || base.lacks_macrodef();
     for (path, files) in folders {
         let all = folder.layer.below(path).filter(|file| file.target().is_some()).count();
         if files.len() > 1 && files.len() == all {
+            // Probably the folder of a definition that cannot be read.
+            if is_lost {
+                continue;
+            }
             out.push(whole_folder(folder.layer, path, &files));
         } else {
             out.extend(files.into_iter().map(|file| single(file, folder.name_of(file).unwrap_or_default())));
         }
     }
+}
+
+/// Whether `macro.json` has no definition at all, or one that is not read: that finding speaks for its folder, too.
+fn lost_macrodefs(base: &Base<'_>) -> bool {
+    let Some((file, macros)) = base.macro_file() else { return false };
+    let whole = |pointer: &str| pointer.strip_prefix("/macrodef").is_some_and(|rest| rest.matches('/').count() <= 1);
+    let is_lost = |fault: &crate::json::SchemaFault| {
+        let own = macros.macrodefs.iter().find(|own| fault.pointer == format!("/macrodef/{}", own.index));
+        whole(&fault.pointer) && own.is_none_or(|own| own.effective_folder.is_none() || own.links.is_empty())
+    };
+    macros.macrodefs.is_empty() && !macros.components.is_empty() || file.schema.faults.iter().any(is_lost)
 }
 
 /// What cannot be parsed is worse than unused.
