@@ -74,6 +74,10 @@ fn apply(files: &mut Files, edit: &Edit) -> Result<(), String> {
             let bytes = known(from)?;
             files.insert(path(to), bytes);
         }
+        Edit::Zero(file, vertices) => {
+            let zeroed = zeroed(std::str::from_utf8(&known(file)?).unwrap(), vertices);
+            files.insert(path(file), zeroed.into_bytes().into());
+        }
         Edit::Move(file, moves) => {
             let moved = displaced(std::str::from_utf8(&known(file)?).unwrap(), moves)?;
             files.insert(path(file), moved.into_bytes().into());
@@ -97,6 +101,16 @@ fn displaced(text: &str, moves: &[(u32, [f64; 3])]) -> Result<String, String> {
         *line = format!("{vertex} {:.5} {:.5} {:.5}", delta[0] + by[0], delta[1] + by[1], delta[2] + by[2]);
     }
     Ok(lines.join("\n") + "\n")
+}
+
+/// A target that no longer moves some vertices.
+fn zeroed(text: &str, vertices: &[u32]) -> String {
+    let is_one = |line: &str| {
+        let vertex = line.split(' ').next().and_then(|word| word.parse::<u32>().ok());
+        vertex.filter(|vertex| vertices.contains(vertex))
+    };
+    let lines = text.lines().map(|line| is_one(line).map_or(line.to_owned(), |vertex| format!("{vertex} 0 0 0")));
+    lines.map(|line| line + "\n").collect()
 }
 
 fn run(files: &Files, no_eval: bool) -> Outcome {
@@ -126,11 +140,11 @@ fn verdict(case: &Case, files: &Files, healthy: &Outcome, no_eval: bool) -> Stri
     }
     let outcome = run(&damaged, no_eval);
     let (fresh, gone) = (beyond(&outcome, healthy), beyond(healthy, &outcome));
-    // What vanishes is told for the reader: a damaged file silences what can no longer be judged.
+    // A fault may silence what can no longer be judged, and the case says what: nothing else may go.
     let is_new = |finding: &&Finding| healthy.findings.iter().all(|known| known.fingerprint != finding.fingerprint);
     let new: Vec<&Finding> = outcome.findings.iter().filter(is_new).collect();
     let says = new.is_empty() || new.iter().any(|finding| finding.message.contains(case.says));
-    if fresh == case.fresh && says && outcome.failed_rules.is_empty() {
+    if fresh == case.fresh && gone == case.gone && says && outcome.failed_rules.is_empty() {
         return String::new();
     }
     let messages: Vec<_> =

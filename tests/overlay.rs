@@ -50,12 +50,14 @@ const LOST_TARGETS: &str = "!overlay-targets-not-in-layer contarget/imp/macro.js
 const SHADOWED_MACRO: &str = ".overlay-shadowed contarget/imp/macro.json";
 const DEAD_TARGETS: &str = "?overlay-partial-override contarget/imp/body/belly-size-decr.target";
 
+const UNMEASURED: &str = ".overlay-needs-system contarget/imp/body/belly-size-decr.target";
+
 const ROWS: &[Row<'_>] = &[
     Row {
         name: "all three files and all targets: the system's are ignored",
         change: |_| {},
         over_system: &[MACRO_PROBE, SHADOWED_MACRO, OWN_SLIDERS],
-        alone: &[MACRO_PROBE, OWN_SLIDERS],
+        alone: &[MACRO_PROBE, UNMEASURED, OWN_SLIDERS],
         one_root: &[MACRO_PROBE, SHADOWED_MACRO],
     },
     Row {
@@ -64,14 +66,18 @@ const ROWS: &[Row<'_>] = &[
             remove(contarget, &["modelling.json", "target_cat.json", "body", "ears"]);
         },
         over_system: &[MACRO_PROBE, LOST_TARGETS, SYSTEM_SLIDERS],
-        alone: &[MACRO_PROBE, "?overlay-partial-override contarget/imp/macro.json"],
+        alone: &[
+            MACRO_PROBE,
+            ".overlay-needs-system contarget/imp/macro_height/short.target",
+            "?overlay-partial-override contarget/imp/macro.json",
+        ],
         one_root: &[MACRO_PROBE, LOST_TARGETS],
     },
     Row {
         name: "macro.json and modelling.json with a part of the targets",
         change: |contarget| remove(contarget, &["ears"]),
         over_system: &[MACRO_PROBE, LOST_TARGETS, OWN_SLIDERS],
-        alone: &[MACRO_PROBE, OWN_SLIDERS],
+        alone: &[MACRO_PROBE, UNMEASURED, OWN_SLIDERS],
         one_root: &[MACRO_PROBE, LOST_TARGETS],
     },
     Row {
@@ -100,7 +106,10 @@ const ROWS: &[Row<'_>] = &[
             remove(contarget, &["macro.json", "modelling.json", "body", "ears", "macro_height"]);
         },
         over_system: &[".overlay-partial-override contarget/imp/target_cat.json", SYSTEM_SLIDERS],
-        alone: &[".overlay-partial-override contarget/imp/target_cat.json"],
+        alone: &[
+            ".overlay-needs-system target/imp/mine/own.target",
+            ".overlay-partial-override contarget/imp/target_cat.json",
+        ],
         one_root: &[SYSTEM_PROBE, ".overlay-partial-override contarget/imp/target_cat.json"],
     },
     Row {
@@ -131,28 +140,28 @@ const ROWS: &[Row<'_>] = &[
         name: "modelling.json malformed: the system's sliders over contarget's targets",
         change: |contarget| edit(&contarget.join("modelling.json"), "\"Height\": {", "\"Height\": {,"),
         over_system: &[MACRO_PROBE, BROKEN_SLIDERS, SYSTEM_SLIDERS],
-        alone: &[MACRO_PROBE, BROKEN_SLIDERS],
+        alone: &[MACRO_PROBE, BROKEN_SLIDERS, UNMEASURED],
         one_root: &[MACRO_PROBE, BROKEN_SLIDERS],
     },
     Row {
         name: "target_cat.json empty: the system's categories",
         change: |contarget| fs::write(contarget.join("target_cat.json"), "[]").unwrap(),
         over_system: &[MACRO_PROBE, BROKEN_CATEGORIES, OWN_SLIDERS],
-        alone: &[MACRO_PROBE, BROKEN_CATEGORIES, OWN_SLIDERS],
+        alone: &[MACRO_PROBE, BROKEN_CATEGORIES, UNMEASURED, OWN_SLIDERS],
         one_root: &[MACRO_PROBE, BROKEN_CATEGORIES],
     },
     Row {
         name: "targets alone: never read",
         change: |contarget| remove(contarget, &["macro.json", "modelling.json", "target_cat.json"]),
         over_system: &[DEAD_TARGETS, SYSTEM_SLIDERS],
-        alone: &[DEAD_TARGETS],
+        alone: &[UNMEASURED, DEAD_TARGETS],
         one_root: &[SYSTEM_PROBE, DEAD_TARGETS],
     },
     Row {
         name: "macro.json and modelling.json with all targets: categories from the system",
         change: |contarget| remove(contarget, &["target_cat.json"]),
         over_system: &[MACRO_PROBE, SHADOWED_MACRO, OWN_SLIDERS],
-        alone: &[MACRO_PROBE, OWN_SLIDERS],
+        alone: &[MACRO_PROBE, UNMEASURED, OWN_SLIDERS],
         one_root: &[MACRO_PROBE, SHADOWED_MACRO],
     },
     Row {
@@ -194,21 +203,21 @@ const ROWS: &[Row<'_>] = &[
         name: "modelling.json empty: the system's sliders over contarget's targets",
         change: |contarget| fs::write(contarget.join("modelling.json"), "{}").unwrap(),
         over_system: &[MACRO_PROBE, BROKEN_SLIDERS, SYSTEM_SLIDERS],
-        alone: &[MACRO_PROBE, BROKEN_SLIDERS],
+        alone: &[MACRO_PROBE, BROKEN_SLIDERS, UNMEASURED],
         one_root: &[MACRO_PROBE, BROKEN_SLIDERS],
     },
     Row {
         name: "target_cat.json malformed: the system's categories",
         change: |contarget| fs::write(contarget.join("target_cat.json"), "{").unwrap(),
         over_system: &[MACRO_PROBE, BROKEN_CATEGORIES, OWN_SLIDERS],
-        alone: &[MACRO_PROBE, BROKEN_CATEGORIES, OWN_SLIDERS],
+        alone: &[MACRO_PROBE, BROKEN_CATEGORIES, UNMEASURED, OWN_SLIDERS],
         one_root: &[MACRO_PROBE, BROKEN_CATEGORIES],
     },
     Row {
         name: "nothing in contarget",
         change: |contarget| fs::remove_dir_all(contarget).unwrap(),
         over_system: &[SYSTEM_SLIDERS],
-        alone: &[],
+        alone: &[".overlay-needs-system target/imp/mine/own.target"],
         one_root: &[SYSTEM_PROBE],
     },
 ];

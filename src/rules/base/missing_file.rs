@@ -61,10 +61,11 @@ fn named(repository: &Repository<'_>, base: &Base<'_>, reference: &Reference<'_>
 fn unnamed(repository: &Repository<'_>, base: &Base<'_>) -> Option<Finding> {
     let judged = repository.judged;
     let folder = format!("base/{}", base.name);
-    // What is there but cannot be opened has a finding of its own.
+    // What is there but cannot be opened, or is written with other capitals, has a finding of its own.
     let exists = |file: &str| {
         let rel = format!("{folder}/{file}");
-        repository.strongest_first().any(|layer| layer.file(&rel).is_some() || layer.has_unusable(&rel))
+        let is_here = |layer: &Layer| layer.file_ignoring_case(&rel).is_some() || layer.has_unusable(&rel);
+        repository.strongest_first().any(is_here)
     };
     let (settings, mesh) = (exists("base.json"), exists("base.obj") || exists("base.mhbin"));
     let has_base = judged.below(&folder).next().is_some();
@@ -72,12 +73,12 @@ fn unnamed(repository: &Repository<'_>, base: &Base<'_>) -> Option<Finding> {
         (true, false) if has_base => {
             let message = format!("the base `{}` has no mesh: neither base.obj nor base.mhbin", base.name);
             let finding = RULE.in_layer(judged, &format!("{folder}/base.json"), message).key("mesh");
-            Some(finding.help(near_miss(judged, &folder, "base.obj")))
+            Some(finding.help(format!("add `{folder}/base.obj`")))
         }
         (false, true) if has_base => {
             let message = format!("the base `{}` has no base.json", base.name);
             let finding = RULE.in_layer(judged, &format!("{folder}/base.json"), message).key("base.json");
-            Some(finding.help(near_miss(judged, &folder, "base.json")))
+            Some(finding.help(format!("add `{folder}/base.json`")))
         }
         // One root with `contarget/` may be a user's folder whose system data was not given.
         (false, false) if !repository.is_one_root() => orphan(judged, base),
@@ -130,11 +131,4 @@ fn orphan(judged: &Layer, base: &Base<'_>) -> Option<Finding> {
             .breaks(Application::Makehuman2, "never loads these targets")
             .help("the folder must have the name of a base; give the system data with `--system` if the base is there"),
     )
-}
-
-fn near_miss(layer: &Layer, folder: &str, file: &str) -> String {
-    match layer.file_ignoring_case(&format!("{folder}/{file}")) {
-        Some(other) => format!("rename `{}` to `{file}`: names are compared with their case", other.file_name()),
-        None => format!("add `{folder}/{file}`"),
-    }
 }

@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use super::named::{causes, effect, is_known_by, written};
 use crate::diag::{Application, Finding, Fix, FixKind, Level, RuleInfo};
-use crate::repo::{Repository, Resolution};
+use crate::repo::{Reference, Repository, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -32,7 +32,7 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let level = if exists { Level::Warning } else { finding.level };
         let slashed = cause.text().replace('\\', "/");
         let is_fixable =
-            |reference: &&&Reference<'_>| exists && reference.text.contains('\\') && !is_known_by(repository, reference);
+            |reference: &Reference<'_>| exists && reference.text.contains('\\') && !is_known_by(repository, reference);
         let mut fix = Fix::new(RULE.info.fix, "write `/` for `\\`");
         // Where nobody finds the file, its name has to be found out first.
         for reference in cause.references.iter().filter(|reference| is_fixable(reference)) {

@@ -1,7 +1,7 @@
 //! References that only a file system without regard to case resolves.
 
 use super::super::{Check, Rule, RuleCx};
-use super::loader::{fixed_name, is_generated};
+use super::loader::{is_generated, misnamed};
 use super::named::{causes, effect, is_known_by, written};
 use crate::diag::{Application, Finding, Fix, FixKind, Level, Place, RuleInfo};
 use crate::repo::{Reference, Repository, Resolution};
@@ -12,7 +12,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
         breaks: &[(Application::Makehuman2, "finds it on Windows and macOS, on Linux it does not exist")],
         docs: "The name is written with other capitals than the file has. On Windows and on most Macs that makes no difference, on Linux it \
             does, and inside `compressedtargets.npz` everywhere.\n\nWhat follows is what follows from a missing file: an exception when \
-            the slider moves, a refused skeleton, an empty button.\n\nThe same goes for macro.json, modelling.json and target_cat.json, which are looked for by these names alone.\n\nWrite the name exactly as the file is called, or rename \
+            the slider moves, a refused skeleton, an empty button.\n\nThe same goes for base.json, base.obj, macro.json, modelling.json and target_cat.json, which are looked for by these names alone.\n\nWrite the name exactly as the file is called, or rename \
             the file. A folder whose name differs is reported once for the file that refers into it.",
         ..RuleInfo::new("file-case-mismatch", Level::Error, "a reference that differs from its file in case")
     },
@@ -20,7 +20,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    misnamed(repository, out);
+    fixed_names(repository, out);
     for cause in causes(repository, |reference| found(reference).map(|found| differing(&reference.rel, found).0)) {
         let Some(first) = cause.references.first() else { continue };
         let Some(target) = found(first) else { continue };
@@ -46,13 +46,17 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 }
 
 /// A file that MakeHuman 2 looks for by a fixed name.
-fn misnamed(repository: &Repository<'_>, out: &mut Vec<Finding>) {
+fn fixed_names(repository: &Repository<'_>, out: &mut Vec<Finding>) {
     let layer = repository.judged;
     for file in layer.files.values().filter(|file| !is_generated(repository, file)) {
-        let Some(right) = fixed_name(&file.rel).filter(|right| layer.file(right).is_none()) else { continue };
+        let Some(right) = misnamed(layer, &file.rel) else { continue };
         let (name, wanted) = (file.file_name(), right.rsplit('/').next().unwrap_or_default());
         let message = format!("`{name}` is looked for as `{wanted}`");
-        let effect = format!("on Linux: takes `{wanted}` as missing, without a word");
+        let effect = if right.starts_with("base/") {
+            "on Linux: does not load the base mesh".to_owned()
+        } else {
+            format!("on Linux: takes `{wanted}` as missing, without a word")
+        };
         let finding = RULE.at(file, Place::File, message).key("name").help(format!("rename it to `{wanted}`"));
         out.push(finding.breaks(Application::Makehuman2, effect));
     }

@@ -2,7 +2,7 @@
 
 use crate::diag::Level;
 use crate::discover::{Kind, SCANNED};
-use crate::repo::{FileFacts, Repository};
+use crate::repo::{FileFacts, Layer, Repository};
 
 /// When a file is opened.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -70,17 +70,18 @@ pub(super) fn opens(rel: &str) -> bool {
     }
 }
 
-/// The path of a JSON of a target folder that is written with other capitals.
-pub(super) fn fixed_name(rel: &str) -> Option<String> {
-    let lower = rel.rsplit('/').next().unwrap_or_default().to_lowercase();
-    match rel.split('/').collect::<Vec<_>>().as_slice() {
-        [folder @ ("target" | "contarget"), base, name]
-            if lower != *name && matches!(&*lower, "macro.json" | "modelling.json" | "target_cat.json") =>
-        {
-            Some(format!("{folder}/{base}/{lower}"))
-        }
-        _ => None,
-    }
+/// The path under which MakeHuman 2 looks for a file of this name but for its capitals, where nothing has that path.
+pub(super) fn misnamed(layer: &Layer, rel: &str) -> Option<String> {
+    let (folder, name) = rel.rsplit_once('/')?;
+    let lower = name.to_lowercase();
+    let is_wanted = match folder.split('/').collect::<Vec<_>>().as_slice() {
+        ["target" | "contarget", _] => matches!(&*lower, "macro.json" | "modelling.json" | "target_cat.json"),
+        ["base", _] if lower == "base.obj" => layer.file(&format!("{folder}/base.mhbin")).is_none(),
+        ["base", _] => lower == "base.json",
+        _ => false,
+    };
+    let right = format!("{folder}/{lower}");
+    (is_wanted && lower != name && layer.file(&right).is_none()).then_some(right)
 }
 
 /// Beside the files that the program opens by name, a base folder holds what its start model needs.

@@ -18,5 +18,6 @@ pub(super) mod unportable_name;
 pub(super) mod unreadable;
 pub(super) mod unreferenced;
 
+mod icons;
 mod loader;
 mod named;

@@ -3,10 +3,11 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx};
-use super::loader::{extension, fixed_name, opens};
-use crate::diag::{Application, Evidence, Finding, Level, RuleInfo, nearest};
+use super::icons;
+use super::loader::{extension, misnamed, opens};
+use crate::diag::{Application, Evidence, Finding, Level, RuleInfo};
 use crate::discover::Kind;
-use crate::repo::{Base, FileFacts, ReferenceKind, Repository, Resolution, TargetFolder};
+use crate::repo::{FileFacts, Repository};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -22,7 +23,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let used = icons_in_use(repository);
+    let used = icons::in_use(repository);
     // One finding for a folder and reason: a folder of packed targets is one decision.
     let mut idle: BTreeMap<(&str, Reason), Vec<&FileFacts>> = BTreeMap::new();
     for file in repository.judged.files.values() {
@@ -61,12 +62,12 @@ fn reason(repository: &Repository<'_>, file: &FileFacts, used: &BTreeSet<String>
         return None;
     }
     if file.kind == Kind::TargetIcon {
-        let idle = is_icon_store(repository, file) && !used.contains(&file.rel) && !is_misspelt(repository, name);
+        let idle = icons::is_store(repository, file) && !used.contains(&file.rel);
+        let idle = idle && !icons::is_misspelt(repository, name) && !icons::is_of_unused_target(repository, file.stem());
         return idle.then(|| ("icon".to_owned(), "no slider has this icon".to_owned()));
     }
     // `file-case-mismatch` names a file that takes the place of one that is needed.
-    let misnamed = fixed_name(&file.rel).is_some_and(|right| repository.judged.file(&right).is_none());
-    if misnamed || !is_judged_folder(&file.rel) || opens(&file.rel) {
+    if misnamed(repository.judged, &file.rel).is_some() || !is_judged_folder(&file.rel) || opens(&file.rel) {
         return None;
     }
     Some(match (file.kind, name.to_lowercase()) {
@@ -97,55 +98,4 @@ fn is_note(name: &str) -> bool {
     let words = ["readme", "licen", "copying", "authors", "changelog", "changes", "credits", "notice", "copyright"];
     let endings = ["txt", "md", "rst", "html", "pdf"];
     words.iter().any(|word| lower.starts_with(word)) || endings.contains(&extension(&lower))
-}
-
-/// Icons count as unused only where the sliders that could name them are known: in the folder in use.
-fn is_icon_store(repository: &Repository<'_>, file: &FileFacts) -> bool {
-    let inside = |folder: Option<TargetFolder<'_>>| {
-        folder.is_some_and(|folder| {
-            std::ptr::eq(folder.layer, repository.judged) && file.rel.starts_with(&format!("{}/icons/", folder.rel()))
-        })
-    };
-    repository.bases.iter().any(|base| {
-        let known =
-            base.modelling.winner().is_some() && !base.modelling.contarget.is_refused() && !base.has_unreadable_icons();
-        (known && inside(base.targets)) || inside(base.user_targets)
-    })
-}
-
-/// Whether a slider asks for an icon that is not there and must mean this one: that name is the fault.
-fn is_misspelt(repository: &Repository<'_>, name: &str) -> bool {
-    let icons = repository.references.iter().filter(|reference| reference.kind == ReferenceKind::Icon);
-    let mut lost = icons.filter(|reference| !matches!(reference.resolution, Resolution::Found(_)));
-    let bases = repository.bases.iter();
-    lost.any(|reference| {
-        // With a wrong path in front of it, the name itself may be right.
-        let last = reference.text.rsplit(['/', '\\']).next().unwrap_or_default();
-        last == name || nearest(last, [name]).is_some()
-    }) || bases.flat_map(|base| &base.sliders).any(|slider| slider.as_meant().icon.as_deref() == Some(name))
-}
-
-fn icons_in_use(repository: &Repository<'_>) -> BTreeSet<String> {
-    let icons = repository.references.iter().filter(|reference| reference.kind == ReferenceKind::Icon);
-    let mut used: BTreeSet<String> = icons
-        .filter_map(|reference| match reference.resolution {
-            Resolution::Found(file) | Resolution::CaseOnly(file) => Some(file.rel.clone()),
-            _ => None,
-        })
-        .collect();
-    repository.bases.iter().for_each(|base| used.extend(generated_icons(base)));
-    used
-}
-
-/// Icons that the sliders get which MakeHuman 2 makes from user targets (formats/makehuman2.md §5.2).
-fn generated_icons<'a>(base: &'a Base<'_>) -> impl Iterator<Item = String> + 'a {
-    let folders = base.user_targets.into_iter();
-    folders.flat_map(|folder| {
-        let names = folder.targets().filter_map(move |file| folder.name_of(file));
-        names.flat_map(move |name| {
-            let flat = name.replacen('/', "-", 1);
-            let pair = flat.strip_suffix("-incr").map(str::to_owned);
-            [Some(flat), pair].into_iter().flatten().map(move |stem| format!("{}/icons/{stem}.png", folder.rel()))
-        })
-    })
 }

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
-use crate::formats::mhskel::Section;
+use crate::formats::mhskel::{Bone, RotationPlane, Section};
 use crate::formats::modelling::Slider;
 use crate::json::UnknownKey;
 use crate::repo::{Base, Content, FileFacts, Repository};
@@ -47,6 +47,10 @@ fn is_told(repository: &Repository<'_>, file: &FileFacts, unknown: &UnknownKey) 
         Content::Skeleton(skeleton) if owner.is_empty() => match nearest {
             "bones" => skeleton.bones_section == Section::Absent,
             "joints" => skeleton.joints_section == Section::Absent,
+            "planes" => {
+                let names_one = |bone: &Bone| matches!(bone.rotation_plane, RotationPlane::Named(_));
+                skeleton.planes.is_empty() && skeleton.bones.iter().any(names_one)
+            }
             _ => false,
         },
         Content::BaseJson(settings) if owner.is_empty() => nearest == "visible groups" && !settings.has_visible_groups,

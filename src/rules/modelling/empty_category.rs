@@ -32,7 +32,8 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
             }
         } else if category.items.is_empty() {
             // Sliders that are hidden by it are the worse news.
-            if category.group.as_deref().is_some_and(|group| groups.has_unknown_in(group)) {
+            let hides_all = groups.offered.is_empty() && !groups.unknown.is_empty();
+            if hides_all || category.group.as_deref().is_some_and(|group| groups.has_unknown_in(group)) {
                 continue;
             }
             let message = format!("category `{}` has no items", category.name);

@@ -26,12 +26,12 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(_: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(space) = &measures.space else { return };
-    if let Some(seen) = untold(space, space.collapsed.as_ref()) {
+    if let Some(seen) = untold(base, space, space.collapsed.as_ref()) {
         let (faces, lose) = if seen.count == 1 { ("face", "loses its") } else { ("faces", "lose their") };
         let message = format!("{} {faces} of `{}` {lose} area", seen.count, seen.name);
         out.push(finding(base, seen, &message, "collapsed"));
     }
-    if let Some(seen) = untold(space, space.flipped.as_ref()) {
+    if let Some(seen) = untold(base, space, space.flipped.as_ref()) {
         let share = percent(seen.value);
         let message =
             format!("{} faces of `{}`, {share} of the visible area, look the other way", seen.count, seen.name);

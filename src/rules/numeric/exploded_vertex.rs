@@ -28,7 +28,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(_: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(space) = &measures.space else { return };
-    let Some(seen) = untold(space, space.exploded.as_ref()) else { return };
+    let Some(seen) = untold(base, space, space.exploded.as_ref()) else { return };
     let message = format!(
         "vertex {} lies {:.1} diagonals of the figure outside of it{}",
         seen.element,

@@ -25,7 +25,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(_: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(space) = &measures.space else { return };
-    let Some(seen) = untold(space, space.drifted.as_ref()) else { return };
+    let Some(seen) = untold(base, space, space.drifted.as_ref()) else { return };
     let message = format!(
         "joint `{}` leaves the skin around it: its distance grows by {:.1} times its stand on the default character",
         seen.name, seen.value

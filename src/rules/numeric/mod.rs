@@ -48,12 +48,24 @@ fn in_order(space: &SpaceMeasure) -> [&Option<Seen>; 7] {
     ]
 }
 
-/// What a rule may tell: `seen`, unless something graver is told of the same target.
-fn untold<'s>(space: &SpaceMeasure, seen: Option<&'s Seen>) -> Option<&'s Seen> {
-    let seen = seen?;
+/// What a rule may tell: `seen`, unless something graver is told of the same target, or the setting moves a slider
+/// whose steps are at fault.
+fn untold<'s>(base: &Base<'_>, space: &SpaceMeasure, seen: Option<&'s Seen>) -> Option<&'s Seen> {
+    let seen = seen.filter(|seen| !is_of_unsound_steps(base, &seen.setting))?;
     let graver = in_order(space).into_iter().flatten().take_while(|other| !std::ptr::eq(*other, seen));
     let same = |other: &Seen| other.target.is_some() && other.target == seen.target;
     (!graver.into_iter().any(same)).then_some(seen)
+}
+
+/// Whether a setting moves a slider of a component whose steps have a finding of their own: outside of them, weights
+/// go to any size.
+fn is_of_unsound_steps(base: &Base<'_>, setting: &str) -> bool {
+    let components = base.macro_file().map(|(_, file)| file.components.as_slice()).unwrap_or_default();
+    let mut unsound = components.iter().filter(|component| component.steps.is_some() && !has_sound_steps(component));
+    unsound.any(|component| {
+        let moves = |pattern: &String| setting.split(", ").any(|part| part.split(" = ").next() == Some(pattern));
+        component.pattern.as_ref().is_some_and(moves)
+    })
 }
 
 /// A component of a macrodef by its position in `comp`.
@@ -104,8 +116,8 @@ mod tests {
     fn one_target_is_told_once_by_the_gravest() {
         let space =
             SpaceMeasure { short_bone: seen("a"), flat_plane: seen("b"), drifted: seen("a"), ..Default::default() };
-        assert!(untold(&space, space.short_bone.as_ref()).is_some());
-        assert!(untold(&space, space.flat_plane.as_ref()).is_some());
-        assert!(untold(&space, space.drifted.as_ref()).is_none());
+        assert!(untold(&base, &space, space.short_bone.as_ref()).is_some());
+        assert!(untold(&base, &space, space.flat_plane.as_ref()).is_some());
+        assert!(untold(&base, &space, space.drifted.as_ref()).is_none());
     }
 }

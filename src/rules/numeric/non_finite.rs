@@ -31,7 +31,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(_: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(space) = &measures.space else { return };
-    if let Some(seen) = untold(space, space.non_finite.as_ref()) {
+    if let Some(seen) = untold(base, space, space.non_finite.as_ref()) {
         let message = format!("{} vertices are not finite, the first is {}", seen.count, seen.element);
         out.push(
             at_setting(&RULE, base, seen, &message)
@@ -40,7 +40,9 @@ fn run(_: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &RuleCx<'_>,
                 .evidence(Evidence { count: seen.count as u64, ..Evidence::default() }),
         );
     }
-    if let Some(seen) = untold(space, space.flat_plane.as_ref()).filter(|seen| !is_flat_at_rest(measures, &seen.name)) {
+    if let Some(seen) =
+        untold(base, space, space.flat_plane.as_ref()).filter(|seen| !is_flat_at_rest(measures, &seen.name))
+    {
         let message =
             format!("the rotation plane of bone `{}` has no normal: its three joints lie in one line", seen.name);
         out.push(

@@ -25,7 +25,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(_: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(space) = &measures.space else { return };
-    let Some(seen) = untold(space, space.short_bone.as_ref()) else { return };
+    let Some(seen) = untold(base, space, space.short_bone.as_ref()) else { return };
     let length = 1.0 / seen.value;
     let message = format!("bone `{}` has no length ({length:.6})", seen.name);
     out.push(

@@ -8,7 +8,7 @@ pub(super) mod targets_not_in_layer;
 pub(super) mod user_key_clash;
 pub(super) mod user_target_too_deep;
 
-use crate::repo::{Base, Candidate, FileFacts, Overlaid, Reference, Repository, Resolution};
+use crate::repo::{Base, Candidate, FileFacts, Layer, Overlaid, Reference, Repository, Resolution};
 
 /// One of the three files that contarget can override, whatever is in it.
 struct Override<'a> {
@@ -39,6 +39,16 @@ fn overrides<'a>(base: &Base<'a>) -> [Override<'a>; 3] {
 /// Whether an override is there and not in use: what follows from that is no finding of its own.
 fn has_broken_override(base: &Base<'_>) -> bool {
     overrides(base).iter().any(|each| each.file.is_some() && !each.active)
+}
+
+/// Whether an override is there under a name with other capitals: `file-case-mismatch` says that nobody finds it.
+fn has_misnamed_override(repository: &Repository<'_>, base: &Base<'_>) -> bool {
+    let layers = [Some(repository.judged), repository.user].into_iter().flatten();
+    let folder = format!("contarget/{}", base.name);
+    let names = ["macro.json", "modelling.json", "target_cat.json"].map(|name| format!("{folder}/{name}"));
+    let is_misnamed =
+        |layer: &Layer, rel: &String| layer.file(rel).is_none() && layer.file_ignoring_case(rel).is_some();
+    layers.into_iter().any(|layer| names.iter().any(|rel| is_misnamed(layer, rel)))
 }
 
 /// Whether everything that the application takes from contarget is there and fits: sliders and macros, sound, with

@@ -1,7 +1,10 @@
 //! An override that lacks the files it needs beside it.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{SystemFolder, counted, has_broken_override, in_other_layer, overrides, system_folder, user_sliders};
+use super::{
+    SystemFolder, counted, has_broken_override, has_misnamed_override, in_other_layer, overrides, system_folder,
+    user_sliders,
+};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::repo::{Base, FileFacts, Repository};
 
@@ -29,7 +32,10 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
     let system = system_folder(repository, base);
     let [macros, sliders, categories] = overrides(base);
     let stops = !macros.active && system == SystemFolder::Absent;
-    if has_broken_override(base) || !stops && in_other_layer(repository, base).next().is_some() {
+    if has_broken_override(base)
+        || has_misnamed_override(repository, base)
+        || !stops && in_other_layer(repository, base).next().is_some()
+    {
         return;
     }
     let found = match (macros.active, sliders.active, categories.active) {

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx};
-use super::{SystemFolder, counted, in_other_layer, system_folder};
+use super::{SystemFolder, counted, has_misnamed_override, in_other_layer, system_folder};
 use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::{Base, Reference, ReferenceKind, Repository};
 
@@ -34,7 +34,7 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
     // A macro.json that is refused is the cause, and `overlay-broken-override` says so; without any folder
     // to load from the program does not get as far as the targets (`overlay-partial-override`).
     let no_folder = !base.macros.is_overridden() && system_folder(repository, base) == SystemFolder::Absent;
-    if base.macros.contarget.is_refused() || no_folder {
+    if base.macros.contarget.is_refused() || has_misnamed_override(repository, base) || no_folder {
         return;
     }
     let lost: Vec<&Reference<'_>> = in_other_layer(repository, base).collect();

@@ -6,6 +6,7 @@ use super::super::{Check, Rule, RuleCx};
 use super::{Rig, rigs};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, nearest};
 use crate::formats::mhskel::{Bone, RotationPlane};
+use crate::json::UnknownKey;
 use crate::repo::{Base, Repository};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -35,9 +36,10 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
                 1 => format!("bone `{first}` names plane `{plane}`, which does not exist"),
                 count => format!("{count} bones name plane `{plane}`, which does not exist"),
             };
-            let help = match nearest(plane, known.iter().copied()) {
-                Some(name) => format!("did you mean `{name}`?"),
-                None => "add it to `planes`, or remove `rotation_plane` to use the vertical".to_owned(),
+            let help = match (nearest(plane, known.iter().copied()), misspelt_planes(&rig)) {
+                (_, Some(help)) => help,
+                (Some(name), None) => format!("did you mean `{name}`?"),
+                (None, None) => "add it to `planes`, or remove `rotation_plane` to use the vertical".to_owned(),
             };
             out.push(
                 RULE.at(rig.file, Place::pointer(["bones", first, "rotation_plane"]), message)
@@ -57,6 +59,18 @@ fn without_planes(rig: &Rig<'_>) -> Option<Finding> {
     let (count, planes) = (bones.len(), rig.asked_planes().len());
     let message = format!("{count} bones name {planes} planes, but the skeleton has none");
     let finding = RULE.at(rig.file, Place::pointer(["bones", first, "rotation_plane"]), message).key("planes");
-    let finding = finding.help("add the planes to `planes`, or remove `rotation_plane` to use the vertical");
+    let help = misspelt_planes(rig);
+    let finding =
+        finding.help(help.unwrap_or_else(|| {
+            "add the planes to `planes`, or remove `rotation_plane` to use the vertical".to_owned()
+        }));
     Some(finding.evidence(Evidence::of_cases(&bones).out_of(rig.skeleton.bones.len())))
+}
+
+/// What to do where the planes are there under a misspelt key.
+fn misspelt_planes(rig: &Rig<'_>) -> Option<String> {
+    let mut unknown = rig.file.schema.unknown.iter().filter(|_| rig.skeleton.planes.is_empty());
+    let is_planes =
+        |key: &&UnknownKey| key.nearest.as_deref() == Some("planes") && key.pointer == format!("/{}", key.key);
+    unknown.find(is_planes).map(|key| format!("is `{}` meant to be `planes`?", key.key))
 }

@@ -2,6 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::shown::shown_by;
+use super::{ZeroRows, target_folder, with_zero_rows};
 use crate::diag::{Application, Evidence, Finding, Level, OptionInfo, Place, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::eval::target_measure::TargetMeasure;
@@ -29,14 +30,19 @@ pub(in crate::rules) static RULE: Rule = Rule {
 const SIDES: [&str; 4] = ["l", "r", "left", "right"];
 
 fn run(repository: &Repository<'_>, base: &Base<'_>, measures: &Measures, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    // Without base.json nobody knows which endings are meant to have a side, and nothing is loaded.
+    if base.settings().is_none() {
+        return;
+    }
     let share = cx.option(&RULE, "share");
+    let zeros = with_zero_rows(repository.judged);
     let mut slight: Vec<(&FileFacts, &TargetMeasure)> = Vec::new();
     let mut judged = 0;
     for target in measures.targets.iter().filter(|target| !is_meant(base, &target.name)) {
         let Some(file) = repository.judged.files.values().find(|file| file.path == target.path) else { continue };
         judged += 1;
         let mirror = target.own_mirror;
-        if mirror.different == 0 {
+        if mirror.different == 0 || is_told_by_zeros(&zeros, file, mirror.different) {
             continue;
         }
         if mirror.different as f64 > share * mirror.compared as f64 {
@@ -45,7 +51,7 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, measures: &Measures, cx: &R
             slight.push((file, target));
         }
     }
-    out.extend(uneven(base, &slight, judged));
+    out.extend(uneven(repository, base, &slight, judged));
 }
 
 /// Whether the name says that it is not symmetric.
@@ -54,6 +60,13 @@ fn is_meant(base: &Base<'_>, name: &str) -> bool {
     let mut nonsym = random.map(|random| random.nonsym.as_slice()).unwrap_or_default().iter();
     nonsym.any(|ending| name.ends_with(ending.as_str()))
         || name.split(['/', '-', '_']).any(|word| SIDES.contains(&word))
+}
+
+/// Whether rows that move nothing are why the sides differ, in the only target of its folder that has such rows: then
+/// `target-zero-delta` names it.
+fn is_told_by_zeros(zeros: &ZeroRows<'_>, file: &FileFacts, different: usize) -> bool {
+    let Some([(only, facts)]) = zeros.get(target_folder(file)).map(Vec::as_slice) else { return false };
+    std::ptr::eq(*only, file) && different as u64 <= 2 * facts.zero.count
 }
 
 fn one_sided(repository: &Repository<'_>, file: &FileFacts, target: &TargetMeasure) -> Option<Finding> {
@@ -72,8 +85,13 @@ fn one_sided(repository: &Repository<'_>, file: &FileFacts, target: &TargetMeasu
     )
 }
 
-/// One line for all targets in which a few vertices were missed; it stands at the worst.
-fn uneven(base: &Base<'_>, slight: &[(&FileFacts, &TargetMeasure)], judged: usize) -> Option<Finding> {
+/// One line for all targets in which a few vertices were missed; it stands at their folder.
+fn uneven(
+    repository: &Repository<'_>,
+    base: &Base<'_>,
+    slight: &[(&FileFacts, &TargetMeasure)],
+    judged: usize,
+) -> Option<Finding> {
     let worst = |target: &TargetMeasure| target.own_mirror.worst.map_or(0.0, |(_, worst)| worst);
     let (file, target) = slight.iter().max_by(|a, b| worst(a.1).total_cmp(&worst(b.1)))?;
     let (vertex, distance) = target.own_mirror.worst?;
@@ -85,8 +103,16 @@ fn uneven(base: &Base<'_>, slight: &[(&FileFacts, &TargetMeasure)], judged: usiz
     let evidence = Evidence::of_cases(slight.iter().map(|(_, target)| {
         format!("{} ({} of {})", target.name, target.own_mirror.different, target.own_mirror.compared)
     }));
+    let finding = match slight {
+        [_] => RULE.at(file, Place::File, message),
+        _ => RULE.in_layer(repository.judged, target_folder(file), message).related(
+            &file.path,
+            Place::File,
+            "the worst of them",
+        ),
+    };
     Some(
-        RULE.at(file, Place::File, message)
+        finding
             .key(base.name)
             .asset(file.root())
             .parts(slight.iter().map(|(_, target)| &target.name))

@@ -3,6 +3,8 @@
 //! What more than one of them needs: which files to look at at all, and how rows are named. Who uses a
 //! target is answered in `usage`.
 
+use std::collections::BTreeMap;
+
 use crate::diag::{Element, Place, Tally};
 use crate::formats::target::TargetFacts;
 use crate::repo::{FileFacts, Layer};
@@ -38,6 +40,21 @@ fn targets(layer: &Layer) -> impl Iterator<Item = (&FileFacts, &TargetFacts)> {
 fn decoded(file: &FileFacts) -> Option<(&FileFacts, &TargetFacts)> {
     let is_text = !file.encoding.byte_order_mark && file.encoding.invalid_utf8_at.is_none();
     file.target().filter(|_| is_text).map(|facts| (file, facts))
+}
+
+/// Targets by target folder.
+type ZeroRows<'a> = BTreeMap<&'a str, Vec<(&'a FileFacts, &'a TargetFacts)>>;
+
+/// Targets that move something and hold rows that move nothing, by target folder.
+fn with_zero_rows(layer: &Layer) -> ZeroRows<'_> {
+    let mut folders = ZeroRows::new();
+    for (file, facts) in targets(layer) {
+        // A target of nothing but zeros is a finding of its own.
+        if facts.zero.count > 0 && facts.zero.count < facts.rows as u64 {
+            folders.entry(target_folder(file)).or_default().push((file, facts));
+        }
+    }
+    folders
 }
 
 /// The first row of a tally.

@@ -46,7 +46,11 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
             }
             out.push(whole_folder(folder.layer, path, &files));
         } else {
-            out.extend(files.into_iter().map(|file| single(file, folder.name_of(file).unwrap_or_default())));
+            out.extend(in_pairs(base, &files).into_iter().map(|(file, decr)| {
+                let name = folder.name_of(file).unwrap_or_default();
+                decr.and_then(|decr| folder.name_of(decr))
+                    .map_or_else(|| single(file, name), |decr| pair(file, name, decr))
+            }));
         }
     }
 }
@@ -82,7 +86,42 @@ fn meant_by_missing<'a>(repository: &Repository<'_>, base: &Base<'_>, unused: &[
         let beside = unused.iter().copied().filter(|file| parent(&file.rel) == parent(&rel));
         meant.extend(nearest(&rel, beside.map(|file| file.rel.as_str())));
     }
+    meant.extend(unused.iter().filter(|file| is_of_lost_partner(base, file)).map(|file| file.rel.as_str()));
     meant
+}
+
+/// Whether `lsym` or `rsym` of some slider asks for a pattern with this target, which no slider has.
+fn is_of_lost_partner(base: &Base<'_>, file: &FileFacts) -> bool {
+    let Some(name) = base.targets.and_then(|folder| folder.name_of(file)) else { return false };
+    let partners = base.sliders.iter().flat_map(|bound| [&bound.slider.lsym, &bound.slider.rsym]).flatten();
+    let mut lost = partners.filter(|partner| base.slider(partner).is_none());
+    lost.any(|partner| match partner.split_once('|') {
+        Some((decr, incr)) => {
+            let stem = name.strip_suffix(incr);
+            name == decr || stem.is_some_and(|stem| stem.ends_with(['-', '/']) && decr.starts_with(stem))
+        }
+        None => name == partner,
+    })
+}
+
+/// Each target, and the two of a pair of opposites as one: a slider that is gone leaves both.
+fn in_pairs<'a>(base: &Base<'_>, files: &[&'a FileFacts]) -> Vec<(&'a FileFacts, Option<&'a FileFacts>)> {
+    let opposites = base.settings().map(|(_, settings)| settings.opposites.as_slice()).unwrap_or_default();
+    let decr_of = |file: &FileFacts| {
+        let stems = opposites
+            .iter()
+            .filter_map(|(decr, incr)| Some(format!("{}{decr}", file.stem().strip_suffix(incr.as_str())?)));
+        stems.into_iter().find_map(|stem| files.iter().copied().find(|other| other.stem() == stem))
+    };
+    let pairs: Vec<_> = files.iter().map(|file| (*file, decr_of(file))).collect();
+    let is_told = |file: &FileFacts| pairs.iter().any(|(_, decr)| decr.is_some_and(|decr| std::ptr::eq(decr, file)));
+    pairs.iter().copied().filter(|(file, _)| !is_told(file)).collect()
+}
+
+fn pair(file: &FileFacts, incr: &str, decr: &str) -> Finding {
+    RULE.at(file, Place::File, format!("no slider and no macro uses `{incr}` and `{decr}`")).help(format!(
+        "add a slider with `\"incr\": \"{incr}\"` and `\"decr\": \"{decr}\"` to modelling.json, or remove the files"
+    ))
 }
 
 fn whole_folder(layer: &Layer, path: &str, files: &[&FileFacts]) -> Finding {

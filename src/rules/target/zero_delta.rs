@@ -1,9 +1,7 @@
 //! Rows that move nothing in a target that moves something.
 
-use std::collections::BTreeMap;
-
 use super::super::{Check, Rule, RuleCx};
-use super::{counted, first_row, is_archived, target_folder, targets};
+use super::{counted, first_row, is_archived, target_folder, with_zero_rows};
 use crate::diag::{Application, Change, EXAMPLES, Evidence, Finding, Fix, FixKind, Level, Rewrite, RuleInfo};
 use crate::formats::target::TargetFacts;
 use crate::repo::{FileFacts, Layer};
@@ -13,7 +11,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
         fix: FixKind::Safe,
         breaks: &[(Application::Makehuman2, "loads and adds the zeros; they cost a little time and room")],
         docs: "Rows whose three numbers are zero.\n\nThey change nothing. Exporters write them for vertices that were touched and \
-            put back, or whose movement was rounded away.\n\nThe rows can be removed. All such rows of a target folder are \
+            put back, or whose movement was rounded away. A whole side without movement was mostly lost.\n\nThe rows can be removed. All such rows of a target folder are \
             one finding, at the first of them.",
         ..RuleInfo::new("target-zero-delta", Level::Info, "rows of a target that move nothing")
     },
@@ -21,14 +19,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let mut folders: BTreeMap<&str, Vec<(&FileFacts, &TargetFacts)>> = BTreeMap::new();
-    for (file, facts) in targets(layer) {
-        // A target of nothing but zeros is a finding of its own.
-        if facts.zero.count > 0 && facts.zero.count < facts.rows as u64 {
-            folders.entry(target_folder(file)).or_default().push((file, facts));
-        }
-    }
-    for (folder, found) in folders {
+    for (folder, found) in with_zero_rows(layer) {
         let finding = match found.as_slice() {
             [] => continue,
             [(file, facts)] => one_file(layer, file, facts),
@@ -41,7 +32,8 @@ fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 })
             }
         };
-        out.push(finding.help("the rows can be removed").fix(fix(layer, &found)));
+        let help = "the rows can be removed, unless they should move something";
+        out.push(finding.help(help).fix(fix(layer, &found)));
     }
 }
 

@@ -34,9 +34,14 @@ fn weights_files(layer: &Layer) -> impl Iterator<Item = (&FileFacts, &Weights)> 
 /// Such entries have findings of their own: malformed, out of range, not finite, or against the schema. What else is
 /// wrong in the file (its metadata, say) does not matter.
 fn has_unusable_entries(weights: &Weights) -> bool {
+    unusable_entries(weights).is_none_or(|count| count > 0)
+}
+
+/// How many entries cannot be used; `None` if nobody can tell.
+fn unusable_entries(weights: &Weights) -> Option<u64> {
     let facts = &weights.facts;
-    let unusable = [facts.malformed.count, facts.out_of_range.count, facts.non_finite.count];
-    !weights.has_weights || weights.has_shapeless_bone || unusable.iter().any(|count| *count > 0)
+    let countable = weights.has_weights && !weights.has_shapeless_bone;
+    countable.then_some(facts.malformed.count + facts.out_of_range.count + facts.non_finite.count)
 }
 
 /// Whether no bone has a single entry.

@@ -3,9 +3,9 @@
 use std::fmt::Write as _;
 
 use super::super::{Check, Rule, RuleCx};
-use super::has_unusable_entries;
+use super::unusable_entries;
 use crate::diag::{Application, Change, Evidence, Finding, Fix, FixKind, Level, Place, Rewrite, RuleInfo};
-use crate::formats::mhw::FAR_SUMS;
+use crate::formats::mhw::{FAR_SUMS, Weights};
 use crate::formats::obj::Mesh;
 use crate::repo::{Base, Repository};
 
@@ -28,8 +28,9 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for file in &base.weights {
-        let usable = file.weights().filter(|weights| !has_unusable_entries(weights));
-        let Some(weights) = usable else { continue };
+        // An entry that cannot be used may be what one vertex lacks; of more vertices it is not the reason.
+        let explained = |weights: &&Weights| unusable_entries(weights).is_none_or(|lost| weights.facts.sum.off <= lost);
+        let Some(weights) = file.weights().filter(|weights| !explained(weights)) else { continue };
         let (sums, vertices) = (&weights.facts.sum, weights.facts.sums.len());
         let Some((vertex, sum)) = sums.worst else { continue };
         let message = if sums.off == 1 {

@@ -1,0 +1,77 @@
+//! Which icons of sliders are in use.
+//!
+//! Gets a repository and an icon, says whether a slider asks for it, and whether a fault that is told elsewhere is
+//! why none does.
+
+use std::collections::BTreeSet;
+
+use crate::diag::nearest;
+use crate::repo::{Base, FileFacts, ReferenceKind, Repository, Resolution, TargetFolder};
+
+/// Icons count as unused only where the sliders that could name them are known: in the folder in use.
+pub(super) fn is_store(repository: &Repository<'_>, file: &FileFacts) -> bool {
+    let inside = |folder: Option<TargetFolder<'_>>| {
+        folder.is_some_and(|folder| {
+            std::ptr::eq(folder.layer, repository.judged) && file.rel.starts_with(&format!("{}/icons/", folder.rel()))
+        })
+    };
+    repository.bases.iter().any(|base| {
+        let known =
+            base.modelling.winner().is_some() && !base.modelling.contarget.is_refused() && !base.has_unreadable_icons();
+        (known && inside(base.targets)) || inside(base.user_targets)
+    })
+}
+
+/// Whether a slider asks for an icon that is not there and must mean this one: that name is the fault.
+pub(super) fn is_misspelt(repository: &Repository<'_>, name: &str) -> bool {
+    let icons = repository.references.iter().filter(|reference| reference.kind == ReferenceKind::Icon);
+    let mut lost = icons.filter(|reference| !matches!(reference.resolution, Resolution::Found(_)));
+    let bases = repository.bases.iter();
+    lost.any(|reference| {
+        // With a wrong path in front of it, the name itself may be right.
+        let last = reference.text.rsplit(['/', '\\']).next().unwrap_or_default();
+        last == name || nearest(last, [name]).is_some()
+    }) || bases.flat_map(|base| &base.sliders).any(|slider| slider.as_meant().icon.as_deref() == Some(name))
+}
+
+/// Whether the picture is called after a target of a slider that is gone: that nothing uses the target is the news.
+pub(super) fn is_of_unused_target(repository: &Repository<'_>, icon: &str) -> bool {
+    let is_used = |file: &FileFacts| {
+        let mut targets = repository.references.iter().filter(|reference| reference.kind.is_target());
+        targets.any(|reference| matches!(reference.resolution, Resolution::Found(found) if std::ptr::eq(found, file)))
+    };
+    let folders = repository.bases.iter().filter_map(|base| base.targets);
+    let mut targets = folders.flat_map(|folder| folder.layer.below(&folder.rel()));
+    targets.any(|file| {
+        let (stem, pair) = (file.stem(), file.stem().rsplit_once('-').map(|(pair, _)| pair));
+        let rest = icon.strip_prefix(stem);
+        let is_called_after = pair == Some(icon) || rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('-'));
+        is_called_after && file.target().is_some() && !is_used(file)
+    })
+}
+
+/// Paths of the icons that some slider asks for, relative to the root.
+pub(super) fn in_use(repository: &Repository<'_>) -> BTreeSet<String> {
+    let icons = repository.references.iter().filter(|reference| reference.kind == ReferenceKind::Icon);
+    let mut used: BTreeSet<String> = icons
+        .filter_map(|reference| match reference.resolution {
+            Resolution::Found(file) | Resolution::CaseOnly(file) => Some(file.rel.clone()),
+            _ => None,
+        })
+        .collect();
+    repository.bases.iter().for_each(|base| used.extend(generated_icons(base)));
+    used
+}
+
+/// Icons that the sliders get which MakeHuman 2 makes from user targets (formats/makehuman2.md §5.2).
+fn generated_icons<'a>(base: &'a Base<'_>) -> impl Iterator<Item = String> + 'a {
+    let folders = base.user_targets.into_iter();
+    folders.flat_map(|folder| {
+        let names = folder.targets().filter_map(move |file| folder.name_of(file));
+        names.flat_map(move |name| {
+            let flat = name.replacen('/', "-", 1);
+            let pair = flat.strip_suffix("-incr").map(str::to_owned);
+            [Some(flat), pair].into_iter().flatten().map(move |stem| format!("{}/icons/{stem}.png", folder.rel()))
+        })
+    })
+}
