@@ -15,12 +15,7 @@ use case::Case;
 
 const SAFETY: &str = "A matter of safety: cannot be muted or lowered.";
 
-pub(super) fn run(
-    name: &str,
-    format: ExplainFormat,
-    page: Page,
-    out: &mut dyn Write,
-) -> Result<Exit, Failure> {
+pub(super) fn run(name: &str, format: ExplainFormat, page: Page, out: &mut dyn Write) -> Result<Exit, Failure> {
     let rules = rule_infos();
     if let Some(rule) = rules.iter().find(|rule| rule.id == name) {
         match format {
