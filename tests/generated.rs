@@ -1,10 +1,12 @@
-//! What is generated is fresh: the rule table and the help in the README, the samples of the reports.
+//! What is generated is fresh: the rule table and the help in the README, the pages of the rules, the samples of the reports.
 //!
 //! `UPDATE=1 cargo test --test generated` rewrites them.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may stop where it fails")]
 
 mod scratch;
 
+use std::collections::BTreeMap;
+use std::fmt::Write;
 use std::fs;
 
 use scratch::{Case, example, mhlint, project};
@@ -12,7 +14,60 @@ use scratch::{Case, example, mhlint, project};
 #[test]
 fn readme_holds_the_rule_table() {
     let rules = mhlint(&project("."), &["rules", "--format", "markdown"]).stdout;
-    check("README.md", "rules", &String::from_utf8(rules).unwrap());
+    let mut table = String::from_utf8(rules).unwrap();
+    for rule in mhlint::rule_infos() {
+        let [id, family] = [rule.id, rule.family()];
+        table = table.replace(&format!("| `{id}` |"), &format!("| [`{id}`](docs/rules/{family}.md#{id}) |"));
+    }
+    check("README.md", "rules", &table);
+}
+
+#[test]
+fn every_rule_has_its_section_on_the_page_of_its_family() {
+    let mut pages: BTreeMap<String, usize> = BTreeMap::new();
+    for rule in mhlint::rule_infos() {
+        *pages.entry(rule.family().to_owned()).or_default() += 1;
+    }
+    let mut list = String::new();
+    for (family, count) in &pages {
+        let about = about(family);
+        let noun = if *count == 1 { "rule" } else { "rules" };
+        writeln!(list, "| [`{family}`](rules/{family}.md) | {count} {noun} | {about} |").unwrap();
+        let explain = ["explain", &format!("{family}-"), "--format", "markdown"];
+        let sections = String::from_utf8(mhlint(&project("."), &explain).stdout).unwrap();
+        let head = format!(
+            "# Rules: {family}\n\nOn {about}. [All families](../rules.md), [how levels are chosen](../levels.md).\n\n\
+             <!-- Written by tests/generated.rs from the rules and their fixtures; edits here are lost. -->\n\n"
+        );
+        check_file(&format!("docs/rules/{family}.md"), &format!("{head}{sections}"));
+    }
+    check("docs/rules.md", "families", &format!("| family | | on |\n|---|---|---|\n{list}"));
+    for entry in fs::read_dir(project("docs/rules")).unwrap() {
+        let name = entry.unwrap().file_name().into_string().unwrap();
+        let family = name.strip_suffix(".md").unwrap_or(&name);
+        assert!(pages.contains_key(family), "docs/rules/{name} belongs to no family of rules");
+    }
+}
+
+/// What the rules of a family judge.
+fn about(family: &str) -> &'static str {
+    match family {
+        "archive" => "archives of targets (`compressedtargets.npz`)",
+        "base" => "the settings of a base mesh: `base.json`, `geometry.json` and what they name",
+        "baseline" => "the baseline of mhlint itself",
+        "config" => "mutes and levels in `mhlint.toml`",
+        "file" => "files as such: names, references, links, encodings, packing",
+        "json" => "JSON as such: syntax, schema, keys",
+        "macro" => "macro targets: `macro.json` and the combinations it names",
+        "mesh" => "meshes (`.obj`)",
+        "modelling" => "sliders: `modelling.json` and `target_cat.json`",
+        "numeric" => "the evaluated figure: shapes, joints and weights over the range of the sliders",
+        "overlay" => "user data over system data",
+        "skeleton" => "skeletons (`.mhskel`)",
+        "target" => "targets (`.target`)",
+        "weights" => "weights (`.mhw`)",
+        _ => panic!("say in tests/generated.rs what the rules of the family `{family}` judge"),
+    }
 }
 
 #[test]
@@ -47,12 +102,17 @@ fn the_samples_of_the_reports_are_what_is_written() {
 fn the_schema_of_the_configuration_is_that_of_keys_and_rules() {
     let schema = mhlint::config::schema(&mhlint::rule_infos());
     let wanted = format!("{}\n", serde_json::to_string_pretty(&schema).unwrap());
-    let path = project("schemas/config.schema.json");
+    check_file("schemas/config.schema.json", &wanted);
+}
+
+/// Compares a whole file, or rewrites it.
+fn check_file(file: &str, wanted: &str) {
+    let path = project(file);
     if fs::read_to_string(&path).unwrap_or_default() == wanted {
         return;
     }
-    let may_write = std::env::var_os("UPDATE").is_some();
-    assert!(may_write, "schemas/config.schema.json is not fresh: UPDATE=1 cargo test --test generated");
+    may_write(file);
+    fs::create_dir_all(path.parent().unwrap()).unwrap();
     fs::write(path, wanted).unwrap();
 }
 
@@ -66,9 +126,12 @@ fn check(file: &str, name: &str, wanted: &str) {
     if found == wanted {
         return;
     }
-    assert!(
-        std::env::var_os("UPDATE").is_some(),
-        "{file}#{name} is not fresh: UPDATE=1 cargo test --test generated -- --test-threads 1"
-    );
+    may_write(&format!("{file}#{name}"));
     fs::write(path, format!("{before}{open}{wanted}{close}{after}")).unwrap();
+}
+
+#[track_caller]
+fn may_write(what: &str) {
+    let may = std::env::var_os("UPDATE").is_some();
+    assert!(may, "{what} is not fresh: UPDATE=1 cargo test --test generated -- --test-threads 1");
 }

@@ -55,6 +55,9 @@ pub(super) enum Command {
     Explain {
         /// A rule, or the start of its name to list a family.
         rule: String,
+        /// How; as Markdown a family is not listed but explained, rule by rule.
+        #[arg(long, value_name = "FORMAT", default_value = "text")]
+        format: ExplainFormat,
     },
     /// Write a commented mhlint.toml; overwrites nothing.
     Init {
@@ -178,6 +181,15 @@ pub(super) enum ColorChoice {
     Always,
     /// Never.
     Never,
+}
+
+/// `explain --format`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum ExplainFormat {
+    /// For a terminal.
+    Text,
+    /// For a document.
+    Markdown,
 }
 
 /// `rules --format`.

@@ -61,7 +61,9 @@ fn run(args: &Args, panics: &Panics, err: &mut dyn Write) -> Result<Exit, Failur
         Some(Command::Check(check)) => check::run(check, terminal, panics, &mut out, err)?,
         Some(Command::Config(check)) => config::run(check, &mut out)?,
         Some(Command::Eval(command)) => eval::run(command, &mut out, err)?,
-        Some(Command::Explain { rule }) => explain::run(rule, paint, terminal.width, &mut out)?,
+        Some(Command::Explain { rule, format }) => {
+            explain::run(rule, *format, explain::Page { paint, width: terminal.width }, &mut out)?
+        }
         Some(Command::Init { folder }) => init::run(folder.as_deref(), &mut out)?,
         Some(Command::Rules { format }) => list::run(*format, paint, &mut out)?,
         Some(Command::Schema { name }) => schema::run(name.as_deref(), &mut out)?,

@@ -10,11 +10,11 @@ for hooks in .pre-commit-hooks.yaml packaging/pre-commit-mirror/.pre-commit-hook
     expect "pre-commit reads $hooks" pre-commit validate-manifest "$hooks"
 done
 
-# Examples of the documents: a block of YAML says in its first line what file it is.
+# Examples of the documents: a block of YAML that is a whole file says in its first line which.
 blocks=$work/blocks
 rm -rf "$blocks" && mkdir -p "$blocks"
 awk -v folder="$blocks" '
-    /^```yaml/ { getline; name = $2; gsub("/", "_", name); file = folder "/" ++count "-" name; open = name != "" }
+    /^```yaml/ { getline; name = $2; gsub("/", "_", name); file = folder "/" ++count "-" name; open = $1 == "#" && name != "" }
     /^```$/ { open = 0 }
     open { print > file }' README.md docs/*.md packaging/pre-commit-mirror/README.md
 for block in "$blocks"/*; do

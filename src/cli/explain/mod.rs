@@ -1,9 +1,11 @@
 //! `mhlint explain`: what a rule means, shown on its own fixtures. What is tested is what is told.
 
 mod case;
+mod markdown;
 
 use std::io::Write;
 
+use super::args::ExplainFormat;
 use super::exit::{Exit, Failure};
 use super::list::write_table;
 use crate::diag::{FixKind, RuleInfo, nearest};
@@ -11,10 +13,15 @@ use crate::engine::rule_infos;
 use crate::report::{Paint, count, hang, paragraphs};
 use case::Case;
 
-pub(super) fn run(name: &str, paint: Paint, width: usize, out: &mut dyn Write) -> Result<Exit, Failure> {
+const SAFETY: &str = "A matter of safety: cannot be muted or lowered.";
+
+pub(super) fn run(name: &str, format: ExplainFormat, page: Page, out: &mut dyn Write) -> Result<Exit, Failure> {
     let rules = rule_infos();
     if let Some(rule) = rules.iter().find(|rule| rule.id == name) {
-        write_rule(rule, Page { paint, width }, out)?;
+        match format {
+            ExplainFormat::Text => write_rule(rule, page, out)?,
+            ExplainFormat::Markdown => markdown::write_rule(rule, out)?,
+        }
         return Ok(Exit::Clean);
     }
     let start = name.trim_end_matches('*');
@@ -22,10 +29,18 @@ pub(super) fn run(name: &str, paint: Paint, width: usize, out: &mut dyn Write) -
     if start.is_empty() || family.is_empty() {
         return Err(unknown(name, &rules));
     }
-    writeln!(out, "{} whose name starts with `{start}`:\n", count(family.len(), "rule"))?;
-    write_table(&family, paint, out)?;
-    writeln!(out, "\nmhlint explain RULE tells more on one of them.")?;
+    match format {
+        ExplainFormat::Text => write_family(start, &family, page.paint, out)?,
+        ExplainFormat::Markdown => markdown::write_rules(&family, out)?,
+    }
     Ok(Exit::Clean)
+}
+
+fn write_family(start: &str, family: &[&RuleInfo], paint: Paint, out: &mut dyn Write) -> Result<(), Failure> {
+    writeln!(out, "{} whose name starts with `{start}`:\n", count(family.len(), "rule"))?;
+    write_table(family, paint, out)?;
+    writeln!(out, "\nmhlint explain RULE tells more on one of them.")?;
+    Ok(())
 }
 
 fn unknown(name: &str, rules: &[&RuleInfo]) -> Failure {
@@ -36,9 +51,9 @@ fn unknown(name: &str, rules: &[&RuleInfo]) -> Failure {
 
 /// How the page is written.
 #[derive(Clone, Copy)]
-struct Page {
-    paint: Paint,
-    width: usize,
+pub(super) struct Page {
+    pub(super) paint: Paint,
+    pub(super) width: usize,
 }
 
 fn write_rule(rule: &RuleInfo, page: Page, out: &mut dyn Write) -> Result<(), Failure> {
@@ -51,7 +66,7 @@ fn write_rule(rule: &RuleInfo, page: Page, out: &mut dyn Write) -> Result<(), Fa
     }
     writeln!(out, "{}", hang("Automatic fix: ", fix(rule.fix), width))?;
     if rule.unmutable {
-        writeln!(out, "A matter of safety: cannot be muted or lowered.")?;
+        writeln!(out, "{SAFETY}")?;
     }
     for option in rule.options {
         let head = format!("Option `{}` (default {}): ", option.name, option.default);
