@@ -79,8 +79,8 @@ fn apply(files: &mut Files, edit: &Edit) -> Result<(), String> {
             files.insert(path(file), zeroed.into_bytes().into());
         }
         Edit::Move(file, moves) => {
-            let moved = displaced(std::str::from_utf8(&known(file)?).unwrap(), moves)?;
-            files.insert(path(file), moved.into_bytes().into());
+            let displaced = displaced(std::str::from_utf8(&known(file)?).unwrap(), moves)?;
+            files.insert(path(file), displaced.into_bytes().into());
         }
         Edit::Rename(from, to) => {
             let bytes = known(from)?;

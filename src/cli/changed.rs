@@ -17,7 +17,9 @@ pub(super) fn listed(file: &Path) -> Result<Vec<PathBuf>, Failure> {
     };
     read.map_err(|error| {
         let shown = file.display();
-        Failure::Usage(format!("--changed-files: cannot read `{shown}`: {error}; give a file with a path a line, or `-`"))
+        Failure::Usage(format!(
+            "--changed-files: cannot read `{shown}`: {error}; give a file with a path a line, or `-`"
+        ))
     })?;
     Ok(split(&bytes).map(PathBuf::from).collect())
 }
@@ -103,7 +105,8 @@ impl Git<'_> {
     fn advice(&self, otherwise: &str) -> String {
         let shallow = self.ask(&["rev-parse", "--is-shallow-repository"]);
         if shallow.is_ok_and(|said| said.starts_with(b"true")) {
-            "this is a shallow clone: fetch its history (`git fetch --unshallow`, `fetch-depth: 0` in a workflow)".to_owned()
+            "this is a shallow clone: fetch its history (`git fetch --unshallow`, `fetch-depth: 0` in a workflow)"
+                .to_owned()
         } else {
             otherwise.to_owned()
         }

@@ -70,12 +70,8 @@ struct Reach<'a> {
 
 impl<'a> Reach<'a> {
     fn new(repository: &'a Repository<'a>, change: &Change) -> Self {
-        let mut reach = Self {
-            changed: BTreeSet::new(),
-            bases: BTreeMap::new(),
-            named: BTreeMap::new(),
-            naming: BTreeMap::new(),
-        };
+        let mut reach =
+            Self { changed: BTreeSet::new(), bases: BTreeMap::new(), named: BTreeMap::new(), naming: BTreeMap::new() };
         for layer in layers(repository) {
             for rel in change.below(layer) {
                 let path = layer.display(rel);

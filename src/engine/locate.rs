@@ -3,6 +3,8 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
+use rayon::prelude::*;
+
 use crate::diag::{Finding, Location, Place};
 use crate::json::{self, Document};
 use crate::source::{Limits, Tree, excerpt, line_span, position};
@@ -18,13 +20,15 @@ struct Text {
 
 /// Fills the locations of findings and their related places. `trees` are asked for each path in turn.
 pub(super) fn locate(findings: &mut [Finding], trees: &[&Tree], limits: &Limits) {
-    let mut texts: BTreeMap<String, Option<Text>> = BTreeMap::new();
-    for finding in findings {
-        finding.location = location(&finding.path, &finding.place, &mut texts, trees, limits);
-        for related in &mut finding.related {
-            related.location = location(&related.path, &related.place, &mut texts, trees, limits);
+    findings.par_chunk_by_mut(|one, next| one.path == next.path).for_each(|of_one_file| {
+        let mut texts: BTreeMap<String, Option<Text>> = BTreeMap::new();
+        for finding in of_one_file {
+            finding.location = location(&finding.path, &finding.place, &mut texts, trees, limits);
+            for related in &mut finding.related {
+                related.location = location(&related.path, &related.place, &mut texts, trees, limits);
+            }
         }
-    }
+    });
 }
 
 fn location(

@@ -27,8 +27,10 @@ pub(super) fn moved(
     let all: Vec<Moved> = inputs.iter().zip(roots).map(moved).collect();
     if base.is_none() && all.iter().any(|moved| !moved.is_empty()) {
         outcome.notes.push(match bases.len() {
-            0 => "files outside a data folder are judged alone; `--system DIR` judges them against MakeHuman's own data"
-                .to_owned(),
+            0 => {
+                "files outside a data folder are judged alone; `--system DIR` judges them against MakeHuman's own data"
+                    .to_owned()
+            }
             _ => format!(
                 "files outside a data folder are judged alone; say which base mesh they are for: `--base {}`",
                 bases.iter().cloned().collect::<Vec<_>>().join("|")

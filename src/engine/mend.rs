@@ -124,10 +124,10 @@ impl Work {
         !is_inside && disk_path(tree, rel).is_some_and(|file| real_path(&file).starts_with(system))
     }
 
-    fn change(&mut self, inputs: &mut [Input], path: &str, patch: &Patch) {
+    fn change(&mut self, inputs: &mut [Input], path: &str, by: &Patch) {
         let Some((tree, rel)) = find(inputs, path) else { return };
         let Some(stored) = tree.entry(rel).and_then(|entry| tree.read(entry, &self.limits).ok()) else { return };
-        let after = match patch {
+        let after = match by {
             Patch::Remove => None,
             Patch::Edits(edits) => {
                 let Ok(text) = unpack(&stored, &self.limits) else { return };

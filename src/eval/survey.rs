@@ -73,7 +73,7 @@ impl Survey {
 /// Keeps the worse; of equals that of the earlier setting, and at one setting the one seen first.
 pub(super) fn keep(slot: &mut Option<Worst>, found: Worst) {
     let is_worse =
-        |known: &Worst| found.value > known.value || (found.value == known.value && found.setting < known.setting);
+        |known: &Worst| found.value > known.value || (found.value >= known.value && found.setting < known.setting);
     if slot.as_ref().is_none_or(is_worse) {
         *slot = Some(found);
     }

@@ -4,6 +4,9 @@ use similar::{Algorithm, TextDiff};
 
 /// The difference between two texts of the file at `path`; `after` is `None` where the file goes away.
 /// Bytes are kept as they are; nothing where both are equal.
+///
+/// # Panics
+/// Never: writing to memory does not fail.
 pub fn unified(path: &str, before: &[u8], after: Option<&[u8]>) -> Vec<u8> {
     let path = path.trim_start_matches('/');
     let new = if after.is_some() { format!("b/{path}") } else { "/dev/null".to_owned() };

@@ -87,8 +87,8 @@ mod tests {
         Patch::Edits(edits.iter().map(|(from, to, text)| Edit::replacement(*from..*to, *text)).collect())
     }
 
-    fn on(path: &str, patch: Patch) -> (String, Patch) {
-        (path.to_owned(), patch)
+    fn on(file: &str, patch: Patch) -> (String, Patch) {
+        (file.to_owned(), patch)
     }
 
     #[test]

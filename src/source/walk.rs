@@ -142,7 +142,8 @@ fn slashed(path: &Path) -> String {
     parts.join("/")
 }
 
-#[cfg(all(test, unix))]
+#[cfg(test)]
+#[cfg(unix)]
 mod tests {
     use std::os::unix::fs::symlink;
 

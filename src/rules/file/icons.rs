@@ -29,8 +29,8 @@ pub(super) fn is_misspelt(repository: &Repository<'_>, name: &str) -> bool {
     let bases = repository.bases.iter();
     lost.any(|reference| {
         // With a wrong path in front of it, the name itself may be right.
-        let last = reference.text.rsplit(['/', '\\']).next().unwrap_or_default();
-        last == name || nearest(last, [name]).is_some()
+        let written = reference.text.rsplit(['/', '\\']).next().unwrap_or_default();
+        written == name || nearest(written, [name]).is_some()
     }) || bases.flat_map(|base| &base.sliders).any(|slider| slider.as_meant().icon.as_deref() == Some(name))
 }
 

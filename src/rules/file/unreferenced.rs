@@ -63,7 +63,8 @@ fn reason(repository: &Repository<'_>, file: &FileFacts, used: &BTreeSet<String>
     }
     if file.kind == Kind::TargetIcon {
         let idle = icons::is_store(repository, file) && !used.contains(&file.rel);
-        let idle = idle && !icons::is_misspelt(repository, name) && !icons::is_of_unused_target(repository, file.stem());
+        let idle =
+            idle && !icons::is_misspelt(repository, name) && !icons::is_of_unused_target(repository, file.stem());
         return idle.then(|| ("icon".to_owned(), "no slider has this icon".to_owned()));
     }
     // `file-case-mismatch` names a file that takes the place of one that is needed.

@@ -30,7 +30,8 @@ struct Table<'a> {
 
 fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };
-    let table = |macrodef| Some(Table { macrodef, space: clear_space(file, macros, macrodef)?, links: links(macrodef) });
+    let table =
+        |macrodef| Some(Table { macrodef, space: clear_space(file, macros, macrodef)?, links: links(macrodef) });
     let tables: Vec<Table<'_>> = macros.macrodefs.iter().filter_map(table).collect();
     for (at, a) in tables.iter().enumerate() {
         for b in tables.iter().skip(at + 1).filter(|b| may_share(a, b)) {
