@@ -254,7 +254,7 @@ fn stale_entries_are_told_and_pruned() {
     let found = run(root, &[]);
     let expected = format!("known.json: info[baseline-stale] 1 of {all} entries of the baseline no longer occurs");
     assert_eq!(found, [expected]);
-    assert_eq!(run(root, &["user"]), Vec::<String>::new());
+    assert_eq!(run(root, &["user", "--system", "data"]), Vec::<String>::new());
     assert_eq!(run(root, &["--skip", "target-*"]), Vec::<String>::new());
     assert_eq!(write(root, &[]).len(), all - 1);
     assert_eq!(run(root, &[]), Vec::<String>::new());
@@ -265,7 +265,7 @@ fn a_narrow_run_keeps_what_it_did_not_look_at() {
     let repository = damaged();
     let root = repository.path();
     let all = write(root, &[]);
-    assert_eq!(write(root, &["user"]), all);
+    assert_eq!(write(root, &["user", "--system", "data"]), all);
     assert_eq!(write(root, &["--only", "macro-*"]), all);
     assert_eq!(write(root, &["--base", "figure"]), all);
 }

@@ -118,24 +118,24 @@ fn wrong_types_at_any_place_fail_no_rule() {
     let started = Instant::now();
     let (mut loud, mut all, mut faults) = (0, 0, Vec::new());
     // What a pose is made of has no model yet.
-    let judged = |path: &str| is_one_of(path, &JSON) && !path.ends_with("-poses.json");
-    for (path, bytes) in files.iter().filter(|(path, _)| judged(path)) {
+    let is_judged = |path: &str| is_one_of(path, &JSON) && !path.ends_with("-poses.json");
+    for (path, bytes) in files.iter().filter(|(path, _)| is_judged(path)) {
         let whole: Value = serde_json::from_slice(bytes).unwrap();
         let mut places = Vec::new();
         pointers(&whole, "", &mut places);
         let damages: Vec<(&String, &Value)> =
             places.iter().flat_map(|place| others.iter().map(move |other| (place, other))).collect();
-        let judged = damages.par_iter().map(|(place, other)| {
-            let mut damaged = whole.clone();
-            *damaged.pointer_mut(place).unwrap() = (*other).clone();
-            let outcome = run(&files, path, serde_json::to_vec(&damaged).unwrap());
-            let placed = outcome.findings.iter().all(|finding| !finding.path.is_empty());
+        let results = damages.par_iter().map(|(place, other)| {
+            let mut copy = whole.clone();
+            *copy.pointer_mut(place).unwrap() = (*other).clone();
+            let outcome = run(&files, path, serde_json::to_vec(&copy).unwrap());
+            let has_paths = outcome.findings.iter().all(|finding| !finding.path.is_empty());
             // What the loader reads is an object: whatever else the whole file is, it is named.
             let named = !place.is_empty() || other.is_object() || speaks(&outcome, path);
-            let fault = (!placed || !named).then(|| format!("{path} with {other} at {place:?}"));
+            let fault = (!has_paths || !named).then(|| format!("{path} with {other} at {place:?}"));
             (outcome.findings.len(), fault)
         });
-        let judged: Vec<(usize, Option<String>)> = judged.collect();
+        let judged: Vec<(usize, Option<String>)> = results.collect();
         loud += judged.iter().filter(|(findings, _)| *findings > 0).count();
         all += judged.len();
         faults.extend(judged.into_iter().filter_map(|(_, fault)| fault));

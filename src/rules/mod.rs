@@ -186,8 +186,7 @@ mod tests {
     #[test]
     fn every_rule_says_what_the_application_does() {
         // Settings of mhlint itself are no application's matter.
-        let own = |rule: &&super::Rule| ["config", "baseline"].contains(&rule.info.family());
-        for rule in RULES.iter().filter(|rule| !own(rule)) {
+        for rule in RULES.iter().filter(|rule| !matches!(rule.info.family(), "config" | "baseline")) {
             let effects = rule.info.breaks;
             assert!(!effects.is_empty(), "{}", rule.info.id);
             assert!(effects.iter().all(|(_, effect)| !effect.trim().is_empty()), "{}", rule.info.id);

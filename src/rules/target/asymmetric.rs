@@ -42,7 +42,7 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, measures: &Measures, cx: &R
         let Some(file) = repository.judged.files.values().find(|file| file.path == target.path) else { continue };
         judged += 1;
         let mirror = target.own_mirror;
-        if mirror.different == 0 || is_told_by_zeros(&zeros, file, mirror.different) {
+        if mirror.different == 0 || is_told_by_zeros(&zeros, file, mirror.different) || is_told_by_cubes(target) {
             continue;
         }
         if mirror.different as f64 > share * mirror.compared as f64 {
@@ -62,11 +62,16 @@ fn is_meant(base: &Base<'_>, name: &str) -> bool {
         || name.split(['/', '-', '_']).any(|word| SIDES.contains(&word))
 }
 
-/// Whether rows that move nothing are why the sides differ, in the only target of its folder that has such rows: then
-/// `target-zero-delta` names it.
+/// Whether rows that move nothing are why the sides differ: `target-zero-delta` names the target.
 fn is_told_by_zeros(zeros: &ZeroRows<'_>, file: &FileFacts, different: usize) -> bool {
-    let Some([(only, facts)]) = zeros.get(target_folder(file)).map(Vec::as_slice) else { return false };
-    std::ptr::eq(*only, file) && different as u64 <= 2 * facts.zero.count
+    let mut with_zeros = zeros.get(target_folder(file)).into_iter().flatten();
+    with_zeros.any(|(other, facts)| std::ptr::eq(*other, file) && different as u64 <= 2 * facts.zero.count)
+}
+
+/// Whether the vertices that differ can be those of torn joint cubes: `target-splits-joint-cube` names the target.
+fn is_told_by_cubes(target: &TargetMeasure) -> bool {
+    const CORNERS: usize = 8;
+    target.own_mirror.different <= CORNERS * target.torn.len()
 }
 
 fn one_sided(repository: &Repository<'_>, file: &FileFacts, target: &TargetMeasure) -> Option<Finding> {
