@@ -43,12 +43,17 @@ pub(super) fn explain(repository: &Repository<'_>, findings: &mut [Finding], cha
 pub(super) fn narrow(outcome: &mut Outcome, change: &Change) {
     let all = outcome.findings.len();
     outcome.findings.retain(|finding| finding.because.is_some() || is_upkeep(finding));
-    let left_out = all - outcome.findings.len();
+    outcome.left_out = all - outcome.findings.len();
     let files = match change.paths.len() {
         1 => "1 changed file".to_owned(),
         count => format!("{count} changed files"),
     };
-    outcome.notes.push(format!("narrowed to what {files} can affect; {left_out} other findings are not shown"));
+    let others = match outcome.left_out {
+        0 => String::new(),
+        1 => "; 1 other finding is not shown".to_owned(),
+        count => format!("; {count} other findings are not shown"),
+    };
+    outcome.notes.push(format!("narrowed to what {files} can affect{others}"));
 }
 
 /// Mutes and baseline entries can fall out of use by any change.

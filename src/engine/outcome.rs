@@ -23,6 +23,8 @@ pub struct Outcome {
     pub timings: Vec<Timing>,
     /// The baseline to write, where one was asked for: [`Config::write_baseline`].
     pub baseline: Option<Baseline>,
+    /// Findings that are not shown because the change cannot affect them.
+    pub left_out: usize,
     /// Rules that panicked: bugs of ours, whose findings are missing.
     pub failed_rules: Vec<String>,
 }

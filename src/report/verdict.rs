@@ -58,6 +58,9 @@ pub(super) fn words(outcome: &Outcome, view: &View<'_>) -> String {
     if !outcome.judged_anything() {
         return "Nothing to check: no data of MakeHuman 2 were found.".to_owned();
     }
+    if outcome.findings.is_empty() && outcome.left_out > 0 {
+        return "Nothing found that the change can affect; what else there is was left out.".to_owned();
+    }
     if outcome.findings.is_empty() && summary.suppressed > 0 {
         return format!("Nothing found beside what is muted: {}.", count(summary.suppressed, "finding"));
     }
