@@ -61,7 +61,11 @@ fn a_change_is_not_blamed_for_what_it_cannot_affect() {
     fs::write(root.join("notes.txt"), "nothing to do with the data").unwrap();
     let output = check(root, &["--since", "HEAD"]);
     assert_eq!(output.status.code(), Some(0), "{}", stdout(&output));
-    assert!(stderr(&output).contains("narrowed to what 1 changed file can affect; 1 other finding"), "{}", stderr(&output));
+    assert!(
+        stderr(&output).contains("narrowed to what 1 changed file can affect; 1 other finding"),
+        "{}",
+        stderr(&output)
+    );
     let human = mhlint(root, &["check", ".", "--no-eval", "--since", "HEAD"]);
     assert!(stdout(&human).contains("Nothing found that the change can affect"), "{}", stdout(&human));
 }
