@@ -16,7 +16,7 @@ use crate::eval::scene::{MorphTarget, Scene, Setting};
 use crate::eval::settings::{DEFAULT_SAMPLES, describe, plan};
 use crate::eval::survey::{Survey, Worst};
 use crate::eval::surveyor::Surveyor;
-use crate::eval::symmetry::MirrorMap;
+use crate::eval::symmetry::{MirrorComparison, MirrorMap};
 use crate::eval::target_measure::{Parts, TargetMeasure, cubes_of};
 use crate::eval::vector::Point;
 use crate::eval::walk::{Stop, in_order};
@@ -43,14 +43,14 @@ pub(super) fn gauge(scene: &Scene, rigs: &[Rig], options: &Config) -> Measures {
 /// Everything that needs the default character only.
 fn shape(scene: &Scene, rigs: &[Rig]) -> Measures {
     let mirror = MirrorMap::new(&scene.positions, scene.faces(), MIRROR_TOLERANCE);
-    let (parts, cubes) = parts(scene, &mirror);
+    let (parts, cubes) = parts(scene);
     let rest = scene.morphed(&scene.defaults()).unwrap_or_else(|_| scene.positions.clone());
     let weights = scene.skeleton.as_ref().zip(scene.weights.as_ref()).and_then(|(skeleton, loaded)| {
         weights(loaded, skeleton, &rest, &mirror, &bone_pairs(&skeleton.names), WEIGHT_TOLERANCE)
     });
     Measures {
-        pairs: pair_measures(scene, &parts),
-        targets: target_measures(scene, &parts),
+        pairs: pair_measures(scene, &parts, &mirror),
+        targets: target_measures(scene, &parts, &mirror),
         unmirrored: mirror.unresolved(),
         cubes,
         skeletons: rigs.iter().filter_map(|rig| skeleton_measure(rig, &rest)).collect(),
@@ -129,7 +129,7 @@ fn macro_measure(scene: &Scene, settings: &[Setting]) -> MacroMeasure {
 }
 
 /// Parts of the mesh that targets are measured against, and the names of the joint cubes.
-fn parts<'s>(scene: &Scene, mirror: &'s MirrorMap) -> (Parts<'s>, Vec<String>) {
+fn parts(scene: &Scene) -> (Parts, Vec<String>) {
     let groups = scene.face_groups.iter().map(|group| scene.groups.get(*group as usize).map_or("", String::as_str));
     let mut cubes = cubes_of(groups.zip(scene.faces()));
     // A cube that no joint of the skeleton uses (the ground) may be deformed at will.
@@ -139,7 +139,6 @@ fn parts<'s>(scene: &Scene, mirror: &'s MirrorMap) -> (Parts<'s>, Vec<String>) {
         body: vec![false; scene.positions.len()],
         cube_of: vec![None; scene.positions.len()],
         cubes: cubes.iter().map(|(_, vertices)| vertices.clone()).collect(),
-        mirror,
     };
     for (face, group) in scene.faces().zip(&scene.face_groups) {
         if scene.visible.get(*group as usize) == Some(&true) {
@@ -157,12 +156,13 @@ fn parts<'s>(scene: &Scene, mirror: &'s MirrorMap) -> (Parts<'s>, Vec<String>) {
 }
 
 /// Every target that no other rule reports for its rows.
-fn target_measures(scene: &Scene, parts: &Parts<'_>) -> Vec<TargetMeasure> {
-    let measures = scene.targets.par_iter().filter(|target| !target.suspect).filter_map(|target| {
-        let measure = parts.measure(target.rows.as_deref()?, DELTA_TOLERANCE);
+fn target_measures(scene: &Scene, parts: &Parts, mirror: &MirrorMap) -> Vec<TargetMeasure> {
+    let measure = |comparison: &mut MirrorComparison<'_>, target: &MorphTarget| {
+        let measure = parts.measure(target.rows.as_deref()?, comparison, DELTA_TOLERANCE);
         Some(TargetMeasure { name: target.name.clone(), path: target.path.clone(), ..measure })
-    });
-    measures.collect()
+    };
+    let usable = scene.targets.par_iter().filter(|target| !target.suspect);
+    usable.map_init(|| MirrorComparison::new(mirror), measure).flatten().collect()
 }
 
 fn mark<T>(list: &mut [T], at: usize, value: T) {
@@ -172,19 +172,20 @@ fn mark<T>(list: &mut [T], at: usize, value: T) {
 }
 
 /// Targets of one folder named alike but for their side.
-fn pair_measures(scene: &Scene, parts: &Parts<'_>) -> Vec<PairMeasure> {
+fn pair_measures(scene: &Scene, parts: &Parts, mirror: &MirrorMap) -> Vec<PairMeasure> {
     let usable = scene.targets.iter().filter(|target| !target.suspect);
     let by_path: BTreeMap<&str, &MorphTarget> = usable.map(|target| (target.path.as_str(), target)).collect();
-    let pair = |left: &MorphTarget| {
+    let pair = |comparison: &mut MirrorComparison<'_>, left: &MorphTarget| {
         let right = by_path.get(right_of(&left.path)?.as_str())?;
         let (ours, theirs) = (left.rows.as_deref()?, right.rows.as_deref()?);
         let moves = |rows: &[(u32, Point)]| rows.iter().any(|(_, delta)| delta.iter().any(|part| *part != 0.0));
         // A target without effect is a fault of its own.
-        let (both, body) = parts.pair(ours, theirs, DELTA_TOLERANCE);
+        let (both, body) = parts.pair(ours, theirs, comparison, DELTA_TOLERANCE);
         let measure = PairMeasure { left: left.path.clone(), right: right.path.clone(), difference: both, body };
         (moves(ours) && moves(theirs)).then_some(measure)
     };
-    scene.targets.par_iter().filter(|target| !target.suspect).filter_map(pair).collect()
+    let usable = scene.targets.par_iter().filter(|target| !target.suspect);
+    usable.map_init(|| MirrorComparison::new(mirror), pair).flatten().collect()
 }
 
 /// Path of the target for the other side, if the file name says left.

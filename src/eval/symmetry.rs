@@ -2,7 +2,7 @@
 //!
 //! Gets rest positions and faces; returns for every vertex the one on the other side of a plane x = constant, or that
 //! there is none or no telling which. Exact equality is not needed. Where several vertices share a place, the faces
-//! decide. `mirror_difference` compares targets by it.
+//! decide. `MirrorComparison` compares targets by it.
 
 use super::grid::Grid;
 use super::surface::bounding_box;
@@ -85,6 +85,13 @@ impl MirrorMap {
     /// Partner of a vertex; `Unmatched` outside the mesh.
     pub fn of(&self, vertex: u32) -> Mirror {
         self.partners.get(vertex as usize).copied().unwrap_or(Mirror::Unmatched)
+    }
+
+    fn partner(&self, vertex: u32) -> Option<u32> {
+        match self.of(vertex) {
+            Mirror::Partner(partner) => Some(partner),
+            Mirror::Unmatched | Mirror::Ambiguous => None,
+        }
     }
 
     /// All vertices in order.
@@ -200,91 +207,108 @@ pub struct MirrorDifference {
     pub worst: Option<(u32, f64)>,
 }
 
-/// Compares `one` with the mirror image of `other` (rows of vertex and displacement); pass the same target twice to
-/// test its own symmetry. Of several rows for a vertex the last counts. Rows outside the mesh are left out.
-/// `tolerance` in mesh units.
-pub fn mirror_difference(
-    map: &MirrorMap,
-    one: impl IntoIterator<Item = (u32, Point)>,
-    other: impl IntoIterator<Item = (u32, Point)>,
-    tolerance: f64,
-) -> MirrorDifference {
-    let count = map.partners.len();
-    let (left, right) = (Deltas::new(one, count), Deltas::new(other, count));
-    let mut result = MirrorDifference::default();
-    let mut compare = |vertex: u32| {
-        let a = left.get(vertex);
-        let Mirror::Partner(partner) = map.of(vertex) else {
-            result.without_partner += usize::from(moves(a) || moves(right.get(vertex)));
+/// Compares targets with mirror images, one after the other: a target costs its rows, not the size of the mesh.
+#[derive(Debug)]
+pub struct MirrorComparison<'m> {
+    map: &'m MirrorMap,
+    one: ByVertex<Point>,
+    other: ByVertex<Point>,
+    looked_at: ByVertex<()>,
+}
+
+impl<'m> MirrorComparison<'m> {
+    /// Makes room for the displacements of a mesh.
+    pub fn new(map: &'m MirrorMap) -> Self {
+        let count = map.partners.len();
+        Self { map, one: ByVertex::new(count), other: ByVertex::new(count), looked_at: ByVertex::new(count) }
+    }
+
+    /// Compares `one` with the mirror image of `other` (rows of vertex and displacement); pass the same target twice
+    /// to test its own symmetry. Of several rows for a vertex the last counts. Rows outside the mesh are left out.
+    /// `tolerance` in mesh units. Of equally different vertices the first is the worst.
+    pub fn difference(
+        &mut self,
+        one: impl Iterator<Item = (u32, Point)> + Clone,
+        other: impl Iterator<Item = (u32, Point)> + Clone,
+        tolerance: f64,
+    ) -> MirrorDifference {
+        self.one.fill(one.clone());
+        self.other.fill(other.clone());
+        self.looked_at.clear();
+        let mut result = MirrorDifference::default();
+        one.for_each(|(vertex, _)| self.compare(vertex, tolerance, &mut result));
+        for (vertex, _) in other {
+            let mirrored = self.map.partner(vertex).unwrap_or(vertex);
+            self.compare(mirrored, tolerance, &mut result);
+        }
+        result
+    }
+
+    /// Compares what `one` does to a vertex with what `other` does to its partner, once.
+    fn compare(&mut self, vertex: u32, tolerance: f64, result: &mut MirrorDifference) {
+        if !self.looked_at.set(vertex, ()) {
+            return;
+        }
+        let moved = self.one.get(vertex);
+        let Some(partner) = self.map.partner(vertex) else {
+            result.without_partner += usize::from(moves(moved) || moves(self.other.get(vertex)));
             return;
         };
-        let b = right.get(partner);
-        if !moves(a) && !moves(b) {
+        let image = self.other.get(partner);
+        if !moves(moved) && !moves(image) {
             return;
         }
         result.compared += 1;
-        let distance = distance(a, [-b[0], b[1], b[2]]);
+        let distance = distance(moved, [-image[0], image[1], image[2]]);
         result.different += usize::from(distance > tolerance || distance.is_nan());
-        if result.worst.is_none_or(|(_, worst)| distance > worst) {
+        let is_worse = |(known, worst): (u32, f64)| distance > worst || (distance >= worst && vertex < known);
+        if result.worst.is_none_or(is_worse) {
             result.worst = Some((vertex, distance));
         }
-    };
-    match (&left, &right) {
-        (Deltas::Few(left), Deltas::Few(right)) => {
-            let mirrored = right.iter().map(|(vertex, _)| match map.of(*vertex) {
-                Mirror::Partner(partner) => partner,
-                Mirror::Unmatched | Mirror::Ambiguous => *vertex,
-            });
-            let mut concerned: Vec<u32> = left.iter().map(|(vertex, _)| *vertex).chain(mirrored).collect();
-            concerned.sort_unstable();
-            concerned.dedup();
-            concerned.into_iter().for_each(compare);
-        }
-        _ => (0..).take(count).for_each(&mut compare),
     }
-    result
 }
 
 fn moves(delta: Point) -> bool {
     delta.iter().any(|d| *d != 0.0)
 }
 
-/// A target that moves less than this part of the mesh is looked up row by row.
-const FEW: usize = 16;
-
-/// Displacements of a target by vertex.
-enum Deltas {
-    /// One row a vertex, ascending.
-    Few(Vec<(u32, Point)>),
-    /// Every vertex of the mesh.
-    All(Vec<Point>),
+/// Something for some vertices of a mesh. Clearing it costs nothing: what bears an older number is not there.
+#[derive(Debug)]
+struct ByVertex<T> {
+    number: u32,
+    entries: Vec<(u32, T)>,
 }
 
-impl Deltas {
-    fn new(rows: impl IntoIterator<Item = (u32, Point)>, count: usize) -> Self {
-        let mut rows: Vec<(u32, Point)> = rows.into_iter().filter(|(vertex, _)| (*vertex as usize) < count).collect();
-        if rows.len() < count / FEW {
-            // The sort is stable: from the back, the last row of a vertex comes first.
-            rows.reverse();
-            rows.sort_by_key(|(vertex, _)| *vertex);
-            rows.dedup_by_key(|(vertex, _)| *vertex);
-            return Self::Few(rows);
-        }
-        let mut all = vec![[0.0; 3]; count];
-        for (vertex, delta) in rows {
-            all[vertex as usize] = delta;
-        }
-        Self::All(all)
+impl<T: Copy + Default> ByVertex<T> {
+    fn new(count: usize) -> Self {
+        Self { number: 1, entries: vec![(0, T::default()); count] }
     }
 
-    fn get(&self, vertex: u32) -> Point {
-        let found = match self {
-            Self::Few(rows) => {
-                rows.binary_search_by_key(&vertex, |row| row.0).ok().and_then(|at| rows.get(at)).map(|row| row.1)
-            }
-            Self::All(all) => all.get(vertex as usize).copied(),
-        };
-        found.unwrap_or_default()
+    fn clear(&mut self) {
+        self.number = self.number.checked_add(1).unwrap_or_else(|| {
+            self.entries.fill((0, T::default()));
+            1
+        });
+    }
+
+    /// Sets what is at a vertex; whether there was room for it and nothing before.
+    fn set(&mut self, vertex: u32, value: T) -> bool {
+        let Some(entry) = self.entries.get_mut(vertex as usize) else { return false };
+        let is_new = entry.0 != self.number;
+        *entry = (self.number, value);
+        is_new
+    }
+
+    fn fill(&mut self, rows: impl Iterator<Item = (u32, T)>) {
+        self.clear();
+        for (vertex, value) in rows {
+            self.set(vertex, value);
+        }
+    }
+
+    fn get(&self, vertex: u32) -> T {
+        let entry = self.entries.get(vertex as usize).filter(|entry| entry.0 == self.number);
+        entry.map(|entry| entry.1).unwrap_or_default()
     }
 }
 
@@ -376,27 +400,44 @@ mod tests {
         assert_eq!(map.unresolved(), (0, 0));
     }
 
+    fn difference(map: &MirrorMap, one: &[(u32, Point)], other: &[(u32, Point)], tolerance: f64) -> MirrorDifference {
+        MirrorComparison::new(map).difference(one.iter().copied(), other.iter().copied(), tolerance)
+    }
+
     #[test]
     fn mirrored_targets_do_not_differ() {
         let map = MirrorMap::new(&[[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [7.0, 0.0, 0.0]], NO_FACES, 1e-3);
         let left = [(0, [0.5, 1.0, 0.0])];
-        let same = mirror_difference(&map, left, [(1, [-0.5, 1.0, 0.0])], 1e-6);
+        let same = difference(&map, &left, &[(1, [-0.5, 1.0, 0.0])], 1e-6);
         assert_eq!((same.compared, same.different, same.worst), (1, 0, Some((0, 0.0))));
-        let alone = mirror_difference(&map, left, left, 1e-6);
+        let alone = difference(&map, &left, &left, 1e-6);
         assert_eq!((alone.compared, alone.different), (2, 2));
         let odd = [(2, [1.0; 3]), (9, [1.0; 3])];
-        assert_eq!(mirror_difference(&map, odd, odd, 1e-6).without_partner, 1);
+        assert_eq!(difference(&map, &odd, &odd, 1e-6).without_partner, 1);
     }
 
     #[test]
-    fn few_rows_are_compared_like_many() {
+    fn a_comparison_forgets_the_targets_before() {
         let mesh: Vec<Point> =
             (0..100_u8).map(|at| [f32::from(at / 2 + 1) * if at % 2 == 0 { 1.0 } else { -1.0 }, 0.0, 0.0]).collect();
         let map = MirrorMap::new(&mesh, NO_FACES, 1e-3);
-        let few: Vec<(u32, Point)> = vec![(8, [9.0; 3]), (2, [0.0, 1.0, 0.0]), (8, [0.0, 0.5, 0.0]), (5, [0.0; 3])];
-        let many: Vec<(u32, Point)> = few.iter().copied().chain((20..60).map(|vertex| (vertex, [0.0; 3]))).collect();
-        let found = mirror_difference(&map, few.clone(), few, 0.1);
-        assert_eq!((found.compared, found.different, found.worst), (4, 4, Some((2, 1.0))));
-        assert_eq!(mirror_difference(&map, many.clone(), many, 0.1), found);
+        let mut comparison = MirrorComparison::new(&map);
+        let rows = [(8, [9.0; 3]), (2, [0.0, 1.0, 0.0]), (8, [0.0, 0.5, 0.0]), (5, [0.0; 3])];
+        let all = (0..100_u8).map(|vertex| (u32::from(vertex), [f32::from(vertex); 3]));
+        for _ in 0..2 {
+            let found = comparison.difference(rows.into_iter(), rows.into_iter(), 0.1);
+            assert_eq!((found.compared, found.different, found.worst), (4, 4, Some((2, 1.0))));
+            let found = comparison.difference(all.clone(), rows.into_iter(), 0.1);
+            assert_eq!((found.compared, found.different), (99, 99));
+        }
+    }
+
+    #[test]
+    fn numbers_that_ran_out_start_again() {
+        let mut entries = ByVertex::new(2);
+        entries.number = u32::MAX;
+        assert!(entries.set(1, 5.0));
+        entries.clear();
+        assert_eq!((entries.number, entries.get(1)), (1, 0.0));
     }
 }

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::symmetry::{MirrorDifference, MirrorMap, mirror_difference};
+use super::symmetry::{MirrorComparison, MirrorDifference};
 use super::vector::Point;
 
 /// A row of a target.
@@ -33,25 +33,23 @@ pub struct TargetMeasure {
 
 /// Parts of a mesh that targets are measured against.
 #[derive(Debug)]
-pub struct Parts<'s> {
+pub struct Parts {
     /// Whether a vertex belongs to a visible face.
     pub body: Vec<bool>,
     /// Vertices of each joint cube, sorted.
     pub cubes: Vec<Vec<u32>>,
     /// Cube of each vertex.
     pub cube_of: Vec<Option<u32>>,
-    /// Mirror partners.
-    pub mirror: &'s MirrorMap,
 }
 
 /// Displacements of one cube may differ by rounding to three decimals.
 pub const RIGID_TOLERANCE: f64 = 2e-3;
 
-impl Parts<'_> {
+impl Parts {
     /// Measures one target. `tolerance` (mesh units) is how far displacements may be from mirrored.
-    pub fn measure(&self, rows: &[Row], tolerance: f64) -> TargetMeasure {
+    pub fn measure(&self, rows: &[Row], mirror: &mut MirrorComparison<'_>, tolerance: f64) -> TargetMeasure {
         let mut measure = TargetMeasure {
-            own_mirror: mirror_difference(self.mirror, rows.iter().copied(), rows.iter().copied(), tolerance),
+            own_mirror: mirror.difference(rows.iter().copied(), rows.iter().copied(), tolerance),
             ..TargetMeasure::default()
         };
         let mut touched: Vec<(u32, u32, Point)> = Vec::new();
@@ -78,13 +76,21 @@ impl Parts<'_> {
     }
 
     /// Compares a left target with its right partner: all vertices, and those of the visible body alone.
-    pub fn pair(&self, left: &[Row], right: &[Row], tolerance: f64) -> (MirrorDifference, MirrorDifference) {
-        let rows = |rows: &[Row], all: bool| -> Vec<Row> {
-            let is_body = |vertex: u32| self.body.get(vertex as usize).is_some_and(|body| *body);
-            rows.iter().filter(|(vertex, _)| all || is_body(*vertex)).copied().collect()
-        };
-        let compare = |all| mirror_difference(self.mirror, rows(left, all), rows(right, all), tolerance);
-        (compare(true), compare(false))
+    pub fn pair(
+        &self,
+        left: &[Row],
+        right: &[Row],
+        mirror: &mut MirrorComparison<'_>,
+        tolerance: f64,
+    ) -> (MirrorDifference, MirrorDifference) {
+        let whole = mirror.difference(left.iter().copied(), right.iter().copied(), tolerance);
+        let body = mirror.difference(self.of_body(left), self.of_body(right), tolerance);
+        (whole, body)
+    }
+
+    fn of_body<'r>(&'r self, rows: &'r [Row]) -> impl Iterator<Item = Row> + Clone + 'r {
+        let is_body = |vertex: u32| self.body.get(vertex as usize).is_some_and(|body| *body);
+        rows.iter().filter(move |(vertex, _)| is_body(*vertex)).copied()
     }
 
     /// The cube and its largest inner difference, unless all its vertices move alike.
@@ -139,6 +145,7 @@ fn sub(a: Point, b: Point) -> Point {
 
 #[cfg(test)]
 mod tests {
+    use super::super::symmetry::MirrorMap;
     use super::*;
 
     const POSITIONS: [Point; 4] = [[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [2.0, 5.0, 0.0], [2.0, 6.0, 0.0]];
@@ -149,9 +156,8 @@ mod tests {
             body: vec![true, true, false, false],
             cubes: vec![vec![2, 3]],
             cube_of: vec![None, None, Some(0), Some(0)],
-            mirror: &mirror,
         };
-        parts.measure(rows, 0.001)
+        parts.measure(rows, &mut MirrorComparison::new(&mirror), 0.001)
     }
 
     #[test]
