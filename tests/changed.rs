@@ -7,7 +7,7 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
 
-use scratch::{example, mhlint};
+use scratch::{assert_refused, edit, example, lose_a_step, mhlint, stderr, stdout};
 
 fn git(folder: &Path, arguments: &[&str]) {
     let identity = ["-c", "user.name=t", "-c", "user.email=t@example.org", "-c", "commit.gpgsign=false"];
@@ -19,18 +19,11 @@ fn git(folder: &Path, arguments: &[&str]) {
 fn repository() -> tempfile::TempDir {
     let repository = example();
     let root = repository.path();
-    damage(root, "data/target/figure/macro.json", "\"steps\": [0.0, 0.25, 0.5, 1.0]", "\"steps\": [0.0, 0.5, 1.0]");
+    lose_a_step(root);
     git(root, &["init", "-q", "-b", "main"]);
     git(root, &["add", "-A"]);
     git(root, &["commit", "-q", "-m", "sound but for one step"]);
     repository
-}
-
-fn damage(root: &Path, file: &str, from: &str, to: &str) {
-    let path = root.join(file);
-    let text = fs::read_to_string(&path).unwrap();
-    assert!(text.contains(from), "{file} holds no `{from}`");
-    fs::write(path, text.replacen(from, to, 1)).unwrap();
 }
 
 /// A target that a slider of the example names, relative to the repository.
@@ -43,14 +36,6 @@ fn named_target(root: &Path) -> String {
 
 fn check(root: &Path, more: &[&str]) -> Output {
     mhlint(root, &[&["check", ".", "--no-eval", "--report", "concise"], more].concat())
-}
-
-fn stdout(output: &Output) -> String {
-    String::from_utf8(output.stdout.clone()).unwrap()
-}
-
-fn stderr(output: &Output) -> String {
-    String::from_utf8(output.stderr.clone()).unwrap()
 }
 
 #[test]
@@ -115,20 +100,12 @@ fn the_point_where_a_branch_left_is_what_counts() {
     fs::write(root.join(&target), "1 nan 0 0\n").unwrap();
     git(root, &["commit", "-q", "-a", "-m", "mine"]);
     git(root, &["checkout", "-q", "main"]);
-    damage(root, "data/target/figure/macro.json", "\"name\"", "\"name\" ");
+    edit(root, "data/target/figure/macro.json", "\"name\"", "\"name\" ");
     git(root, &["commit", "-q", "-a", "-m", "theirs"]);
     git(root, &["checkout", "-q", "mine"]);
     let output = check(root, &["--since", "main"]);
     assert!(stdout(&output).contains("target-non-finite"), "{}", stdout(&output));
     assert!(!stdout(&output).contains("macro-steps-length"), "{}", stdout(&output));
-}
-
-#[track_caller]
-fn assert_refused(output: &Output, words: &[&str]) {
-    assert_eq!((output.status.code(), stdout(output).as_str()), (Some(2), ""), "{}", stderr(output));
-    for word in words {
-        assert!(stderr(output).contains(word), "no `{word}` in: {}", stderr(output));
-    }
 }
 
 #[test]
