@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::outcome::Error;
-use super::run::roots_of;
+use super::roots::roots_of;
 use crate::discover::root_above;
 use crate::source::{Tree, folder_of};
 
