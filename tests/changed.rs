@@ -15,15 +15,19 @@ fn git(folder: &Path, arguments: &[&str]) {
     assert!(output.status.success(), "git {arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
 }
 
-/// The example in a git repository, with two faults that were there before: a target and a skeleton.
+/// The example in a git repository, with an error in `macro.json` that was there before.
 fn repository() -> tempfile::TempDir {
     let repository = example();
-    let root = repository.path();
-    lose_a_step(root);
+    lose_a_step(repository.path());
+    commit_all(repository.path());
+    repository
+}
+
+/// Makes a git repository that holds everything.
+fn commit_all(root: &Path) {
     git(root, &["init", "-q", "-b", "main"]);
     git(root, &["add", "-A"]);
-    git(root, &["commit", "-q", "-m", "sound but for one step"]);
-    repository
+    git(root, &["commit", "-q", "-m", "before the change"]);
 }
 
 /// A target that a slider of the example names, relative to the repository.
@@ -53,6 +57,20 @@ fn a_change_is_not_blamed_for_what_it_cannot_affect() {
     );
     let human = mhlint(root, &["check", ".", "--no-eval", "--since", "HEAD"]);
     assert!(stdout(&human).contains("Nothing found that the change can affect"), "{}", stdout(&human));
+}
+
+#[test]
+fn a_change_is_seen_from_inside_the_data_folder() {
+    let repository = example();
+    let root = repository.path();
+    commit_all(root);
+    lose_a_step(root);
+    let output = check(&root.join("data"), &["--since", "HEAD"]);
+    assert!(
+        stdout(&output).contains("target/figure/macro.json:11:22: error[macro-steps-length]"),
+        "{}",
+        stdout(&output)
+    );
 }
 
 #[test]
