@@ -182,11 +182,14 @@ fn a_failed_write_leaves_nothing_behind() {
     let repository = broken();
     let folder = repository.path().join("locked");
     fs::create_dir(&folder).unwrap();
-    // A file that no temporary name fits beside: its own name is as long as names may be.
-    let long = folder.join("n".repeat(255));
+    // A name longer than names may be: the report waits beside it and cannot take its place.
+    let long = folder.join("n".repeat(256));
     let target = format!("json={}", long.display());
     assert_refused(&mhlint(repository.path(), &["--report", &target]), &["cannot write the report", "name"]);
     assert_eq!((leftovers(&folder), long.exists()), (Vec::<String>::new(), false));
+    let longest = folder.join("n".repeat(255));
+    mhlint(repository.path(), &["--report", &format!("json={}", longest.display())]);
+    assert!(longest.exists());
 }
 
 #[test]
