@@ -19,7 +19,7 @@ fn eval(args: &[&str]) -> Output {
 }
 
 fn json_of(output: &Output) -> Value {
-    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(output));
     serde_json::from_slice(&output.stdout).unwrap()
 }
 
