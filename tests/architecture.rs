@@ -30,13 +30,14 @@ const IMPORTS: &[(&str, &[&str])] = &[
 const MAY_OPEN_FILES: [&str; 4] = ["source/", "fix/", "cli/", "engine/input.rs"];
 
 /// Libraries that only one place may know.
-const LIBRARIES: [(&str, &str); 6] = [
+const LIBRARIES: [(&str, &str); 7] = [
     ("clap", "cli/"),
     ("maud", "report/html/"),
     ("miette", "report/human/block.rs"),
     ("percent_encoding", "report/sarif.rs"),
     ("quick_xml", "report/junit.rs"),
     ("rayon", "engine/"),
+    ("tempfile", "fix/"),
 ];
 
 /// Hard bounds in lines without tests.

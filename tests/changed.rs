@@ -7,7 +7,7 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
 
-use scratch::{example, mhlint};
+use scratch::{assert_refused, edit, example, lose_a_step, mhlint, stderr, stdout};
 
 fn git(folder: &Path, arguments: &[&str]) {
     let identity = ["-c", "user.name=t", "-c", "user.email=t@example.org", "-c", "commit.gpgsign=false"];
@@ -15,22 +15,19 @@ fn git(folder: &Path, arguments: &[&str]) {
     assert!(output.status.success(), "git {arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
 }
 
-/// The example in a git repository, with two faults that were there before: a target and a skeleton.
+/// The example in a git repository, with an error in `macro.json` that was there before.
 fn repository() -> tempfile::TempDir {
     let repository = example();
-    let root = repository.path();
-    damage(root, "data/target/figure/macro.json", "\"steps\": [0.0, 0.25, 0.5, 1.0]", "\"steps\": [0.0, 0.5, 1.0]");
-    git(root, &["init", "-q", "-b", "main"]);
-    git(root, &["add", "-A"]);
-    git(root, &["commit", "-q", "-m", "sound but for one step"]);
+    lose_a_step(repository.path());
+    commit_all(repository.path());
     repository
 }
 
-fn damage(root: &Path, file: &str, from: &str, to: &str) {
-    let path = root.join(file);
-    let text = fs::read_to_string(&path).unwrap();
-    assert!(text.contains(from), "{file} holds no `{from}`");
-    fs::write(path, text.replacen(from, to, 1)).unwrap();
+/// Makes a git repository that holds everything.
+fn commit_all(root: &Path) {
+    git(root, &["init", "-q", "-b", "main"]);
+    git(root, &["add", "-A"]);
+    git(root, &["commit", "-q", "-m", "before the change"]);
 }
 
 /// A target that a slider of the example names, relative to the repository.
@@ -43,14 +40,6 @@ fn named_target(root: &Path) -> String {
 
 fn check(root: &Path, more: &[&str]) -> Output {
     mhlint(root, &[&["check", ".", "--no-eval", "--report", "concise"], more].concat())
-}
-
-fn stdout(output: &Output) -> String {
-    String::from_utf8(output.stdout.clone()).unwrap()
-}
-
-fn stderr(output: &Output) -> String {
-    String::from_utf8(output.stderr.clone()).unwrap()
 }
 
 #[test]
@@ -68,6 +57,20 @@ fn a_change_is_not_blamed_for_what_it_cannot_affect() {
     );
     let human = mhlint(root, &["check", ".", "--no-eval", "--since", "HEAD"]);
     assert!(stdout(&human).contains("Nothing found that the change can affect"), "{}", stdout(&human));
+}
+
+#[test]
+fn a_change_is_seen_from_inside_the_data_folder() {
+    let repository = example();
+    let root = repository.path();
+    commit_all(root);
+    lose_a_step(root);
+    let output = check(&root.join("data"), &["--since", "HEAD"]);
+    assert!(
+        stdout(&output).contains("target/figure/macro.json:11:22: error[macro-steps-length]"),
+        "{}",
+        stdout(&output)
+    );
 }
 
 #[test]
@@ -115,20 +118,12 @@ fn the_point_where_a_branch_left_is_what_counts() {
     fs::write(root.join(&target), "1 nan 0 0\n").unwrap();
     git(root, &["commit", "-q", "-a", "-m", "mine"]);
     git(root, &["checkout", "-q", "main"]);
-    damage(root, "data/target/figure/macro.json", "\"name\"", "\"name\" ");
+    edit(root, "data/target/figure/macro.json", "\"name\"", "\"name\" ");
     git(root, &["commit", "-q", "-a", "-m", "theirs"]);
     git(root, &["checkout", "-q", "mine"]);
     let output = check(root, &["--since", "main"]);
     assert!(stdout(&output).contains("target-non-finite"), "{}", stdout(&output));
     assert!(!stdout(&output).contains("macro-steps-length"), "{}", stdout(&output));
-}
-
-#[track_caller]
-fn assert_refused(output: &Output, words: &[&str]) {
-    assert_eq!((output.status.code(), stdout(output).as_str()), (Some(2), ""), "{}", stderr(output));
-    for word in words {
-        assert!(stderr(output).contains(word), "no `{word}` in: {}", stderr(output));
-    }
 }
 
 #[test]

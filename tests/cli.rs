@@ -8,37 +8,17 @@ use std::io::Read;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
-use scratch::{example, mhlint, project};
+use scratch::{assert_refused, example, lose_a_step, mhlint, project, stderr, stdout};
 
 /// A copy of the example repository with one error in it.
 fn broken() -> tempfile::TempDir {
     let repository = example();
-    let path = repository.path().join("data/target/figure/macro.json");
-    let text = fs::read_to_string(&path).unwrap();
-    fs::write(&path, text.replacen("\"steps\": [0.0, 0.25, 0.5, 1.0]", "\"steps\": [0.0, 0.5, 1.0]", 1)).unwrap();
+    lose_a_step(repository.path());
     repository
 }
 
 fn code(output: &Output) -> Option<i32> {
     output.status.code()
-}
-
-fn stdout(output: &Output) -> String {
-    String::from_utf8(output.stdout.clone()).unwrap()
-}
-
-fn stderr(output: &Output) -> String {
-    String::from_utf8(output.stderr.clone()).unwrap()
-}
-
-/// The run is refused: exit 2, nothing on standard output, `words` on standard error.
-#[track_caller]
-fn assert_refused(output: &Output, words: &[&str]) {
-    assert_eq!(code(output), Some(2), "{}", stderr(output));
-    assert_eq!(stdout(output), "");
-    for word in words {
-        assert!(stderr(output).contains(word), "no `{word}` in: {}", stderr(output));
-    }
 }
 
 #[test]
@@ -202,11 +182,14 @@ fn a_failed_write_leaves_nothing_behind() {
     let repository = broken();
     let folder = repository.path().join("locked");
     fs::create_dir(&folder).unwrap();
-    // A file that no temporary name fits beside: its own name is as long as names may be.
-    let long = folder.join("n".repeat(255));
+    // A name longer than names may be: the report waits beside it and cannot take its place.
+    let long = folder.join("n".repeat(256));
     let target = format!("json={}", long.display());
     assert_refused(&mhlint(repository.path(), &["--report", &target]), &["cannot write the report", "name"]);
     assert_eq!((leftovers(&folder), long.exists()), (Vec::<String>::new(), false));
+    let longest = folder.join("n".repeat(255));
+    mhlint(repository.path(), &["--report", &format!("json={}", longest.display())]);
+    assert!(longest.exists());
 }
 
 #[test]

@@ -4,11 +4,10 @@
 mod scratch;
 
 use std::fs;
-use std::path::Path;
-use std::process::Output;
+use std::path::{Path, PathBuf};
 
 use mhlint::{Config, Tree, lint_trees, rule_infos};
-use scratch::{example, findings, mhlint, project};
+use scratch::{assert_refused, content, edit, example, findings, mhlint, project, stderr, stdout};
 
 const OVAL: &str = "data/target/figure/head/head-oval.target";
 
@@ -18,13 +17,6 @@ fn repository(config: &str) -> tempfile::TempDir {
     fs::write(repository.path().join("mhlint.toml"), config).unwrap();
     edit(repository.path(), OVAL, "339 0 .001 .001", "339 0 0 0");
     repository
-}
-
-fn edit(root: &Path, file: &str, find: &str, replace: &str) {
-    let path = root.join(file);
-    let text = fs::read_to_string(&path).unwrap();
-    assert!(text.contains(find), "`{find}` is not in {file}");
-    fs::write(path, text.replacen(find, replace, 1)).unwrap();
 }
 
 fn concise(root: &Path, args: &[&str]) -> Vec<String> {
@@ -38,23 +30,6 @@ fn level(root: &Path, args: &[&str]) -> String {
     let found = concise(root, args);
     let line = found.iter().find_map(|line| line.split_once("[target-zero-delta]"));
     line.map_or_else(|| "off".to_owned(), |(before, _)| before.rsplit(' ').next().unwrap().to_owned())
-}
-
-fn stdout(output: &Output) -> String {
-    String::from_utf8(output.stdout.clone()).unwrap()
-}
-
-fn stderr(output: &Output) -> String {
-    String::from_utf8(output.stderr.clone()).unwrap()
-}
-
-/// Exit 2, nothing on standard output, `words` on standard error.
-#[track_caller]
-fn assert_refused(output: &Output, words: &[&str]) {
-    assert_eq!((output.status.code(), stdout(output).as_str()), (Some(2), ""), "{}", stderr(output));
-    for word in words {
-        assert!(stderr(output).contains(word), "no `{word}` in: {}", stderr(output));
-    }
 }
 
 #[test]
@@ -248,8 +223,9 @@ fn wide_globs_do_not_reach_a_rule_of_safety() {
 
 #[test]
 fn globs_are_relative_to_trees_in_memory() {
-    let all = files_below(&project("fixtures/makehuman2"), "");
-    let damaged = |(path, bytes): (String, Vec<u8>)| {
+    let all = content(&project("fixtures/makehuman2"));
+    let damaged = |(path, bytes): (PathBuf, Vec<u8>)| {
+        let path = path.to_str().unwrap().to_owned();
         let text = String::from_utf8_lossy(&bytes).replace("339 0 .001 .001", "339 0 0 0");
         if path == OVAL { (path, text.into_bytes()) } else { (path, bytes) }
     };
@@ -263,21 +239,6 @@ fn globs_are_relative_to_trees_in_memory() {
     let mute = |path: &str| format!("[[ignore]]\nrule = 'target-zero-delta'\npath = '{path}'\nreason = 'so'\n");
     assert_eq!(found(&mute("data/target/**")), (String::new(), None));
     assert_eq!(found(&mute("target/**")), ("target-zero-delta config-unused-ignore".to_owned(), Some(5)));
-}
-
-fn files_below(folder: &Path, rel: &str) -> Vec<(String, Vec<u8>)> {
-    let mut files = Vec::new();
-    for entry in fs::read_dir(folder.join(rel)).unwrap() {
-        let entry = entry.unwrap();
-        let name = entry.file_name().into_string().unwrap();
-        let path = if rel.is_empty() { name } else { format!("{rel}/{name}") };
-        if entry.file_type().unwrap().is_dir() {
-            files.extend(files_below(folder, &path));
-        } else {
-            files.push((path, fs::read(entry.path()).unwrap()));
-        }
-    }
-    files
 }
 
 #[test]

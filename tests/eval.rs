@@ -8,7 +8,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Output;
 
-use scratch::{mhlint, project};
+use scratch::{copy_folder, mhlint, project, stderr, stdout};
 use serde_json::{Value, json};
 
 const DATA: &str = "fixtures/makehuman2/data";
@@ -19,13 +19,13 @@ fn eval(args: &[&str]) -> Output {
 }
 
 fn json_of(output: &Output) -> Value {
-    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(output));
     serde_json::from_slice(&output.stdout).unwrap()
 }
 
 fn error_of(args: &[&str]) -> String {
     let output = eval(args);
-    let text = String::from_utf8_lossy(&output.stderr).into_owned();
+    let text = stderr(&output);
     assert_eq!(output.status.code(), Some(2), "{text}");
     assert!(output.stdout.is_empty(), "{text}");
     text
@@ -95,21 +95,8 @@ fn errors_name_the_nearest() {
 /// A copy of the example's data folder.
 fn copy() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
-    copy_into(&project(DATA), folder.path());
+    copy_folder(&project(DATA), folder.path());
     folder
-}
-
-fn copy_into(from: &Path, to: &Path) {
-    fs::create_dir_all(to).unwrap();
-    for entry in fs::read_dir(from).unwrap() {
-        let entry = entry.unwrap();
-        let place = to.join(entry.file_name());
-        if entry.path().is_dir() {
-            copy_into(&entry.path(), &place);
-        } else {
-            fs::copy(entry.path(), place).map(drop).unwrap();
-        }
-    }
 }
 
 #[test]
@@ -195,7 +182,7 @@ fn an_exact_asset_lies_on_the_base_mesh() {
     let plain = format!("{DATA}/base/figure/base.obj");
     assert!(error_of(&["fit", text(&asset), "--base-mesh", &plain, "--set", "a=1"]).contains("an OBJ has no sliders"));
     let obj = eval(&["fit", text(&asset), "--base-mesh", &plain]);
-    assert!(String::from_utf8(obj.stdout).unwrap().ends_with("\nf 1 2 3\n"));
+    assert!(stdout(&obj).ends_with("\nf 1 2 3\n"));
     fs::write(&asset, "name x\nobj_file x.obj\nverts 0\n3 4\n").unwrap();
     assert!(error_of(&["fit", text(&asset), "--base-mesh", DATA]).contains("line 4"));
 }
@@ -213,8 +200,8 @@ fn own_cases(folder: &Path) -> (PathBuf, String) {
 "#;
     fs::write(&file, cases).unwrap();
     let output = eval(&["cases", text(&file), "--root", &format!("makehuman2={DATA}")]);
-    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
-    let printed = String::from_utf8(output.stdout).unwrap();
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let printed = stdout(&output);
     fs::write(&file, &printed).unwrap();
     (file, printed)
 }
@@ -240,7 +227,7 @@ fn cases_that_cannot_be_computed_say_why() {
     let run = |content: &str, more: &[&str]| {
         fs::write(&file, content).unwrap();
         let output = eval(&[&["cases", text(&file)], more].concat());
-        (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
+        (output.status.code(), stderr(&output))
     };
     let (code, message) = run(r#"{"kind": "mpfb_rig", "cases": []}"#, &[]);
     assert!(code == Some(2) && message.contains("`mpfb_rig` are not supported yet"), "{message}");
@@ -298,6 +285,6 @@ fn reference_files_agree_within_their_tolerances() {
     for (name, path) in files {
         let roots = [root("makehuman2"), root("makehuman-assets")];
         let output = eval(&["cases", text(&path), "--compare", "--root", &roots[0], "--root", &roots[1]]);
-        assert_eq!(output.status.code(), Some(0), "{name}\n{}", String::from_utf8_lossy(&output.stdout));
+        assert_eq!(output.status.code(), Some(0), "{name}\n{}", stdout(&output));
     }
 }

@@ -12,11 +12,11 @@ use std::path::Path;
 use std::process::Command;
 
 use flate2::{Compression, write::GzEncoder};
-use scratch::{example, findings, mhlint};
+use scratch::{example, findings, mhlint, stderr};
 
 fn check(root: &Path, args: &[&str]) -> Vec<String> {
     let output = mhlint(root, &[args, &["--report", "concise", "--only", "file-*"]].concat());
-    assert!(matches!(output.status.code(), Some(0 | 1)), "{}", String::from_utf8_lossy(&output.stderr));
+    assert!(matches!(output.status.code(), Some(0 | 1)), "{}", stderr(&output));
     findings(&output)
 }
 

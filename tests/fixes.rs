@@ -12,7 +12,7 @@ use std::process::{Command, Output, Stdio};
 use std::time::Duration;
 
 use rayon::prelude::*;
-use scratch::{Case, copy_folder, example, findings, mhlint, project};
+use scratch::{Case, content, copy_folder, edit, example, findings, mhlint, project};
 use serde_json::Value;
 
 const WEIGHTS: &str = "data/rigs/figure/default_weights.mhw";
@@ -25,29 +25,6 @@ fn fixable_rules() -> BTreeMap<String, String> {
     let rules: Value = serde_json::from_slice(&output.stdout).unwrap();
     let pair = |rule: &Value| (rule["id"].as_str().unwrap().to_owned(), rule["fix"].as_str().unwrap().to_owned());
     rules.as_array().unwrap().iter().map(pair).filter(|(_, fix)| fix != "none").collect()
-}
-
-fn edit(root: &Path, file: &str, find: &str, replace: &str) {
-    let text = fs::read_to_string(root.join(file)).unwrap();
-    assert_eq!(text.matches(find).count(), 1, "{find}");
-    fs::write(root.join(file), text.replace(find, replace)).unwrap();
-}
-
-/// Every file with its bytes.
-fn content(root: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
-    let mut all = BTreeMap::new();
-    let mut folders = vec![root.to_owned()];
-    while let Some(folder) = folders.pop() {
-        for entry in fs::read_dir(&folder).unwrap() {
-            let path = entry.unwrap().path();
-            if path.is_dir() {
-                folders.push(path);
-            } else if path.is_file() {
-                all.insert(path.strip_prefix(root).unwrap().to_owned(), fs::read(&path).unwrap());
-            }
-        }
-    }
-    all
 }
 
 fn changed(before: &BTreeMap<PathBuf, Vec<u8>>, after: &BTreeMap<PathBuf, Vec<u8>>) -> Vec<PathBuf> {

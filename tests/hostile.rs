@@ -12,7 +12,7 @@ use std::time::{Duration, Instant};
 use flate2::{Compression, write::GzEncoder};
 use mhlint::{Config, Outcome, Tree, lint_trees};
 use rayon::prelude::*;
-use scratch::{example, findings, mhlint, project};
+use scratch::{example, findings, mhlint, project, stderr};
 use serde_json::{Value, json};
 
 type Files = BTreeMap<String, Arc<[u8]>>;
@@ -229,7 +229,7 @@ fn a_file_where_a_folder_is_expected_ends_with_a_verdict() {
         std::fs::remove_dir_all(&path).unwrap();
         std::fs::write(&path, "no folder").unwrap();
         let output = mhlint(root.path(), &["data", "--report", "concise", "--no-eval"]);
-        assert!(matches!(output.status.code(), Some(0..=2)), "{}", String::from_utf8_lossy(&output.stderr));
+        assert!(matches!(output.status.code(), Some(0..=2)), "{}", stderr(&output));
     }
 }
 
@@ -265,7 +265,7 @@ fn four_gibibytes_of_zeros_need_no_memory() {
         command.current_dir(root.path()).output().unwrap()
     };
     let output = limited(768);
-    assert_eq!(output.status.code(), Some(1), "{}", String::from_utf8_lossy(&output.stderr));
+    assert_eq!(output.status.code(), Some(1), "{}", stderr(&output));
     let lines = findings(&output);
     let named = |line: &&String| line.contains("zeros.target.gz") && line.contains("[file-decompression-bomb]");
     assert_eq!(lines.iter().filter(named).count(), 1, "{lines:?}");
@@ -299,7 +299,7 @@ fn files_without_permission_are_named_each() {
             command.uid(65534).gid(65534);
         }
         let Ok(output) = command.output() else { return };
-        assert_eq!(output.status.code(), Some(1), "{file}: {}", String::from_utf8_lossy(&output.stderr));
+        assert_eq!(output.status.code(), Some(1), "{file}: {}", stderr(&output));
         let lines = findings(&output);
         let [line] = lines.as_slice() else { panic!("{file}: {lines:?}") };
         assert!(line.starts_with(&format!("data/{file}")) && line.contains("error[file-unreadable]"), "{line}");

@@ -12,7 +12,7 @@ mod scratch;
 use std::fs;
 use std::path::Path;
 
-use scratch::{copy_folder, example, findings, mhlint};
+use scratch::{copy_folder, example, findings, mhlint, remove, stderr};
 
 /// Where contarget lies and what is judged.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -63,7 +63,7 @@ const ROWS: &[Row<'_>] = &[
     Row {
         name: "macro.json alone: the system's sliders search their targets in contarget",
         change: |contarget| {
-            remove(contarget, &["modelling.json", "target_cat.json", "body", "ears"]);
+            remove_all(contarget, &["modelling.json", "target_cat.json", "body", "ears"]);
         },
         over_system: &[MACRO_PROBE, LOST_TARGETS, SYSTEM_SLIDERS],
         alone: &[
@@ -75,7 +75,7 @@ const ROWS: &[Row<'_>] = &[
     },
     Row {
         name: "macro.json and modelling.json with a part of the targets",
-        change: |contarget| remove(contarget, &["ears"]),
+        change: |contarget| remove_all(contarget, &["ears"]),
         over_system: &[MACRO_PROBE, LOST_TARGETS, OWN_SLIDERS],
         alone: &[MACRO_PROBE, UNMEASURED, OWN_SLIDERS],
         one_root: &[MACRO_PROBE, LOST_TARGETS],
@@ -83,7 +83,7 @@ const ROWS: &[Row<'_>] = &[
     Row {
         name: "modelling.json alone: its sliders take the system's targets",
         change: |contarget| {
-            remove(contarget, &["macro.json", "target_cat.json", "body", "ears", "macro_height"]);
+            remove_all(contarget, &["macro.json", "target_cat.json", "body", "ears", "macro_height"]);
         },
         over_system: &[".overlay-partial-override contarget/imp/modelling.json", OWN_SLIDERS],
         alone: &[".overlay-needs-system contarget/imp/modelling.json", OWN_SLIDERS],
@@ -92,7 +92,7 @@ const ROWS: &[Row<'_>] = &[
     Row {
         name: "modelling.json with targets of its own and no macro.json: they are never read",
         change: |contarget| {
-            remove(contarget, &["macro.json"]);
+            remove_all(contarget, &["macro.json"]);
             fs::rename(contarget.join("ears/r-ear-trans-out.target"), contarget.join("ears/wide.target")).unwrap();
             edit(&contarget.join("modelling.json"), "ears/r-ear-trans-out", "ears/wide");
         },
@@ -103,7 +103,7 @@ const ROWS: &[Row<'_>] = &[
     Row {
         name: "target_cat.json alone",
         change: |contarget| {
-            remove(contarget, &["macro.json", "modelling.json", "body", "ears", "macro_height"]);
+            remove_all(contarget, &["macro.json", "modelling.json", "body", "ears", "macro_height"]);
         },
         over_system: &[".overlay-partial-override contarget/imp/target_cat.json", SYSTEM_SLIDERS],
         alone: &[
@@ -152,14 +152,14 @@ const ROWS: &[Row<'_>] = &[
     },
     Row {
         name: "targets alone: never read",
-        change: |contarget| remove(contarget, &["macro.json", "modelling.json", "target_cat.json"]),
+        change: |contarget| remove_all(contarget, &["macro.json", "modelling.json", "target_cat.json"]),
         over_system: &[DEAD_TARGETS, SYSTEM_SLIDERS],
         alone: &[UNMEASURED, DEAD_TARGETS],
         one_root: &[SYSTEM_PROBE, DEAD_TARGETS],
     },
     Row {
         name: "macro.json and modelling.json with all targets: categories from the system",
-        change: |contarget| remove(contarget, &["target_cat.json"]),
+        change: |contarget| remove_all(contarget, &["target_cat.json"]),
         over_system: &[MACRO_PROBE, SHADOWED_MACRO, OWN_SLIDERS],
         alone: &[MACRO_PROBE, UNMEASURED, OWN_SLIDERS],
         one_root: &[MACRO_PROBE, SHADOWED_MACRO],
@@ -256,7 +256,7 @@ fn judged(setting: Setting, change: fn(&Path)) -> Vec<String> {
     for (from, to) in [("base/imp", "base/imp"), ("rigs/imp", "rigs/imp"), ("contarget/imp", "target/imp")] {
         copy_folder(&root.join("user").join(from), &root.join("data").join(to));
     }
-    remove(&root.join("user"), &["base", "rigs", "target"]);
+    remove_all(&root.join("user"), &["base", "rigs", "target"]);
     probe_macros(&root.join("user/contarget/imp/macro.json"), "[0.0, 0.5, 1.0]");
     probe_macros(&root.join("data/target/imp/macro.json"), "[0.0, 0.2, 0.8, 1.0]");
     change(&root.join("user/contarget/imp"));
@@ -287,7 +287,7 @@ fn run(folder: &Path, args: &[&str], prefix: &str) -> Vec<String> {
     let only = ["--base", "imp", "--only", "overlay-*", "--only", "json-*", "--only", "macro-steps-length"];
     let args: Vec<&str> = args.iter().chain(&only).chain(&["--report", "concise"]).copied().collect();
     let output = mhlint(folder, &args);
-    assert!(matches!(output.status.code(), Some(0 | 1)), "{args:?}: {}", String::from_utf8_lossy(&output.stderr));
+    assert!(matches!(output.status.code(), Some(0 | 1)), "{args:?}: {}", stderr(&output));
     let mut found: Vec<String> = findings(&output).iter().map(|line| short(line, prefix)).collect();
     found.sort();
     found
@@ -315,8 +315,6 @@ fn edit(path: &Path, find: &str, replace: &str) {
     fs::write(path, text.replace(find, replace)).unwrap();
 }
 
-fn remove(folder: &Path, names: &[&str]) {
-    for path in names.iter().map(|name| folder.join(name)) {
-        if path.is_dir() { fs::remove_dir_all(path).unwrap() } else { fs::remove_file(path).unwrap() }
-    }
+fn remove_all(folder: &Path, names: &[&str]) {
+    names.iter().for_each(|name| remove(&folder.join(name)));
 }

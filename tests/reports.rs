@@ -9,27 +9,19 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-use scratch::{example, mhlint, project};
+use scratch::{edit, example, lose_a_step, mhlint, project, stderr, stdout};
 use serde_json::Value;
-
-fn edit(root: &Path, file: &str, find: &str, replace: &str) {
-    let path = root.join(file);
-    let text = fs::read_to_string(&path).unwrap();
-    assert!(text.contains(find), "`{find}` is not in {file}");
-    fs::write(path, text.replacen(find, replace, 1)).unwrap();
-}
 
 /// A copy of the example repository with two errors in two files.
 fn broken() -> tempfile::TempDir {
     let repository = example();
-    let [old, new] = ["\"steps\": [0.0, 0.25, 0.5, 1.0]", "\"steps\": [0.0, 0.5, 1.0]"];
-    edit(repository.path(), "data/target/figure/macro.json", old, new);
+    lose_a_step(repository.path());
     edit(repository.path(), "data/target/figure/head/head-oval.target", "339 0 .001 .001", "339 0 0,001 .001");
     repository
 }
 
 fn run(root: &Path, args: &[&str]) -> String {
-    String::from_utf8(mhlint(root, args).stdout).unwrap()
+    stdout(&mhlint(root, args))
 }
 
 #[test]
@@ -113,7 +105,7 @@ fn names_in_assets_cannot_steer_the_terminal() {
     let repository = example();
     let hostile = "\\u001b]0;owned\\u0007\\u001b[2Jage\\u202e";
     let macros = "data/target/figure/macro.json";
-    edit(repository.path(), macros, "\"steps\": [0.0, 0.25, 0.5, 1.0]", "\"steps\": [0.0, 0.5, 1.0]");
+    lose_a_step(repository.path());
     edit(repository.path(), macros, "\"age\"", &format!("\"{hostile}\""));
     edit(repository.path(), "data/target/figure/head/head-oval.target", "339 0 .001 .001", "339 0 \u{1b}[31mred .001");
     for format in ["human", "concise"] {
@@ -292,7 +284,7 @@ fn the_summary_of_a_github_step_is_appended() {
     assert_eq!(fs::read_to_string(&summary).unwrap().matches("## mhlint: failed").count(), 2);
     let output = github_step(repository.path(), &repository.path().join("no/summary.md"));
     assert_eq!(output.status.code(), Some(2));
-    assert!(String::from_utf8_lossy(&output.stderr).contains("GITHUB_STEP_SUMMARY"));
+    assert!(stderr(&output).contains("GITHUB_STEP_SUMMARY"));
 }
 
 #[test]
@@ -433,7 +425,7 @@ fn all_reports_of_one_run_are_those_of_single_runs() {
     let mut args: Vec<&str> = wanted.iter().flat_map(|target| ["--report", target.as_str()]).collect();
     args.extend(["--report", "concise"]);
     let output = mhlint(repository.path(), &args);
-    assert_eq!(output.status.code(), Some(1), "{}", String::from_utf8_lossy(&output.stderr));
+    assert_eq!(output.status.code(), Some(1), "{}", stderr(&output));
     assert_eq!(output.stdout, fs::read(file("concise")).unwrap());
     for format in FORMATS {
         let alone = run(repository.path(), &["--report", format]);

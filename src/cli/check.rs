@@ -8,7 +8,7 @@ use super::changed::{listed, since};
 use super::config::settings;
 use super::exit::{Exit, Failure};
 use super::fix;
-use super::output::{Target, refuse_unwritable, replace, targets, write_file};
+use super::output::{Target, refuse_unwritable, targets, write_file};
 use super::panics::Panics;
 use super::progress::Progress;
 use super::step_summary;
@@ -16,6 +16,7 @@ use super::terminal::Terminal;
 use crate::config::Config;
 use crate::diag::nearest;
 use crate::engine::{Baseline, Error, Outcome, rule_infos};
+use crate::fix::replace;
 use crate::report::{self, Format, View};
 
 pub(super) fn run(

@@ -1,12 +1,13 @@
 //! Where reports go: standard output or a file, which is either replaced as a whole or left alone.
 
-use std::fs;
-use std::io::{self, Write};
+use std::io;
 use std::path::{Path, PathBuf};
 
 use super::args::not_one_of;
 use super::exit::Failure;
+use crate::fix::replace;
 use crate::report::Format;
+use crate::source::{folder_of, resolved};
 
 /// `FORMAT[=FILE]`.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -44,7 +45,7 @@ pub(super) fn targets(asked: &[Target]) -> Result<Vec<Target>, Failure> {
     }
     let files: Vec<&PathBuf> = asked.iter().filter_map(|target| target.file.as_ref()).collect();
     files.iter().try_for_each(|file| refuse_unwritable("a report", file))?;
-    let mut places: Vec<PathBuf> = files.into_iter().map(|file| whole(file)).collect();
+    let mut places: Vec<PathBuf> = files.into_iter().map(|file| resolved(file)).collect();
     places.sort_unstable();
     if let Some(twice) = places.windows(2).find(|pair| pair.first() == pair.last()).and_then(<[_]>::first) {
         return Err(Failure::Usage(format!("two reports to `{}`; give each its own file", twice.display())));
@@ -68,19 +69,6 @@ pub(super) fn refuse_unwritable(what: &str, file: &Path) -> Result<(), Failure> 
     Ok(())
 }
 
-/// The same for every way to write a path.
-fn whole(file: &Path) -> PathBuf {
-    let folder = fs::canonicalize(folder_of(file)).unwrap_or_default();
-    fs::canonicalize(file).unwrap_or_else(|_| folder.join(file.file_name().unwrap_or_default()))
-}
-
-fn folder_of(file: &Path) -> &Path {
-    match file.parent() {
-        Some(parent) if !parent.as_os_str().is_empty() => parent,
-        _ => Path::new("."),
-    }
-}
-
 /// Writes a report to a file.
 pub(super) fn write_file(file: &Path, bytes: &[u8]) -> Result<(), Failure> {
     let shown = file.display();
@@ -99,39 +87,5 @@ pub(super) fn remedy(error: &io::Error) -> &'static str {
         }
         io::ErrorKind::BrokenPipe => "nobody reads it any more; keep the reader running or name a file",
         _ => "name another file",
-    }
-}
-
-/// Writes beside the file first and then takes its place, so that nobody ever sees half a result. A link is
-/// followed; a device or pipe has no place to take and is written to as it is.
-pub(super) fn replace(file: &Path, bytes: &[u8]) -> io::Result<()> {
-    let before = fs::metadata(file).ok();
-    if before.as_ref().is_some_and(|before| !before.is_file()) {
-        return fs::OpenOptions::new().write(true).open(file)?.write_all(bytes);
-    }
-    let file = if before.is_some() { fs::canonicalize(file)? } else { file.to_owned() };
-    let (beside, mut handle) = create_beside(&file)?;
-    let written = handle
-        .write_all(bytes)
-        .and_then(|()| before.map_or(Ok(()), |before| handle.set_permissions(before.permissions())))
-        .and_then(|()| handle.sync_all());
-    drop(handle);
-    written.and_then(|()| fs::rename(&beside, &file)).inspect_err(|_| {
-        // The error of the write is the one to tell; the remains may not exist at all.
-        let _ = fs::remove_file(&beside);
-    })
-}
-
-/// A new file in the same folder. Its name may be taken by what a killed run left behind.
-fn create_beside(file: &Path) -> io::Result<(PathBuf, fs::File)> {
-    let name = file.file_name().unwrap_or_default().to_string_lossy();
-    let mut number = std::process::id();
-    loop {
-        let beside = folder_of(file).join(format!(".{name}.{number}.tmp"));
-        match fs::OpenOptions::new().write(true).create_new(true).open(&beside) {
-            Ok(handle) => return Ok((beside, handle)),
-            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => number = number.wrapping_add(1),
-            Err(error) => return Err(error),
-        }
     }
 }

@@ -196,6 +196,16 @@ impl Config {
         read::read(text, path, Path::new(""), Folder::default(), rules)
     }
 
+    /// Whether data of an application are to be judged.
+    pub(crate) fn asks_for(&self, application: Application) -> bool {
+        self.applications.is_empty() || self.applications.contains(&application)
+    }
+
+    /// Whether a base mesh is to be judged.
+    pub(crate) fn asks_for_base(&self, name: &str) -> bool {
+        self.bases.is_empty() || self.bases.iter().any(|base| base == name)
+    }
+
     /// Whether nothing is to be reported for a printed path.
     pub fn excludes(&self, path: &str) -> bool {
         let Some(file) = self.file.as_ref().filter(|file| !file.exclude.is_empty()) else { return false };

@@ -4,13 +4,13 @@
 //! over a whole base mesh (`base.obj`, `macro.json` and the like) affect everything of that base.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
 
-use super::input::without_links;
 use super::outcome::Outcome;
 use crate::diag::{Finding, Place};
 use crate::discover::kind_of;
 use crate::repo::{Layer, Reference, Repository, Resolution};
+use crate::source::resolved;
 
 /// Paths of changed files: absolute, without `..`, with forward slashes.
 pub(super) struct Change {
@@ -189,16 +189,7 @@ fn layers<'a>(repository: &'a Repository<'_>) -> impl Iterator<Item = &'a Layer>
 
 /// The path from the root of the file system, without `.`, `..` and links: git knows its files by it.
 fn absolute(path: &Path) -> String {
-    let whole = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
-    let mut normal = PathBuf::new();
-    for part in whole.components() {
-        if part == Component::ParentDir {
-            normal.pop();
-        } else {
-            normal.push(part);
-        }
-    }
-    without_links(&normal).to_string_lossy().replace('\\', "/")
+    resolved(path).to_string_lossy().replace('\\', "/")
 }
 
 #[cfg(test)]

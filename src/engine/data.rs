@@ -1,9 +1,17 @@
 //! The data roots of a run with their layers, and which lies over which.
 
 use super::load::{MeshSizes, Place, load};
-use super::run::Loaded;
 use super::stack::{Role, Stack, roles, stacks};
-use crate::source::Limits;
+use crate::repo::Layer;
+use crate::source::{Limits, is_below};
+
+/// A data root with its facts.
+pub(super) struct Loaded<'t> {
+    pub(super) place: Place<'t>,
+    pub(super) layer: Layer,
+    pub(super) role: Role,
+    narrow: Vec<String>,
+}
 
 /// All data of a run.
 pub(super) struct Data<'t> {
@@ -14,6 +22,17 @@ pub(super) struct Data<'t> {
     /// Sizes of meshes, of each root with those below it.
     sizes: Vec<MeshSizes>,
     system_sizes: MeshSizes,
+}
+
+impl<'t> Loaded<'t> {
+    fn new(place: Place<'t>, layer: Layer, role: Role, narrow: Vec<String>) -> Self {
+        Self { place, layer, role, narrow }
+    }
+
+    /// Whether a path is one that the PATHs ask for.
+    pub(super) fn is_asked_for(&self, path: &str) -> bool {
+        self.narrow.is_empty() || self.narrow.iter().any(|narrow| is_below(path, narrow))
+    }
 }
 
 impl<'t> Data<'t> {

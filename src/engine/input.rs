@@ -3,9 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use super::outcome::Error;
-use super::run::roots_of;
+use super::roots::roots_of;
 use crate::discover::root_above;
-use crate::source::Tree;
+use crate::source::{Tree, folder_of};
 
 /// A tree to look for data roots in.
 pub(super) struct Input {
@@ -60,8 +60,7 @@ fn open_one(path: &Path) -> Result<(PathBuf, Input), Error> {
 
 /// A file that lies in no data root, with those beside it: they may belong together.
 fn open_beside(path: &Path, place: &Path, here: &str) -> (PathBuf, Input) {
-    let folder = path.parent().unwrap_or(Path::new(""));
-    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+    let folder = folder_of(path);
     let tree = Tree::on_disk_to_depth(label(folder), folder, 1);
     (place.parent().unwrap_or(place).to_owned(), Input { tree, narrow: vec![here.to_owned()] })
 }
@@ -100,16 +99,6 @@ fn label_above(path: &Path, here: &str, levels: usize) -> String {
 fn canonical(path: &Path) -> Result<PathBuf, Error> {
     std::fs::canonicalize(path)
         .map_err(|error| Error::Path { path: path.display().to_string(), reason: error.to_string() })
-}
-
-/// The path with the links resolved in as much of it as exists: a deleted file still has its folder.
-pub(super) fn without_links(path: &Path) -> PathBuf {
-    let resolved = path.ancestors().find_map(|above| {
-        let real = std::fs::canonicalize(above).ok()?;
-        let rest = path.strip_prefix(above).ok()?;
-        Some(if rest.as_os_str().is_empty() { real } else { real.join(rest) })
-    });
-    resolved.unwrap_or_else(|| path.to_owned())
 }
 
 /// The path as reports print it: forward slashes, no `./`, empty for the working directory.

@@ -14,7 +14,7 @@ use crate::repo::Base;
 pub(super) fn measure_bases(data: &mut Data<'_>, options: &Config) -> Vec<BTreeMap<String, Measures>> {
     let mut measures: Vec<BTreeMap<String, Measures>> = data.roots.iter().map(|_| BTreeMap::new()).collect();
     for name in names(data) {
-        let evaluated = name.as_deref().filter(|name| is_asked_for(name, options));
+        let evaluated = name.as_deref().filter(|name| !options.no_eval && options.asks_for_base(name));
         let mut rows = Rows::new();
         for (root, sizes) in data.all_mut() {
             let keep = evaluated.is_some();
@@ -36,10 +36,6 @@ fn names(data: &Data<'_>) -> BTreeSet<Option<String>> {
         names.extend(with_mesh.map(|file| file.base.clone()));
     }
     names
-}
-
-fn is_asked_for(name: &str, options: &Config) -> bool {
-    !options.no_eval && (options.bases.is_empty() || options.bases.iter().any(|base| base == name))
 }
 
 fn measure_base(

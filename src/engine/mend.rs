@@ -8,10 +8,10 @@ use super::outcome::{Error, Outcome};
 use super::run::lint_inputs;
 use crate::config::Config;
 use crate::diag::{Change, Edit, Finding, Fix, FixKind, Rewrite};
-use crate::fix::{FileChange, Patch, Plan, apply, is_packed, pack, real_path, unpack};
+use crate::fix::{FileChange, Patch, Plan, apply, is_packed, pack, unpack};
 use crate::formats::{mhw_edit, target_edit};
 use crate::json;
-use crate::source::{Limits, Tree};
+use crate::source::{Limits, Tree, resolved};
 
 /// Turns at most; what still asks for fixes then is left as it is and said.
 const TURNS: usize = 20;
@@ -117,11 +117,11 @@ impl Work {
 
     /// Whether a file belongs to the system data, unless the folder that is judged lies inside of them.
     fn is_system(&self, tree: &Tree, rel: &str) -> bool {
-        let (Some(system), Some(root)) = (self.system.as_deref().map(real_path), tree.root().map(real_path)) else {
+        let (Some(system), Some(root)) = (self.system.as_deref().map(resolved), tree.root().map(resolved)) else {
             return false;
         };
         let is_inside = root != system && root.starts_with(&system);
-        !is_inside && disk_path(tree, rel).is_some_and(|file| real_path(&file).starts_with(system))
+        !is_inside && disk_path(tree, rel).is_some_and(|file| resolved(&file).starts_with(system))
     }
 
     fn change(&mut self, inputs: &mut [Input], path: &str, by: &Patch) {
@@ -153,7 +153,7 @@ impl Work {
         let mut known = BTreeSet::new();
         for (path, judged) in self.judged {
             let after = find(inputs, &path).and_then(|(tree, rel)| tree.read(tree.entry(rel)?, &self.limits).ok());
-            if after.as_ref() == Some(&judged.bytes) || !known.insert(real_path(&judged.file)) {
+            if after.as_ref() == Some(&judged.bytes) || !known.insert(resolved(&judged.file)) {
                 continue;
             }
             let Judged { hash, bytes, file, root } = judged;

@@ -1,7 +1,7 @@
 //! Which data roots lie over which: system data below, user data on top.
 
+use super::data::Loaded;
 use super::load::Place;
-use super::run::Loaded;
 use crate::repo::Layer;
 
 /// The part a data root plays.

@@ -38,21 +38,29 @@ mod tests {
     use super::super::scene::{MorphTarget, SceneSlider, SliderKind};
     use super::*;
 
-    #[test]
-    fn the_target_with_the_largest_share_is_named() {
-        let target = |rows: Vec<(u32, [f32; 3])>| MorphTarget { rows: Some(rows), ..MorphTarget::default() };
+    /// Two vertices, two targets with these rows, a slider for each.
+    fn scene(rows: [&[(u32, [f32; 3])]; 2]) -> Scene {
+        let target = |rows: &[(u32, [f32; 3])]| MorphTarget { rows: Some(rows.to_vec()), ..MorphTarget::default() };
         let slider = |incr| SceneSlider {
             pattern: String::new(),
             kind: SliderKind::Detail { incr: Some(incr), decr: None, two_sided: false },
             default: 0.0,
         };
-        let scene = Scene {
+        Scene {
             positions: vec![[0.0; 3]; 2],
-            targets: vec![target(vec![(0, [1.0, 0.0, 0.0])]), target(vec![(0, [0.0, -3.0, 0.0]), (1, [9.0; 3])])],
+            targets: rows.map(target).to_vec(),
             sliders: vec![slider(0), slider(1)],
             ..Scene::default()
-        };
-        let setting = |a, b| Setting { macros: Vec::new(), details: vec![a, b] };
+        }
+    }
+
+    fn setting(a: f64, b: f64) -> Setting {
+        Setting { macros: Vec::new(), details: vec![a, b] }
+    }
+
+    #[test]
+    fn the_target_with_the_largest_share_is_named() {
+        let scene = scene([&[(0, [1.0, 0.0, 0.0])], &[(0, [0.0, -3.0, 0.0]), (1, [9.0; 3])]]);
         assert_eq!(most_moving(&scene, &setting(1.0, 0.5), &[0]), Some(1));
         assert_eq!(most_moving(&scene, &setting(1.0, 0.1), &[0]), Some(0));
         assert_eq!(most_moving(&scene, &setting(1.0, 0.0), &[1]), None);
@@ -60,23 +68,8 @@ mod tests {
 
     #[test]
     fn what_moves_all_vertices_alike_is_not_blamed() {
-        let target = |rows: Vec<(u32, [f32; 3])>| MorphTarget { rows: Some(rows), ..MorphTarget::default() };
-        let slider = |incr| SceneSlider {
-            pattern: String::new(),
-            kind: SliderKind::Detail { incr: Some(incr), decr: None, two_sided: false },
-            default: 0.0,
-        };
-        let scene = Scene {
-            positions: vec![[0.0; 3]; 2],
-            targets: vec![
-                target(vec![(0, [0.0, -9.0, 0.0]), (1, [0.0, -9.0, 0.0])]),
-                target(vec![(1, [0.5, 0.0, 0.0])]),
-            ],
-            sliders: vec![slider(0), slider(1)],
-            ..Scene::default()
-        };
-        let setting = Setting { macros: Vec::new(), details: vec![1.0, 1.0] };
-        assert_eq!(most_moving(&scene, &setting, &[0, 1]), Some(1));
-        assert_eq!(most_moving(&scene, &setting, &[0]), Some(0));
+        let scene = scene([&[(0, [0.0, -9.0, 0.0]), (1, [0.0, -9.0, 0.0])], &[(1, [0.5, 0.0, 0.0])]]);
+        assert_eq!(most_moving(&scene, &setting(1.0, 1.0), &[0, 1]), Some(1));
+        assert_eq!(most_moving(&scene, &setting(1.0, 1.0), &[0]), Some(0));
     }
 }

@@ -2,12 +2,14 @@
 //!
 //! Knows neither formats nor rules: it gets byte ranges. A file is replaced as a whole or left alone.
 
+mod beside;
 mod diff;
 mod packed;
 mod plan;
 mod write;
 
+pub use beside::replace;
 pub use diff::unified;
 pub use packed::{is_packed, pack, unpack};
 pub use plan::{Patch, Plan, apply};
-pub use write::{FileChange, WriteError, real_path, write_all};
+pub use write::{FileChange, WriteError, write_all};

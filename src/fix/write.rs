@@ -1,14 +1,13 @@
 //! Changes to disk: every file is replaced as a whole, and all are prepared before the first is.
-//!
-//! The new content goes to a hidden file in the same folder and takes the place of the old one by renaming. Killed
-//! at any moment, every file is whole, the old or the new one.
 
 use std::fmt;
-use std::fs::{self, File};
-use std::io::{self, Write};
+use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
 
 use xxhash_rust::xxh3::xxh3_64;
+
+use super::beside::{Beside, sync_folder};
 
 /// A file before and after.
 #[derive(Debug, Clone)]
@@ -70,18 +69,13 @@ impl fmt::Display for WriteError {
 
 impl std::error::Error for WriteError {}
 
-/// A new content that waits beside its file; goes away if it is not used.
+/// A change that waits to be done.
 struct Prepared<'c> {
     change: &'c FileChange,
     /// The file itself, behind all links.
     file: PathBuf,
-    /// The new content.
-    beside: Option<PathBuf>,
-}
-
-/// The path behind all links, or as it is where nothing is there.
-pub fn real_path(path: &Path) -> PathBuf {
-    fs::canonicalize(path).unwrap_or_else(|_| path.to_owned())
+    /// The new content; `None` for a file that goes away.
+    beside: Option<Beside>,
 }
 
 /// Writes all changes. Contents come first, files go away last.
@@ -92,16 +86,14 @@ pub fn real_path(path: &Path) -> PathBuf {
 pub fn write_all(changes: &[FileChange]) -> Result<(), WriteError> {
     let mut prepared = changes.iter().map(prepare).collect::<Result<Vec<_>, _>>()?;
     prepared.sort_by_key(|one| one.beside.is_none());
-    for one in &mut prepared {
-        let failed = |reason| WriteError { path: one.change.path.clone(), reason };
-        refuse_changed(&one.file, one.change.judged).map_err(failed)?;
-        let done = match &one.beside {
-            Some(beside) => fs::rename(beside, &one.file),
-            None => fs::remove_file(&one.file),
+    for Prepared { change, file, beside } in prepared {
+        let failed = |reason| WriteError { path: change.path.clone(), reason };
+        refuse_changed(&file, change.judged).map_err(failed)?;
+        let done = match beside {
+            Some(beside) => beside.take_place(),
+            None => fs::remove_file(&file).inspect(|()| sync_folder(&file)),
         };
         done.map_err(|error| failed(Reason::Io(error)))?;
-        one.beside = None;
-        sync_folder(&one.file);
     }
     Ok(())
 }
@@ -114,14 +106,9 @@ fn prepare(change: &FileChange) -> Result<Prepared<'_>, WriteError> {
         return Err(failed(Reason::ReadOnly));
     }
     refuse_changed(&file, change.judged).map_err(failed)?;
-    let mut prepared = Prepared { change, file, beside: None };
-    if let Some(bytes) = &change.after {
-        let beside = beside(&prepared.file);
-        let written = write_beside(&prepared.file, &beside, bytes, permissions);
-        prepared.beside = Some(beside);
-        written.map_err(|error| failed(Reason::Io(error)))?;
-    }
-    Ok(prepared)
+    let write = |bytes: &Vec<u8>| Beside::write(file.clone(), bytes);
+    let beside = change.after.as_ref().map(write).transpose().map_err(|error| failed(Reason::Io(error)))?;
+    Ok(Prepared { change, file, beside })
 }
 
 /// The file behind all links, inside the root.
@@ -139,54 +126,8 @@ fn refuse_changed(file: &Path, judged: u64) -> Result<(), Reason> {
     if xxh3_64(&bytes) == judged { Ok(()) } else { Err(Reason::ChangedMeanwhile) }
 }
 
-/// Hidden, so that no walk over the data takes it for an asset should it be left behind.
-fn beside(file: &Path) -> PathBuf {
-    let name = file.file_name().unwrap_or_default().to_string_lossy();
-    file.with_file_name(format!(".{name}.mhlint-{}", std::process::id()))
-}
-
-fn write_beside(file: &Path, beside: &Path, bytes: &[u8], permissions: fs::Permissions) -> io::Result<()> {
-    // What an earlier process of this number left behind, or somebody put there, is not written into.
-    let _ = fs::remove_file(beside);
-    let mut out = File::create_new(beside)?;
-    out.write_all(bytes)?;
-    keep_owner(file, beside);
-    out.set_permissions(permissions)?;
-    out.sync_all()
-}
-
-/// Owner and group stay where that is allowed; only an administrator changes files of others.
 #[cfg(unix)]
-fn keep_owner(file: &Path, beside: &Path) {
-    use std::os::unix::fs::{MetadataExt, chown};
-    if let Ok(metadata) = fs::metadata(file) {
-        let _ = chown(beside, Some(metadata.uid()), Some(metadata.gid()));
-    }
-}
-
-#[cfg(not(unix))]
-fn keep_owner(_: &Path, _: &Path) {}
-
-/// The new name is on disk only when its folder is. Where folders cannot be opened, the system sees to it.
-fn sync_folder(file: &Path) {
-    if let Some(folder) = file.parent()
-        && let Ok(folder) = File::open(folder)
-    {
-        let _ = folder.sync_all();
-    }
-}
-
-impl Drop for Prepared<'_> {
-    fn drop(&mut self) {
-        if let Some(beside) = &self.beside {
-            // What is left behind is hidden and harmless.
-            let _ = fs::remove_file(beside);
-        }
-    }
-}
-
 #[cfg(test)]
-#[cfg(unix)]
 mod tests {
     use std::os::unix::fs::{PermissionsExt, symlink};
 

@@ -199,24 +199,14 @@ mod tests {
 
     #[test]
     fn a_bounded_summary_keeps_the_gravest_and_counts_the_rest() {
-        let view = View {
-            pass: false,
-            fail_on: None,
-            max_warnings: None,
-            color: false,
-            unicode: false,
-            width: 80,
-            quiet: false,
-            rules: &[],
-        };
-        let all = summary(&outcome(100), &view, usize::MAX);
+        let all = summary(&outcome(100), &View::PLAIN, usize::MAX);
         assert_eq!(all.matches("**info**").count(), 90);
         let room = all.len() / 2;
-        let some = summary(&outcome(100), &view, room);
+        let some = summary(&outcome(100), &View::PLAIN, room);
         assert!(some.len() <= room && some.len() > room / 2, "{} of {room}", some.len());
         assert_eq!(some.matches("**error**").count(), 10);
         let left = 90 - some.matches("**info**").count();
         assert!(some.contains(&format!("**{left} findings more**")), "{some}");
-        assert_eq!(summary(&outcome(100), &view, 10), "");
+        assert_eq!(summary(&outcome(100), &View::PLAIN, 10), "");
     }
 }

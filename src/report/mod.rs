@@ -48,6 +48,21 @@ pub struct View<'a> {
     pub rules: &'a [&'a RuleInfo],
 }
 
+#[cfg(test)]
+impl View<'static> {
+    /// A failed run on a narrow page without colour.
+    const PLAIN: Self = Self {
+        pass: false,
+        fail_on: Some(Level::Error),
+        max_warnings: None,
+        color: false,
+        unicode: false,
+        width: 80,
+        quiet: false,
+        rules: &[],
+    };
+}
+
 /// The formats of `--report`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Format {

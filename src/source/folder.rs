@@ -1,7 +1,8 @@
 //! Where a folder is, so that paths as reports print them can be told relative to it.
 
-use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
+
+use super::place::{canonical, named};
 
 /// A folder that globs are relative to.
 ///
@@ -51,12 +52,6 @@ impl Folder {
     }
 }
 
-/// The absolute path without links, if there is something.
-pub fn canonical(path: &Path) -> Option<PathBuf> {
-    let path = if path.as_os_str().is_empty() { Path::new(".") } else { path };
-    fs::canonicalize(path).ok()
-}
-
 /// Whether a folder holds something of that name.
 pub fn holds(folder: &Path, name: &str) -> bool {
     folder.join(name).exists()
@@ -73,8 +68,7 @@ fn is_absolute(path: &str) -> bool {
 }
 
 fn names_of(path: &Path) -> Vec<String> {
-    let place = if path.as_os_str().is_empty() { Path::new(".") } else { path };
-    let both = [canonical(path), std::path::absolute(place).ok()];
+    let both = [canonical(path), std::path::absolute(named(path)).ok()];
     let mut names: Vec<String> = both.into_iter().flatten().map(|path| plain(&path.to_string_lossy())).collect();
     names.dedup();
     names

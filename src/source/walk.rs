@@ -5,6 +5,7 @@ use std::path::{Component, Path, PathBuf};
 
 use walkdir::{DirEntry, WalkDir};
 
+use super::place::resolved;
 use super::tree::{Entry, EntryKind, WalkFault, WalkFaultKind};
 
 /// Entries that are listed at most: folders that link to each other multiply without end, and no asset
@@ -20,7 +21,7 @@ pub(super) fn walk(root: &Path, depth: usize) -> (Vec<Entry>, Vec<WalkFault>) {
 }
 
 fn walk_at_most(root: &Path, depth: usize, most: usize) -> (Vec<Entry>, Vec<WalkFault>) {
-    let canonical = fs::canonicalize(root).unwrap_or_else(|_| root.to_owned());
+    let canonical = resolved(root);
     let mut entries = Vec::new();
     let mut faults = Vec::new();
     let walk = WalkDir::new(root).follow_links(true).min_depth(1).max_depth(depth);
@@ -142,8 +143,8 @@ fn slashed(path: &Path) -> String {
     parts.join("/")
 }
 
-#[cfg(test)]
 #[cfg(unix)]
+#[cfg(test)]
 mod tests {
     use std::os::unix::fs::symlink;
 

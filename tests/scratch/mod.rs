@@ -1,6 +1,7 @@
 //! Throw-away copies of the example repository, damaged as a `case.toml` says, and the real binary on them.
 #![allow(dead_code, unreachable_pub, clippy::unwrap_used, clippy::panic, reason = "each test binary uses its part")]
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -138,7 +139,8 @@ fn make_parent(path: &Path) {
     fs::create_dir_all(path.parent().unwrap()).unwrap();
 }
 
-fn remove(path: &Path) {
+/// Removes a file, or a folder with everything in it.
+pub fn remove(path: &Path) {
     if path.is_dir() {
         fs::remove_dir_all(path).unwrap();
     } else {
@@ -165,11 +167,43 @@ pub fn copy_folder(from: &Path, to: &Path) {
     }
 }
 
+/// Every file below a folder, with its bytes.
+pub fn content(root: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
+    let mut all = BTreeMap::new();
+    let mut folders = vec![root.to_owned()];
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(&folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.is_file() {
+                all.insert(path.strip_prefix(root).unwrap().to_owned(), fs::read(&path).unwrap());
+            }
+        }
+    }
+    all
+}
+
 /// A copy of the example repository in a folder that goes away.
 pub fn example() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     copy_folder(&project("fixtures/makehuman2"), folder.path());
     folder
+}
+
+/// Puts `replace` in the place of the first `find` of a file below `root`.
+#[track_caller]
+pub fn edit(root: &Path, file: &str, find: &str, replace: &str) {
+    let path = root.join(file);
+    let text = fs::read_to_string(&path).unwrap();
+    assert!(text.contains(find), "`{find}` is not in {file}");
+    fs::write(path, text.replacen(find, replace, 1)).unwrap();
+}
+
+/// Makes one error in a copy of the example repository: a component with fewer steps than values.
+pub fn lose_a_step(root: &Path) {
+    let [four, three] = ["\"steps\": [0.0, 0.25, 0.5, 1.0]", "\"steps\": [0.0, 0.5, 1.0]"];
+    edit(root, "data/target/figure/macro.json", four, three);
 }
 
 /// The real binary in `folder`, with an environment that says nothing about terminals or CI.
@@ -181,9 +215,28 @@ pub fn mhlint(folder: &Path, args: &[&str]) -> Output {
     command.current_dir(folder).args(args).output().unwrap()
 }
 
+/// What was written to standard output.
+pub fn stdout(output: &Output) -> String {
+    String::from_utf8(output.stdout.clone()).unwrap()
+}
+
+/// What was written to standard error.
+pub fn stderr(output: &Output) -> String {
+    String::from_utf8(output.stderr.clone()).unwrap()
+}
+
+/// The run is refused: exit 2, nothing on standard output, `words` on standard error.
+#[track_caller]
+pub fn assert_refused(output: &Output, words: &[&str]) {
+    assert_eq!((output.status.code(), stdout(output).as_str()), (Some(2), ""), "{}", stderr(output));
+    for word in words {
+        assert!(stderr(output).contains(word), "no `{word}` in: {}", stderr(output));
+    }
+}
+
 /// Lines of a concise report without its last line of counts.
 pub fn findings(output: &Output) -> Vec<String> {
-    let text = String::from_utf8_lossy(&output.stdout);
+    let text = stdout(output);
     let lines = text.lines().map(str::to_owned);
     lines.filter(|line| !line.starts_with("pass: ") && !line.starts_with("fail: ")).collect()
 }

@@ -5,8 +5,8 @@ use std::path::Path;
 
 use super::args::MeshOutput;
 use crate::cli::exit::Failure;
-use crate::cli::output::replace;
 use crate::engine::evaluate::Error;
+use crate::fix::replace;
 
 /// Writes to `file`, or to `out` without one.
 pub(super) fn write(bytes: &[u8], file: Option<&Path>, out: &mut dyn Write) -> Result<(), Failure> {

@@ -13,7 +13,7 @@ use crate::engine::compose::{Rows, compose, pose_skeleton, weights_of};
 use crate::engine::data::Data;
 use crate::engine::input::{open, open_system};
 use crate::engine::load::{Place, list_targets};
-use crate::engine::run::roots_of;
+use crate::engine::roots::roots_of;
 use crate::engine::stack::{Role, Stack};
 use crate::eval::scene::Scene;
 use crate::formats::macro_json::MacroFile;

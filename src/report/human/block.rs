@@ -164,17 +164,6 @@ mod tests {
     use super::*;
     use crate::diag::{Confidence, Element, Evidence, Place, RuleInfo};
 
-    const VIEW: View<'_> = View {
-        pass: false,
-        fail_on: Some(Level::Error),
-        max_warnings: None,
-        color: false,
-        unicode: false,
-        width: 80,
-        quiet: false,
-        rules: &[],
-    };
-
     fn finding() -> Finding {
         Finding::new(&RuleInfo::new("a-rule", Level::Warning, ""), "data/a.target", Place::File, "it is so")
     }
@@ -189,7 +178,7 @@ mod tests {
         let expected = "  warning[a-rule] (likely) it is so\n  at: line 4, vertex 17\n  \
             seen: 7 of 9: x, x, x, x, x and 2 more; worst 0.1235 at vertex 3\n  \
             see: data/b.target: the other one\n  help: mend it\n";
-        assert_eq!(render(&finding, false, &VIEW), expected);
+        assert_eq!(render(&finding, false, &View::PLAIN), expected);
     }
 
     #[test]
@@ -197,8 +186,8 @@ mod tests {
         let finding = finding().breaks(crate::diag::Application::Makehuman2, "stops");
         let finding = finding.breaks(crate::diag::Application::Mpfb, "ignores it");
         let expected = "  warning[a-rule] it is so\n  |-> MakeHuman 2: stops\n  `-> MPFB: ignores it\n";
-        assert_eq!(render(&finding, false, &VIEW), expected);
-        assert_eq!(render(&finding, true, &VIEW), "  warning[a-rule] it is so\n");
+        assert_eq!(render(&finding, false, &View::PLAIN), expected);
+        assert_eq!(render(&finding, true, &View::PLAIN), "  warning[a-rule] it is so\n");
     }
 
     #[test]
@@ -207,7 +196,7 @@ mod tests {
         let excerpt = crate::diag::Excerpt { text: "{\n}".to_owned(), first_line: 1, mark: 3..3 };
         (finding.location.line, finding.location.column) = (Some(2), Some(2));
         finding.location.excerpt = Some(excerpt);
-        let text = render(&finding, false, &VIEW);
+        let text = render(&finding, false, &View::PLAIN);
         assert!(text.contains("[data/a.target:2:2]") && text.contains(" 2 | }"), "{text}");
     }
 }

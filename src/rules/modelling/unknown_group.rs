@@ -37,6 +37,14 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
     no_categories(repository, base, out);
 }
 
+/// Beginning of a message on these sliders.
+fn are(sliders: &[&BoundSlider<'_>]) -> String {
+    match sliders {
+        [only] => format!("`{}` is", only.slider.key),
+        more => format!("{} sliders are", more.len()),
+    }
+}
+
 /// A whole category that no item shows is one cause, however many groups it has.
 fn lost_category(
     repository: &Repository<'_>,
@@ -45,10 +53,7 @@ fn lost_category(
     sliders: &[&BoundSlider<'_>],
 ) -> Option<Finding> {
     let keys = Evidence::of_cases(sliders.iter().map(|slider| &slider.slider.key));
-    let subject = match sliders {
-        [only] => format!("`{}` is", only.slider.key),
-        more => format!("{} sliders are", more.len()),
-    };
+    let subject = are(sliders);
     let message = match category {
         "" => format!("{subject} never shown: target_cat.json has no item at all"),
         category => format!("{subject} never shown: target_cat.json has no category `{category}`"),
@@ -85,10 +90,7 @@ fn unknown(
 ) -> Option<Finding> {
     let first = sliders.first()?;
     let keys = Evidence::of_cases(sliders.iter().map(|slider| &slider.slider.key));
-    let subject = match sliders {
-        [only] => format!("`{}` is", only.slider.key),
-        more => format!("{} sliders are", more.len()),
-    };
+    let subject = are(sliders);
     let message = match group {
         "" => format!("{subject} never shown: no `group`"),
         group => format!("{subject} never shown: no item of target_cat.json has the group `{group}`"),

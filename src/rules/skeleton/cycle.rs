@@ -1,17 +1,13 @@
 //! Parents must lead to the root, not in a circle.
 
 use super::super::{Check, Rule, RuleCx};
-use super::lost::lost_bones;
-use crate::diag::{Application, Finding, Level, RuleInfo};
+use super::lost::{LOST_AND_WEIGHTED, lost_bones};
+use crate::diag::{Finding, Level, RuleInfo};
 use crate::repo::{Base, Repository};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "drops these bones without a word; entering pose mode then stops with a KeyError, because the weights \
-            mention them",
-        )],
+        breaks: LOST_AND_WEIGHTED,
         docs: "MakeHuman 2 builds a skeleton from its root downwards. Bones that are each other's parents are never \
             reached: they are missing in the skeleton, without a message. If the weights mention one, entering \
             pose mode stops with a KeyError; otherwise (`warning`) the bones are just not there.\n\nGive one \

@@ -7,6 +7,12 @@ use super::rigs;
 use crate::diag::{Application, Evidence, Finding, Level, Place};
 use crate::repo::{Base, Repository};
 
+/// What becomes of bones that are never reached, where the weights mention one.
+pub(super) const LOST_AND_WEIGHTED: &[(Application, &str)] = &[(
+    Application::Makehuman2,
+    "drops these bones without a word; entering pose mode then stops with a KeyError, because the weights mention them",
+)];
+
 /// One finding of `rule` for every circle that it is for.
 pub(super) fn lost_bones(
     rule: &Rule,

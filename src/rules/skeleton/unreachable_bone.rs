@@ -1,17 +1,13 @@
 //! Every bone must be reachable from the root.
 
 use super::super::{Check, Rule, RuleCx};
-use super::lost::lost_bones;
-use crate::diag::{Application, Finding, Level, RuleInfo};
+use super::lost::{LOST_AND_WEIGHTED, lost_bones};
+use crate::diag::{Finding, Level, RuleInfo};
 use crate::repo::{Base, Repository};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "drops these bones without a word; entering pose mode then stops with a KeyError, because the weights \
-            mention them",
-        )],
+        breaks: LOST_AND_WEIGHTED,
         docs: "A bone that is correct itself is lost when its parents lead into a circle: MakeHuman 2 builds the skeleton from the root downwards and never comes \
             there.\n\nIf the weights mention a lost bone, entering pose mode stops with a KeyError; otherwise \
             (`warning`) the bones are just not there.\n\nThe finding stands at the circle, which is the place to mend. A \
