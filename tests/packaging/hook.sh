@@ -46,14 +46,13 @@ echo "hook: installed in $took, without a compiler"
 
 # The first commit has no HEAD to compare with; one step of a macro is gone.
 damage() { sed -i 's/"steps": \[0.0, 0.25, 0.5, 1.0\]/"steps": [0.0, 0.5, 1.0]/' data/target/figure/macro.json; }
-mend() { sed -i 's/"steps": \[0.0, 0.5, 1.0\]/"steps": [0.0, 0.25, 0.5, 1.0]/' data/target/figure/macro.json; }
 damage
 git add data
 run git commit --message "Damaged example data"
 expect "a damaged first commit is refused" ended_with 1
 expect "the refusal of the first commit names the fault" says 'error[macro-steps-length]'
 echo "hook: a damaged first commit refused in $took"
-mend
+cp "$project/fixtures/makehuman2/data/target/figure/macro.json" data/target/figure
 git add data
 run git commit --message "Example data"
 expect "sound data are committed" ended_with 0
