@@ -261,7 +261,8 @@ fn a_hook_judges_the_commit_that_is_made() {
     let root = repository.path();
     let hook = root.join(".git/hooks/pre-commit");
     let binary = env!("CARGO_BIN_EXE_mhlint");
-    fs::write(&hook, format!("#!/bin/sh\nexec '{binary}' data --staged --no-eval --report concise 2>&1 >&2\n")).unwrap();
+    fs::write(&hook, format!("#!/bin/sh\nexec '{binary}' data --staged --no-eval --report concise 2>&1 >&2\n"))
+        .unwrap();
     fs::set_permissions(&hook, fs::Permissions::from_mode(0o755)).unwrap();
     let below = root.join("data/target");
     let refused = |folder: &Path, arguments: &[&str], shown: &str| {
@@ -304,8 +305,10 @@ fn names_may_hold_anything() {
         fs::write(folder.join(std::ffi::OsStr::from_bytes(name)), "1 nan 0 0\n").unwrap();
     }
     git(root, &["add", "-A"]);
-    let shown: Vec<String> =
-        names.iter().map(|name| format!("head/{}:1:1: error[target-non-finite]", String::from_utf8_lossy(name))).collect();
+    let shown: Vec<String> = names
+        .iter()
+        .map(|name| format!("head/{}:1:1: error[target-non-finite]", String::from_utf8_lossy(name)))
+        .collect();
     let shown: Vec<&str> = shown.iter().map(String::as_str).collect();
     for option in [&["--staged"][..], &["--since", "HEAD"]] {
         assert_shown(&check(root, option), 1, &shown, &[OLD]);

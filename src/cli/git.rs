@@ -97,7 +97,8 @@ fn undirected() -> Command {
 
 /// The top of the working tree and the folder of the repository.
 fn locate(git: &dyn Fn() -> Command) -> Result<(PathBuf, PathBuf), Refusal> {
-    let ask = |what| output(git().args(["rev-parse", what])).map(|line| path(line.strip_suffix(b"\n").unwrap_or(&line)));
+    let ask =
+        |what| output(git().args(["rev-parse", what])).map(|line| path(line.strip_suffix(b"\n").unwrap_or(&line)));
     Ok((ask("--show-toplevel")?, ask("--absolute-git-dir")?))
 }
 

@@ -95,6 +95,7 @@ hook_with '        always_run: true
 git rm --quiet data/target/figure/head/head-oval.target
 run git commit --message "A target less, and always_run"
 expect "with always_run a deletion that matters is refused" ended_with 1
+echo "hook: a deletion alone is skipped, with always_run refused in $took"
 expect "the refusal names the target that is gone" says "head-oval"
 git reset --quiet --hard HEAD
 
