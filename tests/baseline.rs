@@ -185,7 +185,7 @@ fn mending_one_fault_and_making_another_does_not_cancel_out() {
         |root| edit(root, WEIGHTS, "[159, 1.0]", "[159, 0.5]"),
     );
     does_not_cancel_out("macro-steps-length", lose_a_step, |root| {
-        edit(root, MACROS, "\"steps\": [0.0, 1.0]", "\"steps\": [0.0, 0.5, 1.0]")
+        edit(root, MACROS, "\"steps\": [0.0, 1.0]", "\"steps\": [0.0, 0.5, 1.0]");
     });
 }
 

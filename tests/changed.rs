@@ -1,4 +1,5 @@
-//! `--changed-files` and `--since`: the report is narrowed to what a change can affect. On the real binary, with real git.
+//! `--staged`, `--since` and `--changed-files`: the report is narrowed to what a change can affect. On the real binary,
+//! with real git.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may stop where it fails")]
 
 mod scratch;
@@ -10,9 +11,13 @@ use std::process::{Command, Output};
 use scratch::{assert_refused, edit, example, lose_a_step, mhlint, stderr, stdout};
 
 fn git(folder: &Path, arguments: &[&str]) {
+    let output = try_git(folder, arguments);
+    assert!(output.status.success(), "git {arguments:?}: {}", stderr(&output));
+}
+
+fn try_git(folder: &Path, arguments: &[&str]) -> Output {
     let identity = ["-c", "user.name=t", "-c", "user.email=t@example.org", "-c", "commit.gpgsign=false"];
-    let output = Command::new("git").current_dir(folder).args(identity).args(arguments).output().unwrap();
-    assert!(output.status.success(), "git {arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
+    Command::new("git").current_dir(folder).args(identity).args(arguments).output().unwrap()
 }
 
 /// The example in a git repository, with an error in `macro.json` that was there before.
@@ -135,7 +140,12 @@ fn what_git_cannot_tell_is_refused_with_the_remedy() {
     let both = check(root, &["--since", "HEAD", "--changed-files", "x"]);
     assert_eq!(both.status.code(), Some(2));
     let outside = example();
-    assert_refused(&check(outside.path(), &["--since", "HEAD"]), &["in no git repository", "--changed-files"]);
+    for option in [&["--since", "HEAD"][..], &["--staged"]] {
+        assert_refused(&check(outside.path(), option), &[option[0], "in no git repository", "--changed-files"]);
+        let mut lonely = Command::new(env!("CARGO_BIN_EXE_mhlint"));
+        let output = lonely.current_dir(root).arg("check").args(option).env("PATH", "").output().unwrap();
+        assert_refused(&output, &[option[0], "git cannot be started", "install git", "--changed-files"]);
+    }
 }
 
 #[test]
@@ -147,5 +157,231 @@ fn a_shallow_clone_is_named_as_the_reason() {
     let url = format!("file://{}", root.display());
     git(clone.path(), &["clone", "-q", "--depth", "1", &url, "shallow"]);
     let output = check(&clone.path().join("shallow"), &["--since", "HEAD~1"]);
-    assert_refused(&output, &["shallow clone", "fetch-depth: 0"]);
+    assert_refused(&output, &["name a commit, a tag or a branch", "shallow clone", "fetch-depth: 0"]);
+}
+
+/// Gives a target a row that makes it useless.
+fn ruin(root: &Path, target: &str) {
+    let path = root.join(target);
+    let sound = fs::read_to_string(&path).unwrap_or_default();
+    fs::write(path, format!("{sound}1 nan 0 0\n")).unwrap();
+}
+
+#[track_caller]
+fn assert_shown(output: &Output, code: i32, shown: &[&str], silent: &[&str]) {
+    let text = stdout(output);
+    assert_eq!(output.status.code(), Some(code), "{text}{}", stderr(output));
+    for words in shown {
+        assert!(text.contains(words), "no `{words}` in: {text}");
+    }
+    for words in silent {
+        assert!(!text.contains(words), "`{words}` in: {text}");
+    }
+}
+
+const OLD: &str = "macro-steps-length";
+const OVAL: &str = "data/target/figure/head/head-oval.target";
+const SIDE: &str = "data/target/figure/head/head-side-in.target";
+
+#[test]
+fn only_what_is_staged_counts() {
+    let repository = repository();
+    let root = repository.path();
+    ruin(root, OVAL);
+    ruin(root, SIDE);
+    git(root, &["add", OVAL]);
+    let output = check(root, &["--staged"]);
+    assert_shown(&output, 1, &[OVAL, "target-non-finite"], &[OLD, SIDE]);
+    assert!(stderr(&output).contains("narrowed to what 1 changed file can affect; 2 other findings"));
+    // From inside of the repository, and of a part of the data.
+    let folder = root.join("data/target/figure");
+    let part = mhlint(&folder, &["check", "head", "--staged", "--no-eval", "--report", "concise"]);
+    assert_shown(&part, 1, &["head/head-oval.target"], &[OLD, "head-side-in.target:"]);
+}
+
+#[test]
+fn with_nothing_staged_everything_is_shown_and_that_is_said() {
+    let repository = repository();
+    let root = repository.path();
+    ruin(root, OVAL);
+    let output = check(root, &["--staged"]);
+    assert_shown(&output, 1, &[OLD, OVAL], &[]);
+    assert_eq!(stderr(&output), "mhlint: nothing is staged: the whole report\n");
+    assert_eq!(stderr(&check(root, &["--staged", "--quiet"])), "");
+}
+
+#[test]
+fn before_the_first_commit_everything_staged_is_new() {
+    let repository = example();
+    let root = repository.path();
+    ruin(root, OVAL);
+    ruin(root, SIDE);
+    git(root, &["init", "-q", "-b", "main"]);
+    assert_shown(&check(root, &["--staged"]), 1, &[OVAL, SIDE], &[]);
+    git(root, &["add", OVAL]);
+    assert_shown(&check(root, &["--staged"]), 1, &[OVAL], &[SIDE]);
+}
+
+#[test]
+fn a_staged_deletion_or_renaming_is_missed_where_the_file_was_named() {
+    let repository = repository();
+    let root = repository.path();
+    git(root, &["rm", "-q", OVAL]);
+    assert_shown(&check(root, &["--staged"]), 1, &["[modelling-missing-target]", "head-oval"], &[OLD]);
+    git(root, &["reset", "-q", "--hard"]);
+    git(root, &["mv", SIDE, "data/target/figure/head/elsewhere.target"]);
+    assert_shown(&check(root, &["--staged"]), 1, &["[modelling-missing-target]", "head-side-in"], &[OLD]);
+}
+
+#[test]
+fn a_merge_counts_with_all_that_it_brings() {
+    let repository = repository();
+    let root = repository.path();
+    git(root, &["checkout", "-q", "-b", "theirs"]);
+    ruin(root, OVAL);
+    git(root, &["commit", "-q", "-a", "-m", "theirs"]);
+    git(root, &["checkout", "-q", "main"]);
+    ruin(root, SIDE);
+    git(root, &["commit", "-q", "-a", "-m", "mine"]);
+    git(root, &["merge", "-q", "--no-commit", "theirs"]);
+    assert_shown(&check(root, &["--staged"]), 1, &[OVAL], &[OLD, SIDE]);
+}
+
+/// Git hands its hooks the index of the commit by variables, which may be relative.
+#[cfg(unix)]
+#[test]
+fn a_hook_judges_the_commit_that_is_made() {
+    use std::os::unix::fs::PermissionsExt;
+    let repository = repository();
+    let root = repository.path();
+    let hook = root.join(".git/hooks/pre-commit");
+    let binary = env!("CARGO_BIN_EXE_mhlint");
+    fs::write(&hook, format!("#!/bin/sh\nexec '{binary}' data --staged --no-eval --report concise 2>&1 >&2\n"))
+        .unwrap();
+    fs::set_permissions(&hook, fs::Permissions::from_mode(0o755)).unwrap();
+    let below = root.join("data/target");
+    let refused = |folder: &Path, arguments: &[&str], shown: &str| {
+        let output = try_git(folder, arguments);
+        let said = stderr(&output);
+        assert_eq!(output.status.code(), Some(1), "{arguments:?}: {said}");
+        assert!(said.contains(&format!("{shown}:")) && !said.contains(OLD), "{arguments:?}: {said}");
+        said
+    };
+    ruin(root, OVAL);
+    ruin(root, SIDE);
+    let said = refused(&below, &["commit", "-m", "one", "--", "figure/head/head-oval.target"], OVAL);
+    assert!(!said.contains(SIDE), "{said}");
+    let said = refused(&below, &["commit", "-a", "-m", "all"], OVAL);
+    assert!(said.contains(SIDE), "{said}");
+    git(root, &["add", SIDE]);
+    let said = refused(&below, &["commit", "-m", "staged"], SIDE);
+    assert!(!said.contains(OVAL), "{said}");
+    fs::write(root.join("notes.txt"), "nothing to do with the data").unwrap();
+    git(root, &["add", "notes.txt"]);
+    git(&below, &["commit", "-q", "-m", "notes", "--", "../../notes.txt"]);
+    // In a second working tree git also hands over the folder of the repository.
+    let second = tempfile::tempdir().unwrap();
+    let tree = second.path().join("tree");
+    git(root, &["worktree", "add", "-q", "-b", "second", tree.to_str().unwrap()]);
+    ruin(&tree, OVAL);
+    let said = refused(&tree.join("data"), &["commit", "-a", "-m", "there"], OVAL);
+    assert!(!said.contains(SIDE), "{said}");
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn names_may_hold_anything() {
+    use std::os::unix::ffi::OsStrExt;
+    let repository = repository();
+    let root = repository.path();
+    let folder = root.join("data/target/figure/head");
+    let names: [&[u8]; 4] = [b"a b.target", b"'c\".target", b"d\\e.target", b"f\xff.target"];
+    for name in names {
+        fs::write(folder.join(std::ffi::OsStr::from_bytes(name)), "1 nan 0 0\n").unwrap();
+    }
+    git(root, &["add", "-A"]);
+    let shown: Vec<String> = names
+        .iter()
+        .map(|name| format!("head/{}:1:1: error[target-non-finite]", String::from_utf8_lossy(name)))
+        .collect();
+    let shown: Vec<&str> = shown.iter().map(String::as_str).collect();
+    for option in [&["--staged"][..], &["--since", "HEAD"]] {
+        assert_shown(&check(root, option), 1, &shown, &[OLD]);
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_link_is_judged_under_its_own_name() {
+    let repository = repository();
+    let root = repository.path();
+    ruin(root, OVAL);
+    git(root, &["commit", "-q", "-a", "-m", "an old fault"]);
+    std::os::unix::fs::symlink("head-oval.target", root.join("data/target/figure/head/link.target")).unwrap();
+    git(root, &["add", "-A"]);
+    assert_shown(&check(root, &["--staged"]), 1, &["head/link.target:", "target-non-finite"], &[OLD]);
+}
+
+#[test]
+fn the_later_of_staged_and_another_option_wins() {
+    let repository = repository();
+    let root = repository.path();
+    ruin(root, OVAL);
+    ruin(root, SIDE);
+    git(root, &["add", OVAL]);
+    fs::write(root.join("changed.txt"), format!("{SIDE}\n")).unwrap();
+    assert_shown(&check(root, &["--staged", "--since", "HEAD"]), 1, &[OVAL, SIDE], &[OLD]);
+    assert_shown(&check(root, &["--since", "HEAD", "--staged"]), 1, &[OVAL], &[OLD, SIDE]);
+    assert_shown(&check(root, &["--staged", "--changed-files", "changed.txt"]), 1, &[SIDE], &[OLD, OVAL]);
+}
+
+/// Three targets with zero rows, one finding at the first of them, and a macro target that moves nothing.
+fn mendable(root: &Path) {
+    for target in [OVAL, SIDE, "data/target/figure/legs/l-foot-trans-forward.target"] {
+        let sound = fs::read_to_string(root.join(target)).unwrap();
+        fs::write(root.join(target), format!("{sound}5 0 0 0\n")).unwrap();
+    }
+    fs::write(root.join(EMPTY), "0 0 0 0\n").unwrap();
+    git(root, &["commit", "-q", "-a", "-m", "what can be mended"]);
+}
+
+const EMPTY: &str = "data/target/figure/macro_build/teen-maxmuscle.target";
+
+/// What git says has changed in the working tree.
+fn written(root: &Path) -> Vec<String> {
+    let output = try_git(root, &["status", "--porcelain"]);
+    stdout(&output).lines().map(|line| line.split_at(3).1.to_owned()).collect()
+}
+
+#[test]
+fn a_narrowed_fix_writes_changed_files_only() {
+    let repository = repository();
+    let root = repository.path();
+    mendable(root);
+    let sound = fs::read_to_string(root.join(SIDE)).unwrap();
+    fs::write(root.join(SIDE), sound.replacen("5 0 0 0", "5 0 0 0.0", 1)).unwrap();
+    let output = check(root, &["--since", "HEAD", "--fix"]);
+    assert_eq!(written(root), [SIDE]);
+    assert!(!fs::read_to_string(root.join(SIDE)).unwrap().contains("5 0 0 0"));
+    assert!(stderr(&output).contains("1 fixed in 1 file: target-zero-delta (1)"), "{}", stderr(&output));
+    // The rest of the finding is a matter of the other files, and shown no more.
+    assert_shown(&output, 0, &[], &["target-zero-delta"]);
+}
+
+#[test]
+fn what_belongs_together_is_not_mended_by_halves() {
+    let repository = repository();
+    let root = repository.path();
+    mendable(root);
+    fs::write(root.join(EMPTY), "0 0 0 0\n1 0 0 0\n").unwrap();
+    let fix = ["--since", "HEAD", "--fix", "--unsafe-fixes", "--only", "macro-empty-target"];
+    let output = check(root, &fix);
+    assert_eq!(written(root), [EMPTY]);
+    assert_shown(&output, 0, &["macro-empty-target"], &[]);
+    let said = "1 finding would be mended in files that have not changed; those stay as they are";
+    assert!(stderr(&output).contains(said), "{}", stderr(&output));
+    // With macro.json in the change the fix is whole.
+    damage(root, "data/target/figure/macro.json", "\"name\"", "\"name\" ");
+    assert_shown(&check(root, &fix), 0, &[], &["macro-empty-target"]);
+    assert!(!root.join(EMPTY).exists());
 }

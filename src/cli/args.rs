@@ -149,6 +149,10 @@ pub(super) struct CheckArgs {
     /// standard output; repeatable.
     #[arg(long = "report", value_name = "FORMAT[=FILE]", value_parser = Target::parse)]
     pub(super) reports: Vec<Target>,
+    /// Report only what the files staged for the commit can affect, or everything if nothing is staged. They are judged
+    /// as they lie in the folder. Gives way to a --since or --changed-files after it.
+    #[arg(long, overrides_with_all = ["since", "changed_files"])]
+    pub(super) staged: bool,
     /// Report only what the changes since a git revision can affect; everything is judged all the same.
     #[arg(long, value_name = "REV", conflicts_with = "changed_files")]
     pub(super) since: Option<String>,

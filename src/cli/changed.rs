@@ -1,11 +1,11 @@
-//! `--changed-files` and `--since`: which files a change touches. The only place that starts another program.
+//! `--staged`, `--since` and `--changed-files`: which files a change touches.
 
 use std::collections::BTreeSet;
 use std::io::Read;
 use std::path::{Path, PathBuf};
-use std::process::Command;
 
 use super::exit::Failure;
+use super::git::{Refusal, Repository};
 
 /// Paths from a list: a line each, or separated by NUL as `git diff -z` writes them; `-` is standard input.
 pub(super) fn listed(file: &Path) -> Result<Vec<PathBuf>, Failure> {
@@ -31,86 +31,79 @@ fn split(bytes: &[u8]) -> impl Iterator<Item = String> {
     trimmed.filter(|line| !line.is_empty())
 }
 
+/// Files that differ between HEAD, or nothing before the first commit, and what is staged; deleted and renamed ones
+/// included.
+pub(super) fn staged(first: &Path) -> Result<Vec<PathBuf>, Failure> {
+    let repository = around(first, "--staged")?;
+    let listed = repository.files(&["diff", "--cached", "--name-only", "--no-renames", "-z", "--"]);
+    listed.map_err(|refusal| Failure::Usage(format!("--staged: git failed: {}", refusal.words())))
+}
+
 /// Files that differ between the working tree and the point where it left `revision`, deleted, renamed and
 /// not yet added ones included.
 pub(super) fn since(revision: &str, first: &Path) -> Result<Vec<PathBuf>, Failure> {
-    let folder = if first.is_dir() { first } else { first.parent().unwrap_or(first) };
-    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
-    let git = Git { folder, revision };
-    let top = git.ask(&["rev-parse", "--show-toplevel"]).map_err(|said| git.outside(&said))?;
-    let top = PathBuf::from(String::from_utf8_lossy(&top).trim_end());
+    let repository = around(first, "--since")?;
     if revision.starts_with('-') {
-        return Err(git.unknown(""));
+        return Err(unknown(&repository, revision, ""));
     }
     let commit = format!("{revision}^{{commit}}");
-    git.ask(&["rev-parse", "--verify", "--quiet", &commit]).map_err(|said| git.unknown(&said))?;
-    let start = git.ask(&["merge-base", revision, "HEAD"]).map_err(|said| git.unrelated(&said))?;
+    let known = repository.ask(&["rev-parse", "--verify", "--quiet", &commit]);
+    known.map_err(|refusal| unknown(&repository, revision, &refusal.words()))?;
+    let start = repository.ask(&["merge-base", revision, "HEAD"]);
+    let start = start.map_err(|refusal| unrelated(&repository, revision, &refusal.words()))?;
     let start = String::from_utf8_lossy(&start).trim().to_owned();
-    let failed = |said: String| Failure::Usage(format!("--since {revision}: git failed: {said}"));
-    // From the top of the tree, so that paths mean the same whatever folder was asked about.
-    let whole = Git { folder: &top, revision };
-    let differing = whole.ask(&["diff", "--name-only", "--no-renames", "-z", &start, "--"]).map_err(failed)?;
-    let new = whole.ask(&["ls-files", "--others", "--exclude-standard", "-z"]).map_err(failed)?;
-    let names: BTreeSet<String> = nul_separated(&differing).chain(nul_separated(&new)).collect();
-    Ok(names.into_iter().map(|name| top.join(name)).collect())
+    let failed = |refusal: Refusal| Failure::Usage(format!("--since {revision}: git failed: {}", refusal.words()));
+    let differing = repository.files(&["diff", "--name-only", "--no-renames", "-z", &start, "--"]).map_err(failed)?;
+    let new = repository.files(&["ls-files", "--others", "--exclude-standard", "-z"]).map_err(failed)?;
+    let all: BTreeSet<PathBuf> = differing.into_iter().chain(new).collect();
+    Ok(all.into_iter().collect())
 }
 
-fn nul_separated(bytes: &[u8]) -> impl Iterator<Item = String> {
-    let names = bytes.split(|byte| *byte == 0).filter(|name| !name.is_empty());
-    names.map(|name| String::from_utf8_lossy(name).into_owned())
+/// The repository that the first PATH lies in.
+fn around(first: &Path, option: &str) -> Result<Repository, Failure> {
+    let folder = if first.is_dir() { first } else { first.parent().unwrap_or(first) };
+    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+    Repository::around(folder).map_err(|refusal| {
+        let words = refusal.words();
+        Failure::Usage(match refusal {
+            Refusal::NotStarted(_) => {
+                format!("{option}: {words}; install git, or give the changed files with --changed-files FILE")
+            }
+            Refusal::Said(_) => {
+                let folder = folder.display();
+                format!(
+                    "{option}: `{folder}` is in no git repository ({words}); \
+                     give the changed files with --changed-files FILE"
+                )
+            }
+        })
+    })
 }
 
-struct Git<'a> {
-    folder: &'a Path,
-    revision: &'a str,
+fn unknown(repository: &Repository, revision: &str, said: &str) -> Failure {
+    let advice = "name a commit, a tag or a branch, `origin/main` say";
+    let shallow = if repository.is_shallow() {
+        format!("; if it is one, it lies beyond what this shallow clone holds: {FETCH}")
+    } else {
+        String::new()
+    };
+    Failure::Usage(format!("--since: git knows no revision `{revision}`{}; {advice}{shallow}", bracketed(said)))
 }
 
-impl Git<'_> {
-    /// What git prints, or what it complains about.
-    fn ask(&self, arguments: &[&str]) -> Result<Vec<u8>, String> {
-        let output = Command::new("git").arg("-C").arg(self.folder).args(arguments).output();
-        let output = output.map_err(|error| format!("git cannot be started: {error}"))?;
-        if output.status.success() {
-            return Ok(output.stdout);
-        }
-        Err(String::from_utf8_lossy(&output.stderr).trim().to_owned())
-    }
+fn unrelated(repository: &Repository, revision: &str, said: &str) -> Failure {
+    let advice = if repository.is_shallow() {
+        format!("this is a shallow clone: {FETCH}")
+    } else {
+        "name a revision of the same history".to_owned()
+    };
+    let said = bracketed(said);
+    Failure::Usage(format!("--since: `{revision}` and HEAD have no commit in common{said}; {advice}"))
+}
 
-    fn outside(&self, said: &str) -> Failure {
-        let folder = self.folder.display();
-        Failure::Usage(format!(
-            "--since: `{folder}` is in no git repository ({said}); give the changed files with --changed-files FILE"
-        ))
-    }
+const FETCH: &str = "fetch its history (`git fetch --unshallow`, `fetch-depth: 0` in a workflow)";
 
-    fn unknown(&self, said: &str) -> Failure {
-        let reason = if said.is_empty() { String::new() } else { format!(" ({said})") };
-        Failure::Usage(format!(
-            "--since: git knows no revision `{}`{reason}; {}",
-            self.revision,
-            self.advice("name a commit, a tag or a branch, `origin/main` say")
-        ))
-    }
-
-    fn unrelated(&self, said: &str) -> Failure {
-        let reason = if said.is_empty() { String::new() } else { format!(" ({said})") };
-        Failure::Usage(format!(
-            "--since: `{}` and HEAD have no commit in common{reason}; {}",
-            self.revision,
-            self.advice("name a revision of the same history")
-        ))
-    }
-
-    /// In a shallow clone the history is what is missing.
-    fn advice(&self, otherwise: &str) -> String {
-        let shallow = self.ask(&["rev-parse", "--is-shallow-repository"]);
-        if shallow.is_ok_and(|said| said.starts_with(b"true")) {
-            "this is a shallow clone: fetch its history (`git fetch --unshallow`, `fetch-depth: 0` in a workflow)"
-                .to_owned()
-        } else {
-            otherwise.to_owned()
-        }
-    }
+fn bracketed(said: &str) -> String {
+    if said.is_empty() { String::new() } else { format!(" ({said})") }
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 use super::args::{CheckArgs, Command};
-use super::changed::{listed, since};
+use super::changed::{listed, since, staged};
 use super::config::settings;
 use super::exit::{Exit, Failure};
 use super::fix;
@@ -29,7 +29,7 @@ pub(super) fn run(
     let targets = targets(&args.reports)?;
     let paths = &args.paths_or_here();
     let mut config = settings(args)?;
-    config.changed = changed(args, paths)?;
+    config.changed = changed(args, paths, err)?;
     let new_baseline = new_baseline(&config)?;
     let progress = Progress::start("reading and evaluating");
     let checked = fix::check(paths, &config, args.fixes);
@@ -59,12 +59,20 @@ pub(super) fn run(
     Ok(exit)
 }
 
-fn changed(args: &CheckArgs, paths: &[PathBuf]) -> Result<Option<Vec<PathBuf>>, Failure> {
-    match (&args.changed_files, &args.since, paths.first()) {
-        (Some(file), ..) => listed(file).map(Some),
-        (None, Some(revision), Some(first)) => since(revision, first).map(Some),
-        _ => Ok(None),
+/// The files to narrow the report to, if it is to be narrowed.
+fn changed(args: &CheckArgs, paths: &[PathBuf], err: &mut dyn Write) -> Result<Option<Vec<PathBuf>>, Failure> {
+    let first = paths.first().map_or(Path::new("."), PathBuf::as_path);
+    if let Some(file) = &args.changed_files {
+        return listed(file).map(Some);
     }
+    if let Some(revision) = &args.since {
+        return since(revision, first).map(Some);
+    }
+    let staged = if args.staged { staged(first)? } else { return Ok(None) };
+    if staged.is_empty() && !args.quiet {
+        writeln!(err, "mhlint: nothing is staged: the whole report")?;
+    }
+    Ok(Some(staged).filter(|staged| !staged.is_empty()))
 }
 
 /// The baseline to write; refuses before the run what could not be written after it.

@@ -31,6 +31,8 @@ pub(super) struct Checked {
     pub(super) outcome: Outcome,
     /// Rules of the findings that are mended.
     fixed: Vec<&'static str>,
+    /// Findings that only a run which is not narrowed would mend.
+    outside: usize,
     changes: Vec<FileChange>,
 }
 
@@ -38,10 +40,10 @@ pub(super) struct Checked {
 pub(super) fn check(paths: &[PathBuf], options: &Config, args: FixArgs) -> Result<Checked, engine::Error> {
     if !args.fix && !args.diff {
         let outcome = engine::lint(paths, options)?;
-        return Ok(Checked { outcome, fixed: Vec::new(), changes: Vec::new() });
+        return Ok(Checked { outcome, fixed: Vec::new(), outside: 0, changes: Vec::new() });
     }
-    let Mended { outcome, fixed, changes } = engine::mend(paths, options, args.unsafe_fixes)?;
-    Ok(Checked { outcome, fixed, changes })
+    let Mended { outcome, fixed, outside, changes } = engine::mend(paths, options, args.unsafe_fixes)?;
+    Ok(Checked { outcome, fixed, outside, changes })
 }
 
 impl Checked {
@@ -75,6 +77,10 @@ impl Checked {
         match self.fixed.len() {
             0 => writeln!(err, "mhlint: nothing {done}")?,
             number => writeln!(err, "mhlint: {number} {done} in {files}: {}", by_rule(&self.fixed))?,
+        }
+        if self.outside > 0 {
+            let more = count(self.outside, "finding");
+            writeln!(err, "mhlint: {more} would be mended in files that have not changed; those stay as they are")?;
         }
         let (_, risky) = mendable(&self.outcome.findings);
         if risky > 0 && !args.unsafe_fixes {

@@ -8,6 +8,7 @@ mod eval;
 mod exit;
 mod explain;
 mod fix;
+mod git;
 mod init;
 mod list;
 mod output;

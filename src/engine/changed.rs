@@ -10,17 +10,25 @@ use super::outcome::Outcome;
 use crate::diag::{Finding, Place};
 use crate::discover::kind_of;
 use crate::repo::{Layer, Reference, Repository, Resolution};
-use crate::source::resolved;
+use crate::source::{folder_of, resolved};
 
 /// Paths of changed files: absolute, without `..`, with forward slashes.
 pub(super) struct Change {
     paths: BTreeSet<String>,
+    files: usize,
 }
 
 impl Change {
     /// From paths relative to the working directory.
     pub(super) fn new(paths: &[PathBuf]) -> Self {
-        Self { paths: paths.iter().map(|path| absolute(path)).collect() }
+        let files = paths.iter().map(|path| in_its_folder(path)).collect::<BTreeSet<_>>();
+        let count = files.len();
+        Self { paths: paths.iter().map(|path| absolute(path)).chain(files).collect(), files: count }
+    }
+
+    /// Whether a file changed, by its path as reports print it.
+    pub(super) fn holds(&self, path: &str) -> bool {
+        self.paths.contains(&absolute(Path::new(path)))
     }
 
     /// The changed paths below a layer, relative to it.
@@ -44,7 +52,7 @@ pub(super) fn narrow(outcome: &mut Outcome, change: &Change) {
     let all = outcome.findings.len();
     outcome.findings.retain(|finding| finding.because.is_some() || is_upkeep(finding));
     outcome.left_out = all - outcome.findings.len();
-    let files = match change.paths.len() {
+    let files = match change.files {
         1 => "1 changed file".to_owned(),
         count => format!("{count} changed files"),
     };
@@ -189,7 +197,21 @@ fn layers<'a>(repository: &'a Repository<'_>) -> impl Iterator<Item = &'a Layer>
 
 /// The path from the root of the file system, without `.`, `..` and links: git knows its files by it.
 fn absolute(path: &Path) -> String {
-    resolved(path).to_string_lossy().replace('\\', "/")
+    slashed(&resolved(path))
+}
+
+/// The same for a file that may be a link itself: it is judged under its own name.
+fn in_its_folder(path: &Path) -> String {
+    match path.file_name() {
+        Some(name) => slashed(&resolved(folder_of(path)).join(name)),
+        None => slashed(&resolved(path)),
+    }
+}
+
+/// A backslash separates on Windows and is part of a name elsewhere.
+fn slashed(path: &Path) -> String {
+    let text = path.to_string_lossy();
+    if cfg!(windows) { text.replace('\\', "/") } else { text.into_owned() }
 }
 
 #[cfg(test)]

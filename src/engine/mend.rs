@@ -3,11 +3,12 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 
+use super::changed;
 use super::input::{Input, open, open_system};
 use super::outcome::{Error, Outcome};
 use super::run::lint_inputs;
 use crate::config::Config;
-use crate::diag::{Change, Edit, Finding, Fix, FixKind, Rewrite};
+use crate::diag::{Change, Edit, Finding, Fix, FixKind, Rewrite, Step};
 use crate::fix::{FileChange, Patch, Plan, apply, is_packed, pack, unpack};
 use crate::formats::{mhw_edit, target_edit};
 use crate::json;
@@ -23,12 +24,16 @@ pub struct Mended {
     pub outcome: Outcome,
     /// What is mended: rules in the order of the work, one entry for each finding.
     pub fixed: Vec<&'static str>,
+    /// Findings that were not mended, or not all of what they speak of, because files outside of the change
+    /// ([`Config::changed`]) would have to be written.
+    pub outside: usize,
     /// Files that differ from what is on disk, by path; nothing was written.
     pub changes: Vec<FileChange>,
 }
 
 /// Judges data roots found at `paths` and mends in memory what can be: unsafe fixes too, if `with_unsafe`.
-/// Only what would be reported is mended, never a file of the system data.
+/// Only what would be reported is mended, never a file of the system data, and in a run that is narrowed to a change
+/// only files of the change.
 ///
 /// # Errors
 /// As [`super::lint`].
@@ -36,8 +41,13 @@ pub fn mend(paths: &[PathBuf], options: &Config, with_unsafe: bool) -> Result<Me
     let mut inputs = open(paths)?;
     inputs.iter_mut().for_each(|input| input.tree.watch());
     let system = options.system.as_deref().map(open_system).transpose()?;
-    let mut work =
-        Work { limits: options.limits, with_unsafe, system: options.system.clone(), judged: BTreeMap::new() };
+    let mut work = Work {
+        limits: options.limits,
+        with_unsafe,
+        system: options.system.clone(),
+        change: options.changed.as_deref().map(changed::Change::new),
+        judged: BTreeMap::new(),
+    };
     let mut mended = Mended::default();
     for turn in 0.. {
         mended.outcome = lint_inputs(&inputs, system.as_ref(), options)?;
@@ -55,6 +65,7 @@ pub fn mend(paths: &[PathBuf], options: &Config, with_unsafe: bool) -> Result<Me
             work.change(&mut inputs, &path, &patch);
         }
     }
+    mended.outside = work.outside(&mended.outcome.findings);
     mended.changes = work.changes(&inputs);
     Ok(mended)
 }
@@ -64,6 +75,8 @@ struct Work {
     limits: Limits,
     with_unsafe: bool,
     system: Option<PathBuf>,
+    /// The files that may be written, if not all.
+    change: Option<changed::Change>,
     /// What was judged first of the files that change, by printed path.
     judged: BTreeMap<String, Judged>,
 }
@@ -97,10 +110,27 @@ impl Work {
         fix.kind == FixKind::Safe || self.with_unsafe
     }
 
+    /// The steps in files of the change. Operations on whole files stand each for itself; other steps belong together.
+    fn steps<'f>(&self, fix: &'f Fix) -> Vec<&'f Step> {
+        let (inside, outside): (Vec<&Step>, Vec<&Step>) = fix.steps.iter().partition(|step| self.may_write(&step.path));
+        let are_apart = fix.steps.iter().all(|step| matches!(step.change, Change::Rewrite(_)));
+        if outside.is_empty() || are_apart { inside } else { Vec::new() }
+    }
+
+    fn may_write(&self, path: &str) -> bool {
+        self.change.as_ref().is_none_or(|change| change.holds(path))
+    }
+
+    /// How many findings could be mended by writing files outside of the change.
+    fn outside(&self, findings: &[Finding]) -> usize {
+        let fixes = findings.iter().filter_map(|finding| finding.fix.as_ref()).filter(|fix| self.may(fix));
+        fixes.filter(|fix| fix.steps.iter().any(|step| !self.may_write(&step.path))).count()
+    }
+
     /// Byte edits of all steps; nothing if one of them cannot be done.
     fn patches(&self, inputs: &[Input], fix: &Fix) -> Option<Vec<(String, Patch)>> {
         let mut changes: BTreeMap<&str, Vec<&Change>> = BTreeMap::new();
-        for step in &fix.steps {
+        for step in self.steps(fix) {
             changes.entry(&step.path).or_default().push(&step.change);
         }
         let patch = |(path, changes): (&str, Vec<&Change>)| {

@@ -44,12 +44,21 @@ expect "pre-commit installs the hook" ended_with 0
 expect "no compiler was called" [ ! -e "$hook/called" ]
 echo "hook: installed in $took, without a compiler"
 
+# The first commit has no HEAD to compare with; one step of a macro is gone.
+damage() { sed -i 's/"steps": \[0.0, 0.25, 0.5, 1.0\]/"steps": [0.0, 0.5, 1.0]/' data/target/figure/macro.json; }
+damage
+git add data
+run git commit --message "Damaged example data"
+expect "a damaged first commit is refused" ended_with 1
+expect "the refusal of the first commit names the fault" says 'error[macro-steps-length]'
+echo "hook: a damaged first commit refused in $took"
+cp "$project/fixtures/makehuman2/data/target/figure/macro.json" data/target/figure
+git add data
 run git commit --message "Example data"
 expect "sound data are committed" ended_with 0
-echo "hook: a sound commit in $took"
+echo "hook: a sound first commit in $took"
 
-# A damaged commit: one step of a macro is gone.
-damage() { sed -i 's/"steps": \[0.0, 0.25, 0.5, 1.0\]/"steps": [0.0, 0.5, 1.0]/' data/target/figure/macro.json; }
+# A damaged commit.
 before=$(git rev-parse HEAD)
 damage
 expect "the example is damaged" test -n "$(git status --short)"
@@ -86,26 +95,60 @@ hook_with '        always_run: true
 git rm --quiet data/target/figure/head/head-oval.target
 run git commit --message "A target less, and always_run"
 expect "with always_run a deletion that matters is refused" ended_with 1
+echo "hook: a deletion alone is skipped, with always_run refused in $took"
 expect "the refusal names the target that is gone" says "head-oval"
 git reset --quiet --hard HEAD
 
-# Narrowed to the change: an old fault elsewhere does not stand in the way, one of the change does.
-if "$mhlint" --help | grep -q -- --since; then
-    hook_with '        args: [--since, HEAD]
+# Narrowed to what is staged: an old fault elsewhere does not stand in the way, one of the commit does.
+oval=data/target/figure/head/head-oval.target
+hook_with ''
+damage
+run git commit --all --no-verify --message "An old fault"
+sed -i 's/^337 .003 /337 .004 /' $oval
+run git commit --all --message "Sound, beside an old fault"
+expect "an old fault elsewhere does not stand in the way" ended_with 0
+echo "hook: a sound commit beside an old fault in $took"
+echo '337 nothing 0 0' >>$oval
+run git commit --all --message "Unsound, beside an old fault"
+expect "a fault of the commit is refused" ended_with 1
+expect "the refusal names the changed file" says "$oval"
+expect "the refusal does not name the old fault" does_not_say "macro-steps-length"
+echo "hook: an unsound commit beside an old fault refused in $took"
+sed -i 's/^338 .002 /338 .003 /' data/target/figure/head/head-side-in.target
+run git commit --message "Sound, beside a fault that stays behind" -- data/target/figure/head/head-side-in.target
+expect "what is not in the commit is put aside" ended_with 0
+git checkout --quiet -- $oval
+
+# With nothing staged everything is reported: what CI asks for.
+run pre-commit run --all-files
+expect "with nothing staged an old fault is refused" ended_with 1
+expect "with nothing staged the old fault is named" says 'error[macro-steps-length]'
+expect "with nothing staged the hook says what it reports" says 'nothing is staged: the whole report'
+echo "hook: all files in $took"
+run pre-commit run --from-ref HEAD~1 --to-ref HEAD
+expect "between two commits everything is reported" says 'error[macro-steps-length]'
+echo 'More notes' >>notes.md
+git add notes.md
+run pre-commit run --all-files
+expect "with something staged all files are narrowed, too" ended_with 0
+run git commit --message "More notes"
+
+# The lines of the documents that change what is reported.
+hook_with '        entry: mhlint check
 '
-    damage
-    run git commit --all --no-verify --message "An old fault"
-    sed -i 's/^337 .003 /337 .004 /' data/target/figure/head/head-oval.target
-    run git commit --all --message "Sound, beside an old fault"
-    expect "with --since HEAD an old fault elsewhere does not stand in the way" ended_with 0
-    echo '337 nothing 0 0' >>data/target/figure/head/head-oval.target
-    run git commit --all --message "Unsound, beside an old fault"
-    expect "with --since HEAD a fault of the change is refused" ended_with 1
-    expect "the refusal names the changed file" says "data/target/figure/head/head-oval.target"
-    expect "the refusal does not name the old fault" does_not_say "macro-steps-length"
-else
-    echo "left out: this build has no --since"
-fi
+sed -i 's/^337 .004 /337 .005 /' $oval
+run git commit --all --message "With another entry"
+expect "with an entry of one's own the whole report decides" ended_with 1
+expect "with an entry of one's own the old fault is named" says 'error[macro-steps-length]'
+hook_with '        args: [data/, --since, HEAD~1]
+'
+echo '337 nothing 0 0' >>data/target/figure/head/head-side-in.target
+run git commit --all --no-verify --message "Damaged on this branch"
+sed -i 's/^337 .005 /337 .006 /' $oval
+run git commit --all --message "Sound, on a damaged branch"
+expect "--since in args takes the place of --staged" ended_with 1
+expect "with --since in args an earlier commit of the branch counts" says head-side-in.target
+expect "with --since in args the old fault does not count" does_not_say "macro-steps-length"
 
 # The hooks that need an installed mhlint: `mhlint-system`, and the one of the README, word by word.
 mkdir "$hook/hooks" && cp "$project/.pre-commit-hooks.yaml" "$hook/hooks"

@@ -1,0 +1,126 @@
+//! What git says about the folder that is judged. The only place that starts another program.
+
+use std::ffi::OsString;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// By these git hands its own repository and the index of the commit to a hook. They are relative to where the hook
+/// runs, and the folder to judge may lie in another repository.
+const HANDED_DOWN: [&str; 6] =
+    ["GIT_DIR", "GIT_WORK_TREE", "GIT_IMPLICIT_WORK_TREE", "GIT_COMMON_DIR", "GIT_INDEX_FILE", "GIT_PREFIX"];
+
+/// A working tree of git.
+pub(super) struct Repository {
+    top: PathBuf,
+    folder: PathBuf,
+    /// The index of the commit at hand: `git commit -a` and `git commit PATH` write one of their own. Relative to `top`.
+    index: Option<OsString>,
+}
+
+/// Why git gives no answer.
+#[derive(Debug)]
+pub(super) enum Refusal {
+    /// It is not there.
+    NotStarted(io::Error),
+    /// It ended with an error and these words.
+    Said(String),
+}
+
+impl Repository {
+    /// The one that `folder` lies in.
+    pub(super) fn around(folder: &Path) -> Result<Self, Refusal> {
+        let here = || locate(&|| Command::new("git"));
+        let index = std::env::var_os("GIT_INDEX_FILE");
+        let own = locate(&|| {
+            let mut git = undirected();
+            git.arg("-C").arg(folder);
+            git
+        });
+        match own {
+            Ok((top, git_folder)) => {
+                let is_same = || here().is_ok_and(|(_, other)| other == git_folder);
+                let index = index.filter(|_| is_same());
+                Ok(Self { top, folder: git_folder, index })
+            }
+            Err(Refusal::Said(said)) => {
+                // A working tree without `.git` in it: only the variables tell where its repository is.
+                let (top, git_folder) = here().map_err(|_| Refusal::Said(said.clone()))?;
+                let is_inside = real(folder).starts_with(real(&top));
+                if is_inside { Ok(Self { top, folder: git_folder, index }) } else { Err(Refusal::Said(said)) }
+            }
+            Err(refusal) => Err(refusal),
+        }
+    }
+
+    /// What git prints. It runs at the top of the tree, so that paths mean the same whatever folder was asked about.
+    pub(super) fn ask(&self, arguments: &[&str]) -> Result<Vec<u8>, Refusal> {
+        let mut git = undirected();
+        git.arg("-C").arg(&self.top).env("GIT_DIR", &self.folder).env("GIT_WORK_TREE", &self.top);
+        if let Some(index) = &self.index {
+            git.env("GIT_INDEX_FILE", index);
+        }
+        output(git.args(arguments))
+    }
+
+    /// The files that git lists, separated by NUL.
+    pub(super) fn files(&self, arguments: &[&str]) -> Result<Vec<PathBuf>, Refusal> {
+        let listed = self.ask(arguments)?;
+        let names = listed.split(|byte| *byte == 0).filter(|name| !name.is_empty());
+        Ok(names.map(|name| self.top.join(path(name))).collect())
+    }
+
+    /// Whether a part of the history was not fetched.
+    pub(super) fn is_shallow(&self) -> bool {
+        self.ask(&["rev-parse", "--is-shallow-repository"]).is_ok_and(|said| said.starts_with(b"true"))
+    }
+}
+
+impl Refusal {
+    /// What git complained about; may be empty.
+    pub(super) fn words(&self) -> String {
+        match self {
+            Self::NotStarted(error) => format!("git cannot be started: {error}"),
+            Self::Said(said) => said.clone(),
+        }
+    }
+}
+
+/// A git that has to find its repository itself.
+fn undirected() -> Command {
+    let mut git = Command::new("git");
+    for name in HANDED_DOWN {
+        git.env_remove(name);
+    }
+    git
+}
+
+/// The top of the working tree and the folder of the repository.
+fn locate(git: &dyn Fn() -> Command) -> Result<(PathBuf, PathBuf), Refusal> {
+    let ask =
+        |what| output(git().args(["rev-parse", what])).map(|line| path(line.strip_suffix(b"\n").unwrap_or(&line)));
+    Ok((ask("--show-toplevel")?, ask("--absolute-git-dir")?))
+}
+
+fn output(git: &mut Command) -> Result<Vec<u8>, Refusal> {
+    let output = git.output().map_err(Refusal::NotStarted)?;
+    if output.status.success() {
+        return Ok(output.stdout);
+    }
+    Err(Refusal::Said(String::from_utf8_lossy(&output.stderr).trim().to_owned()))
+}
+
+fn real(path: &Path) -> PathBuf {
+    std::fs::canonicalize(path).unwrap_or_else(|_| path.to_owned())
+}
+
+#[cfg(unix)]
+fn path(bytes: &[u8]) -> PathBuf {
+    use std::os::unix::ffi::OsStrExt;
+    PathBuf::from(std::ffi::OsStr::from_bytes(bytes))
+}
+
+#[cfg(not(unix))]
+fn path(bytes: &[u8]) -> PathBuf {
+    PathBuf::from(String::from_utf8_lossy(bytes).into_owned())
+}
