@@ -381,7 +381,7 @@ fn what_belongs_together_is_not_mended_by_halves() {
     let said = "1 finding would be mended in files that have not changed; those stay as they are";
     assert!(stderr(&output).contains(said), "{}", stderr(&output));
     // With macro.json in the change the fix is whole.
-    damage(root, "data/target/figure/macro.json", "\"name\"", "\"name\" ");
+    edit(root, "data/target/figure/macro.json", "\"name\"", "\"name\" ");
     assert_shown(&check(root, &fix), 0, &[], &["macro-empty-target"]);
     assert!(!root.join(EMPTY).exists());
 }

@@ -337,6 +337,8 @@ fn every_rule_can_be_explained_by_its_fixtures() {
         for part in ["Bad: ", "gives", &format!("[{id}]"), "Good: "] {
             assert!(text.contains(part), "no `{part}` in the page of {id}:\n{text}");
         }
+        let (_, good) = text.split_once("Good: ").unwrap();
+        assert!(good.contains("  gives nothing") && !good.contains(&format!("[{id}]")), "{id}:\n{good}");
     }
 }
 

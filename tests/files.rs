@@ -102,3 +102,39 @@ fn an_endless_file_is_read_up_to_the_limit_only() {
     let expected = format!("{path}: warning[file-too-large] target with 2147.5 MB: too large to be judged");
     assert_eq!(check(root.path(), &["."]), [expected]);
 }
+
+#[test]
+fn help_says_what_to_write_in_the_words_of_the_file() {
+    let help = |file: &str, find: &str, replace: &str| {
+        let root = example();
+        let file = root.path().join(file);
+        let text = fs::read_to_string(&file).unwrap();
+        assert!(text.contains(find), "{find}");
+        fs::write(&file, text.replacen(find, replace, 1)).unwrap();
+        let output = mhlint(root.path(), &["--report", "json", "--no-eval"]);
+        let report: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        let findings = report["findings"].as_array().unwrap();
+        assert_eq!(findings.len(), 1, "{findings:#?}");
+        findings[0]["help"].as_str().unwrap().to_owned()
+    };
+    let [modelling, macros] = ["data/target/figure/modelling.json", "data/target/figure/macro.json"];
+    let cases = [
+        (
+            modelling,
+            "\"torso/chest-depth-decr\"",
+            "\"torso/chest-dpeth-decr\"",
+            "did you mean `torso/chest-depth-decr`?",
+        ),
+        (modelling, "\"head/head-oval\"", "\"head/Head-oval\"", "write `head/head-oval`, or rename the file"),
+        (
+            macros,
+            "\"folder\": \"macro_build\"",
+            "\"folder\": \"Macro_build\"",
+            "write `macro_build`, or rename the folder",
+        ),
+        (macros, "\"highland-female\", \"t\"", "\"\", \"t\"", "did you mean `highland-female`?"),
+    ];
+    for (file, find, replace, expected) in cases {
+        assert_eq!(help(file, find, replace), expected);
+    }
+}

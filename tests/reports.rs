@@ -9,7 +9,7 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-use scratch::{edit, example, lose_a_step, mhlint, project, stderr, stdout};
+use scratch::{command, edit, example, lose_a_step, mhlint, project, stderr, stdout};
 use serde_json::Value;
 
 /// A copy of the example repository with two errors in two files.
@@ -249,6 +249,19 @@ fn github_annotations_are_commands_and_nothing_else_is() {
     assert_eq!(rest.len(), 2, "{rest:?}");
 }
 
+#[test]
+fn the_verdict_on_settings_says_nothing_of_an_application() {
+    let repository = example();
+    let ignore = "[[ignore]]\nrule = \"macro-steps-length\"\npath = \"**\"\nreason = \"once\"\n";
+    fs::write(repository.path().join("mhlint.toml"), ignore).unwrap();
+    let last = |args: &[&str]| run(repository.path(), args).lines().last().unwrap().to_owned();
+    let text = "Failed. 1 warning about the settings of mhlint; nothing found in the data.";
+    assert_eq!(last(&["--fail-on", "warning"]), text);
+    edit(repository.path(), "data/target/figure/head/head-oval.target", "339 0 .001 .001", "339 0 0 0");
+    let text = run(repository.path(), &[]).replace('\n', " ");
+    assert!(text.contains("1 info: harmless in MakeHuman 2 today. Besides, 1 warning about the settings of"), "{text}");
+}
+
 /// A copy of the example repository with `count` targets that cannot be read.
 fn many(count: usize) -> tempfile::TempDir {
     let repository = example();
@@ -267,8 +280,7 @@ fn github_annotations_are_capped_with_a_word_on_the_rest() {
 }
 
 fn github_step(root: &Path, summary: &Path) -> std::process::Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_mhlint"));
-    command.env("GITHUB_STEP_SUMMARY", summary).current_dir(root).args(["--report", "github"]).output().unwrap()
+    command(root, &["--report", "github"]).env("GITHUB_STEP_SUMMARY", summary).output().unwrap()
 }
 
 #[test]

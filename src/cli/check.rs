@@ -13,6 +13,7 @@ use super::panics::Panics;
 use super::progress::Progress;
 use super::step_summary;
 use super::terminal::Terminal;
+use super::workspace::placed;
 use crate::config::Config;
 use crate::diag::nearest;
 use crate::engine::{Baseline, Error, Outcome, rule_infos};
@@ -146,14 +147,15 @@ fn write_reports(
     let targets: Vec<&Target> = targets.iter().filter(|target| !is_silent(target)).collect();
     for (target, file) in targets.iter().filter_map(|target| Some((target, target.file.as_ref()?))) {
         let mut bytes = Vec::new();
-        report::write(target.format, outcome, &view(Terminal::PLAIN), &mut bytes)?;
+        report::write(target.format, &placed(outcome, target.format), &view(Terminal::PLAIN), &mut bytes)?;
         write_file(file, &bytes)?;
     }
     if let Some(file) = step_summary::file().filter(|_| targets.iter().any(|one| one.format == Format::Github)) {
         step_summary::append(&file, outcome, &view(Terminal::PLAIN))?;
     }
     for target in targets.iter().filter(|target| target.file.is_none()) {
-        let written = report::write(target.format, outcome, &view(terminal), out).and_then(|()| out.flush());
+        let outcome = placed(outcome, target.format);
+        let written = report::write(target.format, &outcome, &view(terminal), out).and_then(|()| out.flush());
         written.or_else(|error| if error.kind() == ErrorKind::BrokenPipe { Ok(()) } else { Err(error) })?;
     }
     Ok(())

@@ -18,6 +18,7 @@ mod schema;
 mod shell;
 mod step_summary;
 mod terminal;
+mod workspace;
 
 use std::io::{self, Write};
 use std::panic::{AssertUnwindSafe, catch_unwind};

@@ -116,12 +116,17 @@ fn macro_references<'a>(base: &Base<'a>, out: &mut Vec<Reference<'a>>) {
     }
 }
 
-/// Whether the folder alone makes the whole name absolute, or brings the backslash or the way out into it.
+/// Whether the folder alone makes the whole name absolute, or brings the backslash, the way out or the other
+/// capitals into it.
 fn is_fault_of_folder(folder: &str, text: &str, resolution: &Resolution<'_>) -> bool {
     match resolution {
         Resolution::Absolute => !is_absolute(text),
         Resolution::Backslash(_) => !text.contains('\\'),
         Resolution::Escapes => folder.contains("..") && !text.contains(".."),
+        Resolution::CaseOnly(file) => {
+            let found = file.rel.strip_suffix(".target").and_then(|stem| stem.strip_suffix(text));
+            found.is_some_and(|found| !found.trim_end_matches('/').ends_with(folder.trim_matches('/')))
+        }
         _ => false,
     }
 }

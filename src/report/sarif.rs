@@ -39,7 +39,7 @@ pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> 
             }],
             "columnKind": "unicodeCodePoints",
             "originalUriBaseIds": { "%SRCROOT%": {
-                "description": { "text": "The folder in which mhlint was run." },
+                "description": { "text": "The top of the repository where the CI system names it, the folder in which mhlint was run elsewhere." },
             }},
             "results": results,
         }],

@@ -1,7 +1,7 @@
 //! The last lines: what was looked at, and one sentence that says how it ended.
 
 use super::{Paint, View, count, hang, printable};
-use crate::diag::{Application, Level};
+use crate::diag::{Application, Finding, Level};
 use crate::engine::{Outcome, Summary};
 
 /// What was judged, and how many findings of each level there are.
@@ -51,7 +51,6 @@ pub(super) fn sentence(outcome: &Outcome, view: &View<'_>) -> String {
 /// The verdict without colour or line breaks.
 pub(super) fn words(outcome: &Outcome, view: &View<'_>) -> String {
     let summary = &outcome.summary;
-    let who = applications(outcome);
     if !outcome.failed_rules.is_empty() {
         return "No verdict: mhlint itself failed on these data.".to_owned();
     }
@@ -65,16 +64,10 @@ pub(super) fn words(outcome: &Outcome, view: &View<'_>) -> String {
         return format!("Nothing found beside what is muted: {}.", count(summary.suppressed, "finding"));
     }
     if outcome.findings.is_empty() {
+        let who = applications(outcome, &[]);
         return format!("Nothing found: as far as the rules reach, {who} loads all of it as it was written.");
     }
-    let harm = if summary.error > 0 {
-        format!("{}: {who} would crash, or refuse or lose something.", count(summary.error, "error"))
-    } else if summary.warning > 0 {
-        let warnings = count(summary.warning, "warning");
-        format!("{warnings}: {who} loads it, but does something else than was written.")
-    } else {
-        format!("{}: harmless in {who} today.", count(summary.info, "info"))
-    };
+    let harm = harm(outcome);
     if !view.pass {
         return format!("Failed. {harm}{}", too_many(outcome, view));
     }
@@ -82,6 +75,41 @@ pub(super) fn words(outcome: &Outcome, view: &View<'_>) -> String {
         Some(limit) => format!("Passed: nothing at or above {limit}. {harm}"),
         None => format!("Passed, whatever was found (--fail-on never). {harm}"),
     }
+}
+
+/// What the gravest findings on assets mean. Those on the settings of mhlint concern no application.
+fn harm(outcome: &Outcome) -> String {
+    let (settings, assets): (Vec<&Finding>, Vec<&Finding>) = outcome.findings.iter().partition(|one| is_setting(one));
+    let Some(worst) = assets.iter().map(|finding| finding.level).max() else {
+        let found = about_settings(&settings);
+        return match (outcome.left_out, outcome.summary.suppressed) {
+            (0, 0) => format!("{found}; nothing found in the data."),
+            (0, _) => format!("{found}; nothing found in the data beside what is muted."),
+            _ => format!("{found}; nothing found in the data that the change can affect."),
+        };
+    };
+    let gravest: Vec<&Finding> = assets.into_iter().filter(|finding| finding.level == worst).collect();
+    let who = applications(outcome, &gravest);
+    let number = count(gravest.len(), worst.word());
+    let harm = match worst {
+        Level::Error => format!("{number}: {who} would crash, or refuse or lose something."),
+        Level::Warning => format!("{number}: {who} loads it, but does something else than was written."),
+        Level::Info => format!("{number}: harmless in {who} today."),
+    };
+    let also: Vec<&Finding> = settings.into_iter().filter(|finding| finding.level >= worst).collect();
+    if also.is_empty() { harm } else { format!("{harm} Besides, {}.", about_settings(&also)) }
+}
+
+/// `1 warning about the settings of mhlint`, by the gravest.
+fn about_settings(findings: &[&Finding]) -> String {
+    let worst = findings.iter().map(|finding| finding.level).max().unwrap_or(Level::Info);
+    let number = findings.iter().filter(|finding| finding.level == worst).count();
+    format!("{} about the settings of mhlint", count(number, worst.word()))
+}
+
+/// Whether a finding is about mutes, settings or the baseline.
+fn is_setting(finding: &Finding) -> bool {
+    ["config-", "baseline-"].iter().any(|family| finding.rule.starts_with(family))
 }
 
 fn too_many(outcome: &Outcome, view: &View<'_>) -> String {
@@ -92,11 +120,9 @@ fn too_many(outcome: &Outcome, view: &View<'_>) -> String {
 }
 
 /// The applications that the gravest findings are about, or whose data were judged.
-fn applications(outcome: &Outcome) -> String {
-    let worst = outcome.findings.iter().map(|finding| finding.level).max();
-    let gravest = outcome.findings.iter().filter(|finding| Some(finding.level) == worst);
+fn applications(outcome: &Outcome, gravest: &[&Finding]) -> String {
     let mut named: Vec<Application> =
-        gravest.flat_map(|finding| finding.breaks.iter().map(|one| one.application)).collect();
+        gravest.iter().flat_map(|finding| finding.breaks.iter().map(|one| one.application)).collect();
     if named.is_empty() {
         named.extend(outcome.roots.iter().filter(|root| root.judged).map(|root| root.application));
     }

@@ -206,13 +206,32 @@ pub fn lose_a_step(root: &Path) {
     edit(root, "data/target/figure/macro.json", four, three);
 }
 
+/// Variables by which terminals and CI systems speak to programs.
+const SURROUNDINGS: [&str; 9] = [
+    "CI",
+    "NO_COLOR",
+    "CLICOLOR_FORCE",
+    "COLUMNS",
+    "GITHUB_ACTIONS",
+    "GITHUB_STEP_SUMMARY",
+    "GITHUB_WORKSPACE",
+    "CI_PROJECT_DIR",
+    "TERM",
+];
+
 /// The real binary in `folder`, with an environment that says nothing about terminals or CI.
 pub fn mhlint(folder: &Path, args: &[&str]) -> Output {
+    command(folder, args).output().unwrap()
+}
+
+/// What [`mhlint`] starts.
+pub fn command(folder: &Path, args: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_mhlint"));
-    for name in ["CI", "NO_COLOR", "CLICOLOR_FORCE", "COLUMNS", "GITHUB_ACTIONS", "GITHUB_STEP_SUMMARY", "TERM"] {
+    for name in SURROUNDINGS {
         command.env_remove(name);
     }
-    command.current_dir(folder).args(args).output().unwrap()
+    command.current_dir(folder).args(args);
+    command
 }
 
 /// What was written to standard output.

@@ -3,7 +3,7 @@
 use std::io::Write;
 
 use super::case::Case;
-use super::{SAFETY, fix, shown_cases};
+use super::{SAFETY, fix, result, shown_cases};
 use crate::cli::exit::Failure;
 use crate::diag::RuleInfo;
 
@@ -37,11 +37,11 @@ fn write_case(case: &Case, out: &mut dyn Write) -> Result<(), Failure> {
     let is_bad = case.name.starts_with("bad");
     writeln!(out, "\n**{}:** {}\n", if is_bad { "Bad" } else { "Good" }, case.why)?;
     write_block("diff", &case.lines().iter().map(|line| outdented(line)).collect::<Vec<_>>(), out)?;
-    if is_bad && !case.expected.is_empty() {
-        writeln!(out, "\ngives\n")?;
+    if case.expected.is_empty() {
+        writeln!(out, "\n{}.", result(case))?;
+    } else {
+        writeln!(out, "\n{}\n", result(case))?;
         write_block("text", &case.expected.iter().map(String::as_str).collect::<Vec<_>>(), out)?;
-    } else if case.expected.is_empty() {
-        writeln!(out, "\ngives nothing.")?;
     }
     Ok(())
 }

@@ -78,11 +78,12 @@ fn write_rule(rule: &RuleInfo, page: Page, out: &mut dyn Write) -> Result<(), Fa
     Ok(())
 }
 
-/// The case `bad` and the first good one.
+/// The case `bad` and a good one, silent if there is such.
 fn shown_cases(rule: &str) -> Vec<Case> {
     let cases = case::cases(rule);
     let bad = cases.iter().find(|case| case.name == "bad");
-    let good = cases.iter().find(|case| case.name.starts_with("good"));
+    let mut good = cases.iter().filter(|case| case.name.starts_with("good"));
+    let good = good.clone().find(|case| case.expected.is_empty()).or_else(|| good.next());
     bad.into_iter().chain(good).cloned().collect()
 }
 
@@ -100,14 +101,20 @@ fn write_case(case: &Case, page: Page, out: &mut dyn Write) -> Result<(), Failur
         };
         writeln!(out, "{painted}")?;
     }
-    if is_bad {
-        for found in &case.expected {
-            writeln!(out, "  {}\n{}", page.paint.dim("gives"), hang("    ", found, page.width))?;
-        }
-    } else if case.expected.is_empty() {
-        writeln!(out, "  {}", page.paint.dim("gives nothing"))?;
+    writeln!(out, "  {}", page.paint.dim(result(case)))?;
+    for found in &case.expected {
+        writeln!(out, "{}", hang("    ", found, page.width))?;
     }
     Ok(())
+}
+
+/// What leads over to the findings of a case. A good one may need what another rule finds.
+fn result(case: &Case) -> &'static str {
+    match (case.expected.is_empty(), case.name.starts_with("bad")) {
+        (true, _) => "gives nothing",
+        (false, true) => "gives",
+        (false, false) => "gives nothing of this rule, only",
+    }
 }
 
 const fn fix(kind: FixKind) -> &'static str {

@@ -1,9 +1,11 @@
 //! References that only a file system without regard to case resolves.
 
+use std::collections::BTreeMap;
+
 use super::super::{Check, Rule, RuleCx};
 use super::loader::{is_generated, misnamed};
-use super::named::{causes, effect, is_known_by, written};
-use crate::diag::{Application, Finding, Fix, FixKind, Level, Place, RuleInfo};
+use super::named::{Cause, causes, effect, is_known_by, written};
+use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Place, RuleInfo};
 use crate::repo::{Reference, Repository, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -27,22 +29,45 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let (name, on_disk) = differing(&first.rel, target);
         let holder = repository.strongest_first().find(|layer| layer.file(target).is_some());
         let finding = cause.finding(&RULE, |_| format!("`{name}` is called `{on_disk}` on disk"));
-        let Some(mut finding) = finding else { continue };
-        finding = finding.breaks(Application::Makehuman2, format!("on Linux: {}", effect(first.kind)));
+        let Some(finding) = finding else { continue };
+        let mut finding = finding.breaks(Application::Makehuman2, format!("on Linux: {}", effect(first.kind)));
         if let Some(layer) = holder {
             finding = finding.related(layer.display(target), Place::File, "the file that is meant");
         }
-        let names = cause.references.iter().map(|reference| {
-            let text = as_on_disk(reference).filter(|_| !is_known_by(repository, reference))?;
-            Some((*reference, text))
-        });
-        if let Some(names) = names.collect::<Option<Vec<_>>>() {
-            let fix = Fix::new(RULE.info.fix, format!("write `{on_disk}`"));
-            let fix = names.into_iter().fold(fix, |fix, (reference, text)| written(fix, reference, Some(text)));
-            finding = finding.fix(fix);
-        }
-        out.push(finding.help(format!("write `{on_disk}`, or rename the file")));
+        let what = if on_disk == target { "file" } else { "folder" };
+        let meant = meant(first, &name, &on_disk);
+        let fix = fix(repository, &cause, &format!("write `{meant}`"));
+        out.push(finding.fix(fix).help(format!("write `{meant}`, or rename the {what}")));
     }
+}
+
+/// What to write, as far as possible in the words of the file that is at fault.
+fn meant(first: &Reference<'_>, name: &str, on_disk: &str) -> String {
+    let is_whole = found(first).is_some_and(|found| found == on_disk);
+    if let Some(text) = as_on_disk(first).filter(|_| is_whole) {
+        return text;
+    }
+    match (name.rsplit_once('/'), on_disk.rsplit_once('/')) {
+        (Some((above, _)), Some((same, last))) if above == same && !is_whole => last.to_owned(),
+        _ => on_disk.to_owned(),
+    }
+}
+
+/// Writes the folder that is at fault, or all names; nothing if one of them is known elsewhere as it is.
+fn fix(repository: &Repository<'_>, cause: &Cause<'_, '_>, title: &str) -> Fix {
+    let fix = Fix::new(RULE.info.fix, title);
+    let folders: Option<BTreeMap<_, _>> = cause.references.iter().map(|reference| folder_on_disk(reference)).collect();
+    if let (Some(folders), Some(first)) = (folders, cause.references.first()) {
+        return folders
+            .into_iter()
+            .fold(fix, |fix, (pointer, text)| fix.step(&first.from.path, Change::Value { pointer, text: Some(text) }));
+    }
+    let names = cause.references.iter().map(|reference| {
+        let text = as_on_disk(reference).filter(|_| !is_known_by(repository, reference))?;
+        Some((*reference, text))
+    });
+    let names: Vec<_> = names.collect::<Option<_>>().unwrap_or_default();
+    names.into_iter().fold(fix, |fix, (reference, text)| written(fix, reference, Some(text)))
 }
 
 /// A file that MakeHuman 2 looks for by a fixed name.
@@ -75,6 +100,14 @@ fn as_on_disk(reference: &Reference<'_>) -> Option<String> {
     let end = start + reference.text.len();
     let around = |rel: &str| Some((rel.get(..start)?.to_owned(), rel.get(end..)?.to_owned()));
     (around(&reference.rel)? == around(found)?).then(|| found.get(start..end).map(str::to_owned))?
+}
+
+/// Where a folder that is at fault is written, and as what it has to be.
+fn folder_on_disk(reference: &Reference<'_>) -> Option<(String, String)> {
+    let (Place::Pointer(pointer), folder) = reference.folder_at_fault.as_ref()? else { return None };
+    let above = found(reference)?.strip_suffix(".target")?.strip_suffix(reference.text)?.strip_suffix('/')?;
+    let text = above.get(above.len().checked_sub(folder.len())?..)?;
+    text.eq_ignore_ascii_case(folder).then(|| (pointer.clone(), text.to_owned()))
 }
 
 /// The shortest beginnings of both paths that hold the whole difference: a folder, where one differs.

@@ -54,7 +54,11 @@ fn run(layer: &Layer, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         } else {
             format!("{} with {:.1} MB; more than {limit} MB is unusual", file.kind.title(), size / MB)
         };
-        let help = format!("make it smaller, or raise the option `{}` of this rule", option(file));
+        let help = if unread {
+            "make it smaller; mhlint reads no file of more than 512 MiB".to_owned()
+        } else {
+            format!("make it smaller, or raise the option `{}` of this rule", option(file))
+        };
         out.push(RULE.at(file, Place::File, message).help(help));
     }
 }

@@ -68,7 +68,11 @@ fn reason(repository: &Repository<'_>, file: &FileFacts, used: &BTreeSet<String>
         return idle.then(|| ("icon".to_owned(), "no slider has this icon".to_owned()));
     }
     // `file-case-mismatch` names a file that takes the place of one that is needed.
-    if misnamed(repository.judged, &file.rel).is_some() || !is_judged_folder(&file.rel) || opens(&file.rel) {
+    if misnamed(repository.judged, &file.rel).is_some()
+        || used.contains(&file.rel)
+        || !is_judged_folder(&file.rel)
+        || opens(&file.rel)
+    {
         return None;
     }
     Some(match (file.kind, name.to_lowercase()) {

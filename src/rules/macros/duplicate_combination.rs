@@ -1,6 +1,7 @@
 //! A combination may be listed in a macro definition only once.
 
 use super::super::{Check, Rule, RuleCx};
+use super::titles;
 use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Place, RuleInfo};
 use crate::repo::{Base, Repository};
 use std::collections::BTreeMap;
@@ -25,13 +26,15 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
         for link in &macrodef.links {
             by_name.entry(&link.name).or_default().push(link);
         }
+        // An empty name is never reached, however often it is listed; without components it is the only one.
+        by_name.retain(|name, _| !name.is_empty() || macrodef.components.is_empty());
         for (name, links) in by_name {
             let [first, .., last] = links.as_slice() else { continue };
             let mut finding = RULE
                 .at(
                     file,
                     Place::Pointer(macrodef.link_pointer(first, "name")),
-                    format!("`{name}` is listed {}", times(links.len())),
+                    format!("{} is listed {}", titles::combination(name), times(links.len())),
                 )
                 .key(name)
                 .help("remove all entries of the name but one")

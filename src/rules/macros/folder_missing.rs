@@ -42,12 +42,20 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
                     _ => format!("folder `{folder}` holds no target"),
                 };
                 RULE.at(file, place, message)
+                    .breaks(
+                        Application::Makehuman2,
+                        "finds none of the targets and stops with an AttributeError as soon as one of them has weight",
+                    )
                     .help(folder_of_files(base, &own).unwrap_or_else(|| nearest_folder(base, folder)))
             }
             (Some(_), _) => continue,
             (None, Some(folder)) => {
                 let message = format!("no `folder`: `{folder}` of the macrodef before is used again");
-                let finding = RULE.at(file, Place::pointer(["macrodef", &index]), message);
+                let effect =
+                    "searches the targets in that folder, and stops as soon as one that is not there has weight";
+                let finding = RULE
+                    .at(file, Place::pointer(["macrodef", &index]), message)
+                    .breaks(Application::Makehuman2, effect);
                 if own.iter().all(|link| link.found().is_some()) {
                     let effect = "nothing: the targets are in the folder of the macrodef before";
                     finding.level(Level::Info).breaks(Application::Makehuman2, effect)
@@ -55,7 +63,9 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
                     finding
                 }
             }
-            (None, None) => RULE.at(file, Place::pointer(["macrodef", &index]), "the first macrodef has no `folder`"),
+            (None, None) => RULE
+                .at(file, Place::pointer(["macrodef", &index]), "the first macrodef has no `folder`")
+                .breaks(Application::Makehuman2, "stops at start"),
         };
         let help = finding.help.clone().unwrap_or_else(|| "write the name of the folder".to_owned());
         out.push(finding.help(help).key(macrodef.components.join("-")));

@@ -42,7 +42,7 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
         };
         // An empty list is a fault of another kind, and so are indices out of range.
         let listed: BTreeSet<i64> = bound.slider.macro_influence.iter().flatten().copied().collect();
-        if listed.is_empty() || is_only_in_unused(macros, names) || is_misshapen(bound) {
+        if listed.is_empty() || is_only_in_unused(macros, names) || is_misshapen(bound) || is_doubled(base, names) {
             continue;
         }
         let used: BTreeSet<i64> = macros.macrodefs.iter().filter(|m| reads(macros, m, names)).map(index).collect();
@@ -59,6 +59,11 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
         let finding = RULE.at(bound.file, Place::pointer([key, "macro_influence"]), message).key(key);
         out.push(finding.help(format!("the macrodefs that read the slider are [{right}]")));
     }
+}
+
+/// Whether another slider has the same pattern: that one of them is wrong is the fault.
+fn is_doubled(base: &Base<'_>, names: &[String]) -> bool {
+    base.sliders.iter().filter(|bound| bound.pattern.names() == names).count() > 1
 }
 
 /// Whether the schema refuses an element of the list, or the list.

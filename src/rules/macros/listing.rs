@@ -58,13 +58,19 @@ impl Slip {
 
     /// Why a name with this slip is not generated.
     pub(super) fn reason(&self, space: &Space<'_>) -> String {
+        let wanted = space.axes.len();
         match self {
             Self::Order => "has its values in another order than `comp`".to_owned(),
             Self::Value { axis, token } => {
                 let name = space.axes.get(*axis).map_or("", |axis| &axis.name);
-                format!("can never be reached: `{token}` is no value of `{name}`")
+                match token.as_str() {
+                    "" => format!("can never be reached: it has no value of `{name}`"),
+                    token => format!("can never be reached: `{token}` is no value of `{name}`"),
+                }
             }
-            Self::Parts(parts) => format!("can never be reached: it has {parts} parts, not {}", space.axes.len()),
+            Self::Parts(0) => "can never be reached: it holds no value".to_owned(),
+            Self::Parts(1) => format!("can never be reached: it has 1 part, not {wanted}"),
+            Self::Parts(parts) => format!("can never be reached: it has {parts} parts, not {wanted}"),
             Self::Other(_) => "can never be reached: its parts are no values of the components".to_owned(),
         }
     }
@@ -121,7 +127,7 @@ fn free_names(space: &Space<'_>, found: &BTreeMap<Combination, &Link>) -> Vec<St
 }
 
 fn slip(space: &Space<'_>, found: &BTreeMap<Combination, &Link>, name: &str) -> (Slip, Option<Combination>) {
-    let tokens: Vec<&str> = name.split('-').collect();
+    let tokens: Vec<&str> = name.split('-').filter(|_| !name.is_empty()).collect();
     if tokens.len() != space.axes.len() {
         return (Slip::Parts(tokens.len()), None);
     }

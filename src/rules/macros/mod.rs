@@ -12,6 +12,7 @@ mod misspelt_value;
 mod space;
 mod spelled;
 mod survey;
+mod titles;
 
 pub(super) mod alias_suspect;
 pub(super) mod ambiguous_value;

@@ -3,6 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use super::judgeable::clear_space;
 use super::space::Space;
+use super::titles;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::macro_json::{Link, Macrodef};
 use crate::repo::{Base, FileFacts, Repository};
@@ -80,7 +81,8 @@ fn report(
     let lists = other.links.contains_key(first.name.as_str());
     let verb = if lists { "lists" } else { "generates" };
     let more = if links.len() > 1 { format!(" ({} names like it)", links.len()) } else { String::new() };
-    let message = format!("macrodef `{}` {verb} `{}` too{more}", title(other), first.name);
+    let (whose, name) = (titles::macrodef(other.macrodef), titles::combination(&first.name));
+    let message = format!("macrodef {whose} {verb} {name} too{more}");
     let place = Place::Pointer(own.macrodef.link_pointer(first, "name"));
     let mut finding = RULE
         .at(file, place, message)

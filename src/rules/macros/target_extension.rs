@@ -2,6 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::links::{has_suffix, links};
+use super::titles;
 use crate::diag::{Application, Change, Evidence, Finding, Fix, FixKind, Level, Place, RuleInfo};
 use crate::formats::macro_json::{Link, Macrodef};
 use crate::repo::{Base, FileFacts, Repository};
@@ -36,7 +37,10 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
         let text = first.target.as_deref().unwrap_or_default();
         let more = if wrong.len() > 1 { format!(" ({} entries like it)", wrong.len()) } else { String::new() };
         let (message, help) = if text.is_empty() {
-            (format!("`t` of `{}` is empty{more}", first.name), "write `null` where nothing should change".to_owned())
+            (
+                format!("`t` of {} is empty{more}", titles::combination(&first.name)),
+                "write `null` where nothing should change".to_owned(),
+            )
         } else {
             let without = without_suffix(text);
             (format!("`{text}` ends in a suffix{more}"), format!("write `{without}`"))

@@ -5,6 +5,7 @@ use super::judgeable::judged_space;
 use super::listing::{Listing, Slip, Stranger};
 use super::misspelt_value::{MisspeltValue, misspelt_values, other_component};
 use super::space::Space;
+use super::titles;
 use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::macro_json::{MacroFile, Macrodef};
 use crate::repo::{Base, FileFacts, Repository};
@@ -57,10 +58,10 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
             let more =
                 if strangers.len() > 1 { format!(" ({} names like it)", strangers.len()) } else { String::new() };
             let reason = match home.and_then(|home| macros.macrodefs.get(home)) {
-                Some(home) => format!("is a combination of macrodef `{}`", home.components.join("-")),
+                Some(home) => format!("is a combination of macrodef {}", titles::macrodef(home)),
                 None => slip.reason(&space),
             };
-            let message = format!("`{}` {reason}{more}", first.link.name);
+            let message = format!("{} {reason}{more}", titles::combination(&first.link.name));
             let place = Place::Pointer(macrodef.link_pointer(first.link, "name"));
             let mut finding =
                 RULE.at(file, place, message).key(format!("{}/{}", macrodef.components.join("-"), slip.word()));
@@ -90,7 +91,7 @@ fn finding_on_value(file: &FileFacts, value: &MisspeltValue<'_>) -> Finding {
     let mut seen = BTreeSet::new();
     for (macrodef, link) in value.names.iter().filter(|(macrodef, _)| seen.insert(macrodef.index)).take(EXAMPLES) {
         let place = Place::Pointer(macrodef.link_pointer(link, "name"));
-        finding = finding.related(&file.path, place, format!("macrodef `{}`", macrodef.components.join("-")));
+        finding = finding.related(&file.path, place, format!("macrodef {}", titles::macrodef(macrodef)));
     }
     finding.evidence(Evidence::of_cases(value.names.iter().map(|(_, link)| &link.name)))
 }
@@ -117,7 +118,10 @@ fn without_components(file: &FileFacts, macrodef: &Macrodef) -> Option<Finding> 
     let names = || macrodef.links.iter().map(|link| &link.name).filter(|name| !name.is_empty());
     let first = names().next().filter(|_| file.schema.faults.is_empty())?;
     let place = Place::pointer(["macrodef", &macrodef.index.to_string()]);
-    let message = format!("`comp` is empty: `{first}` can never be reached ({} names)", names().count());
+    let message = match names().count() {
+        1 => format!("`comp` is empty: `{first}` can never be reached"),
+        count => format!("`comp` is empty: `{first}` can never be reached ({count} names like it)"),
+    };
     let finding = RULE.at(file, place, message).key(macrodef.effective_folder.clone().unwrap_or_default());
     Some(finding.help("list the components of the names in `comp`").evidence(Evidence::of_cases(names())))
 }

@@ -1,5 +1,7 @@
 //! The pattern of a component must be that of a macro slider.
 
+use std::collections::BTreeSet;
+
 use super::super::{Check, Rule, RuleCx};
 use super::component::{macro_patterns, sound_components, unknown_patterns, weigh};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, nearest};
@@ -21,6 +23,17 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Base(run),
 };
 
+fn has_doubled(base: &Base<'_>) -> bool {
+    let mut seen = BTreeSet::new();
+    macro_patterns(base).any(|pattern| !seen.insert(pattern))
+}
+
+/// Whether what follows the group is alike: the longer the group, the more the whole may differ.
+fn is_slip(written: &str, near: &str) -> bool {
+    let [written, near] = [written, near].map(|pattern| pattern.rsplit('/').next().unwrap_or_default());
+    written == near || nearest(written, [near]).is_some()
+}
+
 fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };
     for component in sound_components(file, macros) {
@@ -29,6 +42,10 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
         }
         let unknown = unknown_patterns(base, component);
         let Some(first) = unknown.first() else { continue };
+        // A slider with the name of another one leaves its own behind: `modelling-duplicate-pattern`.
+        if unknown.len() == 1 && has_doubled(base) {
+            continue;
+        }
         let name = &component.name;
         let message = match unknown.len() {
             1 => format!("no slider has the pattern `{first}` that component `{name}` reads"),
@@ -38,7 +55,7 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
         };
         let read = super::component::patterns(component);
         let free = macro_patterns(base).filter(|pattern| !read.iter().any(|own| own == pattern));
-        let help = match nearest(first, free) {
+        let help = match nearest(first, free).filter(|near| is_slip(first, near)) {
             Some(near) => format!("did you mean `{near}`?"),
             None => "write the `macro` (or `barycentric`) of an entry of `modelling.json`".to_owned(),
         };

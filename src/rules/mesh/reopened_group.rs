@@ -40,6 +40,9 @@ fn finding(file: &FileFacts, groups: &[&Reopened], faces: usize) -> Option<Findi
     let first = groups.iter().find(|group| group.strayed > 0)?;
     let lands_in = first.lands_in.first().map_or("", String::as_str);
     let message = match groups {
+        [only] if strayed == 1 => {
+            format!("group `{}` is opened again: 1 of its faces ends up in `{lands_in}`", only.name)
+        }
         [only] => format!("group `{}` is opened again: {strayed} of its faces end up in `{lands_in}`", only.name),
         _ => format!(
             "{} groups are opened again: {strayed} faces end up in another group, the first ones of `{}` in `{lands_in}`",

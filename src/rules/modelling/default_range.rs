@@ -29,7 +29,7 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
             continue;
         }
         let message = format!("`{}` has the default {default}, outside {lowest} to 1", slider.key);
-        let help = if (1.0..=100.0).contains(&default) {
+        let help = if (2.0..=100.0).contains(&default) {
             format!("values are not in percent: {} is meant?", default / 100.0)
         } else {
             format!("write a number from {lowest} to 1")

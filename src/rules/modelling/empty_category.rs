@@ -6,7 +6,7 @@ use super::super::{Check, Rule, RuleCx};
 use super::groups::{self, Groups, USER_CATEGORY};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::target_cat::Category;
-use crate::repo::{Base, FileFacts, Repository};
+use crate::repo::{Base, FileFacts, Repository, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -14,7 +14,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
         docs: "Every item of `target_cat.json` shows the sliders whose `group` equals its `group|cat`.\n\nAn item without such a slider, or a \
             category without items, is an entry that leads nowhere. A category of one's own called `User` is a \
             warning: MakeHuman 2 always replaces it with the one it generates from user targets, so its items vanish. A generated target_cat.json without it stops MakeHuman 2 at start, which is an error. An \
-            item that a misspelt slider was meant for is not reported here but with the slider.\n\nRemove the item, \
+            item that a misspelt slider was meant for is not reported here but with the slider, and one whose slider is gone \
+            with the targets that were left behind.\n\nRemove the item, \
             or give a slider its group.",
         ..RuleInfo::new("modelling-empty-category", Level::Info, "a category item has no slider")
     },
@@ -40,7 +41,7 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
             let help = "add items, or remove the category";
             out.push(RULE.at(file, Place::key([&category.name]), message).key(&category.name).help(help));
         } else if base.modelling.winner().is_some() && !base.has_unreadable_sliders() {
-            empty_items(file, base, &groups, category, out);
+            empty_items(repository, file, base, &groups, category, out);
         }
     }
 }
@@ -60,18 +61,21 @@ fn without_user(base: &Base<'_>) -> Option<Finding> {
 }
 
 fn empty_items(
+    repository: &Repository<'_>,
     file: &FileFacts,
     base: &Base<'_>,
     groups: &Groups<'_, '_>,
     category: &Category,
     out: &mut Vec<Finding>,
 ) {
+    let idle = idle_words(repository, base);
     let used: BTreeSet<&str> = base.sliders.iter().filter_map(|slider| slider.as_meant().group.as_deref()).collect();
     for (index, item) in category.items.iter().enumerate() {
         let Some(group) = category.group_of(item) else { continue };
         if used.contains(group.as_str())
             || groups.is_excused(&group)
             || groups.renamed.iter().any(|r| r.name == category.name)
+            || item.cat.as_deref().is_some_and(|cat| words(cat).any(|word| idle.contains(word)))
         {
             continue;
         }
@@ -79,6 +83,24 @@ fn empty_items(
         let place = Place::pointer([&category.name, "items", &index.to_string(), "cat"]);
         out.push(RULE.at(file, place, message).key(&group).help("remove the item, or give a slider this group"));
     }
+}
+
+/// Words of the names of targets that no slider uses: their slider is gone, and `target-unreferenced` says so.
+fn idle_words<'a>(repository: &Repository<'a>, base: &Base<'a>) -> BTreeSet<&'a str> {
+    let used: BTreeSet<&str> = repository.references_of(base).filter_map(|one| reached(&one.resolution)).collect();
+    let targets = base.targets.into_iter().flat_map(|folder| folder.targets());
+    targets.filter(|file| !used.contains(file.path.as_str())).flat_map(|file| words(file.stem())).collect()
+}
+
+fn reached<'a>(resolution: &Resolution<'a>) -> Option<&'a str> {
+    match resolution {
+        Resolution::Found(file) | Resolution::CaseOnly(file) | Resolution::Backslash(Some(file)) => Some(&file.path),
+        _ => None,
+    }
+}
+
+fn words(text: &str) -> impl Iterator<Item = &str> {
+    text.split(|letter: char| !letter.is_alphanumeric()).filter(|word| word.len() > 2)
 }
 
 fn replaced(file: &FileFacts, base: &Base<'_>, groups: &Groups<'_, '_>) -> Finding {

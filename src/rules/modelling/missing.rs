@@ -65,12 +65,17 @@ fn is_empty(repository: &Repository<'_>, folder: &str) -> bool {
     repository.strongest_first().all(|layer| layer.below(folder).next().is_none())
 }
 
-/// The file beside the missing one that is most like it, by name without folder.
+/// The file beside the missing one that is most like it, by name without folder. A target that something else uses
+/// already is not meant: the other side or the other direction often has nearly the same name.
 pub(super) fn neighbour(repository: &Repository<'_>, reference: &Reference<'_>) -> Option<String> {
     let folder = folder_of(&reference.rel);
     let wanted = reference.rel.rsplit('/').next().unwrap_or_default();
     let layers: Vec<_> = repository.strongest_first().collect();
     let files = layers.iter().flat_map(|layer| layer.below(&folder));
-    let names = files.filter(|file| !file.kind.is_json()).map(FileFacts::file_name);
+    let is_taken = |file: &FileFacts| {
+        let mut others = repository.references.iter().filter(|other| other.kind.is_target());
+        others.any(|other| matches!(other.resolution, Resolution::Found(found) if std::ptr::eq(found, file)))
+    };
+    let names = files.filter(|file| !file.kind.is_json() && !is_taken(file)).map(FileFacts::file_name);
     nearest(wanted, names).map(str::to_owned)
 }

@@ -64,7 +64,10 @@ fn help(repository: &Repository<'_>, reference: &Reference<'_>) -> String {
     } else if let Some(stem) = reference.text.strip_suffix(".target") {
         format!("write it without the suffix: `{stem}`")
     } else if let Some(near) = missing::neighbour(repository, reference) {
-        format!("did you mean `{near}`?")
+        let (folder, _) = reference.text.rsplit_once('/').unwrap_or_default();
+        let near = near.strip_suffix(".target").unwrap_or(&near);
+        let slash = if folder.is_empty() { "" } else { "/" };
+        format!("did you mean `{folder}{slash}{near}`?")
     } else {
         "correct the path, add the target, or remove the entry".to_owned()
     }

@@ -30,11 +30,13 @@ pub(super) fn lost_bones(
         for ring in hierarchy.rings.iter().filter(|ring| is_for(ring)) {
             let (Some(first), Some(key)) = (ring.bones.first(), ring.bones.iter().min()) else { continue };
             let lost: Vec<&str> = ring.bones.iter().chain(&ring.below).copied().collect();
+            // The message names the circle and counts what hangs below it.
+            let told = if ring.below.is_empty() { &ring.bones } else { &ring.below };
             let finding = rule
                 .at(rig.file, Place::pointer(["bones", first, "parent"]), message(first, ring))
                 .key(*key)
                 .help("give one bone of the circle a parent outside of it")
-                .evidence(Evidence::of_cases(&lost).out_of(rig.skeleton.bones.len()));
+                .evidence(Evidence::of_cases(told).out_of(rig.skeleton.bones.len()));
             found.push(if lost.iter().any(|bone| weighted.contains(bone)) {
                 finding
             } else {

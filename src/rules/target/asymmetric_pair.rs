@@ -28,6 +28,10 @@ fn run(repository: &Repository<'_>, _: &Base<'_>, measures: &Measures, _: &RuleC
 fn finding(repository: &Repository<'_>, pair: &PairMeasure) -> Option<Finding> {
     let left = repository.judged.files.values().find(|file| file.path == pair.left)?;
     let right = repository.judged.files.values().find(|file| file.path == pair.right)?;
+    // A side that moves nothing at all is a finding of its own.
+    if [left, right].iter().any(|file| file.target().is_some_and(|facts| facts.moving == 0)) {
+        return None;
+    }
     let on_body = pair.body.different > 0;
     let difference = if on_body { pair.body } else { pair.difference };
     let (vertex, worst) = difference.worst.filter(|_| difference.different > 0)?;

@@ -43,10 +43,13 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
         };
         let (least, most) = sums.range;
         let [far, farther] = sums.far_off;
-        let mut help = format!(
-            "sums from {least:.3} to {most:.3}; {far} are off by more than {}, {farther} by more than {}",
-            FAR_SUMS[0], FAR_SUMS[1]
-        );
+        let range = if most - least < 5e-4 {
+            format!("all of these sums are {least:.3}")
+        } else {
+            format!("sums from {least:.3} to {most:.3}")
+        };
+        let mut help =
+            format!("{range}; {far} are off by more than {}, {farther} by more than {}", FAR_SUMS[0], FAR_SUMS[1]);
         if let Some(distance) = base.mesh.and_then(|(_, mesh)| shift(mesh, vertex, sum)) {
             let _ = write!(help, "; if nobody normalised, vertex {vertex} would move by {distance:.2} units");
         }
