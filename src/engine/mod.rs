@@ -18,6 +18,7 @@ mod measure;
 mod mend;
 mod mute;
 mod outcome;
+mod parts;
 mod read;
 mod references;
 mod run;

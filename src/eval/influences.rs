@@ -77,7 +77,7 @@ impl Influences {
             let total = sum(&merged);
             let lost = sum(merged.get(limit..).unwrap_or_default()) / total;
             if merged.len() > limit {
-                result.reduced += 1;
+                result.reduced.push(vertex);
                 merged.truncate(limit);
                 if result.worst.is_none_or(|(_, worst)| lost > worst) {
                     result.worst = Some((vertex, lost));
@@ -100,7 +100,7 @@ pub struct Reduction {
     /// Largest number of bones on a vertex before.
     pub most: usize,
     /// Vertices that lost bones.
-    pub reduced: usize,
+    pub reduced: Vec<u32>,
     /// Vertex that lost the largest share of its weight, and that share (0..1).
     pub worst: Option<(u32, f32)>,
 }

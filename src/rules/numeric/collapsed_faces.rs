@@ -47,7 +47,8 @@ fn run(_: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &RuleCx<'_>,
 fn finding(base: &Base<'_>, seen: &Seen, message: &str, key: &str) -> Finding {
     let evidence = Evidence { count: seen.count as u64, ..Evidence::default() };
     at_setting(&RULE, base, seen, message)
-        .key(format!("{}/{key}", seen.name))
+        .key(key)
+        .parts(&seen.all)
         .confidence(Confidence::Medium)
         .help("look at the figure at this setting; the target overshoots, or several add up")
         .evidence(evidence.with_worst(seen.value, format!("face {}", seen.element)))
