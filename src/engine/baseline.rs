@@ -181,6 +181,29 @@ mod tests {
     }
 
     #[test]
+    fn entries_of_one_fingerprint_speak_together_and_apart() {
+        let (x, y, both) = (entry("a", &["x"]), entry("a", &["y"]), entry("a", &["x", "y"]));
+        let apart = [x.clone(), y.clone()];
+        assert_eq!(known(&apart, from_ref(&both), &[""]), (vec![true], 0));
+        assert_eq!(known(from_ref(&both), &apart, &[""]), (vec![true, true], 0));
+        assert_eq!(known(&apart, from_ref(&y), &[""]), (vec![true], 1));
+        assert_eq!(known(&apart, &[x.clone(), entry("a", &["z"])], &[""]), (vec![true, false], 1));
+        assert_eq!(known(&[x, entry("b", &["y"])], from_ref(&both), &[""]), (vec![false], 1));
+    }
+
+    #[test]
+    fn a_mass_is_written_in_rows_and_known_by_its_numbers() {
+        let numbers: Vec<String> = (100..5000).map(|number: u32| number.to_string()).collect();
+        let all: Vec<&str> = numbers.iter().map(String::as_str).collect();
+        let text = Baseline { entries: vec![entry("a", &all)] }.text();
+        assert!(text.contains("\"parts\":[\"100-4999\"]"), "{text}");
+        let file: serde_json::Value = serde_json::from_str(&text).unwrap_or_default();
+        let read: Vec<Entry> = serde_json::from_value(file["entries"].clone()).unwrap_or_default();
+        assert_eq!(known(&read, &[entry("a", &["2000", "100"])], &[""]), (vec![true], 0));
+        assert_eq!(known(&read, &[entry("a", &["2000", "99"])], &[""]).0, [false]);
+    }
+
+    #[test]
     fn each_entry_hides_one_finding() {
         let one = entry("a.target", &[]);
         assert_eq!(known(from_ref(&one), &[one.clone(), one.clone()], &[""]), (vec![true, false], 0));
