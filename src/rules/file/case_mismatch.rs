@@ -36,12 +36,16 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             let text = as_on_disk(reference).filter(|_| !is_known_by(repository, reference))?;
             Some((*reference, text))
         });
+        let mut wanted = on_disk;
         if let Some(names) = names.collect::<Option<Vec<_>>>() {
-            let fix = Fix::new(RULE.info.fix, format!("write `{on_disk}`"));
+            if let [(_, text)] = names.as_slice() {
+                wanted.clone_from(text);
+            }
+            let fix = Fix::new(RULE.info.fix, format!("write `{wanted}`"));
             let fix = names.into_iter().fold(fix, |fix, (reference, text)| written(fix, reference, Some(text)));
             finding = finding.fix(fix);
         }
-        out.push(finding.help(format!("write `{on_disk}`, or rename the file")));
+        out.push(finding.help(format!("write `{wanted}`, or rename the file")));
     }
 }
 

@@ -1,6 +1,6 @@
 //! Files of sliders that do not exist, one cause at a time: a folder that is missing as a whole is one.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::diag::nearest;
 use crate::repo::{Base, FileFacts, Reference, ReferenceKind, Repository, Resolution};
@@ -65,12 +65,22 @@ fn is_empty(repository: &Repository<'_>, folder: &str) -> bool {
     repository.strongest_first().all(|layer| layer.below(folder).next().is_none())
 }
 
-/// The file beside the missing one that is most like it, by name without folder.
+/// The file beside the missing one that is most like it, by name without folder. A target that has its slider is not
+/// meant: the one that is missing may be its sibling.
 pub(super) fn neighbour(repository: &Repository<'_>, reference: &Reference<'_>) -> Option<String> {
     let folder = folder_of(&reference.rel);
     let wanted = reference.rel.rsplit('/').next().unwrap_or_default();
     let layers: Vec<_> = repository.strongest_first().collect();
     let files = layers.iter().flat_map(|layer| layer.below(&folder));
-    let names = files.filter(|file| !file.kind.is_json()).map(FileFacts::file_name);
+    let used: BTreeSet<&str> = repository.references.iter().filter_map(|other| used_target(other)).collect();
+    let free = files.filter(|file| !file.kind.is_json() && !used.contains(file.path.as_str()));
+    let names = free.map(FileFacts::file_name);
     nearest(wanted, names).map(str::to_owned)
+}
+
+fn used_target<'a>(reference: &Reference<'a>) -> Option<&'a str> {
+    match reference.resolution {
+        Resolution::Found(file) if reference.kind.is_target() => Some(&file.path),
+        _ => None,
+    }
 }
