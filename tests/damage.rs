@@ -83,8 +83,7 @@ fn verdict(case: &Case, files: &Files, folder: &str, config: &Config) -> String 
 /// A run that fails at any finding, with a baseline of the undamaged data, written as `--write-baseline` does.
 fn with_baseline(files: &Files, folder: &str, no_eval: bool) -> Config {
     let baseline = Path::new(folder).join("known.json");
-    let config =
-        Config { no_eval, baseline: Some(baseline.clone()), fail_on: Some(Level::Info), ..Config::default() };
+    let config = Config { no_eval, baseline: Some(baseline.clone()), fail_on: Some(Level::Info), ..Config::default() };
     let healthy = run(files, folder, &Config { write_baseline: true, ..config.clone() });
     let written = healthy.baseline.unwrap();
     assert!(written.entries.len() > 1 && healthy.findings.is_empty());

@@ -77,7 +77,10 @@ fn survey(scene: &Scene, settings: &[Setting]) -> Option<SpaceMeasure> {
         let target = most_moving(scene, settings.get(setting)?, vertices)?;
         scene.targets.get(target).map(|target| target.path.clone())
     };
-    let seen = |worst: Option<Worst>, all: Vec<String>, name: &dyn Fn(usize) -> String, vertices: &dyn Fn(usize) -> Vec<u32>| {
+    let seen = |worst: Option<Worst>,
+                all: Vec<String>,
+                name: &dyn Fn(usize) -> String,
+                vertices: &dyn Fn(usize) -> Vec<u32>| {
         worst.map(|worst| Seen {
             all,
             value: worst.value,

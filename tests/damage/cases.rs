@@ -683,7 +683,10 @@ pub(crate) static NUMERIC: &[Case] = &[
         "evaluated: a target without body beside others",
         "hm08",
         &[Copy("target/hm08/genitals/penis-length-incr.target", "target/hm08/nose/nose-hump-incr.target")],
-        &["file-duplicate-content target/hm08/genitals/penis-length-incr.target", "target-moves-helpers-only target/hm08/genitals/penis-length-incr.target"],
+        &[
+            "file-duplicate-content target/hm08/genitals/penis-length-incr.target",
+            "target-moves-helpers-only target/hm08/genitals/penis-length-incr.target",
+        ],
         &[],
     ),
 ];

@@ -147,7 +147,8 @@ fn single(base: &Base<'_>, file: &FileFacts, name: &str) -> Finding {
 /// The slider that has the opposite of a target and lacks the target itself.
 fn slider_without<'a>(base: &'a Base<'_>, decr: &str) -> Option<&'a str> {
     let opposites = base.settings().map(|(_, settings)| settings.opposites.as_slice()).unwrap_or_default();
-    let names = opposites.iter().filter_map(|(less, more)| Some(format!("{}{more}", decr.strip_suffix(less.as_str())?)));
+    let names =
+        opposites.iter().filter_map(|(less, more)| Some(format!("{}{more}", decr.strip_suffix(less.as_str())?)));
     let names: Vec<String> = names.collect();
     let has_one = |incr: &String| names.contains(incr);
     let mut sliders = base.sliders.iter().map(|bound| bound.slider);
