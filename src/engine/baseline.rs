@@ -187,8 +187,9 @@ mod tests {
         assert_eq!(known(&apart, from_ref(&both), &[""]), (vec![true], 0));
         assert_eq!(known(from_ref(&both), &apart, &[""]), (vec![true, true], 0));
         assert_eq!(known(&apart, from_ref(&y), &[""]), (vec![true], 1));
-        assert_eq!(known(&apart, &[x.clone(), entry("a", &["z"])], &[""]), (vec![true, false], 1));
-        assert_eq!(known(&[x, entry("b", &["y"])], from_ref(&both), &[""]), (vec![false], 1));
+        assert_eq!(known(&apart, &[x, entry("a", &["z"])], &[""]), (vec![true, false], 1));
+        let roots = [entry("a.target", &["x"]), entry("user/a.target", &["y"])];
+        assert_eq!(known(&roots, &[entry("a.target", &["x", "y"])], &["", "user"]), (vec![false], 1));
     }
 
     #[test]
