@@ -231,6 +231,73 @@ fn a_part_of_a_known_finding_is_still_known() {
     assert_eq!(run(root, &[]).len(), 1);
 }
 
+/// Targets of a folder that nothing names are told as one, and one by one as soon as one of them is used.
+#[test]
+fn a_folder_and_its_files_are_known_by_each_other() {
+    const ONE: &str = "data/target/figure/spare/one.target";
+    const TWO: &str = "data/target/figure/spare/two.target";
+    const THREE: &str = "data/target/figure/spare/three.target";
+    let add = |root: &Path, file: &str, vertex: u32| {
+        fs::create_dir_all(root.join("data/target/figure/spare")).unwrap();
+        fs::write(root.join(file), format!("{vertex} .01 0 0\n")).unwrap();
+    };
+    let slider = |root: &Path| {
+        let entry = "{ \"Spare\": { \"name\": \"Spare\", \"group\": \"GROUP\", \"incr\": \"spare/one\" },";
+        let text = fs::read_to_string(root.join(MODELLING)).unwrap();
+        let value: serde_json::Value = serde_json::from_str(&text).unwrap();
+        let group = value.as_object().unwrap().values().find_map(|slider| slider["group"].as_str()).unwrap();
+        fs::write(root.join(MODELLING), text.replacen('{', &entry.replace("GROUP", group), 1)).unwrap();
+    };
+    let repository = example();
+    let root = repository.path();
+    add(root, ONE, 337);
+    add(root, TWO, 338);
+    add(root, THREE, 339);
+    assert_eq!(write(root, &[]).len(), 1);
+    slider(root);
+    let found = mhlint(root, &["--report", "concise", "--only", "target-unreferenced"]);
+    assert_eq!(findings(&found).len(), 2, "two are told one by one now");
+    assert_eq!(run(root, &["--only", "target-unreferenced"]), Vec::<String>::new());
+    add(root, "data/target/figure/spare/four.target", 340);
+    let new = run(root, &["--only", "target-unreferenced"]);
+    assert!(new.len() == 1 && new[0].contains("spare/four`"), "{new:?}");
+
+    let repository = example();
+    let root = repository.path();
+    add(root, ONE, 337);
+    add(root, TWO, 338);
+    add(root, THREE, 339);
+    let before = fs::read(root.join(MODELLING)).unwrap();
+    slider(root);
+    assert_eq!(write(root, &["--only", "target-unreferenced"]).len(), 2);
+    fs::write(root.join(MODELLING), before).unwrap();
+    assert_eq!(run(root, &["--only", "target-unreferenced"]).len(), 1, "the third was used");
+    fs::remove_file(root.join(ONE)).unwrap();
+    assert_eq!(run(root, &["--only", "target-unreferenced"]), Vec::<String>::new());
+}
+
+/// More vertices than anybody lists are told apart: mending one does not hide another.
+#[test]
+fn a_mass_is_told_apart() {
+    let weights = |root: &Path, wrong: std::ops::Range<u32>| {
+        let text = fs::read_to_string(root.join(WEIGHTS)).unwrap();
+        let mut file: serde_json::Value = serde_json::from_str(&text).unwrap();
+        for pair in file["weights"].as_object_mut().unwrap().values_mut().flat_map(|list| list.as_array_mut().unwrap())
+        {
+            if wrong.contains(&u32::try_from(pair[0].as_u64().unwrap()).unwrap()) {
+                pair[1] = serde_json::json!(pair[1].as_f64().unwrap() / 2.0);
+            }
+        }
+        fs::write(root.join(WEIGHTS), file.to_string()).unwrap();
+    };
+    does_not_cancel_out("weights-not-normalized", |root| weights(root, 0..300), |root| weights(root, 1..301));
+    let repository = example();
+    weights(repository.path(), 0..300);
+    let lines = write(repository.path(), &[]);
+    let entry = lines.iter().find(|line| line.contains("weights-not-normalized")).unwrap();
+    assert!(entry.ends_with("\"parts\":[\"0-299\"]}"), "{entry}");
+}
+
 #[test]
 fn stale_entries_are_told_and_pruned() {
     let repository = damaged();

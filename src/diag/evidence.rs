@@ -5,7 +5,7 @@ use serde::Serialize;
 /// How many examples a finding carries.
 pub const EXAMPLES: usize = 5;
 /// Rows of a bulk file that are told apart by name; more of them are one mass.
-const NAMED_ROWS: usize = 64;
+const NAMED_ROWS: usize = 65_536;
 
 /// What was counted.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]

@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::{Application, Confidence, Evidence, Fix, Level, Location, Place, RuleInfo};
 
 /// Parts of a finding that are told apart by name; more of them are one mass.
-const MOST_PARTS: usize = 256;
+const MOST_PARTS: usize = 65_536;
 
 /// Something wrong in an asset repository.
 #[derive(Debug, Clone, PartialEq)]
@@ -39,6 +39,9 @@ pub struct Finding {
     /// What the fingerprint names in place of [`Finding::path`] where that is only the first of several
     /// files: a folder, a base. Written as paths are.
     pub asset: Option<String>,
+    /// What the finding is a part of where its rule tells parts one by one or all together, as it comes: a folder,
+    /// written as paths are. A baseline knows it by this and by [`Finding::parts`].
+    pub whole: Option<String>,
     /// Structural names of everything that one finding speaks for, sorted. A baseline hides it only as
     /// long as nothing is among them that was not there before.
     pub parts: Vec<String>,
@@ -92,6 +95,7 @@ impl Finding {
             fix: None,
             key: String::new(),
             asset: None,
+            whole: None,
             parts: Vec::new(),
             fingerprint: String::new(),
             because: None,
@@ -117,6 +121,13 @@ impl Finding {
     pub fn asset(mut self, asset: impl Into<String>) -> Self {
         self.asset = Some(asset.into());
         self
+    }
+
+    /// Names what the finding is a part of, and which parts it speaks for, where the rule now and then tells other
+    /// parts together.
+    #[must_use]
+    pub fn part_of<T: ToString>(self, whole: impl Into<String>, parts: impl IntoIterator<Item = T>) -> Self {
+        Self { whole: Some(whole.into()), ..self.parts(parts) }
     }
 
     /// Names everything the finding speaks for, in place of the cases of its evidence. Neither numbers that

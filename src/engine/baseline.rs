@@ -6,6 +6,7 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 
 use super::outcome::Error;
+use super::parts::{Names, packed};
 use crate::source::{Folder, Limits, ReadFault, read_file};
 
 const FORMAT: &str = "mhlint-baseline/1";
@@ -29,7 +30,7 @@ pub struct Entry {
     pub key: String,
     /// What it is recognised by.
     pub fingerprint: String,
-    /// Everything it spoke for, by name; empty where that is one thing, or too many.
+    /// Everything it spoke for, by name, numbers in a row as `first-last`; empty where that is one thing.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub parts: Vec<String>,
 }
@@ -70,10 +71,11 @@ impl Baseline {
 
     /// The file: sorted, one entry a line, so that changes can be read and merged.
     pub fn text(&self) -> String {
-        let mut entries: Vec<&Entry> = self.entries.iter().collect();
+        let written = |entry: &Entry| Entry { parts: packed(&entry.parts), ..entry.clone() };
+        let mut entries: Vec<Entry> = self.entries.iter().map(written).collect();
         entries.sort();
         entries.dedup();
-        let line = |entry: &&Entry| serde_json::to_string(entry).unwrap_or_default();
+        let line = |entry: &Entry| serde_json::to_string(entry).unwrap_or_default();
         let lines: Vec<String> = entries.iter().map(line).collect();
         let list = if lines.is_empty() { "[]".to_owned() } else { format!("[\n{}\n]", lines.join(",\n")) };
         format!("{{\"format\": \"{FORMAT}\", \"entries\": {list}}}\n")
@@ -84,32 +86,51 @@ impl Baseline {
     ///
     /// Fingerprints do not depend on where a data root lies. Where several roots hold an asset of the same
     /// name the path decides; an entry of a root that is still there is not for another one.
+    ///
+    /// Several entries may have one fingerprint: what a rule tells now of each part, now of all together. Together
+    /// they speak for a finding.
     pub(super) fn compare(&self, found: &[Found], roots: &BTreeSet<String>) -> (Vec<bool>, Vec<&Entry>) {
-        let mut open: BTreeMap<&str, Vec<&Entry>> = BTreeMap::new();
-        for entry in &self.entries {
-            open.entry(&entry.fingerprint).or_default().push(entry);
+        let mut alike: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
+        for (number, entry) in self.entries.iter().enumerate() {
+            alike.entry(&entry.fingerprint).or_default().push(number);
         }
+        let mut met: Vec<Option<&str>> = vec![None; self.entries.len()];
         let mut known = vec![false; found.len()];
         for exact in [true, false] {
             for (found, known) in found.iter().zip(&mut known).filter(|(_, known)| !**known) {
-                let Some(entries) = open.get_mut(found.entry.fingerprint.as_str()) else { continue };
-                let same = |entry: &Entry| entry.path == found.entry.path;
-                let moved = |entry: &Entry| !roots.contains(root_of(&entry.path, &found.rel));
-                let fits = |entry: &&Entry| if exact { same(entry) } else { moved(entry) };
-                if let Some(at) = entries.iter().position(fits) {
-                    *known = entries.swap_remove(at).speaks_for(&found.entry);
-                }
+                let (path, rel) = (found.entry.path.as_str(), found.rel.as_str());
+                let numbers = alike.get(found.entry.fingerprint.as_str()).into_iter().flatten();
+                let fits = |entry: &Entry| {
+                    if exact { entry.path == path } else { !roots.contains(root_of(&entry.path, rel)) }
+                };
+                let entries = numbers.filter_map(|number| Some((*number, self.entries.get(*number)?)));
+                let entries: Vec<(usize, &Entry)> = entries.filter(|(_, entry)| fits(entry)).collect();
+                *known = speak_for(&entries, &found.entry, &mut met);
             }
         }
-        (known, open.into_values().flatten().collect())
+        let stale = self.entries.iter().zip(&met).filter(|(_, met)| met.is_none());
+        (known, stale.map(|(entry, _)| entry).collect())
     }
 }
 
-impl Entry {
-    /// Whether everything that a finding speaks for was there before.
-    fn speaks_for(&self, found: &Self) -> bool {
-        self.parts.is_empty() || !found.parts.is_empty() && found.parts.iter().all(|part| self.parts.contains(part))
+/// Whether everything that a finding speaks for was there before. `met` are the entries that were found again, and at
+/// which path: an entry without parts hides one finding, one with parts those of one asset.
+fn speak_for<'f>(entries: &[(usize, &Entry)], found: &'f Entry, met: &mut [Option<&'f str>]) -> bool {
+    if let Some((number, _)) = entries.iter().find(|(number, entry)| entry.parts.is_empty() && met[*number].is_none()) {
+        met[*number] = Some(&found.path);
+        return true;
     }
+    let mut told: Vec<&Entry> = Vec::new();
+    for (number, entry) in entries.iter().filter(|(_, entry)| !entry.parts.is_empty()) {
+        let names = Names::of(entry.parts.iter());
+        let is_here = met[*number].is_none_or(|path| path == found.path);
+        if is_here && (entries.len() == 1 || found.parts.iter().any(|part| names.hold(part))) {
+            met[*number] = Some(&found.path);
+            told.push(entry);
+        }
+    }
+    let names = Names::of(told.iter().flat_map(|entry| &entry.parts));
+    !found.parts.is_empty() && found.parts.iter().all(|part| names.hold(part))
 }
 
 /// The data root of an asset: its path without what lies below the root.
@@ -157,6 +178,30 @@ mod tests {
             [seen(&["x"]), seen(&["x", "y"]), seen(&["x", "z"]), seen(&[])].concat(),
             [true, true, false, false]
         );
+    }
+
+    #[test]
+    fn entries_of_one_fingerprint_speak_together_and_apart() {
+        let (x, y, both) = (entry("a", &["x"]), entry("a", &["y"]), entry("a", &["x", "y"]));
+        let apart = [x.clone(), y.clone()];
+        assert_eq!(known(&apart, from_ref(&both), &[""]), (vec![true], 0));
+        assert_eq!(known(from_ref(&both), &apart, &[""]), (vec![true, true], 0));
+        assert_eq!(known(&apart, from_ref(&y), &[""]), (vec![true], 1));
+        assert_eq!(known(&apart, &[x, entry("a", &["z"])], &[""]), (vec![true, false], 1));
+        let roots = [entry("a.target", &["x"]), entry("user/a.target", &["y"])];
+        assert_eq!(known(&roots, &[entry("a.target", &["x", "y"])], &["", "user"]), (vec![false], 1));
+    }
+
+    #[test]
+    fn a_mass_is_written_in_rows_and_known_by_its_numbers() {
+        let numbers: Vec<String> = (100..5000).map(|number: u32| number.to_string()).collect();
+        let all: Vec<&str> = numbers.iter().map(String::as_str).collect();
+        let text = Baseline { entries: vec![entry("a", &all)] }.text();
+        assert!(text.contains("\"parts\":[\"100-4999\"]"), "{text}");
+        let file: serde_json::Value = serde_json::from_str(&text).unwrap_or_default();
+        let read: Vec<Entry> = serde_json::from_value(file["entries"].clone()).unwrap_or_default();
+        assert_eq!(known(&read, &[entry("a", &["2000", "100"])], &[""]), (vec![true], 0));
+        assert_eq!(known(&read, &[entry("a", &["2000", "99"])], &[""]).0, [false]);
     }
 
     #[test]

@@ -15,10 +15,12 @@ use crate::source::{Folder, holds};
 /// A finding with the place of its asset.
 pub(super) struct Placed {
     pub(super) finding: Finding,
-    /// Printed path of the asset that the fingerprint names.
+    /// Printed path of what a baseline names: the asset of the fingerprint, or what it is a part of.
     pub(super) asset: String,
     /// The same below its data root.
     pub(super) rel: String,
+    /// Fingerprint that a baseline knows it by.
+    pub(super) known_as: String,
 }
 
 /// The baseline of a run, read before it begins.
@@ -92,8 +94,8 @@ impl Known {
         let entry = Entry {
             path: placed(&self.folder, &placed_at.asset),
             rule: finding.rule.to_owned(),
-            key: finding.key.clone(),
-            fingerprint: finding.fingerprint.clone(),
+            key: if finding.whole.is_some() { String::new() } else { finding.key.clone() },
+            fingerprint: placed_at.known_as.clone(),
             parts: finding.parts.clone(),
         };
         Found { entry, rel: placed_at.rel.clone() }

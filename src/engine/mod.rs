@@ -19,6 +19,7 @@ mod measure;
 mod mend;
 mod mute;
 mod outcome;
+mod parts;
 mod read;
 mod references;
 mod roots;

@@ -189,15 +189,22 @@ impl Reporter<'_, '_> {
     /// Fingerprints. Keys tell findings of one rule on one asset apart; the ordinal is for those that do not.
     fn identify(&self, findings: Vec<Finding>) -> Vec<Placed> {
         let mut ordinals: BTreeMap<(&str, String, String), u32> = BTreeMap::new();
+        // What names the fault may be part of the system data, such as the mesh.
+        let below = |asset: &str| {
+            let system = || self.repository.system?.relative(asset);
+            own_path(self.repository, asset).or_else(system).unwrap_or_default().to_owned()
+        };
         let identified = findings.into_iter().map(|mut finding| {
             let asset = finding.asset.clone().unwrap_or_else(|| finding.path.clone());
-            // What names the fault may be part of the system data, such as the mesh.
-            let below = || self.repository.system?.relative(&asset);
-            let rel = own_path(self.repository, &asset).or_else(below).unwrap_or_default().to_owned();
+            let rel = below(&asset);
             let ordinal = ordinals.entry((finding.rule, rel.clone(), finding.key.clone())).or_default();
             finding.fingerprint = fingerprint(finding.rule, &rel, &finding.key, *ordinal);
             *ordinal += 1;
-            Placed { finding, asset, rel }
+            let Some(whole) = finding.whole.clone() else {
+                return Placed { known_as: finding.fingerprint.clone(), finding, asset, rel };
+            };
+            let rel = below(&whole);
+            Placed { known_as: fingerprint(finding.rule, &rel, "", 0), finding, asset: whole, rel }
         });
         identified.collect()
     }

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::skeleton::PARALLEL_SINE;
-use super::survey::{DRIFT_STANDS, EXPLOSION_DIAGONALS, FLIPPED_SHARE, SHORTEST_BONE, Survey, Worst, keep};
+use super::survey::{Concerned, DRIFT_STANDS, EXPLOSION_DIAGONALS, FLIPPED_SHARE, SHORTEST_BONE, Survey, Worst, keep};
 use super::surveyor::{FaceAtRest, Surveyor, dot, flatness, stand};
 use super::vector::{Point, distance};
 use super::walk::{Stop, Walk};
@@ -38,6 +38,8 @@ struct Look<'s> {
     drifted: Option<Worst>,
     short_bone: Option<Worst>,
     flat_plane: Option<Worst>,
+    /// All joints and bones at fault, as the mesh stands.
+    lost: Concerned,
     survey: Survey,
 }
 
@@ -55,6 +57,7 @@ impl<'s> Look<'s> {
             drifted: None,
             short_bone: None,
             flat_plane: None,
+            lost: Concerned::default(),
             survey: Survey::default(),
         }
     }
@@ -117,6 +120,7 @@ impl<'s> Look<'s> {
 
     fn skeleton(&mut self) {
         (self.drifted, self.short_bone, self.flat_plane) = (None, None, None);
+        self.lost = Concerned::default();
         let positions = self.walk.positions();
         let Some((skeleton, joints)) = self.surveyor.scene.skeleton.as_ref().zip(self.surveyor.joints(positions))
         else {
@@ -127,6 +131,7 @@ impl<'s> Look<'s> {
             let value = (stand(*joint, &anchor.skin, positions) - anchor.distance) / anchor.stand;
             if value > DRIFT_STANDS {
                 keep(&mut self.drifted, one(value, anchor.joint));
+                self.lost.drifted.insert(anchor.joint);
             }
         }
         for (element, bone) in skeleton.bones.iter().enumerate() {
@@ -135,11 +140,13 @@ impl<'s> Look<'s> {
             let known = |list: &[bool]| list.get(element).is_some_and(|known| *known);
             if length < SHORTEST_BONE && !known(&self.surveyor.short_at_rest) {
                 keep(&mut self.short_bone, one(1.0 / length, element));
+                self.lost.short_bone.insert(element);
             }
             let sine = bone.plane.map_or(1.0, |plane| flatness(&joints, plane));
             // A coincidence of joints is not finite: it counts as in line.
             if !(sine > PARALLEL_SINE || known(&self.surveyor.flat_at_rest)) {
                 keep(&mut self.flat_plane, one(1.0 / sine.max(0.0), element));
+                self.lost.flat_plane.insert(element);
             }
         }
     }
@@ -153,11 +160,13 @@ impl<'s> Look<'s> {
         let collapsed = Faces::of(self.surveyor, &self.collapsed);
         if collapsed.count > 0 {
             keep(&mut self.survey.collapsed, collapsed.worst(f64::from(collapsed.count), setting));
+            self.survey.concerned.collapsed.extend(faces(self.surveyor, &self.collapsed));
         }
         let flipped = Faces::of(self.surveyor, &self.flipped);
         let share = flipped.area / self.surveyor.area;
         if share > FLIPPED_SHARE {
             keep(&mut self.survey.flipped, flipped.worst(share, setting));
+            self.survey.concerned.flipped.extend(faces(self.surveyor, &self.flipped));
         }
         self.explosion(setting);
         let pairs = [
@@ -168,6 +177,9 @@ impl<'s> Look<'s> {
         for (slot, found) in pairs {
             found.iter().for_each(|found| keep(slot, Worst { setting, ..found.clone() }));
         }
+        self.survey.concerned.drifted.extend(&self.lost.drifted);
+        self.survey.concerned.short_bone.extend(&self.lost.short_bone);
+        self.survey.concerned.flat_plane.extend(&self.lost.flat_plane);
     }
 
     fn strays(&self) -> impl Iterator<Item = (usize, Point)> {
@@ -176,9 +188,10 @@ impl<'s> Look<'s> {
     }
 
     fn non_finite(&mut self, setting: usize) -> bool {
-        let mut bad = self.strays().filter(|(_, point)| !(point[0] + point[1] + point[2]).is_finite());
-        let Some((element, _)) = bad.next() else { return false };
-        let count = 1 + bad.count();
+        let bad = self.strays().filter(|(_, point)| !(point[0] + point[1] + point[2]).is_finite());
+        let bad: Vec<usize> = bad.map(|(vertex, _)| vertex).collect();
+        let (Some(element), count) = (bad.first().copied(), bad.len()) else { return false };
+        self.survey.concerned.non_finite.extend(bad);
         keep(&mut self.survey.non_finite, Worst { value: count as f64, element, count, setting });
         true
     }
@@ -186,24 +199,30 @@ impl<'s> Look<'s> {
     fn explosion(&mut self, setting: usize) {
         let surveyor = self.surveyor;
         let mut worst = (0.0_f32, 0);
-        let mut count = 0;
+        let mut far = Vec::new();
         for (vertex, point) in self.strays() {
             let mut outside = 0.0_f32;
             for axis in 0..3 {
                 outside = outside.max(surveyor.low[axis] - point[axis]).max(point[axis] - surveyor.high[axis]);
             }
             if outside > surveyor.diagonal * EXPLOSION_DIAGONALS {
-                count += 1;
+                far.push(vertex);
                 if outside > worst.0 {
                     worst = (outside, vertex);
                 }
             }
         }
-        if count > 0 {
+        if !far.is_empty() {
             let value = f64::from(worst.0 / surveyor.diagonal);
-            keep(&mut self.survey.exploded, Worst { value, element: worst.1, count, setting });
+            keep(&mut self.survey.exploded, Worst { value, element: worst.1, count: far.len(), setting });
+            self.survey.concerned.exploded.extend(far);
         }
     }
+}
+
+/// Faces of the mesh by their numbers among the visible ones.
+fn faces<'a>(surveyor: &'a Surveyor<'_>, numbers: &'a BTreeSet<u32>) -> impl Iterator<Item = usize> + 'a {
+    numbers.iter().filter_map(|number| Some(surveyor.faces.get(*number as usize)?.face as usize))
 }
 
 fn one(value: f64, element: usize) -> Worst {

@@ -62,6 +62,8 @@ pub struct Seen {
     pub name: String,
     /// How many elements are concerned at that setting.
     pub count: usize,
+    /// All that are concerned at some setting, by name: vertices, faces with their group, groups, joints, bones.
+    pub all: Vec<String>,
     /// The setting, in the application's own slider names.
     pub setting: String,
     /// Printed path of the target that moves the element most at that setting.

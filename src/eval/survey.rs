@@ -4,6 +4,8 @@
 //! Of equally bad settings the first of the plan is kept, whatever the order in which they were looked at, so that the
 //! outcome depends neither on threads nor on the order that costs least.
 
+use std::collections::BTreeSet;
+
 /// A face whose area falls to this part of what it is on the default character, or below, has collapsed. The faces of
 /// hm08 keep more than that at every setting; two of its smallest babies' faces come below a thousandth.
 pub const COLLAPSE_RATIO: f32 = 1e-4;
@@ -33,6 +35,25 @@ pub struct Worst {
     pub setting: usize,
 }
 
+/// Everything that a survey found at fault at some setting, by number.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Concerned {
+    /// Vertices that are not finite.
+    pub non_finite: BTreeSet<usize>,
+    /// Visible faces without area.
+    pub collapsed: BTreeSet<usize>,
+    /// Visible faces that look the other way where these are too many.
+    pub flipped: BTreeSet<usize>,
+    /// Vertices far outside the box.
+    pub exploded: BTreeSet<usize>,
+    /// Joints away from their skin.
+    pub drifted: BTreeSet<usize>,
+    /// Bones without length.
+    pub short_bone: BTreeSet<usize>,
+    /// Bones whose planes have no normal.
+    pub flat_plane: BTreeSet<usize>,
+}
+
 /// What a survey found.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Survey {
@@ -50,6 +71,8 @@ pub struct Survey {
     pub short_bone: Option<Worst>,
     /// Plane whose three joints are in line; the value is 1 / sine.
     pub flat_plane: Option<Worst>,
+    /// Not only the worst of each.
+    pub concerned: Concerned,
 }
 
 impl Survey {
@@ -67,6 +90,19 @@ impl Survey {
         for (slot, found) in pairs {
             found.into_iter().for_each(|found| keep(slot, found));
         }
+        self.concerned.merge(other.concerned);
+    }
+}
+
+impl Concerned {
+    fn merge(&mut self, other: Self) {
+        self.non_finite.extend(other.non_finite);
+        self.collapsed.extend(other.collapsed);
+        self.flipped.extend(other.flipped);
+        self.exploded.extend(other.exploded);
+        self.drifted.extend(other.drifted);
+        self.short_bone.extend(other.short_bone);
+        self.flat_plane.extend(other.flat_plane);
     }
 }
 

@@ -195,14 +195,14 @@ impl Neighbours {
 }
 
 /// How far a target is from being the mirror image of another.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct MirrorDifference {
     /// Vertices moved by either target that were compared.
     pub compared: usize,
     /// Vertices moved by either target that have no partner.
     pub without_partner: usize,
     /// Compared vertices whose displacements differ by more than the tolerance.
-    pub different: usize,
+    pub different: Vec<u32>,
     /// Vertex (of the first target) and largest difference in mesh units.
     pub worst: Option<(u32, f64)>,
 }
@@ -241,6 +241,7 @@ impl<'m> MirrorComparison<'m> {
             let mirrored = self.map.partner(vertex).unwrap_or(vertex);
             self.compare(mirrored, tolerance, &mut result);
         }
+        result.different.sort_unstable();
         result
     }
 
@@ -260,7 +261,9 @@ impl<'m> MirrorComparison<'m> {
         }
         result.compared += 1;
         let distance = distance(moved, [-image[0], image[1], image[2]]);
-        result.different += usize::from(distance > tolerance || distance.is_nan());
+        if distance > tolerance || distance.is_nan() {
+            result.different.push(vertex);
+        }
         let is_worse = |(known, worst): (u32, f64)| distance > worst || (distance >= worst && vertex < known);
         if result.worst.is_none_or(is_worse) {
             result.worst = Some((vertex, distance));
@@ -409,9 +412,9 @@ mod tests {
         let map = MirrorMap::new(&[[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [7.0, 0.0, 0.0]], NO_FACES, 1e-3);
         let left = [(0, [0.5, 1.0, 0.0])];
         let same = difference(&map, &left, &[(1, [-0.5, 1.0, 0.0])], 1e-6);
-        assert_eq!((same.compared, same.different, same.worst), (1, 0, Some((0, 0.0))));
+        assert_eq!((same.compared, same.different.len(), same.worst), (1, 0, Some((0, 0.0))));
         let alone = difference(&map, &left, &left, 1e-6);
-        assert_eq!((alone.compared, alone.different), (2, 2));
+        assert_eq!((alone.compared, alone.different.len()), (2, 2));
         let odd = [(2, [1.0; 3]), (9, [1.0; 3])];
         assert_eq!(difference(&map, &odd, &odd, 1e-6).without_partner, 1);
     }
@@ -426,9 +429,9 @@ mod tests {
         let all = (0..100_u8).map(|vertex| (u32::from(vertex), [f32::from(vertex); 3]));
         for _ in 0..2 {
             let found = comparison.difference(rows.into_iter(), rows.into_iter(), 0.1);
-            assert_eq!((found.compared, found.different, found.worst), (4, 4, Some((2, 1.0))));
+            assert_eq!((found.compared, found.different.len(), found.worst), (4, 4, Some((2, 1.0))));
             let found = comparison.difference(all.clone(), rows.into_iter(), 0.1);
-            assert_eq!((found.compared, found.different), (99, 99));
+            assert_eq!((found.compared, found.different.len()), (99, 99));
         }
     }
 

@@ -174,8 +174,8 @@ mod tests {
 
     #[test]
     fn one_sided_displacement_differs_from_its_mirror_image() {
-        assert_eq!(measure(&[(0, [0.0, 1.0, 0.0])]).own_mirror.different, 2);
-        assert_eq!(measure(&[(0, [0.5, 1.0, 0.0]), (1, [-0.5, 1.0, 0.0])]).own_mirror.different, 0);
+        assert_eq!(measure(&[(0, [0.0, 1.0, 0.0])]).own_mirror.different.len(), 2);
+        assert_eq!(measure(&[(0, [0.5, 1.0, 0.0]), (1, [-0.5, 1.0, 0.0])]).own_mirror.different.len(), 0);
     }
 
     #[test]

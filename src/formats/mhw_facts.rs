@@ -64,8 +64,9 @@ pub struct SumFacts {
     pub range: (f32, f32),
     /// The vertex farthest from 1, and its sum.
     pub worst: Option<(u32, f32)>,
-    /// The first few.
-    pub first: Vec<u32>,
+    /// All of them.
+    #[serde(skip)]
+    pub vertices: Vec<u32>,
 }
 
 /// Counts pairs: how many, the first few as bone and position.
@@ -83,7 +84,7 @@ pub struct PairTally {
 }
 
 /// Pairs that are told apart by name; more of them are one mass.
-const NAMED_PAIRS: usize = 64;
+const NAMED_PAIRS: usize = 65_536;
 
 impl PairTally {
     fn add(&mut self, bone: &str, pair: Pair) {
@@ -228,9 +229,7 @@ impl SumFacts {
         if self.worst.is_none_or(|(_, worst)| deviation > (worst - 1.0).abs()) {
             self.worst = Some((vertex, sum));
         }
-        if self.first.len() < EXAMPLES {
-            self.first.push(vertex);
-        }
+        self.vertices.push(vertex);
     }
 }
 
@@ -261,6 +260,6 @@ mod tests {
         let text = r#"{"weights": {"a": [[0, 1], [1, 0.75], [2, 0.995], [3, 0.99995], [5, 0]], "b": [[1, 0.5]]}}"#;
         let sum = weights(text, 6).facts.sum;
         assert_eq!((sum.off, sum.far_off, sum.worst), (2, [1, 1], Some((1, 1.25))));
-        assert_eq!((sum.unweighted, sum.first, sum.range), (vec![4, 5], vec![1, 2], (0.995, 1.25)));
+        assert_eq!((sum.unweighted, sum.vertices, sum.range), (vec![4, 5], vec![1, 2], (0.995, 1.25)));
     }
 }

@@ -3,6 +3,9 @@
 #
 #   tests/browser/run.sh [FOLDER]     screenshots go to FOLDER (target/browser/shots)
 #
+# With MHLINT_DAMAGED=FOLDER it reads the reports of the damaged copies as well that `cargo test --test damage` wrote
+# there under the same variable: all nine of each must tell the same findings.
+#
 # Prepares what it needs below target/browser: Chromium by apt where it is missing and we are root, drivers and
 # validators from npm and PyPI. Skips with a line where that is not possible.
 set -euo pipefail
@@ -27,8 +30,8 @@ mkdir -p "$work" "$shots"
 cp tests/browser/package.json "$work/"
 [ -d "$work/node_modules/axe-core" ] || (cd "$work" && npm install --no-audit --no-fund --silent)
 [ -x "$work/venv/bin/python" ] || python3 -m venv "$work/venv"
-"$work/venv/bin/python" -c 'import html5lib, junitparser' 2>/dev/null ||
-    "$work/venv/bin/pip" install --quiet html5lib==1.1 junitparser==5.0.3
+"$work/venv/bin/python" -c 'import html5lib, jsonschema, junitparser' 2>/dev/null ||
+    "$work/venv/bin/python" -m pip install --quiet html5lib==1.1 jsonschema==4.23.0 junitparser==5.0.3
 
 # MHLINT names a binary that is built already.
 [ -n "${MHLINT:-}" ] || cargo build --quiet
@@ -56,3 +59,12 @@ for name in "${reports[@]}"; do
     "$work/node_modules/.bin/html-validate" --config tests/browser/htmlvalidate.json "$work/$name.html"
 done
 NODE_PATH="$work/node_modules" node tests/browser/report.cjs "$work" "$shots" "${reports[@]}"
+
+if [ -n "${MHLINT_DAMAGED:-}" ] && [ -d "$MHLINT_DAMAGED" ]; then
+    "$work/venv/bin/python" tests/browser/copies.py tests/schemas/sarif-2.1.0.json "$MHLINT_DAMAGED"
+    pages=("$MHLINT_DAMAGED"/*/report.html)
+    "$work/node_modules/.bin/html-validate" --config tests/browser/htmlvalidate.json "${pages[@]}"
+    NODE_PATH="$work/node_modules" node tests/browser/console.cjs "${pages[@]}"
+else
+    echo "skipped: the reports of the damaged copies (MHLINT_DAMAGED is not set)"
+fi

@@ -8,7 +8,7 @@ pub(crate) struct Case {
     pub(crate) damage: &'static [Edit],
     /// `rule path` of every finding that the undamaged data do not have, sorted.
     pub(crate) fresh: &'static [&'static str],
-    /// `rule path` of every finding that is no longer there, sorted.
+    /// `rule asset` of every finding that is no longer there at all, sorted.
     pub(crate) gone: &'static [&'static str],
     /// What the message of a new finding holds: the setting of the sliders that shows it.
     pub(crate) says: &'static str,
@@ -98,14 +98,13 @@ const OF_EVALUATED_MACROS: &[&str] = &[
     "numeric-dead-range target/hm08/macro.json",
     "numeric-dead-range target/hm08/macro.json",
     "numeric-threshold-loss target/hm08/macro.json",
-    "target-asymmetric target/hm08",
 ];
 
 /// All that is said of sliders, evaluated ones included: gone without `modelling.json`.
 const OF_SLIDERS: &[&str] = &[
     "base-barycentric-presets base/hm08/base.json",
     "base-unknown-preset base/hm08/base.json",
-    "file-unreferenced target/hm08/icons/bodyshapes-elvs-man-diamond.png",
+    "file-unreferenced target/hm08/icons",
     "macro-missing-combination target/hm08/macro.json",
     "macro-missing-combination target/hm08/macro.json",
     "macro-missing-combination target/hm08/macro.json",
@@ -116,11 +115,10 @@ const OF_SLIDERS: &[&str] = &[
     "numeric-dead-range target/hm08/macro.json",
     "numeric-dead-range target/hm08/macro.json",
     "numeric-threshold-loss target/hm08/macro.json",
-    "target-asymmetric target/hm08",
     "target-asymmetric-pair target/hm08/armslegs/l-foot-trans-backward.target",
     "target-asymmetric-pair target/hm08/armslegs/l-foot-trans-forward.target",
     "target-asymmetric-pair target/hm08/eyes/l-eye-corner1-up.target",
-    "target-moves-helpers-only target/hm08/genitals/penis-length-incr.target",
+    "target-moves-helpers-only data",
 ];
 
 /// All that is said of the mesh and of what moves it: gone without a mesh.
@@ -134,11 +132,11 @@ const OF_MESH: &[&str] = &[
     "numeric-dead-range target/hm08/macro.json",
     "numeric-dead-range target/hm08/macro.json",
     "numeric-threshold-loss target/hm08/macro.json",
-    "target-asymmetric target/hm08",
+    "target-asymmetric data",
     "target-asymmetric-pair target/hm08/armslegs/l-foot-trans-backward.target",
     "target-asymmetric-pair target/hm08/armslegs/l-foot-trans-forward.target",
     "target-asymmetric-pair target/hm08/eyes/l-eye-corner1-up.target",
-    "target-moves-helpers-only target/hm08/genitals/penis-length-incr.target",
+    "target-moves-helpers-only data",
     "weights-not-normalized rigs/hm08/default_weights.mhw",
     "weights-too-many-influences rigs/hm08/default_weights.mhw",
 ];
@@ -286,12 +284,17 @@ pub(crate) static CASES: &[Case] = &[
     case("a contarget macro.json in other capitals beside its sliders", "hm08", &[Copy("target/hm08/macro.json", "contarget/hm08/Macro.json"), Copy("target/hm08/modelling.json", "contarget/hm08/modelling.json")], &["file-case-mismatch contarget/hm08/Macro.json", "modelling-measure contarget/hm08/modelling.json", "modelling-measure contarget/hm08/modelling.json", "modelling-measure contarget/hm08/modelling.json"], &["modelling-measure target/hm08/modelling.json", "modelling-measure target/hm08/modelling.json", "modelling-measure target/hm08/modelling.json"]),
     case("macro.json in other capitals", "hm08", &[Rename("target/hm08/macro.json", "target/hm08/Macro.json")], &["file-case-mismatch target/hm08/Macro.json"], OF_MACROS),
     case("macro.json that is gone", "hm08", &[Remove("target/hm08/macro.json")], &["base-missing-file target/hm08/macro.json"], OF_MACROS),
-    case("modelling.json that is gone", "hm08", &[Remove("target/hm08/modelling.json")], &["base-missing-file target/hm08/modelling.json"], &["base-barycentric-presets base/hm08/base.json", "base-unknown-preset base/hm08/base.json", "file-unreferenced target/hm08/icons/bodyshapes-elvs-man-diamond.png", "macro-missing-combination target/hm08/macro.json", "macro-missing-combination target/hm08/macro.json", "macro-missing-combination target/hm08/macro.json", "modelling-measure target/hm08/modelling.json", "modelling-measure target/hm08/modelling.json", "modelling-measure target/hm08/modelling.json"]),
+    case("modelling.json that is gone", "hm08", &[Remove("target/hm08/modelling.json")], &["base-missing-file target/hm08/modelling.json"], &["base-barycentric-presets base/hm08/base.json", "base-unknown-preset base/hm08/base.json", "file-unreferenced target/hm08/icons", "macro-missing-combination target/hm08/macro.json", "macro-missing-combination target/hm08/macro.json", "macro-missing-combination target/hm08/macro.json", "modelling-measure target/hm08/modelling.json", "modelling-measure target/hm08/modelling.json", "modelling-measure target/hm08/modelling.json"]),
     case("target_cat.json that is gone", "hm08", &[Remove("target/hm08/target_cat.json")], &["modelling-unknown-group target/hm08/modelling.json"], &[]),
     case("decr that is gone from a pair with a partner", "hm08", &[Replace("target/hm08/modelling.json", "\"decr\": \"eyes/l-eye-bag-decr\",", "")], &["modelling-unknown-symmetry target/hm08/modelling.json"], &[]),
     case("incr that is gone from a pair with a partner", "hm08", &[Replace("target/hm08/modelling.json", "\"incr\": \"eyes/l-eye-bag-incr\",", "")], &["modelling-decr-only target/hm08/modelling.json"], &[]),
     case("decr that is gone from a pair", "hm08", &[Replace("target/hm08/modelling.json", "\"decr\": \"nose/nose-hump-decr\",", "")], &["target-unreferenced target/hm08/nose/nose-hump-decr.target"], &[]),
     case("a slider that is gone", "hm08", &[Replace("target/hm08/modelling.json", "\"Nose Hump\": {\n\t\t\"name\": \"Hump\",\n\t\t\"group\": \"face|nose features\",\n\t\t\"icon\": \"nose-hump-decr-incr.png\",\n\t\t\"decr\": \"nose/nose-hump-decr\",\n\t\t\"incr\": \"nose/nose-hump-incr\"\n\t},", "")], &["target-unreferenced target/hm08/nose/nose-hump-incr.target"], &[]),
+    case("an unnormalised vertex beside thousands", "hm08", &[Replace("rigs/hm08/default_weights.mhw", "[66, 1.0]", "[66, 0.5]")], &["weights-not-normalized rigs/hm08/default_weights.mhw"], &[]),
+    case("an unused macro target beside others", "hm08", &[Write("target/hm08/macro_fembreast/stray.target", b"1 0 0 .1\n")], &["macro-unreferenced-target target/hm08/macro_fembreast/stray.target"], &[]),
+    case("a suspect alias beside others", "hm08", &[Replace("target/hm08/macro.json", "\"t\": \"child-minmuscle-averageweight-maxcup-averagefirmness\"", "\"t\": \"child-minmuscle-maxweight-maxcup-averagefirmness\"")], &["macro-alias-suspect target/hm08/macro.json", "macro-unreferenced-target target/hm08/macro_fembreast/child-minmuscle-averageweight-maxcup-averagefirmness.target"], &[]),
+    case("a missing combination beside hundreds", "hm08", &[Replace("target/hm08/macro.json", "{ \"name\": \"female-child-minmuscle-averageweight-maxcup-averagefirmness\",\t\"t\": \"child-minmuscle-averageweight-maxcup-averagefirmness\" },", "")], &["macro-missing-combination target/hm08/macro.json"], &[]),
+    case("a third target of the same displacement", "hm08", &[Copy("target/hm08/armslegs/upperlegs-height-incr.target", "target/hm08/armslegs/upperlegs-height-decr.target")], &["file-duplicate-content target/hm08/armslegs/upperlegs-height-decr.target"], &["file-duplicate-content target/hm08/armslegs/upperlegs-height-incr.target"]),
     case("line ends of Windows", "mh2bot", &[Replace("target/mh2bot/armslegs/upperarms-length-incr.target", "1628 0 -3.303 0\n", "1628 0 -3.303 0\r\n")], &[], &[]),
 ];
 
@@ -606,8 +609,8 @@ pub(crate) static NUMERIC: &[Case] = &[
         &[
             "base-barycentric-presets base/hm08/base.json",
             "base-unknown-preset base/hm08/base.json",
-            "target-asymmetric target/hm08",
-            "target-moves-helpers-only target/hm08/genitals/penis-length-incr.target",
+            "target-asymmetric data",
+            "target-moves-helpers-only data",
             "weights-too-many-influences rigs/hm08/default_weights.mhw",
         ],
     ),
@@ -641,6 +644,30 @@ pub(crate) static NUMERIC: &[Case] = &[
         "hm08",
         &[Replace("target/hm08/macro.json", "\"name\": \"african-female-baby\"", "\"name\": \"african-baby-female\"")],
         &["macro-unexpected-combination target/hm08/macro.json"],
+        &[],
+    ),
+    case(
+        "evaluated: an uneven vertex in a pair that is uneven already",
+        "hm08",
+        &[Replace("target/hm08/eyes/l-eye-corner1-up.target", "6790 .001 .006 0", "6790 .001 .106 0")],
+        &["target-asymmetric-pair target/hm08/eyes/l-eye-corner1-up.target"],
+        &[],
+    ),
+    case(
+        "evaluated: an uneven target beside others",
+        "hm08",
+        &[Replace("target/hm08/nose/nose-hump-incr.target", "109 0 -.008 0", "109 0 -.058 0")],
+        &["target-asymmetric target/hm08"],
+        &[],
+    ),
+    case(
+        "evaluated: a target without body beside others",
+        "hm08",
+        &[Copy("target/hm08/genitals/penis-length-incr.target", "target/hm08/nose/nose-hump-incr.target")],
+        &[
+            "file-duplicate-content target/hm08/genitals/penis-length-incr.target",
+            "target-moves-helpers-only target/hm08/genitals/penis-length-incr.target",
+        ],
         &[],
     ),
 ];

@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use super::links::{MacroLink, has_suffix, links, nearest_file};
 use crate::diag::{Application, Evidence, Finding, Level, RuleInfo};
-use crate::repo::{Base, Repository};
+use crate::repo::{Base, FileFacts, Repository, Resolution};
 use std::collections::BTreeMap;
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -33,11 +33,17 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
     for (rel, links) in by_file {
         let Some(first) = links.first() else { continue };
         let more = if links.len() > 1 { format!(", which {} combinations use", links.len()) } else { String::new() };
-        let help = match nearest_file(base, first.reference) {
+        // A file that the combination of its own name uses is not meant.
+        let own = |near: &FileFacts| all.iter().any(|link| link.link.name == near.stem() && leads_to(link, near));
+        let help = match nearest_file(base, first.reference).filter(|near| !own(near)) {
             Some(near) => format!("did you mean `{}`?", near.stem()),
             None => "correct the name, add the file, or write `null` where nothing should change".to_owned(),
         };
         let finding = RULE.at(file, first.place(), format!("there is no `{rel}`{more}")).key(rel).help(help);
         out.push(finding.evidence(Evidence::of_cases(links.iter().map(|link| &link.link.name))));
     }
+}
+
+fn leads_to(link: &MacroLink<'_>, file: &FileFacts) -> bool {
+    matches!(link.reference.resolution, Resolution::Found(found) if std::ptr::eq(found, file))
 }

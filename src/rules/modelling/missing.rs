@@ -1,6 +1,6 @@
 //! Files of sliders that do not exist, one cause at a time: a folder that is missing as a whole is one.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::diag::nearest;
 use crate::repo::{Base, FileFacts, Reference, ReferenceKind, Repository, Resolution};
@@ -72,10 +72,15 @@ pub(super) fn neighbour(repository: &Repository<'_>, reference: &Reference<'_>) 
     let wanted = reference.rel.rsplit('/').next().unwrap_or_default();
     let layers: Vec<_> = repository.strongest_first().collect();
     let files = layers.iter().flat_map(|layer| layer.below(&folder));
-    let is_taken = |file: &FileFacts| {
-        let mut others = repository.references.iter().filter(|other| other.kind.is_target());
-        others.any(|other| matches!(other.resolution, Resolution::Found(found) if std::ptr::eq(found, file)))
-    };
-    let names = files.filter(|file| !file.kind.is_json() && !is_taken(file)).map(FileFacts::file_name);
+    let used: BTreeSet<&str> = repository.references.iter().filter_map(|other| used_target(other)).collect();
+    let free = files.filter(|file| !file.kind.is_json() && !used.contains(file.path.as_str()));
+    let names = free.map(FileFacts::file_name);
     nearest(wanted, names).map(str::to_owned)
+}
+
+fn used_target<'a>(reference: &Reference<'a>) -> Option<&'a str> {
+    match reference.resolution {
+        Resolution::Found(file) if reference.kind.is_target() => Some(&file.path),
+        _ => None,
+    }
 }

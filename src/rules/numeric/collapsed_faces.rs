@@ -29,26 +29,32 @@ fn run(_: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &RuleCx<'_>,
     if let Some(seen) = untold(base, space, space.collapsed.as_ref()) {
         let (faces, lose) = if seen.count == 1 { ("face", "loses its") } else { ("faces", "lose their") };
         let message = format!("{} {faces} of `{}` {lose} area", seen.count, seen.name);
-        out.push(finding(base, seen, &message, "collapsed"));
+        let evidence = Evidence { examples: vec![format!("face {}", seen.element)], ..evidence(seen) };
+        out.push(finding(base, seen, &message, "collapsed").evidence(evidence));
     }
     if let Some(seen) = untold(base, space, space.flipped.as_ref()) {
         let share = percent(seen.value);
         let message =
             format!("{} faces of `{}`, {share} of the visible area, look the other way", seen.count, seen.name);
         out.push(
-            finding(base, seen, &message, "flipped").breaks(
-                Application::Makehuman2,
-                "shows the inside of the skin, or holes where back faces are not drawn",
-            ),
+            finding(base, seen, &message, "flipped")
+                .evidence(evidence(seen).with_worst(seen.value, format!("face {}", seen.element)))
+                .breaks(
+                    Application::Makehuman2,
+                    "shows the inside of the skin, or holes where back faces are not drawn",
+                ),
         );
     }
 }
 
 fn finding(base: &Base<'_>, seen: &Seen, message: &str, key: &str) -> Finding {
-    let evidence = Evidence { count: seen.count as u64, ..Evidence::default() };
     at_setting(&RULE, base, seen, message)
-        .key(format!("{}/{key}", seen.name))
+        .key(key)
+        .parts(&seen.all)
         .confidence(Confidence::Medium)
         .help("look at the figure at this setting; the target overshoots, or several add up")
-        .evidence(evidence.with_worst(seen.value, format!("face {}", seen.element)))
+}
+
+fn evidence(seen: &Seen) -> Evidence {
+    Evidence { count: seen.count as u64, ..Evidence::default() }
 }

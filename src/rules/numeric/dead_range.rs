@@ -40,7 +40,7 @@ fn run(_: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &RuleCx<'_>,
         let message = format!("macrodef `{}` applies nothing {}", title(macrodef), parts.join(", nor "));
         let place = Place::pointer(["macrodef", &macrodef.index.to_string(), "comp"]);
         let finding = RULE.at(file, place, message).key(title(macrodef)).evidence(Evidence::of_cases(&parts));
-        let finding = finding.parts(ranges.iter().map(|range| format!("{}: {}", range.position, range.from)));
+        let finding = finding.parts(ranges.iter().flat_map(|range| dead_values(macros, range)));
         out.push(if is_wide {
             finding.help("list the combinations, or write `null` where no shape is meant")
         } else {
@@ -49,6 +49,13 @@ fn run(_: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &RuleCx<'_>,
             finding.help("nothing needs to be done if no shape is meant there")
         });
     }
+}
+
+/// The values of a stretch, each with its component: their names stay when steps move.
+fn dead_values(macros: &MacroFile, range: &DeadRange) -> Vec<String> {
+    let Some((_, component)) = component(macros, range.macrodef, range.position) else { return Vec::new() };
+    let values = range.values.iter().filter_map(|value| component.values.get(*value));
+    values.map(|value| format!("{}: {value}", component.name)).collect()
 }
 
 /// `at … = 0 (value baby: 54 combinations not listed)`. `None` where the steps themselves are at fault.

@@ -32,7 +32,7 @@ fn run(_: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &RuleCx<'_>,
     );
     out.push(
         at_setting(&RULE, base, seen, &message)
-            .key(&seen.name)
+            .parts(&seen.all)
             .confidence(Confidence::Medium)
             .help("move joint cube and skin together")
             .evidence(Evidence { count: seen.count as u64, ..Evidence::default() }.with_worst(seen.value, &*seen.name)),

@@ -111,6 +111,7 @@ mod tests {
             element: 0,
             name: String::new(),
             count: 1,
+            all: Vec::new(),
             setting: String::new(),
             target: Some(target.to_owned()),
         })

@@ -36,6 +36,7 @@ fn run(_: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &RuleCx<'_>,
         out.push(
             at_setting(&RULE, base, seen, &message)
                 .key("vertices")
+                .parts(&seen.all)
                 .help("look for displacements that add up beyond all measure")
                 .evidence(Evidence { count: seen.count as u64, ..Evidence::default() }),
         );
@@ -47,7 +48,8 @@ fn run(_: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &RuleCx<'_>,
             format!("the rotation plane of bone `{}` has no normal: its three joints lie in one line", seen.name);
         out.push(
             at_setting(&RULE, base, seen, &message)
-                .key(&seen.name)
+                .key("planes")
+                .parts(&seen.all)
                 .help("let the target move the joint cubes with the limb, so that the joints keep an angle")
                 .evidence(
                     Evidence { count: 1, ..Evidence::default() }.with_worst(1.0 / seen.value, "sine of the angle"),

@@ -30,7 +30,7 @@ fn run(_: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &RuleCx<'_>,
     let message = format!("bone `{}` has no length ({length:.6})", seen.name);
     out.push(
         at_setting(&RULE, base, seen, &message)
-            .key(&seen.name)
+            .parts(&seen.all)
             .help("let the target move the joint cubes at both ends with the limb")
             .evidence(Evidence { count: 1, ..Evidence::default() }.with_worst(length, &*seen.name)),
     );

@@ -41,11 +41,12 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, measures: &Measures, cx: &R
     for target in measures.targets.iter().filter(|target| !is_meant(base, &target.name)) {
         let Some(file) = repository.judged.files.values().find(|file| file.path == target.path) else { continue };
         judged += 1;
-        let mirror = target.own_mirror;
-        if mirror.different == 0 || is_told_by_zeros(&zeros, file, mirror.different) || is_told_by_cubes(target) {
+        let mirror = &target.own_mirror;
+        let different = mirror.different.len();
+        if different == 0 || is_told_by_zeros(&zeros, file, different) || is_told_by_cubes(target) {
             continue;
         }
-        if mirror.different as f64 > share * mirror.compared as f64 {
+        if different as f64 > share * mirror.compared as f64 {
             out.extend(one_sided(repository, file, target));
         } else {
             slight.push((file, target));
@@ -71,20 +72,23 @@ fn is_told_by_zeros(zeros: &ZeroRows<'_>, file: &FileFacts, different: usize) ->
 /// Whether the vertices that differ can be those of torn joint cubes: `target-splits-joint-cube` names the target.
 fn is_told_by_cubes(target: &TargetMeasure) -> bool {
     const CORNERS: usize = 8;
-    target.own_mirror.different <= CORNERS * target.torn.len()
+    target.own_mirror.different.len() <= CORNERS * target.torn.len()
 }
 
 fn one_sided(repository: &Repository<'_>, file: &FileFacts, target: &TargetMeasure) -> Option<Finding> {
-    let mirror = target.own_mirror;
+    let mirror = &target.own_mirror;
+    let different = mirror.different.len();
     let (vertex, worst) = mirror.worst?;
     let shown = shown_by(repository, file).map(|setting| format!(" (seen at {setting})")).unwrap_or_default();
     let message = format!(
-        "not symmetric: {} of {} vertices differ from their mirror image, most vertex {vertex} by {worst:.3} units{shown}",
-        mirror.different, mirror.compared
+        "not symmetric: {different} of {} vertices differ from their mirror image, most vertex {vertex} by {worst:.3} \
+         units{shown}",
+        mirror.compared
     );
-    let evidence = Evidence { count: mirror.different as u64, ..Evidence::default() }.out_of(mirror.compared);
+    let evidence = Evidence { count: different as u64, ..Evidence::default() }.out_of(mirror.compared);
     Some(
         RULE.at(file, Place::File, message)
+            .parts(&mirror.different)
             .help("make it symmetric, name the side, or add the ending to `nonsym` under `random` of base.json")
             .evidence(evidence.with_worst(worst, format!("vertex {vertex}"))),
     )
@@ -106,7 +110,7 @@ fn uneven(
         target.name
     );
     let evidence = Evidence::of_cases(slight.iter().map(|(_, target)| {
-        format!("{} ({} of {})", target.name, target.own_mirror.different, target.own_mirror.compared)
+        format!("{} ({} of {})", target.name, target.own_mirror.different.len(), target.own_mirror.compared)
     }));
     let finding = match slight {
         [_] => RULE.at(file, Place::File, message),

@@ -32,21 +32,22 @@ fn finding(repository: &Repository<'_>, pair: &PairMeasure) -> Option<Finding> {
     if [left, right].iter().any(|file| file.target().is_some_and(|facts| facts.moving == 0)) {
         return None;
     }
-    let on_body = pair.body.different > 0;
-    let difference = if on_body { pair.body } else { pair.difference };
-    let (vertex, worst) = difference.worst.filter(|_| difference.different > 0)?;
+    let on_body = !pair.body.different.is_empty();
+    let difference = if on_body { &pair.body } else { &pair.difference };
+    let different = difference.different.len();
+    let (vertex, worst) = difference.worst.filter(|_| different > 0)?;
     let on = if on_body { "vertices of the body differ" } else { "vertices differ, all on helpers" };
     let shown = shown_by(repository, left).map(|setting| format!(" (seen at {setting})")).unwrap_or_default();
     let message = format!(
-        "not the mirror image of `{}`: {} of {} {on}, most vertex {vertex} by {worst:.3} units{shown}",
+        "not the mirror image of `{}`: {different} of {} {on}, most vertex {vertex} by {worst:.3} units{shown}",
         right.file_name(),
-        difference.different,
         difference.compared,
     );
     let place = Place::Element(Element { kind: "vertex", index: u64::from(vertex) });
-    let evidence = Evidence { count: difference.different as u64, ..Evidence::default() };
+    let evidence = Evidence { count: different as u64, ..Evidence::default() };
     let finding = RULE
         .at(left, place, message)
+        .parts(&difference.different)
         .related(&right.path, Place::File, "its partner")
         .help("mirror one of the two and save it over the other")
         .evidence(evidence.out_of(difference.compared).with_worst(worst, format!("vertex {vertex}")));

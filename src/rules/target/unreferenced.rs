@@ -48,8 +48,11 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
         } else {
             out.extend(in_pairs(base, &files).into_iter().map(|(file, decr)| {
                 let name = folder.name_of(file).unwrap_or_default();
-                decr.and_then(|decr| folder.name_of(decr))
-                    .map_or_else(|| single(file, name), |decr| pair(file, name, decr))
+                let parts = [Some(file), decr].into_iter().flatten().map(FileFacts::file_name);
+                let finding = decr
+                    .and_then(|decr| folder.name_of(decr))
+                    .map_or_else(|| single(base, file, name), |decr| pair(file, name, decr));
+                finding.part_of(folder.layer.display(path), parts)
             }));
         }
     }
@@ -127,10 +130,16 @@ fn pair(file: &FileFacts, incr: &str, decr: &str) -> Finding {
 fn whole_folder(layer: &Layer, path: &str, files: &[&FileFacts]) -> Finding {
     let message = format!("no slider and no macro uses any of the {} targets of this folder", files.len());
     let evidence = Evidence::of_cases(files.iter().map(|file| file.file_name())).out_of(files.len());
-    RULE.in_layer(layer, path, message).help("add sliders to modelling.json, or remove the folder").evidence(evidence)
+    RULE.in_layer(layer, path, message)
+        .part_of(layer.display(path), files.iter().map(|file| file.file_name()))
+        .help("add sliders to modelling.json, or remove the folder")
+        .evidence(evidence)
 }
 
-fn single(file: &FileFacts, name: &str) -> Finding {
-    RULE.at(file, Place::File, format!("no slider and no macro uses `{name}`"))
-        .help(format!("add a slider with `\"incr\": \"{name}\"` to modelling.json, or remove the file"))
+fn single(base: &Base<'_>, file: &FileFacts, name: &str) -> Finding {
+    let finding = RULE.at(file, Place::File, format!("no slider and no macro uses `{name}`"));
+    finding.help(match usage::slider_without(base, name) {
+        Some(key) => format!("add `\"decr\": \"{name}\"` to the slider `{key}` in modelling.json, or remove the file"),
+        None => format!("add a slider with `\"incr\": \"{name}\"` to modelling.json, or remove the file"),
+    })
 }

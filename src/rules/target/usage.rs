@@ -85,3 +85,14 @@ pub(super) fn is_in_macro_folder(base: &Base<'_>, name: &str) -> bool {
 pub(super) fn is_missed(repository: &Repository<'_>, base: &Base<'_>, rel: &str) -> bool {
     repository.references_of(base).any(|reference| reference.kind.is_target() && reference.rel == rel)
 }
+
+/// The slider that has the opposite of a target and lacks the target itself.
+pub(super) fn slider_without<'a>(base: &'a Base<'_>, decr: &str) -> Option<&'a str> {
+    let opposites = base.settings().map(|(_, settings)| settings.opposites.as_slice()).unwrap_or_default();
+    let names =
+        opposites.iter().filter_map(|(less, more)| Some(format!("{}{more}", decr.strip_suffix(less.as_str())?)));
+    let names: Vec<String> = names.collect();
+    let has_one = |incr: &String| names.contains(incr);
+    let mut sliders = base.sliders.iter().map(|bound| bound.slider);
+    sliders.find(|own| own.decr.is_none() && own.incr.as_ref().is_some_and(has_one)).map(|own| own.key.as_str())
+}

@@ -10,7 +10,7 @@ use crate::rules::RuleCx;
 pub(super) struct Loss<'a> {
     pub(super) file: &'a FileFacts,
     /// Vertices that lose something.
-    pub(super) vertices: usize,
+    pub(super) vertices: Vec<u32>,
     /// The vertex that is pulled farthest.
     pub(super) vertex: u32,
     /// Share of its weight, 0..1.
@@ -30,6 +30,7 @@ pub(super) fn noticeable_loss<'a>(repository: &Repository<'a>, base: &Base<'a>, 
         Some((*vertex, *share, pull))
     });
     let (vertex, share, pull) = losses.max_by(|a, b| a.2.total_cmp(&b.2))?;
-    let loss = Loss { file, vertices: weights.facts.lost.len(), vertex, share, pull };
+    let loss =
+        Loss { file, vertices: weights.facts.lost.iter().map(|(vertex, _)| *vertex).collect(), vertex, share, pull };
     (pull >= cx.option(&RULE, "distance") / 10.0).then_some(loss)
 }

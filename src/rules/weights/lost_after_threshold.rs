@@ -29,7 +29,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(repository: &Repository<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(loss) = noticeable_loss(repository, base, cx) else { return };
-    let (losing, vertex) = (loss.vertices, loss.vertex);
+    let (losing, vertex) = (loss.vertices.len(), loss.vertex);
     let message = format!(
         "{} to the threshold 0.0001, most vertex {vertex}: {:.2} % of its weight, which pulls it {:.4} units towards the \
          origin",
@@ -44,6 +44,7 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut 
     out.push(
         RULE.at(loss.file, place, message)
             .level(level)
+            .parts(&loss.vertices)
             .help("remove the tiny weights and normalise the rest")
             .evidence(evidence.with_worst(loss.pull, format!("vertex {vertex}"))),
     );

@@ -53,9 +53,8 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
         if let Some(distance) = base.mesh.and_then(|(_, mesh)| shift(mesh, vertex, sum)) {
             let _ = write!(help, "; if nobody normalised, vertex {vertex} would move by {distance:.2} units");
         }
-        let mut evidence =
-            Evidence::of_cases(&sums.first).out_of(vertices).with_worst(f64::from(sum), format!("vertex {vertex}"));
-        evidence.count = sums.off;
+        let evidence =
+            Evidence::of_cases(&sums.vertices).out_of(vertices).with_worst(f64::from(sum), format!("vertex {vertex}"));
         let fix = Fix::new(RULE.info.fix, "divide the weights of these vertices by their sum");
         let fix = fix.step(&file.path, Change::Rewrite(Rewrite::NormalizeWeights));
         out.push(RULE.at(file, Place::pointer(["weights"]), message).help(help).evidence(evidence).fix(fix));

@@ -23,19 +23,20 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(repository: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((weights, file)) = measures.weights.as_ref().zip(pose_weights(repository, base)) else { return };
-    let Some((vertex, share)) = weights.worst_reduction.filter(|_| weights.over > 0) else { return };
+    let Some((vertex, share)) = weights.worst_reduction.filter(|_| !weights.over.is_empty()) else { return };
     let vertices = base.mesh.map_or(0, |(_, mesh)| mesh.positions.len());
     let message = format!(
         "{} of {vertices} vertices are moved by more than {ENGINE_INFLUENCES} bones (up to {}); cut to {ENGINE_INFLUENCES}, \
          vertex {vertex} loses {:.1} % of its weight",
-        weights.over,
+        weights.over.len(),
         weights.most,
         share * 100.0
     );
     let place = Place::Element(Element { kind: "vertex", index: u64::from(vertex) });
-    let evidence = Evidence { count: weights.over as u64, ..Evidence::default() }.out_of(vertices);
+    let evidence = Evidence { count: weights.over.len() as u64, ..Evidence::default() }.out_of(vertices);
     out.push(
         RULE.at(file, place, message)
+            .parts(&weights.over)
             .help("fine inside MakeHuman; for engines paint with fewer bones where much is lost")
             .evidence(evidence.with_worst(f64::from(share), format!("vertex {vertex}"))),
     );

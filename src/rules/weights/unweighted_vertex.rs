@@ -46,7 +46,10 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
             .collect();
         let named = named.join(", ");
         let message = match vertices.len() {
-            1 => format!("vertex {first} has no weight ({named})"),
+            1 => {
+                let group = groups.keys().next().map(|group| format!(" (in `{group}`)")).unwrap_or_default();
+                format!("vertex {first} has no weight{group}")
+            }
             count => format!("{count} of {} vertices have no weight ({named})", weights.facts.sums.len()),
         };
         let level = if groups.keys().any(|group| is_visible(group)) { Level::Warning } else { Level::Info };
