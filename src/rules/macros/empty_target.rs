@@ -32,7 +32,8 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
     for (rel, links) in by_file {
         let Some((first, target)) = links.first().and_then(|link| Some((link, link.found()?))) else { continue };
         let more = if links.len() > 1 { format!(" ({} combinations)", links.len()) } else { String::new() };
-        let message = format!("`{}` moves nothing{more}; `null` would do", first.reference.text);
+        let what = if target.size == 0 { "is an empty file and moves nothing" } else { "moves nothing" };
+        let message = format!("`{}` {what}{more}; `null` would do", first.reference.text);
         out.push(
             RULE.at(file, first.place(), message)
                 .key(rel)
