@@ -13,6 +13,8 @@ const MACROS: &str = "data/target/figure/macro.json";
 const MODELLING: &str = "data/target/figure/modelling.json";
 const OVAL: &str = "data/target/figure/head/head-oval.target";
 const SIDE: &str = "data/target/figure/head/head-side-in.target";
+const CATEGORIES: &str = "data/target/figure/target_cat.json";
+const MESH: &str = "data/base/figure/base.obj";
 const WEIGHTS: &str = "data/rigs/figure/default_weights.mhw";
 
 fn run(root: &Path, args: &[&str]) -> Vec<String> {
@@ -187,6 +189,64 @@ fn mending_one_fault_and_making_another_does_not_cancel_out() {
     does_not_cancel_out("macro-steps-length", lose_a_step, |root| {
         edit(root, MACROS, "\"steps\": [0.0, 1.0]", "\"steps\": [0.0, 0.5, 1.0]");
     });
+}
+
+/// Faults of one rule in other rows, bones and members of one file: what, file, text and its first and second damage.
+const ELSEWHERE: [(&str, &str, [&str; 2], [&str; 2]); 6] = [
+    ("target-field-count", OVAL, ["337 .002 0 0", "337 .002 0"], ["339 0 .001 .001", "339 0 .001 .001 x"]),
+    ("target-syntax", OVAL, ["337 .002 0 0", "337 x 0 0"], ["339 0 .001 .001", "339 0 x .001"]),
+    ("mesh-syntax", MESH, ["\nv ", "\nv x "], ["\nf ", "\nf x "]),
+    ("json-syntax", CATEGORIES, ["{", "{,"], ["}", ",}"]),
+    ("weights-malformed-pair", WEIGHTS, ["[158, 1.0]", "[158]"], ["[159, 1.0]", "[159]"]),
+    (
+        "json-unknown-key",
+        MACROS,
+        ["\"coastal-female\"", "\"coastal-female\", \"x\": 1"],
+        ["\"woodland-male\"", "\"woodland-male\", \"x\": 1"],
+    ),
+];
+
+#[test]
+fn a_fault_elsewhere_in_the_file_does_not_cancel_out() {
+    for (rule, file, first, second) in ELSEWHERE {
+        let damage = |[from, to]: [&'static str; 2]| {
+            move |root: &Path| {
+                let text = fs::read_to_string(root.join(file)).unwrap();
+                fs::write(root.join(file), text.replacen(from, to, 1)).unwrap();
+            }
+        };
+        does_not_cancel_out(rule, damage(first), damage(second));
+        // Lines and blanks before the fault do not matter.
+        let repository = example();
+        damage(first)(repository.path());
+        write(repository.path(), &[]);
+        let text = fs::read_to_string(repository.path().join(file)).unwrap();
+        fs::write(repository.path().join(file), format!("\n\n{text}")).unwrap();
+        assert_eq!(run(repository.path(), &[]), Vec::<String>::new(), "{rule}");
+    }
+}
+
+/// An item of a list is known by its title.
+#[test]
+fn another_item_of_a_list_does_not_cancel_out() {
+    let items = |root: &Path, change: &dyn Fn(usize, &mut serde_json::Map<String, serde_json::Value>)| {
+        let text = fs::read_to_string(root.join(CATEGORIES)).unwrap();
+        let mut file: serde_json::Value = serde_json::from_str(&text).unwrap();
+        let lists = file.as_object_mut().unwrap().values_mut().filter_map(|tab| tab["items"].as_array_mut());
+        let all = lists.flatten().filter_map(serde_json::Value::as_object_mut);
+        all.enumerate().for_each(|(index, item)| change(index, item));
+        fs::write(root.join(CATEGORIES), file.to_string()).unwrap();
+    };
+    let without = |which: usize| {
+        move |root: &Path| {
+            items(root, &|index, item| {
+                if index == which {
+                    item.remove("cat");
+                }
+            });
+        }
+    };
+    does_not_cancel_out("json-schema", without(0), without(1));
 }
 
 #[test]

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
 use super::schema_effects::effect_of;
-use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo, structural};
+use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
 use crate::json::SchemaFault;
 use crate::repo::{FileFacts, Layer};
 
@@ -56,7 +56,7 @@ fn judge(file: &FileFacts, keyword: &str, all: &[&SchemaFault]) -> Option<Findin
     for other in all.iter().skip(1).take(EXAMPLES - 1) {
         finding = finding.related(file.path.clone(), Place::Pointer(other.pointer.clone()), other.message.clone());
     }
-    let parts = all.iter().map(|fault| structural(&fault.pointer));
+    let parts = all.iter().map(|fault| &fault.name);
     Some(finding.parts(parts).evidence(Evidence::of_cases(all.iter().map(|fault| &fault.pointer))))
 }
 

@@ -28,13 +28,28 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         match &file.content {
             Content::Broken(JsonFault::Syntax(fault)) if fault.kind != SyntaxKind::TooDeep => {
                 let (level, effect) = super::loss(repository, file);
-                let finding = RULE.at(file, Place::Span(fault.span.clone()), format!("no JSON: {fault}"));
+                let finding = RULE
+                    .at(file, Place::Span(fault.span.clone()), format!("no JSON: {fault}"))
+                    .parts([format!("{} {}", sort(&fault.kind), fault.within)]);
                 out.push(finding.level(level).help(help(fault)).breaks(Application::Makehuman2, effect));
             }
             // What NaN does to weights is worse, and another rule's business.
             _ if file.kind != Kind::Weights => out.extend(special_numbers(file)),
             _ => {}
         }
+    }
+}
+
+/// What a fault is called among those of the same place.
+fn sort(kind: &SyntaxKind) -> &'static str {
+    match kind {
+        SyntaxKind::Expected { .. } => "other",
+        SyntaxKind::TrailingComma => "comma",
+        SyntaxKind::Comment => "comment",
+        SyntaxKind::BadString(_) => "text",
+        SyntaxKind::UnexpectedEnd(_) => "end",
+        SyntaxKind::TrailingText => "rest",
+        SyntaxKind::TooDeep => "depth",
     }
 }
 
