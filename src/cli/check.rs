@@ -27,9 +27,9 @@ pub(super) fn run(
     out: &mut dyn Write,
     err: &mut dyn Write,
 ) -> Result<Exit, Failure> {
-    let targets = targets(&args.reports)?;
     let paths = &args.paths_or_here();
     let mut config = settings(args)?;
+    let targets = targets(&args.reports, &config)?;
     config.changed = changed(args, paths, err)?;
     let new_baseline = new_baseline(&config)?;
     let progress = Progress::start("reading and evaluating");

@@ -74,7 +74,7 @@ pub(super) fn lint_inputs(inputs: &[Input], system: Option<&Tree>, options: &Con
     let started = Instant::now();
     let found = judge_all(&data, &measures, &asked, &mut muting, &mut outcome);
     check_bases(options, &outcome)?;
-    settle(found, known, &data, &asked, &muting, &mut outcome);
+    settle(found, known, &data, &asked, &muting, &mut outcome)?;
     outcome.timings.push(timing("rules", started));
     let started = Instant::now();
     let settings = options.file.as_ref().map(|file| (file.path.clone(), file.text.clone().into_bytes()));
@@ -122,12 +122,12 @@ fn settle(
     asked: &Asked<'_>,
     muting: &Muting<'_>,
     outcome: &mut Outcome,
-) {
+) -> Result<(), Error> {
     let Asked { options, selection, scope, change } = asked;
     let mut upkeep = Upkeep { mutes: muting.mutes(selection, scope), unknown: muting.unknown(), baseline: None };
     if let Some(known) = known {
         let roots = data.roots.iter().map(|root| root.layer.path.as_str());
-        let compared = known.compare(found, roots, selection, scope);
+        let compared = known.compare(found, roots, selection, scope)?;
         outcome.findings = compared.kept;
         outcome.summary.suppressed += compared.hidden;
         outcome.baseline = compared.new;
@@ -139,6 +139,7 @@ fn settle(
     if let Some(change) = change {
         narrow(outcome, change);
     }
+    Ok(())
 }
 
 /// What is reported of one repository.
