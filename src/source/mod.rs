@@ -20,4 +20,5 @@ pub use lines::{Position, excerpt, line_span, position};
 pub use place::{canonical, folder_of, resolved};
 pub use text::Encoding;
 pub use tree::{Entry, EntryKind, ReadFault, Tree, WalkFault, WalkFaultKind, read_file};
+pub use walk::Wanted;
 pub use zip_size::zip_bomb;

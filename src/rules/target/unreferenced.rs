@@ -71,7 +71,8 @@ fn lost_macrodefs(base: &Base<'_>) -> bool {
 
 /// What cannot be parsed is worse than unused.
 fn breaks_start(file: &FileFacts) -> bool {
-    decoded(file).is_some_and(|(_, facts)| facts.unreadable_rows > 0)
+    let is_no_text = file.encoding.invalid_utf8_at.is_some();
+    is_no_text || decoded(file).is_some_and(|(_, facts)| facts.unreadable_rows > 0)
 }
 
 /// Unused files that a name without file nearly fits, or would fit but for its path: that name is the
