@@ -9,6 +9,7 @@ mod compose;
 mod data;
 pub mod evaluate;
 mod gauge;
+mod heard;
 mod input;
 mod judge;
 mod known;

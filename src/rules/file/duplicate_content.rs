@@ -42,6 +42,7 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         for other in others {
             finding = finding.related(other.path.clone(), Place::File, "the same content");
         }
+        let finding = finding.between(files.iter().map(|file| &file.path));
         out.push(finding.evidence(Evidence::of_cases(files.iter().map(|file| &file.rel))));
     }
 }

@@ -125,6 +125,7 @@ fn uneven(
             .key(base.name)
             .asset(file.root())
             .parts(slight.iter().map(|(_, target)| &target.name))
+            .over_each(slight.iter().map(|(file, _)| &file.path))
             .help("make these vertices symmetric")
             .evidence(evidence.out_of(judged).with_worst(distance, format!("{} vertex {vertex}", target.name))),
     )

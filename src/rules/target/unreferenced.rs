@@ -52,7 +52,8 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
                 let finding = decr
                     .and_then(|decr| folder.name_of(decr))
                     .map_or_else(|| single(base, file, name), |decr| pair(file, name, decr));
-                finding.part_of(folder.layer.display(path), parts)
+                let pair = [Some(file), decr].into_iter().flatten().map(|file| &file.path);
+                finding.part_of(folder.layer.display(path), parts).over_each(pair)
             }));
         }
     }
@@ -133,6 +134,7 @@ fn whole_folder(layer: &Layer, path: &str, files: &[&FileFacts]) -> Finding {
     let evidence = Evidence::of_cases(files.iter().map(|file| file.file_name())).out_of(files.len());
     RULE.in_layer(layer, path, message)
         .part_of(layer.display(path), files.iter().map(|file| file.file_name()))
+        .over_each(files.iter().map(|file| &file.path))
         .help("add sliders to modelling.json, or remove the folder")
         .evidence(evidence)
 }
