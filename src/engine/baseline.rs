@@ -48,7 +48,9 @@ impl Baseline {
     pub(super) fn read(path: &Path) -> Result<Self, Error> {
         let refuse = |reason: &str| Error::Baseline { path: path.display().to_string(), reason: reason.to_owned() };
         let bytes = read_file(path, &Limits::default()).map_err(|fault| match fault {
-            ReadFault::Unreadable(reason) => refuse(&format!("cannot be read: {reason}; `--write-baseline` writes one")),
+            ReadFault::Unreadable(reason) => {
+                refuse(&format!("cannot be read: {reason}; `--write-baseline` writes one"))
+            }
             ReadFault::TooLarge { .. } => refuse("is too large for a baseline"),
         })?;
         let damaged = |error: serde_json::Error| {

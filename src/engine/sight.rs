@@ -20,7 +20,7 @@ pub(super) enum Sight {
 }
 
 /// Families that judge a file by itself, by what it names, and by the files that decide over a base mesh.
-const BY_THEMSELVES: [&str; 6] = ["file-", "json-", "macro-", "mesh-", "modelling-", "weights-"];
+const BY_THEMSELVES: [&str; 7] = ["file-", "json-", "macro-", "mesh-", "modelling-", "skeleton-", "weights-"];
 
 /// Rules of these families that look for files that nothing names, or for what is not there.
 const LOOKING_FURTHER: [&str; 6] = [
