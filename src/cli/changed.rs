@@ -6,6 +6,8 @@ use std::path::{Path, PathBuf};
 
 use super::exit::Failure;
 use super::git::{Refusal, Repository};
+use crate::config::{Config, FILE_NAME};
+use crate::source::{canonical, folder_of, resolved};
 
 /// Paths from a list: a line each, or separated by NUL as `git diff -z` writes them; `-` is standard input.
 /// Lines that git has put in quotes, as it does where a name is not ASCII, are read as git means them.
@@ -98,6 +100,32 @@ pub(super) fn since(revision: &str, first: &Path) -> Result<Vec<PathBuf>, Failur
     let new = repository.files(&["ls-files", "--others", "--exclude-standard", "-z"]).map_err(failed)?;
     let all: BTreeSet<PathBuf> = differing.into_iter().chain(new).collect();
     Ok(all.into_iter().collect())
+}
+
+/// What among the changed files can raise or hide any finding: the configuration or the baseline in use, or, where the
+/// configuration is looked for from a PATH upwards, one that is or was on this way.
+pub(super) fn setting_among(files: &[PathBuf], config: &Config, from: Option<&Path>) -> Option<String> {
+    let in_use = |setting: &Path| {
+        let places = [in_its_folder(setting), resolved(setting)];
+        files.iter().any(|file| places.contains(&in_its_folder(file)))
+    };
+    let file = config.file.as_ref().map(|file| Path::new(&file.path)).filter(|file| in_use(file));
+    if let Some(file) = file {
+        return Some(format!("the configuration `{}`", file.display()));
+    }
+    if let Some(baseline) = config.baseline.as_deref().filter(|file| in_use(file)) {
+        return Some(format!("the baseline `{}`", baseline.display()));
+    }
+    let from = canonical(from?)?;
+    let on_the_way = |file: &&PathBuf| {
+        file.file_name().is_some_and(|name| name == FILE_NAME) && from.starts_with(resolved(folder_of(file)))
+    };
+    files.iter().find(on_the_way).map(|file| format!("the configuration `{}`", file.display()))
+}
+
+/// The absolute path of a file that may be a link itself.
+fn in_its_folder(file: &Path) -> PathBuf {
+    file.file_name().map_or_else(|| resolved(file), |name| resolved(folder_of(file)).join(name))
 }
 
 /// The repository that the first PATH lies in.

@@ -27,6 +27,7 @@ mod roots;
 mod run;
 mod scope;
 mod select;
+mod sight;
 mod stack;
 
 pub use crate::eval::settings::DEFAULT_SAMPLES;
