@@ -67,7 +67,7 @@ echo "hook: a damaged commit refused in $took; what the artist sees:"
 echo "$output" | sed 's/^/    /'
 expect "the damaged commit is refused" ended_with 1
 expect "nothing was committed" [ "$(git rev-parse HEAD)" = "$before" ]
-for words in 'data/target/figure/macro.json' 'error[macro-steps-length]' 'component `age` has 4 values but 3 steps' \
+for words in 'data/target/figure/macro.json' 'error[macro-steps-length]' 'component `age` has 4 values but 5 steps' \
     'MakeHuman 2: stops with an IndexError' 'help: give every value a step' 'Failed. 1 error'; do
     expect "the refusal names fault, consequence and remedy" says "$words"
 done
