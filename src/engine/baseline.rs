@@ -110,7 +110,11 @@ impl Baseline {
                 let (path, rel) = (found.entry.path.as_str(), found.rel.as_str());
                 let numbers = alike.get(found.entry.fingerprint.as_str()).into_iter().flatten();
                 let fits = |entry: &Entry| {
-                    if exact { entry.path == path } else { !roots.contains(root_of(&entry.path, rel)) && !is_there(entry) }
+                    if exact {
+                        entry.path == path
+                    } else {
+                        !roots.contains(root_of(&entry.path, rel)) && !is_there(entry)
+                    }
                 };
                 let entries = numbers.filter_map(|number| Some((*number, self.entries.get(*number)?)));
                 let entries: Vec<(usize, &Entry)> = entries.filter(|(_, entry)| fits(entry)).collect();

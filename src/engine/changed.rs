@@ -232,8 +232,8 @@ impl<'a> Reach<'a> {
 
     /// The changed file, link or linked folder that a path is or lies in.
     fn holding(&self, path: &str) -> Option<&str> {
-        let ends = path.match_indices('/').map(|(at, _)| at).chain([path.len()]);
-        ends.filter_map(|end| self.changed.get(path.get(..end)?)).next().map(String::as_str)
+        let mut ends = path.match_indices('/').map(|(at, _)| at).chain([path.len()]);
+        ends.find_map(|end| self.changed.get(path.get(..end)?)).map(String::as_str)
     }
 
     /// A changed file below a folder.
