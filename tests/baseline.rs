@@ -388,7 +388,8 @@ fn a_baseline_of_other_data_is_refused() {
     let root = repository.path();
     let entry = |path: &str| {
         let entry = format!("{{\"path\":\"{path}\",\"rule\":\"target-syntax\",\"fingerprint\":\"0123\"}}");
-        fs::write(root.join("known.json"), format!("{{\"format\":\"mhlint-baseline/1\",\"entries\":[{entry}]}}")).unwrap();
+        fs::write(root.join("known.json"), format!("{{\"format\":\"mhlint-baseline/1\",\"entries\":[{entry}]}}"))
+            .unwrap();
     };
     entry("assets/target/troll/nose.target");
     for args in [&[][..], &["--write-baseline"]] {

@@ -84,7 +84,10 @@ impl Checked {
         }
         let (_, risky) = mendable(&self.outcome.findings);
         if risky > 0 && !args.unsafe_fixes {
-            writeln!(err, "mhlint: {risky} more can be mended with --unsafe-fixes; look at --diff --unsafe-fixes first")?;
+            writeln!(
+                err,
+                "mhlint: {risky} more can be mended with --unsafe-fixes; look at --diff --unsafe-fixes first"
+            )?;
         }
         Ok(())
     }

@@ -81,7 +81,7 @@ fn options(rules: &[&RuleInfo]) -> Value {
     let with_options = rules.iter().filter(|rule| !rule.options.is_empty());
     let properties = with_options.map(|rule| {
         let options = rule.options.iter().map(|option| {
-            let value = 
+            let value =
                 json!({ "type": "number", "minimum": 0, "default": option.default, "description": option.docs });
             (option.name.to_owned(), value)
         });

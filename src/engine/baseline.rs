@@ -48,7 +48,9 @@ impl Baseline {
     pub(super) fn read(path: &Path) -> Result<Self, Error> {
         let refuse = |reason: &str| Error::Baseline { path: path.display().to_string(), reason: reason.to_owned() };
         let bytes = read_file(path, &Limits::default()).map_err(|fault| match fault {
-            ReadFault::Unreadable(reason) => refuse(&format!("cannot be read: {reason}; `--write-baseline` writes one")),
+            ReadFault::Unreadable(reason) => {
+                refuse(&format!("cannot be read: {reason}; `--write-baseline` writes one"))
+            }
             ReadFault::TooLarge { .. } => refuse("is too large for a baseline"),
         })?;
         let damaged = |error: serde_json::Error| {
@@ -108,7 +110,11 @@ impl Baseline {
                 let (path, rel) = (found.entry.path.as_str(), found.rel.as_str());
                 let numbers = alike.get(found.entry.fingerprint.as_str()).into_iter().flatten();
                 let fits = |entry: &Entry| {
-                    if exact { entry.path == path } else { !roots.contains(root_of(&entry.path, rel)) && !is_there(entry) }
+                    if exact {
+                        entry.path == path
+                    } else {
+                        !roots.contains(root_of(&entry.path, rel)) && !is_there(entry)
+                    }
                 };
                 let entries = numbers.filter_map(|number| Some((*number, self.entries.get(*number)?)));
                 let entries: Vec<(usize, &Entry)> = entries.filter(|(_, entry)| fits(entry)).collect();

@@ -141,7 +141,9 @@ fn refuse_muted_safety(config: &Config) -> Result<(), Error> {
     named.map_or(Ok(()), |text| {
         Err(Error::Selector {
             text: text.clone(),
-            reason: "this rule guards against running foreign code, leaving the data or filling memory and cannot be muted".to_owned(),
+            reason:
+                "this rule guards against running foreign code, leaving the data or filling memory and cannot be muted"
+                    .to_owned(),
         })
     })
 }
