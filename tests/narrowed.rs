@@ -54,7 +54,7 @@ fn hidden(folder: &Path) -> Option<String> {
         return None;
     }
     let list = tempfile::NamedTempFile::new().unwrap();
-    fs::write(list.path(), changed.iter().map(|path| format!("{path}\n")).collect::<String>()).unwrap();
+    fs::write(list.path(), changed.join("\n") + "\n").unwrap();
     let mut args: Vec<&str> = case.args.iter().map(String::as_str).collect();
     if args.is_empty() {
         args.extend(["check", "."]);

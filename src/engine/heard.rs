@@ -49,7 +49,8 @@ impl Filter<'_> {
             Some(first) if heard.len() >= fewest => {
                 if silent > 0 {
                     let verb = if silent == 1 { "is" } else { "are" };
-                    finding.message.push_str(&format!("; {silent} of these {} files {verb} muted", all.len()));
+                    finding.message =
+                        format!("{}; {silent} of these {} files {verb} muted", finding.message, all.len());
                 }
                 if matches!(own, Heard::At(_)) { own } else { *first }
             }
