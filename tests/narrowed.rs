@@ -54,7 +54,8 @@ fn hidden(folder: &Path) -> Option<String> {
         return None;
     }
     let list = tempfile::NamedTempFile::new().unwrap();
-    fs::write(list.path(), changed.join("\n") + "\n").unwrap();
+    let names: Vec<&str> = changed.iter().map(String::as_str).collect();
+    fs::write(list.path(), names.join("\n") + "\n").unwrap();
     let mut args: Vec<&str> = case.args.iter().map(String::as_str).collect();
     if args.is_empty() {
         args.extend(["check", "."]);
