@@ -7,7 +7,7 @@ use std::fs;
 use std::io::Write;
 use std::path::Path;
 
-use scratch::{copy_folder, edit, example, findings, lose_a_step, mhlint, stderr};
+use scratch::{assert_refused, copy_folder, edit, example, findings, lose_a_step, mhlint, stderr};
 
 const MACROS: &str = "data/target/figure/macro.json";
 const MODELLING: &str = "data/target/figure/modelling.json";
@@ -259,6 +259,15 @@ fn equal_faults_of_two_data_roots_are_two() {
         }
     };
     does_not_cancel_out("target-syntax", at("data"), at("user"));
+    let repository = example();
+    let root = repository.path();
+    at("data")(root);
+    write(root, &[]);
+    at("user")(root);
+    let user = || run(root, &["user", "--system", "data"]);
+    assert!(user().iter().any(|line| line.contains("[target-syntax]")), "{:?}", user());
+    fs::remove_file(root.join("data").join(file)).unwrap();
+    assert_eq!(user(), Vec::<String>::new(), "it was moved");
 }
 
 #[test]
@@ -430,6 +439,50 @@ fn entries_of_another_repository_are_told_as_such() {
     fs::copy(repository.path().join("known.json"), other.path().join("known.json")).unwrap();
     let found = run(other.path(), &[]);
     assert!(found.len() == 1 && found[0].contains("is it that of another repository?"), "{found:?}");
+}
+
+/// A baseline of which nothing is here is refused; one whose assets were removed is not, nor one of moved data.
+#[test]
+fn a_baseline_of_other_data_is_refused() {
+    let repository = example();
+    let root = repository.path();
+    let entry = |path: &str| {
+        let entry = format!("{{\"path\":\"{path}\",\"rule\":\"target-syntax\",\"fingerprint\":\"0123\"}}");
+        fs::write(root.join("known.json"), format!("{{\"format\":\"mhlint-baseline/1\",\"entries\":[{entry}]}}"))
+            .unwrap();
+    };
+    entry("assets/target/troll/nose.target");
+    for args in [&[][..], &["--write-baseline"]] {
+        let output = mhlint(root, &[&["--baseline", "known.json"], args].concat());
+        assert_refused(&output, &["known.json", "that of another repository", "troll/nose.target", "--write-baseline"]);
+    }
+    assert_eq!(run(root, &["--only", "macro-*"]), Vec::<String>::new());
+    for path in ["data/target/figure/head/gone.target", "gone.target", OVAL] {
+        entry(path);
+        let found = run(root, &[]);
+        assert!(found.len() == 1 && found[0].contains("[baseline-stale]"), "{path}: {found:?}");
+    }
+}
+
+/// Neither the report nor the baseline takes the place of a file that the run needs.
+#[test]
+fn two_writers_of_one_file_are_refused() {
+    let repository = damaged();
+    let root = repository.path();
+    write(root, &[]);
+    fs::write(root.join("mhlint.toml"), "").unwrap();
+    let before = fs::read(root.join("known.json")).unwrap();
+    for (args, words) in [
+        (&["--baseline", "known.json", "--report", "json=./known.json"][..], "that is the baseline"),
+        (&["--baseline", "known.json", "--write-baseline", "--report", "json=known.json"], "that is the baseline"),
+        (&["--report", "human=mhlint.toml"], "that is the configuration in use"),
+        (&["--baseline", "mhlint.toml", "--write-baseline"], "that is the configuration in use"),
+    ] {
+        assert_refused(&mhlint(root, args), &[words, "give each its own file"]);
+    }
+    assert_eq!(fs::read(root.join("known.json")).unwrap(), before);
+    assert!(fs::read(root.join("mhlint.toml")).unwrap().is_empty());
+    assert_eq!(run(root, &["--report", "json=other.json"]), Vec::<String>::new());
 }
 
 #[test]

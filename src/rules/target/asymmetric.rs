@@ -127,6 +127,7 @@ fn uneven(
             .parts(slight.iter().flat_map(|(_, target)| {
                 target.own_mirror.different.iter().map(|vertex| format!("{} {vertex}", target.name))
             }))
+            .over_each(slight.iter().map(|(file, _)| &file.path))
             .help("make these vertices symmetric")
             .evidence(evidence.out_of(judged).with_worst(distance, format!("{} vertex {vertex}", target.name))),
     )
