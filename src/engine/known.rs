@@ -64,7 +64,9 @@ impl Known {
             found.into_iter().partition(|placed| is_unmutable(placed.finding.rule));
         let entries: Vec<Found> = rest.iter().map(|placed| self.found(placed)).collect();
         let (known, lost) = self.old.compare(&entries, &roots, |entry| self.is_there(&entry.path));
-        if lost.len() == self.old.entries.len() && scope.is_whole() {
+        // Data in memory have no places on disk to look for.
+        let on_disk = roots.iter().any(|root| self.is_there(root));
+        if on_disk && lost.len() == self.old.entries.len() && scope.is_whole() {
             self.refuse_foreign(selection)?;
         }
         let judged = |entry: &&Entry| self.is_judged(entry, selection, scope);

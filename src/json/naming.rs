@@ -132,8 +132,8 @@ mod tests {
     #[test]
     fn the_end_of_a_broken_text_is_named_whatever_its_layout() {
         let ends = [
-            (r#"{"a": [{"name": "x", "t": [0.5, 1"#, "/:a/x:/x:t/0.5:1"),
-            ("{\"a\":\n\n[ {\"name\":\"x\",\"t\":[ 0.5,1 ", "/:a/x:/x:t/0.5:1"),
+            (r#"{"a": [{"name": "x", "t": [0.5, 1"#, "/:a/:/x:t/0.5:1"),
+            ("{\"a\":\n\n[ {\"name\":\"x\",\"t\":[ 0.5,1 ", "/:a/:/x:t/0.5:1"),
             (r#"{"weights": {"head": [[158, 1.0], [159, 0.5]"#, "/:weights/:head/:159"),
             (r#"{"weights": {"head": [[158, 1.0]"#, "/:weights/:head/:158"),
             (r#"{"a": "b\"c", "d"#, "/:d"),
