@@ -7,12 +7,14 @@ use std::fs;
 use std::io::Write;
 use std::path::Path;
 
-use scratch::{copy_folder, edit, example, findings, lose_a_step, mhlint, stderr};
+use scratch::{assert_refused, copy_folder, edit, example, findings, lose_a_step, mhlint, stderr};
 
 const MACROS: &str = "data/target/figure/macro.json";
 const MODELLING: &str = "data/target/figure/modelling.json";
 const OVAL: &str = "data/target/figure/head/head-oval.target";
 const SIDE: &str = "data/target/figure/head/head-side-in.target";
+const CATEGORIES: &str = "data/target/figure/target_cat.json";
+const MESH: &str = "data/base/figure/base.obj";
 const WEIGHTS: &str = "data/rigs/figure/default_weights.mhw";
 
 fn run(root: &Path, args: &[&str]) -> Vec<String> {
@@ -189,6 +191,64 @@ fn mending_one_fault_and_making_another_does_not_cancel_out() {
     });
 }
 
+/// Faults of one rule in other rows, bones and members of one file: what, file, text and its first and second damage.
+const ELSEWHERE: [(&str, &str, [&str; 2], [&str; 2]); 6] = [
+    ("target-field-count", OVAL, ["337 .002 0 0", "337 .002 0"], ["339 0 .001 .001", "339 0 .001 .001 x"]),
+    ("target-syntax", OVAL, ["337 .002 0 0", "337 x 0 0"], ["339 0 .001 .001", "339 0 x .001"]),
+    ("mesh-syntax", MESH, ["\nv ", "\nv x "], ["\nf ", "\nf x "]),
+    ("json-syntax", CATEGORIES, ["{", "{,"], ["}", ",}"]),
+    ("weights-malformed-pair", WEIGHTS, ["[158, 1.0]", "[158]"], ["[159, 1.0]", "[159]"]),
+    (
+        "json-unknown-key",
+        MACROS,
+        ["\"coastal-female\"", "\"coastal-female\", \"x\": 1"],
+        ["\"woodland-male\"", "\"woodland-male\", \"x\": 1"],
+    ),
+];
+
+#[test]
+fn a_fault_elsewhere_in_the_file_does_not_cancel_out() {
+    for (rule, file, first, second) in ELSEWHERE {
+        let damage = |[from, to]: [&'static str; 2]| {
+            move |root: &Path| {
+                let text = fs::read_to_string(root.join(file)).unwrap();
+                fs::write(root.join(file), text.replacen(from, to, 1)).unwrap();
+            }
+        };
+        does_not_cancel_out(rule, damage(first), damage(second));
+        // Lines and blanks before the fault do not matter.
+        let repository = example();
+        damage(first)(repository.path());
+        write(repository.path(), &[]);
+        let text = fs::read_to_string(repository.path().join(file)).unwrap();
+        fs::write(repository.path().join(file), format!("\n\n{text}")).unwrap();
+        assert_eq!(run(repository.path(), &[]), Vec::<String>::new(), "{rule}");
+    }
+}
+
+/// An item of a list is known by its title.
+#[test]
+fn another_item_of_a_list_does_not_cancel_out() {
+    let items = |root: &Path, change: &dyn Fn(usize, &mut serde_json::Map<String, serde_json::Value>)| {
+        let text = fs::read_to_string(root.join(CATEGORIES)).unwrap();
+        let mut file: serde_json::Value = serde_json::from_str(&text).unwrap();
+        let lists = file.as_object_mut().unwrap().values_mut().filter_map(|tab| tab["items"].as_array_mut());
+        let all = lists.flatten().filter_map(serde_json::Value::as_object_mut);
+        all.enumerate().for_each(|(index, item)| change(index, item));
+        fs::write(root.join(CATEGORIES), file.to_string()).unwrap();
+    };
+    let without = |which: usize| {
+        move |root: &Path| {
+            items(root, &|index, item| {
+                if index == which {
+                    item.remove("cat");
+                }
+            });
+        }
+    };
+    does_not_cancel_out("json-schema", without(0), without(1));
+}
+
 #[test]
 fn equal_faults_of_two_data_roots_are_two() {
     let file = "target/imp/broken.target";
@@ -199,6 +259,15 @@ fn equal_faults_of_two_data_roots_are_two() {
         }
     };
     does_not_cancel_out("target-syntax", at("data"), at("user"));
+    let repository = example();
+    let root = repository.path();
+    at("data")(root);
+    write(root, &[]);
+    at("user")(root);
+    let user = || run(root, &["user", "--system", "data"]);
+    assert!(user().iter().any(|line| line.contains("[target-syntax]")), "{:?}", user());
+    fs::remove_file(root.join("data").join(file)).unwrap();
+    assert_eq!(user(), Vec::<String>::new(), "it was moved");
 }
 
 #[test]
@@ -370,6 +439,50 @@ fn entries_of_another_repository_are_told_as_such() {
     fs::copy(repository.path().join("known.json"), other.path().join("known.json")).unwrap();
     let found = run(other.path(), &[]);
     assert!(found.len() == 1 && found[0].contains("is it that of another repository?"), "{found:?}");
+}
+
+/// A baseline of which nothing is here is refused; one whose assets were removed is not, nor one of moved data.
+#[test]
+fn a_baseline_of_other_data_is_refused() {
+    let repository = example();
+    let root = repository.path();
+    let entry = |path: &str| {
+        let entry = format!("{{\"path\":\"{path}\",\"rule\":\"target-syntax\",\"fingerprint\":\"0123\"}}");
+        fs::write(root.join("known.json"), format!("{{\"format\":\"mhlint-baseline/1\",\"entries\":[{entry}]}}"))
+            .unwrap();
+    };
+    entry("assets/target/troll/nose.target");
+    for args in [&[][..], &["--write-baseline"]] {
+        let output = mhlint(root, &[&["--baseline", "known.json"], args].concat());
+        assert_refused(&output, &["known.json", "that of another repository", "troll/nose.target", "--write-baseline"]);
+    }
+    assert_eq!(run(root, &["--only", "macro-*"]), Vec::<String>::new());
+    for path in ["data/target/figure/head/gone.target", "gone.target", OVAL] {
+        entry(path);
+        let found = run(root, &[]);
+        assert!(found.len() == 1 && found[0].contains("[baseline-stale]"), "{path}: {found:?}");
+    }
+}
+
+/// Neither the report nor the baseline takes the place of a file that the run needs.
+#[test]
+fn two_writers_of_one_file_are_refused() {
+    let repository = damaged();
+    let root = repository.path();
+    write(root, &[]);
+    fs::write(root.join("mhlint.toml"), "").unwrap();
+    let before = fs::read(root.join("known.json")).unwrap();
+    for (args, words) in [
+        (&["--baseline", "known.json", "--report", "json=./known.json"][..], "that is the baseline"),
+        (&["--baseline", "known.json", "--write-baseline", "--report", "json=known.json"], "that is the baseline"),
+        (&["--report", "human=mhlint.toml"], "that is the configuration in use"),
+        (&["--baseline", "mhlint.toml", "--write-baseline"], "that is the configuration in use"),
+    ] {
+        assert_refused(&mhlint(root, args), &[words, "give each its own file"]);
+    }
+    assert_eq!(fs::read(root.join("known.json")).unwrap(), before);
+    assert!(fs::read(root.join("mhlint.toml")).unwrap().is_empty());
+    assert_eq!(run(root, &["--report", "json=other.json"]), Vec::<String>::new());
 }
 
 #[test]

@@ -156,6 +156,7 @@ fn what_is_wrong_with_the_file_is_told_with_place_and_remedy() {
         ("[rule.target-oversized-delta]\nration = 1\n", &["has no option `ration`", "did you mean `ratio`?"]),
         ("[rule.target-oversized-delta]\nratio = \"1\"\n", &["`ratio` is the text", "a finite number"]),
         ("[rule.target-oversized-delta]\nratio = nan\n", &["a finite number"]),
+        ("[rule.target-oversized-delta]\nratio = -5\n", &["mhlint.toml:2:9", "a finite number from 0 on"]),
         ("[rule.target-syntax]\nratio = 1\n", &["has no option `ratio`", "there are none"]),
         ("[[ignore]]\nrule = \"target-syntax\"\n", &["there is no `path` in `[[ignore]]`", "add it"]),
         ("[ignore]\nrule = \"x\"\n", &["`[[ignore]]`"]),
@@ -163,10 +164,48 @@ fn what_is_wrong_with_the_file_is_told_with_place_and_remedy() {
         ("[[ignore]]\nrule = \"a\"\npath = \"b\"\nuntil = \"2030\"\n", &["a day without quotes"]),
         ("[[ignore]]\nrule = \"a\"\npath = \"b\"\nuntil = 2030-13-01\n", &["mhlint.toml:4"]),
         ("[eval]\nsamples = 1.5\n", &["`samples` is the number 1.5"]),
+        ("[eval]\nsamples = 100001\n", &["mhlint.toml:2:11", "a whole number from 0 to 100000"]),
+        ("[eval]\nsamples = 99999999999999\n", &["a whole number from 0 to 100000"]),
+        ("select = [\"json-sintax\"]\n", &["`select` in mhlint.toml:1 fits no rule; did you mean `json-syntax`?"]),
+        ("select = [\"macros-*\", \"zzz\"]\n", &["`macros-*`", "fits no rule"]),
         ("[eval]\nexhaustive = 1\n", &["true or false"]),
     ] {
         assert_refused(&mhlint(repository(config).path(), &[]), words);
     }
+}
+
+#[test]
+fn no_option_is_too_low_at_its_lowest_and_no_number_too_high_at_its_highest() {
+    let lowest = repository("[rule.target-asymmetric]\nshare = 0\n[eval]\nsamples = 100_000\n");
+    assert_eq!(mhlint(lowest.path(), &["--no-eval"]).status.code(), Some(0));
+    let over = mhlint(lowest.path(), &["--samples", "2000000000"]);
+    assert_refused(&over, &["--samples", "a whole number from 0 to 100000"]);
+}
+
+#[test]
+fn what_looks_after_the_settings_is_not_for_select() {
+    let mutes = "[[ignore]]\nrule = \"target-zero-delta\"\npath = \"data\"\nreason = \"r\"\nuntil = 2020-01-01\n";
+    let settings = format!("select = [\"macro-*\", \"json-sintax\"]\n[level]\n\"no-such\" = \"info\"\n{mutes}");
+    let root = repository(&settings);
+    let found = |args: &[&str]| concise(root.path(), args).join("\n");
+    let all = found(&[]);
+    for told in ["`json-sintax`", "`no-such`", "[config-expired-ignore]"] {
+        assert!(all.contains(told), "{told}: {all}");
+    }
+    assert_eq!(all.lines().count(), 3, "{all}");
+    assert_eq!(found(&["--only", "macro-*"]), "");
+    let typo = repository("select = [\"json-sintax\"]\n");
+    assert_eq!(level(typo.path(), &["--only", "target-*"]), "info");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_link_that_leads_nowhere_is_no_lack_of_settings() {
+    let repository = example();
+    std::os::unix::fs::symlink("nowhere.toml", repository.path().join("mhlint.toml")).unwrap();
+    assert_refused(&mhlint(repository.path(), &[]), &["mhlint.toml: cannot be read", "a link that leads nowhere"]);
+    fs::write(repository.path().join("nowhere.toml"), "").unwrap();
+    assert_eq!(mhlint(repository.path(), &[]).status.code(), Some(0));
 }
 
 #[test]

@@ -71,17 +71,8 @@ fn skinning_the_rest_pose_gives_the_meshes_back() {
         let moved: Vec<_> = posed.iter().map(|bone| bone.moved).collect();
         let weights = scene.weights.as_ref().unwrap();
         let skinned = skin(&mesh, &weights.bones, &moved).unwrap();
-        let mut sums = vec![0.0_f32; mesh.len()];
-        for (vertex, weight) in weights.bones.iter().flat_map(|bone| &bone.entries) {
-            sums[*vertex as usize] += weight;
-        }
-        let mut whole = 0;
-        for ((at, skinned), sum) in mesh.iter().zip(&skinned).zip(sums) {
-            assert!(distance(*skinned, at.map(|part| part * sum)) < 1e-4, "{base}: {at:?} {skinned:?} {sum}");
-            whole += usize::from(distance(*skinned, *at) < 1e-4);
-        }
-        eprintln!("{base}: {whole} of {} vertices are where they were", mesh.len());
-        assert!(whole * 10 > mesh.len() * 9, "{base}: {whole} of {}", mesh.len());
+        let farthest = mesh.iter().zip(&skinned).map(|(at, skinned)| distance(*skinned, *at)).fold(0.0, f64::max);
+        assert!(farthest < 1e-4, "{base}: a vertex is off by {farthest}");
     }
 }
 

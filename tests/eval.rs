@@ -231,6 +231,8 @@ fn cases_that_cannot_be_computed_say_why() {
     };
     let (code, message) = run(r#"{"kind": "mpfb_rig", "cases": []}"#, &[]);
     assert!(code == Some(2) && message.contains("`mpfb_rig` are not supported yet"), "{message}");
+    let (code, message) = run(r#"{"kind": "mh2_fit", "cases": []}"#, &["--compare"]);
+    assert!(code == Some(2) && message.contains("no case in `cases`"), "{message}");
     let no_fields = r#"{"kind": "mh2_fit", "cases": [{}, 7, {"name": "x", "inputs": {"modifiers": [[1]]}}]}"#;
     let (code, message) = run(no_fields, &[]);
     assert!(code == Some(2) && message.contains("`inputs.modifiers`"), "{message}");

@@ -71,12 +71,12 @@ fn human_report_shows_source_consequence_and_help() {
     let text = run(broken().path(), &["--only", "macro-steps-length"]);
     for part in [
         "data/target/figure/macro.json\n",
-        "  error[macro-steps-length] component `age` has 4 values but 3 steps",
+        "  error[macro-steps-length] component `age` has 4 values but 5 steps",
         "MakeHuman 2: stops with an IndexError",
         "[data/target/figure/macro.json:11:22]",
         "11 |",
         "^^^^",
-        "  help: give every value a step",
+        "  help: name a value for every step",
         "  more: mhlint explain macro-steps-length",
         "1 error, 0 warnings, 0 infos in ",
         "Failed. 1 error: MakeHuman 2 would",
@@ -291,7 +291,7 @@ fn the_summary_of_a_github_step_is_appended() {
     assert_eq!(github_step(repository.path(), &summary).status.code(), Some(1));
     let text = fs::read_to_string(&summary).unwrap();
     assert!(text.starts_with("from before\n## mhlint: failed\n"), "{text}");
-    assert!(text.contains("component `age` has 4 values but 3 steps"), "{text}");
+    assert!(text.contains("component `age` has 4 values but 5 steps"), "{text}");
     github_step(repository.path(), &summary);
     assert_eq!(fs::read_to_string(&summary).unwrap().matches("## mhlint: failed").count(), 2);
     let output = github_step(repository.path(), &repository.path().join("no/summary.md"));
@@ -415,10 +415,10 @@ fn html_shows_verdict_consequence_source_and_help() {
     let page = run(broken().path(), &["--report", "html", "--only", "macro-steps-length"]);
     for part in [
         "<h1>Failed. 1 error: MakeHuman 2 would",
-        "component <code>age</code> has 4 values but 3 steps",
+        "component <code>age</code> has 4 values but 5 steps",
         "<dt>MakeHuman 2</dt><dd>stops with an IndexError",
-        "<mark>[0.0, 0.5, 1.0]</mark>",
-        "<dt>What to do</dt><dd>give every value a step",
+        "<mark>[0.0, 0.25, 0.5, 0.75, 1.0]</mark>",
+        "<dt>What to do</dt><dd>name a value for every step",
         "data/target/figure/macro.json:11:22",
         "id=\"rule-macro-steps-length\"",
     ] {

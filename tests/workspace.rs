@@ -14,7 +14,8 @@ fn broken() -> tempfile::TempDir {
     let repository = example();
     let file = repository.path().join("data/target/figure/macro.json");
     let text = fs::read_to_string(&file).unwrap();
-    fs::write(file, text.replacen("\"steps\": [0.0, 0.25, 0.5, 1.0]", "\"steps\": [0.0, 0.5, 1.0]", 1)).unwrap();
+    fs::write(file, text.replacen("\"steps\": [0.0, 0.25, 0.5, 1.0]", "\"steps\": [0.0, 0.25, 0.5, 0.75, 1.0]", 1))
+        .unwrap();
     repository
 }
 

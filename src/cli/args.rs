@@ -8,6 +8,7 @@ use clap_complete::Shell;
 use super::eval::EvalCommand;
 use super::fix::FixArgs;
 use super::output::Target;
+use crate::config::MOST_SAMPLES;
 use crate::diag::{Application, Level, nearest};
 
 const AFTER_HELP: &str = "\
@@ -115,8 +116,8 @@ pub(super) struct CheckArgs {
     /// Leave out everything that needs evaluation.
     #[arg(long)]
     pub(super) no_eval: bool,
-    /// Random slider settings to look at besides the deliberate ones.
-    #[arg(long, value_name = "N", conflicts_with = "no_eval")]
+    /// Random slider settings to look at besides the deliberate ones, at most 100000.
+    #[arg(long, value_name = "N", conflicts_with = "no_eval", value_parser = samples)]
     pub(super) samples: Option<usize>,
     /// Look at every corner of the slider space.
     #[arg(long, conflicts_with = "no_eval")]
@@ -235,6 +236,11 @@ fn application(text: &str) -> Result<Application, String> {
     let all = Application::ALL;
     let found = all.into_iter().find(|application| application.word() == text);
     found.ok_or_else(|| not_one_of("application", text, &all.map(Application::word)))
+}
+
+fn samples(text: &str) -> Result<usize, String> {
+    let number = text.parse().ok().filter(|number| *number <= MOST_SAMPLES);
+    number.ok_or_else(|| format!("a whole number from 0 to {MOST_SAMPLES} is wanted"))
 }
 
 fn level_setting(text: &str) -> Result<(String, Option<Level>), String> {

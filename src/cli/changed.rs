@@ -6,8 +6,11 @@ use std::path::{Path, PathBuf};
 
 use super::exit::Failure;
 use super::git::{Refusal, Repository};
+use crate::config::{Config, FILE_NAME};
+use crate::source::{canonical, folder_of, resolved};
 
 /// Paths from a list: a line each, or separated by NUL as `git diff -z` writes them; `-` is standard input.
+/// Lines that git has put in quotes, as it does where a name is not ASCII, are read as git means them.
 pub(super) fn listed(file: &Path) -> Result<Vec<PathBuf>, Failure> {
     let mut bytes = Vec::new();
     let read = if file == Path::new("-") {
@@ -27,8 +30,48 @@ pub(super) fn listed(file: &Path) -> Result<Vec<PathBuf>, Failure> {
 fn split(bytes: &[u8]) -> impl Iterator<Item = String> {
     let separator = if bytes.contains(&0) { 0 } else { b'\n' };
     let lines = bytes.split(move |byte| *byte == separator);
-    let trimmed = lines.map(|line| String::from_utf8_lossy(line.strip_suffix(b"\r").unwrap_or(line)).into_owned());
+    let trimmed = lines.map(move |line| {
+        let line = line.strip_suffix(b"\r").unwrap_or(line);
+        let name = if separator == 0 { None } else { unquoted(line) };
+        String::from_utf8_lossy(name.as_deref().unwrap_or(line)).into_owned()
+    });
     trimmed.filter(|line| !line.is_empty())
+}
+
+/// What git writes as `"gr\303\274n"`; none if it is not written that way.
+fn unquoted(line: &[u8]) -> Option<Vec<u8>> {
+    let mut rest = line.strip_prefix(b"\"")?.strip_suffix(b"\"")?;
+    let mut name = Vec::new();
+    while let Some((byte, after)) = rest.split_first() {
+        rest = after;
+        if *byte == b'"' {
+            return None;
+        }
+        if *byte != b'\\' {
+            name.push(*byte);
+            continue;
+        }
+        let (escaped, after) = rest.split_first()?;
+        rest = after;
+        name.push(match escaped {
+            b'a' => 7,
+            b'b' => 8,
+            b't' => b'\t',
+            b'n' => b'\n',
+            b'v' => 11,
+            b'f' => 12,
+            b'r' => b'\r',
+            b'"' | b'\\' => *escaped,
+            b'0'..=b'3' => {
+                let (low, after) = rest.split_at_checked(2)?;
+                rest = after;
+                let digits = [*escaped, *low.first()?, *low.last()?];
+                u8::from_str_radix(std::str::from_utf8(&digits).ok()?, 8).ok()?
+            }
+            _ => return None,
+        });
+    }
+    Some(name)
 }
 
 /// Files that differ between HEAD, or nothing before the first commit, and what is staged; deleted and renamed ones
@@ -59,6 +102,32 @@ pub(super) fn since(revision: &str, first: &Path) -> Result<Vec<PathBuf>, Failur
     Ok(all.into_iter().collect())
 }
 
+/// What among the changed files can raise or hide any finding: the configuration or the baseline in use, or, where the
+/// configuration is looked for from a PATH upwards, one that is or was on this way.
+pub(super) fn setting_among(files: &[PathBuf], config: &Config, from: Option<&Path>) -> Option<String> {
+    let in_use = |setting: &Path| {
+        let places = [in_its_folder(setting), resolved(setting)];
+        files.iter().any(|file| places.contains(&in_its_folder(file)))
+    };
+    let file = config.file.as_ref().map(|file| Path::new(&file.path)).filter(|file| in_use(file));
+    if let Some(file) = file {
+        return Some(format!("the configuration `{}`", file.display()));
+    }
+    if let Some(baseline) = config.baseline.as_deref().filter(|file| in_use(file)) {
+        return Some(format!("the baseline `{}`", baseline.display()));
+    }
+    let from = canonical(from?)?;
+    let on_the_way = |file: &&PathBuf| {
+        file.file_name().is_some_and(|name| name == FILE_NAME) && from.starts_with(resolved(folder_of(file)))
+    };
+    files.iter().find(on_the_way).map(|file| format!("the configuration `{}`", file.display()))
+}
+
+/// The absolute path of a file that may be a link itself.
+fn in_its_folder(file: &Path) -> PathBuf {
+    file.file_name().map_or_else(|| resolved(file), |name| resolved(folder_of(file)).join(name))
+}
+
 /// The repository that the first PATH lies in.
 fn around(first: &Path, option: &str) -> Result<Repository, Failure> {
     let folder = if first.is_dir() { first } else { first.parent().unwrap_or(first) };
@@ -81,7 +150,7 @@ fn around(first: &Path, option: &str) -> Result<Repository, Failure> {
 }
 
 fn unknown(repository: &Repository, revision: &str, said: &str) -> Failure {
-    let advice = "name a commit, a tag or a branch, `origin/main` say";
+    let advice = "name a commit, a tag or a branch (`git branch --all` lists those; `git fetch` brings what is new)";
     let shallow = if repository.is_shallow() {
         format!("; if it is one, it lies beyond what this shallow clone holds: {FETCH}")
     } else {
@@ -114,5 +183,17 @@ mod tests {
     fn lists_are_lines_or_separated_by_nul() {
         assert_eq!(split(b"a b\r\nc\n\n").collect::<Vec<_>>(), ["a b", "c"]);
         assert_eq!(split(b"a\nb\0c\0").collect::<Vec<_>>(), ["a\nb", "c"]);
+    }
+
+    #[test]
+    fn quoted_lines_of_git_are_read_as_meant() {
+        let names = |text: &[u8]| split(text).collect::<Vec<_>>();
+        assert_eq!(names(b"\"d/gr\\303\\274n.target\"\r\nplain\n"), ["d/gr\u{fc}n.target", "plain"]);
+        assert_eq!(names(br#""a \"b\" \\ \t""#), ["a \"b\" \\ \t"]);
+        assert_eq!(names(br#""a"b""#), [r#""a"b""#]);
+        assert_eq!(names(br#""a\9""#), [r#""a\9""#]);
+        assert_eq!(names(br#""a\30""#), [r#""a\30""#]);
+        assert_eq!(names(b"\"\n"), ["\""]);
+        assert_eq!(names(b"\"gr\\303\\274n\"\0"), ["\"gr\\303\\274n\""]);
     }
 }

@@ -4,7 +4,7 @@ use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 use super::args::{CheckArgs, Command};
-use super::changed::{listed, since, staged};
+use super::changed::{listed, setting_among, since, staged};
 use super::config::settings;
 use super::exit::{Exit, Failure};
 use super::fix;
@@ -27,10 +27,10 @@ pub(super) fn run(
     out: &mut dyn Write,
     err: &mut dyn Write,
 ) -> Result<Exit, Failure> {
-    let targets = targets(&args.reports)?;
     let paths = &args.paths_or_here();
     let mut config = settings(args)?;
-    config.changed = changed(args, paths, err)?;
+    let targets = targets(&args.reports, &config)?;
+    config.changed = changed(args, paths, &config, err)?;
     let new_baseline = new_baseline(&config)?;
     let progress = Progress::start("reading and evaluating");
     let checked = fix::check(paths, &config, args.fixes);
@@ -61,19 +61,30 @@ pub(super) fn run(
 }
 
 /// The files to narrow the report to, if it is to be narrowed.
-fn changed(args: &CheckArgs, paths: &[PathBuf], err: &mut dyn Write) -> Result<Option<Vec<PathBuf>>, Failure> {
+fn changed(
+    args: &CheckArgs,
+    paths: &[PathBuf],
+    config: &Config,
+    err: &mut dyn Write,
+) -> Result<Option<Vec<PathBuf>>, Failure> {
     let first = paths.first().map_or(Path::new("."), PathBuf::as_path);
-    if let Some(file) = &args.changed_files {
-        return listed(file).map(Some);
+    let files = match (&args.changed_files, &args.since) {
+        (Some(file), _) => listed(file)?,
+        (None, Some(revision)) => since(revision, first)?,
+        (None, None) if args.staged => staged(first)?,
+        (None, None) => return Ok(None),
+    };
+    let whole = if args.staged && files.is_empty() {
+        Some("nothing is staged".to_owned())
+    } else {
+        let found = args.config.is_none().then_some(first);
+        setting_among(&files, config, found).map(|setting| format!("the change touches {setting}"))
+    };
+    let Some(reason) = whole else { return Ok(Some(files)) };
+    if !args.quiet {
+        writeln!(err, "mhlint: {}: the whole report", report::printable(&reason))?;
     }
-    if let Some(revision) = &args.since {
-        return since(revision, first).map(Some);
-    }
-    let staged = if args.staged { staged(first)? } else { return Ok(None) };
-    if staged.is_empty() && !args.quiet {
-        writeln!(err, "mhlint: nothing is staged: the whole report")?;
-    }
-    Ok(Some(staged).filter(|staged| !staged.is_empty()))
+    Ok(None)
 }
 
 /// The baseline to write; refuses before the run what could not be written after it.

@@ -33,6 +33,8 @@ pub(super) struct Checked {
     fixed: Vec<&'static str>,
     /// Findings that only a run which is not narrowed would mend.
     outside: usize,
+    /// Findings that only writing muted files, or files beside the PATHs, would mend.
+    spared: usize,
     changes: Vec<FileChange>,
 }
 
@@ -40,10 +42,10 @@ pub(super) struct Checked {
 pub(super) fn check(paths: &[PathBuf], options: &Config, args: FixArgs) -> Result<Checked, engine::Error> {
     if !args.fix && !args.diff {
         let outcome = engine::lint(paths, options)?;
-        return Ok(Checked { outcome, fixed: Vec::new(), outside: 0, changes: Vec::new() });
+        return Ok(Checked { outcome, fixed: Vec::new(), outside: 0, spared: 0, changes: Vec::new() });
     }
-    let Mended { outcome, fixed, outside, changes } = engine::mend(paths, options, args.unsafe_fixes)?;
-    Ok(Checked { outcome, fixed, outside, changes })
+    let Mended { outcome, fixed, outside, spared, changes } = engine::mend(paths, options, args.unsafe_fixes)?;
+    Ok(Checked { outcome, fixed, outside, spared, changes })
 }
 
 impl Checked {
@@ -82,9 +84,19 @@ impl Checked {
             let more = count(self.outside, "finding");
             writeln!(err, "mhlint: {more} would be mended in files that have not changed; those stay as they are")?;
         }
+        if self.spared > 0 {
+            let more = count(self.spared, "finding");
+            writeln!(
+                err,
+                "mhlint: {more} would be mended in files that are muted or beside the PATHs; those stay as they are"
+            )?;
+        }
         let (_, risky) = mendable(&self.outcome.findings);
         if risky > 0 && !args.unsafe_fixes {
-            writeln!(err, "mhlint: {risky} more can be mended with --unsafe-fixes; look at --diff first")?;
+            writeln!(
+                err,
+                "mhlint: {risky} more can be mended with --unsafe-fixes; look at --diff --unsafe-fixes first"
+            )?;
         }
         Ok(())
     }

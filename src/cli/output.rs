@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use super::args::not_one_of;
 use super::exit::Failure;
+use crate::config::Config;
 use crate::fix::replace;
 use crate::report::Format;
 use crate::source::{folder_of, resolved};
@@ -32,8 +33,9 @@ impl Target {
 }
 
 /// The reports to write, `human` to standard output if none was asked for. Refuses before the run what
-/// could not be written after it.
-pub(super) fn targets(asked: &[Target]) -> Result<Vec<Target>, Failure> {
+/// could not be written after it, or would overwrite what the run reads or writes besides.
+pub(super) fn targets(asked: &[Target], config: &Config) -> Result<Vec<Target>, Failure> {
+    refuse_shared(asked, config)?;
     if asked.is_empty() {
         return Ok(vec![Target { format: Format::Human, file: None }]);
     }
@@ -51,6 +53,25 @@ pub(super) fn targets(asked: &[Target]) -> Result<Vec<Target>, Failure> {
         return Err(Failure::Usage(format!("two reports to `{}`; give each its own file", twice.display())));
     }
     Ok(asked.to_vec())
+}
+
+/// Refuses a report or baseline in place of the baseline or the configuration.
+fn refuse_shared(asked: &[Target], config: &Config) -> Result<(), Failure> {
+    let settings = config.file.as_ref().map(|file| ("the configuration in use", resolved(Path::new(&file.path))));
+    let baseline = config.baseline.as_deref().map(|file| ("the baseline", resolved(file)));
+    let reports = asked.iter().filter_map(|target| Some(("a report", target.file.as_deref()?)));
+    let baselines = config.baseline.as_deref().filter(|_| config.write_baseline).map(|file| ("the baseline", file));
+    for (what, file) in reports.chain(baselines) {
+        let place = resolved(file);
+        let taken = settings.iter().chain(&baseline).find(|(other, taken)| *other != what && *taken == place);
+        if let Some((other, _)) = taken {
+            let shown = file.display();
+            return Err(Failure::Usage(format!(
+                "cannot write {what} to `{shown}`: that is {other}; give each its own file"
+            )));
+        }
+    }
+    Ok(())
 }
 
 /// Refuses a file that `what` could not be written to.

@@ -17,7 +17,8 @@ const LARGEST: u64 = 1 << 20;
 pub fn find(path: &Path) -> Option<PathBuf> {
     let place = canonical(path)?;
     for (up, folder) in place.ancestors().enumerate() {
-        if holds(folder, FILE_NAME) {
+        // A link that leads nowhere was meant to be settings, too.
+        if holds(folder, FILE_NAME) || folder.join(FILE_NAME).is_symlink() {
             let shown = shown(path, up).join(FILE_NAME);
             // A link in PATH leads elsewhere than the names say.
             let same = canonical(&shown).is_some_and(|found| found.parent() == Some(folder));
@@ -46,14 +47,17 @@ fn shown(path: &Path, up: usize) -> PathBuf {
 pub(super) fn load(path: &Path, rules: &[&'static RuleInfo]) -> Result<Config, Error> {
     let shown = path.to_string_lossy().replace('\\', "/");
     let limits = Limits { file_bytes: LARGEST, ..Limits::default() };
-    let bytes = read_file(path, &limits).map_err(|fault| Error::unreadable(&shown, &reason(fault)))?;
+    let bytes = read_file(path, &limits).map_err(|fault| Error::unreadable(&shown, &reason(path, fault)))?;
     let text = String::from_utf8(bytes).map_err(|_| Error::unreadable(&shown, "it is not UTF-8"))?;
     let folder = path.parent().unwrap_or(Path::new(""));
     read::read(&text, &shown, folder, Folder::of(folder), rules)
 }
 
-fn reason(fault: ReadFault) -> String {
+fn reason(path: &Path, fault: ReadFault) -> String {
     match fault {
+        ReadFault::Unreadable(_) if path.is_symlink() && !path.exists() => {
+            "it is a link that leads nowhere; mend or remove it".to_owned()
+        }
         ReadFault::Unreadable(reason) => reason,
         ReadFault::TooLarge { size, limit } => format!("{size} bytes, more than {limit}"),
     }

@@ -1,5 +1,7 @@
 //! The keys of `mhlint.toml`: one table for the reader, the JSON Schema and the documentation.
 
+use super::MOST_SAMPLES;
+
 /// A key.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Key {
@@ -20,6 +22,8 @@ pub(super) enum Shape {
     FailOn,
     /// A whole number, not negative.
     Count,
+    /// The same, up to a highest one.
+    CountTo(usize),
     /// `true` or `false`.
     Flag,
     /// Any text.
@@ -93,6 +97,10 @@ static IGNORE: &[Key] = &[
 
 /// Keys of `[eval]`.
 static EVAL: &[Key] = &[
-    key("samples", Shape::Count, "Random slider settings to look at besides the deliberate ones."),
+    key(
+        "samples",
+        Shape::CountTo(MOST_SAMPLES),
+        "Random slider settings to look at besides the deliberate ones, at most 100000.",
+    ),
     key("exhaustive", Shape::Flag, "Look at every corner of the slider space."),
 ];

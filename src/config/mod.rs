@@ -27,6 +27,9 @@ pub use glob::{PathGlob, Selector};
 pub use schema::schema;
 pub use template::TEMPLATE;
 
+/// Most random settings of the sliders that can be asked for: each takes time and memory.
+pub const MOST_SAMPLES: usize = 100_000;
+
 /// What a run is asked to do.
 ///
 /// The fields are the values in force for the whole run. What the configuration file says on single rules
@@ -57,7 +60,7 @@ pub struct Config {
     pub rule_options: BTreeMap<(String, String), f64>,
     /// Leave out everything that needs evaluation.
     pub no_eval: bool,
-    /// Random settings of the sliders to look at besides the deliberate ones; `None` for the default.
+    /// Random settings of the sliders to look at besides the deliberate ones, at most 100000; `None` for the default.
     pub samples: Option<usize>,
     /// Visit every corner of the slider space.
     pub exhaustive: bool,

@@ -8,7 +8,7 @@ use toml::de::{DeTable, DeValue};
 use super::fault::{Error, Fault};
 use super::keys::{FILE, Key, Shape};
 use super::value::{self, Value, Wrong};
-use super::{Config, ConfigFile, Date, Ignore, PathBlock, PathGlob, Selector, Unknown};
+use super::{Config, ConfigFile, Date, Ignore, MOST_SAMPLES, PathBlock, PathGlob, Selector, Unknown};
 use crate::diag::{Application, Level, RuleInfo, nearest};
 use crate::source::Folder;
 
@@ -139,7 +139,7 @@ impl Reader<'_> {
         let selector =
             self.take(selector.map_err(|why| (span.clone(), format!("`{text}` is no glob: {why}"), help.to_owned())))?;
         if mutes && self.rules.iter().any(|rule| rule.id == text && rule.unmutable) {
-            let why = "it guards against running foreign code or filling memory";
+            let why = "it guards against running foreign code, leaving the data or filling memory";
             let message = format!("`{text}` cannot be muted or lowered: {why}");
             self.fault((span.clone(), message, "remove this entry, and what the rule finds".to_owned()));
         }
@@ -277,7 +277,7 @@ impl Reader<'_> {
         for (key, value) in self.members(table, members_of("eval"), " in `[eval]`", &value.span()) {
             self.file.places.insert(format!("eval.{}", key.name), value.span());
             match key.name {
-                "samples" => self.config.samples = self.take(value::number(key.name, value)),
+                "samples" => self.config.samples = self.take(value::number_to(MOST_SAMPLES, key.name, value)),
                 _ => self.config.exhaustive = self.take(value::flag(key.name, value)).unwrap_or_default(),
             }
         }

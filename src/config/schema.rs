@@ -55,6 +55,7 @@ fn shape(shape: Shape, rules: &[&RuleInfo]) -> Value {
     match shape {
         Shape::FailOn => json!({ "enum": ["error", "warning", "info", "never"] }),
         Shape::Count => json!({ "type": "integer", "minimum": 0 }),
+        Shape::CountTo(most) => json!({ "type": "integer", "minimum": 0, "maximum": most }),
         Shape::Flag => json!({ "type": "boolean" }),
         Shape::Text | Shape::Path | Shape::Glob => json!({ "type": "string" }),
         Shape::Globs | Shape::Texts => json!({ "type": "array", "items": { "type": "string" } }),
@@ -80,7 +81,8 @@ fn options(rules: &[&RuleInfo]) -> Value {
     let with_options = rules.iter().filter(|rule| !rule.options.is_empty());
     let properties = with_options.map(|rule| {
         let options = rule.options.iter().map(|option| {
-            let value = json!({ "type": "number", "default": option.default, "description": option.docs });
+            let value =
+                json!({ "type": "number", "minimum": 0, "default": option.default, "description": option.docs });
             (option.name.to_owned(), value)
         });
         let options: Map<String, Value> = options.collect();

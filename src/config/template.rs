@@ -37,14 +37,14 @@ pub const TEMPLATE: &str = r#"# Settings of mhlint for this repository. Everythi
 
 # Other rules and levels for a part of the repository.
 #[[path]]
-#glob = "target/hm08/measure/**"
+#glob = "**/target/hm08/measure/**"
 #skip = ["target-asymmetric"]
 #level = { target-missing-side = "info" }
 
 # A mute for a finding that is known. It needs a reason, and may end.
 #[[ignore]]
 #rule = "weights-not-normalized"
-#path = "rigs/hm08/*.mhw"
+#path = "**/rigs/hm08/*.mhw"
 #reason = "normalised by the loader, kept as painted"
 #until = 2027-06-30
 

@@ -35,14 +35,21 @@ pub(super) fn number(name: &str, value: &Value<'_>) -> Result<usize, Wrong> {
     whole.and_then(|whole| usize::try_from(whole).ok()).ok_or_else(|| wrong(name, value, "a whole number from 0 on"))
 }
 
-/// A finite number.
+/// A whole number up to `most`.
+pub(super) fn number_to(most: usize, name: &str, value: &Value<'_>) -> Result<usize, Wrong> {
+    let wanted = || wrong(name, value, &format!("a whole number from 0 to {most}"));
+    number(name, value).ok().filter(|number| *number <= most).ok_or_else(wanted)
+}
+
+/// A finite number that is not negative: limits and shares all are.
 pub(super) fn real(name: &str, value: &Value<'_>) -> Result<f64, Wrong> {
     let number = match value.get_ref() {
         DeValue::Integer(whole) => integer(whole).map(|whole| whole as f64),
         DeValue::Float(real) => real.as_str().replace('_', "").parse().ok(),
         _ => None,
     };
-    number.filter(|number: &f64| number.is_finite()).ok_or_else(|| wrong(name, value, "a finite number"))
+    let sound = number.filter(|number: &f64| number.is_finite() && *number >= 0.0);
+    sound.ok_or_else(|| wrong(name, value, "a finite number from 0 on"))
 }
 
 /// `true` or `false`.
@@ -64,7 +71,8 @@ pub(super) fn level(name: &str, value: &Value<'_>, none_word: &str) -> Result<Op
 /// Says what is there and what is wanted.
 pub(super) fn wrong(name: &str, value: &Value<'_>, wanted: &str) -> Wrong {
     let name = if name.contains('`') { name.to_owned() } else { format!("`{name}`") };
-    (value.span(), format!("{name} is {}; {wanted} is wanted", shown(value.get_ref())), format!("write {wanted}"))
+    let help = format!("write {}", wanted.trim_end_matches(','));
+    (value.span(), format!("{name} is {}; {wanted} is wanted", shown(value.get_ref())), help)
 }
 
 fn shown(value: &DeValue<'_>) -> String {

@@ -45,10 +45,24 @@ pub struct Finding {
     /// Structural names of everything that one finding speaks for, sorted. A baseline hides it only as
     /// long as nothing is among them that was not there before.
     pub parts: Vec<String>,
+    /// The files that it speaks for, where that is not just [`Finding::path`].
+    pub over: Over,
     /// Stable identity, filled by the engine.
     pub fingerprint: String,
     /// Why a change can affect it, where the run is narrowed to a change; filled by the engine.
     pub because: Option<String>,
+}
+
+/// Files that a finding speaks for, written as paths are. Mutes are for files, so they need to know.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub enum Over {
+    /// The one at which it stands.
+    #[default]
+    Own,
+    /// Files with a fault each, told together: muted when all of them are.
+    Each(Vec<String>),
+    /// Files that have one fault between them: muted when one of them is.
+    Between(Vec<String>),
 }
 
 /// The consequence in one application.
@@ -97,6 +111,7 @@ impl Finding {
             asset: None,
             whole: None,
             parts: Vec::new(),
+            over: Over::Own,
             fingerprint: String::new(),
             because: None,
         }
@@ -141,6 +156,18 @@ impl Finding {
             self.parts.clear();
         }
         self
+    }
+
+    /// Names the files with a fault each that the finding tells together.
+    #[must_use]
+    pub fn over_each<T: Into<String>>(self, files: impl IntoIterator<Item = T>) -> Self {
+        Self { over: Over::Each(files.into_iter().map(Into::into).collect()), ..self }
+    }
+
+    /// Names the files that have the fault between them.
+    #[must_use]
+    pub fn between<T: Into<String>>(self, files: impl IntoIterator<Item = T>) -> Self {
+        Self { over: Over::Between(files.into_iter().map(Into::into).collect()), ..self }
     }
 
     /// Lowers or raises the level where the consequence differs from the rule's usual one.

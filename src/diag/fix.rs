@@ -16,6 +16,8 @@ pub struct Fix {
     pub title: String,
     /// What is changed; all of it or nothing.
     pub steps: Vec<Step>,
+    /// Files of the steps that are not to be written, because of a mute or of the PATHs; filled by the engine.
+    pub spared: Vec<String>,
 }
 
 /// A change of one file.
@@ -74,7 +76,7 @@ pub struct Edit {
 impl Fix {
     /// A fix of the kind that a rule declares, without steps.
     pub fn new(kind: FixKind, title: impl Into<String>) -> Self {
-        Self { kind, title: title.into(), steps: Vec::new() }
+        Self { kind, title: title.into(), steps: Vec::new(), spared: Vec::new() }
     }
 
     /// Adds a step.

@@ -14,7 +14,7 @@ mod rule_info;
 mod upkeep;
 
 pub use evidence::{EXAMPLES, Evidence, Tally, Worst};
-pub use finding::{Break, Finding, Related};
+pub use finding::{Break, Finding, Over, Related};
 pub use fix::{Change, Edit, Fix, Rewrite, Step};
 pub use key::{fingerprint, structural};
 pub use level::{Application, Confidence, Level};

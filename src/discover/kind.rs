@@ -99,6 +99,24 @@ fn has_extension(file: &str, extension: &str) -> bool {
     file.rsplit_once('.').is_some_and(|(_, found)| found == extension)
 }
 
+/// Folders that tools keep beside the data; nothing of the family is in them.
+const VERSION_CONTROL: [&str; 3] = [".git", ".svn", ".hg"];
+
+/// Whether an application reads a file whose name, or that of a folder above it, begins with a point; of a folder,
+/// whether such a file could be in it. `path` may begin above the data root.
+///
+/// MakeHuman 2 opens every `*.target` below a target folder, whatever it is called (formats/makehuman2.md §1.3).
+pub fn is_read_though_hidden(path: &str, is_folder: bool) -> bool {
+    let parts: Vec<&str> = path.split('/').collect();
+    let hidden = parts.iter().position(|part| part.starts_with('.')).unwrap_or(parts.len());
+    // A name for the base mesh stands between.
+    let visible = parts.get(..hidden.saturating_sub(1)).unwrap_or_default();
+    let name = parts.last().copied().unwrap_or_default();
+    visible.iter().any(|part| TARGET_FOLDERS.contains(part))
+        && !parts.iter().any(|part| VERSION_CONTROL.contains(part))
+        && (is_folder || has_extension(name, "target"))
+}
+
 impl Kind {
     /// Whether the file is JSON.
     pub const fn is_json(self) -> bool {
@@ -160,6 +178,24 @@ mod tests {
             ("makehuman2_version.json", Kind::OtherJson, None),
         ] {
             assert_eq!(kind_of(path), (kind, base), "{path}");
+        }
+    }
+
+    #[test]
+    fn hidden_targets_are_read_and_nothing_else_that_is_hidden() {
+        for (path, is_folder, read) in [
+            ("target/b/._a.target", false, true),
+            ("data/contarget/b/a/.hidden/c.target", false, true),
+            ("data/target/b/.hidden", true, true),
+            ("target/b/.DS_Store", false, false),
+            ("target/b/.git", true, false),
+            ("target/b/.git/a.target", false, false),
+            ("target/.cache", true, false),
+            (".venv", true, false),
+            (".venv/target/b/a.target", false, false),
+            ("rigs/b/._a.mhskel", false, false),
+        ] {
+            assert_eq!(is_read_though_hidden(path, is_folder), read, "{path}");
         }
     }
 

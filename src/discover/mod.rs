@@ -4,6 +4,6 @@ mod kind;
 mod loose;
 mod roots;
 
-pub use kind::{Kind, kind_of};
+pub use kind::{Kind, is_read_though_hidden, kind_of};
 pub use loose::loose_place;
 pub use roots::{DataRoot, SCANNED, find_roots, root_above};

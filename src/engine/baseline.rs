@@ -48,7 +48,9 @@ impl Baseline {
     pub(super) fn read(path: &Path) -> Result<Self, Error> {
         let refuse = |reason: &str| Error::Baseline { path: path.display().to_string(), reason: reason.to_owned() };
         let bytes = read_file(path, &Limits::default()).map_err(|fault| match fault {
-            ReadFault::Unreadable(reason) => refuse(&format!("cannot be read: {reason}; `--write-baseline` writes one")),
+            ReadFault::Unreadable(reason) => {
+                refuse(&format!("cannot be read: {reason}; `--write-baseline` writes one"))
+            }
             ReadFault::TooLarge { .. } => refuse("is too large for a baseline"),
         })?;
         let damaged = |error: serde_json::Error| {
@@ -82,14 +84,21 @@ impl Baseline {
     }
 
     /// For each finding whether it is known, and the entries that were not found again. `roots` are the
-    /// judged data roots, relative to the folder of the file.
+    /// judged data roots, relative to the folder of the file; `is_there` tells whether the asset of an entry is
+    /// still where it says.
     ///
     /// Fingerprints do not depend on where a data root lies. Where several roots hold an asset of the same
-    /// name the path decides; an entry of a root that is still there is not for another one.
+    /// name the path decides; an entry of a root that is judged, or of an asset that is still there, is not for
+    /// another one.
     ///
     /// Several entries may have one fingerprint: what a rule tells now of each part, now of all together. Together
     /// they speak for a finding.
-    pub(super) fn compare(&self, found: &[Found], roots: &BTreeSet<String>) -> (Vec<bool>, Vec<&Entry>) {
+    pub(super) fn compare(
+        &self,
+        found: &[Found],
+        roots: &BTreeSet<String>,
+        is_there: impl Fn(&Entry) -> bool,
+    ) -> (Vec<bool>, Vec<&Entry>) {
         let mut alike: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
         for (number, entry) in self.entries.iter().enumerate() {
             alike.entry(&entry.fingerprint).or_default().push(number);
@@ -101,7 +110,11 @@ impl Baseline {
                 let (path, rel) = (found.entry.path.as_str(), found.rel.as_str());
                 let numbers = alike.get(found.entry.fingerprint.as_str()).into_iter().flatten();
                 let fits = |entry: &Entry| {
-                    if exact { entry.path == path } else { !roots.contains(root_of(&entry.path, rel)) }
+                    if exact {
+                        entry.path == path
+                    } else {
+                        !roots.contains(root_of(&entry.path, rel)) && !is_there(entry)
+                    }
                 };
                 let entries = numbers.filter_map(|number| Some((*number, self.entries.get(*number)?)));
                 let entries: Vec<(usize, &Entry)> = entries.filter(|(_, entry)| fits(entry)).collect();
@@ -159,7 +172,7 @@ mod tests {
         let found: Vec<Found> =
             found.iter().map(|entry| Found { entry: entry.clone(), rel: "a.target".to_owned() }).collect();
         let roots = roots.iter().map(|root| (*root).to_owned()).collect();
-        let (known, stale) = baseline.compare(&found, &roots);
+        let (known, stale) = baseline.compare(&found, &roots, |entry| entry.path.starts_with("there/"));
         (known, stale.len())
     }
 
@@ -168,6 +181,8 @@ mod tests {
         let (old, new) = (entry("data/a.target", &[]), entry("user/a.target", &[]));
         assert_eq!(known(from_ref(&old), from_ref(&new), &["user"]), (vec![true], 0));
         assert_eq!(known(from_ref(&old), from_ref(&new), &["data", "user"]), (vec![false], 1));
+        let beside = entry("there/a.target", &[]);
+        assert_eq!(known(from_ref(&beside), from_ref(&new), &["user"]), (vec![false], 1));
     }
 
     #[test]

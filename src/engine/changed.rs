@@ -1,16 +1,18 @@
 //! Changed files: the whole repository is judged, the report narrowed to what the change can affect.
 //!
 //! One step each way along the references: a changed file, what names it, what it names. Files that decide
-//! over a whole base mesh (`base.obj`, `macro.json` and the like) affect everything of that base.
+//! over a whole base mesh (`base.obj`, `macro.json` and the like) affect everything of that base. A finding that
+//! should be left out and is shown is a nuisance, the other way round it is a fault that nobody sees: in doubt it
+//! is shown.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 use super::outcome::Outcome;
+use super::sight::{Sight, sight};
 use crate::diag::{Finding, Place};
-use crate::discover::kind_of;
 use crate::repo::{Layer, Reference, Repository, Resolution};
-use crate::source::{folder_of, resolved};
+use crate::source::{folder_of, link_targets, resolved};
 
 /// Paths of changed files: absolute, without `..`, with forward slashes.
 pub(super) struct Change {
@@ -29,6 +31,17 @@ impl Change {
     /// Whether a file changed, by its path as reports print it.
     pub(super) fn holds(&self, path: &str) -> bool {
         self.paths.contains(&absolute(Path::new(path)))
+    }
+
+    /// Whether the file or folder that something links to changed, or one on the way to it.
+    fn reaches(&self, link: &Path) -> bool {
+        let own = in_its_folder(link);
+        link_targets(link).iter().any(|target| {
+            let target = in_its_folder(target);
+            // What leads back up leads to everything.
+            let holds_link = own.starts_with(&format!("{target}/"));
+            self.paths.contains(&target) || (!holds_link && first_below(&self.paths, &target).is_some())
+        })
     }
 
     /// The changed paths below a layer, relative to it.
@@ -71,33 +84,69 @@ fn is_upkeep(finding: &Finding) -> bool {
 
 /// What a change reaches in one repository.
 struct Reach<'a> {
-    /// Changed files, by their path as reports print it.
+    /// Changed files, by their path as reports print it, and links to them.
     changed: BTreeSet<String>,
-    /// Base meshes over which a changed file decides, with that file.
-    bases: BTreeMap<String, String>,
+    /// The same in lower case.
+    folded: BTreeSet<String>,
+    /// Changed files of each base mesh.
+    of_base: BTreeMap<String, Vec<Changed>>,
+    /// Paths below the data root, by path as reports print it.
+    rels: BTreeMap<&'a str, &'a str>,
     /// Files that a changed file names, with the changed one.
     named: BTreeMap<&'a str, &'a str>,
     /// Files that name a changed one: where in them, and the changed one.
     naming: BTreeMap<&'a str, Vec<(&'a Place, String)>>,
 }
 
+/// A changed file of a base mesh.
+struct Changed {
+    path: String,
+    /// The folder of the data root that it lies in.
+    folder: String,
+    /// Whether the whole judgement of the base hangs on it.
+    decides: bool,
+}
+
 impl<'a> Reach<'a> {
     fn new(repository: &'a Repository<'a>, change: &Change) -> Self {
-        let mut reach =
-            Self { changed: BTreeSet::new(), bases: BTreeMap::new(), named: BTreeMap::new(), naming: BTreeMap::new() };
+        let mut reach = Self {
+            changed: BTreeSet::new(),
+            folded: BTreeSet::new(),
+            of_base: BTreeMap::new(),
+            rels: BTreeMap::new(),
+            named: BTreeMap::new(),
+            naming: BTreeMap::new(),
+        };
         for layer in layers(repository) {
-            for rel in change.below(layer) {
-                let path = layer.display(rel);
-                if let Some(base) = decided_base(rel) {
-                    reach.bases.insert(base.to_owned(), path.clone());
-                }
-                reach.changed.insert(path);
+            reach.rels.extend(layer.files.values().map(|file| (file.path.as_str(), file.rel.as_str())));
+            reach.changed.extend(change.below(layer).map(|rel| layer.display(rel)));
+            let faults = layer.walk_faults.iter().map(|fault| layer.display(&fault.path));
+            let folders = layer.folders.iter().map(|folder| layer.display(folder));
+            let entries = layer.files.values().map(|file| file.path.clone()).chain(folders).chain(faults);
+            reach.changed.extend(entries.filter(|path| change.reaches(Path::new(path))));
+        }
+        for path in &reach.changed {
+            let rel = reach.rel(repository, path);
+            if let [folder, base, ..] = rel.split('/').collect::<Vec<_>>().as_slice() {
+                let decides = decides_over_base(rel);
+                let changed = Changed { path: path.clone(), folder: (*folder).to_owned(), decides };
+                reach.of_base.entry((*base).to_owned()).or_default().push(changed);
             }
         }
+        reach.folded = reach.changed.iter().map(|path| path.to_lowercase()).collect();
         for reference in &repository.references {
             reach.follow(repository, reference);
         }
         reach
+    }
+
+    /// The path below the data root. A loose file has the one where the application would look for it.
+    fn rel<'p>(&self, repository: &Repository<'_>, path: &'p str) -> &'p str
+    where
+        'a: 'p,
+    {
+        let placed = self.rels.get(path).copied();
+        placed.or_else(|| layers(repository).find_map(|layer| layer.relative(path))).unwrap_or(path)
     }
 
     fn follow(&mut self, repository: &Repository<'_>, reference: &'a Reference<'a>) {
@@ -109,7 +158,7 @@ impl<'a> Reach<'a> {
             | Resolution::OtherLayer(file) => Some(file),
             _ => None,
         };
-        if self.changed.contains(from)
+        if self.holding(from).is_some()
             && let Some(file) = found
         {
             self.named.insert(&file.path, from);
@@ -117,7 +166,13 @@ impl<'a> Reach<'a> {
         // A deleted or renamed file is where the reference would look in any layer.
         let looked_at = layers(repository).map(|layer| layer.display(&reference.rel));
         let target = found.map(|file| file.path.clone()).into_iter().chain(looked_at);
-        if let Some(path) = target.into_iter().find(|path| self.changed.contains(path)) {
+        let mut near = target.filter_map(|path| {
+            let changed = self.holding(&path);
+            // What is missed together is told once, at any of its names.
+            let folder = || self.below(path.rsplit_once('/').map_or("", |(folder, _)| folder));
+            if found.is_some() { changed } else { changed.or_else(folder) }.map(str::to_owned)
+        });
+        if let Some(path) = near.next() {
             self.naming.entry(from).or_default().push((&reference.place, path));
         }
     }
@@ -128,11 +183,18 @@ impl<'a> Reach<'a> {
         if self.changed.contains(path) {
             return Some("the file changed".to_owned());
         }
-        if let Some(changed) = self.below(path) {
+        if let Some(changed) = self.below(path).or_else(|| first_below(&self.folded, &path.to_lowercase())) {
             return Some(format!("`{changed}` in it changed"));
         }
-        if let Some(changed) = finding.related.iter().find(|other| self.changed.contains(&other.path)) {
-            return Some(format!("`{}` changed", changed.path));
+        let others = finding.related.iter().map(|other| other.path.as_str());
+        let parts: Vec<String> =
+            layers(repository).flat_map(|layer| finding.parts.iter().map(|part| layer.display(part))).collect();
+        let mut spoken_of = others.chain(finding.parts.iter().chain(&parts).map(String::as_str)).chain([path]);
+        if let Some(changed) = spoken_of.find_map(|other| self.holding(other)) {
+            return Some(format!("`{changed}` changed"));
+        }
+        if self.folded.contains(&path.to_lowercase()) {
+            return Some("a file of this name in other capitals changed".to_owned());
         }
         if let Some(from) = self.named.get(path) {
             return Some(format!("`{from}`, which names it, changed"));
@@ -140,17 +202,51 @@ impl<'a> Reach<'a> {
         if let Some(changed) = self.naming.get(path).and_then(|places| named_at(places, finding)) {
             return Some(format!("it names `{changed}`, which changed"));
         }
-        let rel = layers(repository).find_map(|layer| layer.relative(path)).unwrap_or(path);
-        let base = kind_of(rel).1?;
-        self.bases.get(base).map(|changed| format!("`{changed}`, which decides over all of `{base}`, changed"))
+        self.of_its_base(self.rel(repository, path), finding)
+    }
+
+    /// Why a finding at `rel` can come from another file of its base mesh.
+    fn of_its_base(&self, rel: &str, finding: &Finding) -> Option<String> {
+        let base = rel.split('/').nth(1)?;
+        let changed = self.of_base.get(base)?;
+        if let Some(changed) = changed.iter().find(|changed| changed.decides) {
+            return Some(format!("`{}`, which decides over all of `{base}`, changed", changed.path));
+        }
+        let is_rig = |changed: &&Changed| changed.folder == "rigs";
+        let folder = |path: &str| path.rsplit_once('/').map_or(String::new(), |(folder, _)| folder.to_owned());
+        let counts = match sight(finding, rel) {
+            Sight::File => None,
+            Sight::Folder => {
+                let folder = folder(&finding.path);
+                changed.iter().find(|changed| changed.path.starts_with(&format!("{folder}/")))
+            }
+            Sight::Rigs => changed.iter().find(is_rig),
+            Sight::FolderAndRigs => {
+                let own = folder(&finding.path);
+                changed.iter().find(|changed| is_rig(changed) || folder(&changed.path) == own)
+            }
+            Sight::Base => changed.first(),
+        };
+        counts.map(|changed| format!("`{}`, which also belongs to `{base}`, changed", changed.path))
+    }
+
+    /// The changed file, link or linked folder that a path is or lies in.
+    fn holding(&self, path: &str) -> Option<&str> {
+        let mut ends = path.match_indices('/').map(|(at, _)| at).chain([path.len()]);
+        ends.find_map(|end| self.changed.get(path.get(..end)?)).map(String::as_str)
     }
 
     /// A changed file below a folder.
     fn below(&self, folder: &str) -> Option<&str> {
-        let prefix = format!("{folder}/");
-        let next = self.changed.range(prefix.clone()..).next()?;
-        next.starts_with(&prefix).then_some(next.as_str())
+        first_below(&self.changed, folder)
     }
+}
+
+/// The first of the paths that lies below a folder.
+fn first_below<'s>(paths: &'s BTreeSet<String>, folder: &str) -> Option<&'s str> {
+    let prefix = format!("{folder}/");
+    let next = paths.range(prefix.clone()..).next()?;
+    next.starts_with(&prefix).then_some(next.as_str())
 }
 
 /// The changed file named where the finding is, above or below it. A finding on evaluated shapes, or without a
@@ -176,17 +272,17 @@ fn is_within(inner: &str, outer: &str) -> bool {
     inner.strip_prefix(outer).is_some_and(|rest| rest.is_empty() || rest.starts_with('/'))
 }
 
-/// The base mesh whose whole judgement hangs on the file at `rel`.
-fn decided_base(rel: &str) -> Option<&str> {
-    match rel.split('/').collect::<Vec<_>>().as_slice() {
-        ["base", base, "base.json" | "base.obj"]
-        | [
-            "target" | "contarget",
-            base,
-            "macro.json" | "modelling.json" | "target_cat.json" | "compressedtargets.npz",
-        ] => Some(base),
-        _ => None,
-    }
+/// Whether the whole judgement of a base mesh hangs on the file at `rel`.
+fn decides_over_base(rel: &str) -> bool {
+    matches!(
+        rel.split('/').collect::<Vec<_>>().as_slice(),
+        ["base", _, "base.json" | "base.obj"]
+            | [
+                "target" | "contarget",
+                _,
+                "macro.json" | "modelling.json" | "target_cat.json" | "compressedtargets.npz",
+            ]
+    )
 }
 
 fn layers<'a>(repository: &'a Repository<'_>) -> impl Iterator<Item = &'a Layer> {

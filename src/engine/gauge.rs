@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use rayon::prelude::*;
 
 use super::compose::Rig;
-use crate::config::Config;
+use crate::config::{Config, MOST_SAMPLES};
 use crate::eval::culprit::most_moving;
 use crate::eval::look::look;
 use crate::eval::macro_eval::MacroResult;
@@ -32,7 +32,8 @@ const CHUNK: usize = 64;
 
 /// Measures a scene.
 pub(super) fn gauge(scene: &Scene, rigs: &[Rig], options: &Config) -> Measures {
-    let settings = plan(scene, &scene.macrodefs, options.samples.unwrap_or(DEFAULT_SAMPLES), options.exhaustive);
+    let samples = options.samples.unwrap_or(DEFAULT_SAMPLES).min(MOST_SAMPLES);
+    let settings = plan(scene, &scene.macrodefs, samples, options.exhaustive);
     let (space, (macros, shape)) = rayon::join(
         || survey(scene, &settings),
         || rayon::join(|| macro_measure(scene, &settings), || shape(scene, rigs)),

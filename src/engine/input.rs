@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use super::outcome::Error;
 use super::roots::roots_of;
-use crate::discover::root_above;
+use crate::discover::{is_read_though_hidden, root_above};
 use crate::source::{Tree, folder_of};
 
 /// A tree to look for data roots in.
@@ -37,14 +37,14 @@ pub(super) fn open(paths: &[PathBuf]) -> Result<Vec<Input>, Error> {
 /// Opens `--system`.
 pub(super) fn open_system(path: &Path) -> Result<Tree, Error> {
     canonical(path)?;
-    Ok(Tree::on_disk(label(path), path))
+    Ok(Tree::on_disk(label(path), path, is_read_though_hidden))
 }
 
 fn open_one(path: &Path) -> Result<(PathBuf, Input), Error> {
     let place = canonical(path)?;
     let here = label(path);
     if place.is_dir() {
-        let tree = Tree::on_disk(here.clone(), path);
+        let tree = Tree::on_disk(here.clone(), path, is_read_though_hidden);
         if !roots_of(&tree).is_empty() {
             return Ok((place, Input::whole(tree)));
         }
@@ -55,13 +55,13 @@ fn open_one(path: &Path) -> Result<(PathBuf, Input), Error> {
     if place.is_file() {
         return Ok(open_beside(path, &place, &here));
     }
-    Ok((place, Input::whole(Tree::on_disk(here, path))))
+    Ok((place, Input::whole(Tree::on_disk(here, path, is_read_though_hidden))))
 }
 
 /// A file that lies in no data root, with those beside it: they may belong together.
 fn open_beside(path: &Path, place: &Path, here: &str) -> (PathBuf, Input) {
     let folder = folder_of(path);
-    let tree = Tree::on_disk_to_depth(label(folder), folder, 1);
+    let tree = Tree::on_disk_to_depth(label(folder), folder, 1, is_read_though_hidden);
     (place.parent().unwrap_or(place).to_owned(), Input { tree, narrow: vec![here.to_owned()] })
 }
 
@@ -69,7 +69,7 @@ fn open_beside(path: &Path, place: &Path, here: &str) -> (PathBuf, Input) {
 fn open_above(path: &Path, place: &Path, here: &str) -> Option<(PathBuf, Input)> {
     let slashed = place.to_str()?.replace('\\', "/");
     let root = PathBuf::from(root_above(&slashed)?);
-    let shallow = Tree::on_disk_to_depth(String::new(), &root, 4);
+    let shallow = Tree::on_disk_to_depth(String::new(), &root, 4, is_read_though_hidden);
     roots_of(&shallow).iter().any(|root| root.path.is_empty()).then_some(())?;
     let levels = place.strip_prefix(&root).ok()?.components().count();
     let root_label = label_above(path, here, levels);
@@ -78,7 +78,7 @@ fn open_above(path: &Path, place: &Path, here: &str) -> Option<(PathBuf, Input)>
     } else {
         format!("{root_label}/{}", place.strip_prefix(&root).ok()?.to_str()?)
     };
-    let tree = Tree::on_disk(root_label, &root);
+    let tree = Tree::on_disk(root_label, &root, is_read_though_hidden);
     Some((root, Input { tree, narrow: vec![narrow.replace('\\', "/")] }))
 }
 

@@ -58,12 +58,17 @@ impl Known {
         roots: impl Iterator<Item = &'r str>,
         selection: &Selection<'_>,
         scope: &Scope<'_>,
-    ) -> Compared {
+    ) -> Result<Compared, Error> {
         let roots: BTreeSet<String> = roots.map(|root| placed(&self.folder, root)).collect();
         let (safe, rest): (Vec<Placed>, Vec<Placed>) =
             found.into_iter().partition(|placed| is_unmutable(placed.finding.rule));
         let entries: Vec<Found> = rest.iter().map(|placed| self.found(placed)).collect();
-        let (known, lost) = self.old.compare(&entries, &roots);
+        let (known, lost) = self.old.compare(&entries, &roots, |entry| self.is_there(&entry.path));
+        // Data in memory have no places on disk to look for.
+        let on_disk = roots.iter().any(|root| self.is_there(root));
+        if on_disk && lost.len() == self.old.entries.len() && scope.is_whole() {
+            self.refuse_foreign(selection)?;
+        }
         let judged = |entry: &&Entry| self.is_judged(entry, selection, scope);
         let stale: Vec<&Entry> = lost.into_iter().filter(judged).collect();
         let mut used = BaselineUse {
@@ -86,7 +91,31 @@ impl Known {
         let hidden = hides.iter().filter(|hides| **hides).count();
         let rest = rest.into_iter().zip(hides).filter(|(_, hides)| !hides).map(|(placed, _)| placed);
         let kept = safe.into_iter().chain(rest).map(|placed| placed.finding).collect();
-        Compared { kept, hidden, used, new }
+        Ok(Compared { kept, hidden, used, new })
+    }
+
+    /// Whether there is something at the path of an entry, or at one beside it.
+    fn is_there(&self, path: &str) -> bool {
+        let folder = self.path.parent().unwrap_or(Path::new(""));
+        folder.join(path).exists() || Path::new(path).exists()
+    }
+
+    /// A file of which nothing was found, neither the faults nor the assets nor their folders, is not for these data.
+    /// Where the folder is there the asset was mended by removing it.
+    fn refuse_foreign(&self, selection: &Selection<'_>) -> Result<(), Error> {
+        let entries = &self.old.entries;
+        let folder = |entry: &Entry| entry.path.rsplit_once('/').map_or(".", |(folder, _)| folder).to_owned();
+        let is_gone = |entry: &Entry| !self.is_there(&entry.path) && !self.is_there(&folder(entry));
+        let Some(first) = entries.first() else { return Ok(()) };
+        if !entries.iter().all(|entry| !selection.is_silenced(&entry.rule) && is_gone(entry)) {
+            return Ok(());
+        }
+        let reason = format!(
+            "seems to be that of another repository: nothing that it names is here, neither `{}` nor its folder; \
+             name another file with `--baseline`, or remove this one and write it anew with `--write-baseline`",
+            first.path
+        );
+        Err(Error::Baseline { path: self.path.display().to_string(), reason })
     }
 
     fn found(&self, placed_at: &Placed) -> Found {

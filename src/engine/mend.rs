@@ -27,13 +27,15 @@ pub struct Mended {
     /// Findings that were not mended, or not all of what they speak of, because files outside of the change
     /// ([`Config::changed`]) would have to be written.
     pub outside: usize,
+    /// The same because of files for which the rule is muted, or which the PATHs leave out.
+    pub spared: usize,
     /// Files that differ from what is on disk, by path; nothing was written.
     pub changes: Vec<FileChange>,
 }
 
 /// Judges data roots found at `paths` and mends in memory what can be: unsafe fixes too, if `with_unsafe`.
-/// Only what would be reported is mended, never a file of the system data, and in a run that is narrowed to a change
-/// only files of the change.
+/// Only what would be reported is mended, never a file of the system data, one for which the rule is muted or one that
+/// the PATHs leave out, and in a run that is narrowed to a change only files of the change.
 ///
 /// # Errors
 /// As [`super::lint`].
@@ -65,7 +67,7 @@ pub fn mend(paths: &[PathBuf], options: &Config, with_unsafe: bool) -> Result<Me
             work.change(&mut inputs, &path, &patch);
         }
     }
-    mended.outside = work.outside(&mended.outcome.findings);
+    (mended.outside, mended.spared) = work.left_out(&mended.outcome.findings);
     mended.changes = work.changes(&inputs);
     Ok(mended)
 }
@@ -110,21 +112,25 @@ impl Work {
         fix.kind == FixKind::Safe || self.with_unsafe
     }
 
-    /// The steps in files of the change. Operations on whole files stand each for itself; other steps belong together.
+    /// The steps in files that may be written. Operations on whole files stand each for itself, others belong together.
     fn steps<'f>(&self, fix: &'f Fix) -> Vec<&'f Step> {
-        let (inside, outside): (Vec<&Step>, Vec<&Step>) = fix.steps.iter().partition(|step| self.may_write(&step.path));
+        let (inside, outside): (Vec<&Step>, Vec<&Step>) =
+            fix.steps.iter().partition(|step| self.is_changed(&step.path) && !fix.spared.contains(&step.path));
         let are_apart = fix.steps.iter().all(|step| matches!(step.change, Change::Rewrite(_)));
         if outside.is_empty() || are_apart { inside } else { Vec::new() }
     }
 
-    fn may_write(&self, path: &str) -> bool {
+    fn is_changed(&self, path: &str) -> bool {
         self.change.as_ref().is_none_or(|change| change.holds(path))
     }
 
-    /// How many findings could be mended by writing files outside of the change.
-    fn outside(&self, findings: &[Finding]) -> usize {
+    /// How many findings could be mended by writing files outside of the change, and how many of the others by
+    /// writing files that are spared.
+    fn left_out(&self, findings: &[Finding]) -> (usize, usize) {
         let fixes = findings.iter().filter_map(|finding| finding.fix.as_ref()).filter(|fix| self.may(fix));
-        fixes.filter(|fix| fix.steps.iter().any(|step| !self.may_write(&step.path))).count()
+        let (inside, outside): (Vec<&Fix>, Vec<&Fix>) =
+            fixes.partition(|fix| fix.steps.iter().all(|step| self.is_changed(&step.path)));
+        (outside.len(), inside.iter().filter(|fix| !fix.spared.is_empty()).count())
     }
 
     /// Byte edits of all steps; nothing if one of them cannot be done.

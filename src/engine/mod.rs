@@ -9,6 +9,7 @@ mod compose;
 mod data;
 pub mod evaluate;
 mod gauge;
+mod heard;
 mod input;
 mod judge;
 mod known;
@@ -26,6 +27,7 @@ mod roots;
 mod run;
 mod scope;
 mod select;
+mod sight;
 mod stack;
 
 pub use crate::eval::settings::DEFAULT_SAMPLES;

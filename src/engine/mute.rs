@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::scope::Scope;
 use super::select::{Selection, is_unmutable};
 use crate::config::{Config, Date, Ignore, Selector};
-use crate::diag::{Finding, Mute, MuteState, Place, UnknownRule, nearest};
+use crate::diag::{Mute, MuteState, Place, UnknownRule, nearest};
 use crate::repo::FileFacts;
 use crate::rules::RULES;
 
@@ -17,6 +17,8 @@ pub(super) struct Muting<'c> {
     hits: Vec<bool>,
     /// Comments of the files that were reported on.
     inline: Vec<Mute>,
+    /// File and line of the comments that hid something.
+    used: BTreeSet<(String, u32)>,
     /// Paths below the data root of the files with comments.
     assets: BTreeMap<String, String>,
 }
@@ -25,51 +27,28 @@ impl<'c> Muting<'c> {
     pub(super) fn new(config: &'c Config) -> Self {
         let ignores = config.file.as_ref().map_or(0, |file| file.ignores.len());
         let hits = vec![false; ignores];
-        Self { config, today: Date::today(), hits, inline: Vec::new(), assets: BTreeMap::new() }
+        Self { config, today: Date::today(), hits, inline: Vec::new(), used: BTreeSet::new(), assets: BTreeMap::new() }
     }
 
-    /// Splits off the findings of one repository that are muted; gives the others and how many there were.
-    pub(super) fn apply<'f>(
-        &mut self,
-        findings: Vec<Finding>,
-        file: impl Fn(&str) -> Option<&'f FileFacts>,
-    ) -> (Vec<Finding>, usize) {
-        let all = findings.len();
-        let mut used: BTreeSet<(String, u32)> = BTreeSet::new();
-        let kept: Vec<Finding> = findings
-            .into_iter()
-            .filter(|finding| {
-                if is_unmutable(finding.rule) {
-                    return true;
-                }
-                let comments = file(&finding.path).into_iter().flat_map(|file| &file.ignores);
-                let mut hidden = false;
-                for comment in comments.filter(|comment| !comment.reason.is_empty()) {
-                    if Selector::new(&comment.rule, 0..0).is_ok_and(|rule| rule.fits(finding.rule)) {
-                        used.insert((finding.path.clone(), comment.line));
-                        hidden = true;
-                    }
-                }
-                !(self.is_ignored(finding) || hidden)
-            })
-            .collect();
-        for mute in &mut self.inline {
-            if let Place::Line(line) = mute.place
-                && used.contains(&(mute.path.clone(), line))
-            {
-                mute.state = MuteState::Used;
+    /// Whether a rule is muted for a file or folder, whose facts are `file`. The mutes count as used.
+    pub(super) fn hides(&mut self, rule: &str, path: &str, file: Option<&FileFacts>) -> bool {
+        let mut hidden = self.is_ignored(rule, path);
+        let comments = file.into_iter().flat_map(|file| &file.ignores);
+        for comment in comments.filter(|comment| !comment.reason.is_empty()) {
+            if Selector::new(&comment.rule, 0..0).is_ok_and(|selector| selector.fits(rule)) {
+                self.used.insert((path.to_owned(), comment.line));
+                hidden = true;
             }
         }
-        let hidden = all - kept.len();
-        (kept, hidden)
+        hidden
     }
 
-    fn is_ignored(&mut self, finding: &Finding) -> bool {
+    fn is_ignored(&mut self, rule: &str, path: &str) -> bool {
         let Some(file) = &self.config.file else { return false };
-        let Some(rel) = file.relative(&finding.path).filter(|_| !file.ignores.is_empty()) else { return false };
+        let Some(rel) = file.relative(path).filter(|_| !file.ignores.is_empty()) else { return false };
         let mut hidden = false;
         for (ignore, hit) in file.ignores.iter().zip(&mut self.hits) {
-            if counts(ignore, self.today) && ignore.rule.fits(finding.rule) && ignore.path.fits(&rel) {
+            if counts(ignore, self.today) && ignore.rule.fits(rule) && ignore.path.fits(&rel) {
                 *hit = true;
                 hidden = true;
             }
@@ -119,7 +98,10 @@ impl<'c> Muting<'c> {
                 }
             })
             .collect();
-        mutes.extend(self.inline.iter().cloned());
+        mutes.extend(self.inline.iter().map(|mute| {
+            let is_used = matches!(mute.place, Place::Line(line) if self.used.contains(&(mute.path.clone(), line)));
+            Mute { state: if is_used { MuteState::Used } else { mute.state.clone() }, ..mute.clone() }
+        }));
         mutes
     }
 

@@ -44,6 +44,7 @@ pub(super) fn empty(tree: &Tree, entry: &Entry, rel: &str) -> FileFacts {
     FileFacts {
         path,
         rel: rel.to_owned(),
+        link_to: link_to(entry, rel),
         kind,
         base: base.map(str::to_owned),
         size: entry.size,
@@ -56,6 +57,12 @@ pub(super) fn empty(tree: &Tree, entry: &Entry, rel: &str) -> FileFacts {
         content_hash: None,
         content: Content::Unread,
     }
+}
+
+/// The file behind a link, relative to the data root.
+fn link_to(entry: &Entry, rel: &str) -> Option<String> {
+    let root = entry.path.strip_suffix(rel)?;
+    entry.link_to.as_ref()?.strip_prefix(root).map(str::to_owned)
 }
 
 fn is_read(facts: &FileFacts) -> bool {

@@ -1,11 +1,12 @@
 //! A run: inputs to data roots, roots to repositories, repositories through the rules to an outcome.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 use std::time::Instant;
 
 use super::changed::{Change, explain, narrow};
 use super::data::{Data, Loaded};
+use super::heard::{Filter, Heard};
 use super::input::{Input, open};
 use super::judge::{judge, look_after};
 use super::known::{Known, Placed};
@@ -16,7 +17,7 @@ use super::mute::Muting;
 use super::outcome::{Error, Outcome, Timing};
 use super::roots::{Roots, check_bases, summarise};
 use super::scope::Scope;
-use super::select::{Selection, Verdict, is_unmutable};
+use super::select::Selection;
 use crate::config::Config;
 use crate::diag::{Application, Finding, Upkeep, fingerprint};
 use crate::eval::measures::Measures;
@@ -74,7 +75,7 @@ pub(super) fn lint_inputs(inputs: &[Input], system: Option<&Tree>, options: &Con
     let started = Instant::now();
     let found = judge_all(&data, &measures, &asked, &mut muting, &mut outcome);
     check_bases(options, &outcome)?;
-    settle(found, known, &data, &asked, &muting, &mut outcome);
+    settle(found, known, &data, &asked, &muting, &mut outcome)?;
     outcome.timings.push(timing("rules", started));
     let started = Instant::now();
     let settings = options.file.as_ref().map(|file| (file.path.clone(), file.text.clone().into_bytes()));
@@ -122,12 +123,12 @@ fn settle(
     asked: &Asked<'_>,
     muting: &Muting<'_>,
     outcome: &mut Outcome,
-) {
+) -> Result<(), Error> {
     let Asked { options, selection, scope, change } = asked;
     let mut upkeep = Upkeep { mutes: muting.mutes(selection, scope), unknown: muting.unknown(), baseline: None };
     if let Some(known) = known {
         let roots = data.roots.iter().map(|root| root.layer.path.as_str());
-        let compared = known.compare(found, roots, selection, scope);
+        let compared = known.compare(found, roots, selection, scope)?;
         outcome.findings = compared.kept;
         outcome.summary.suppressed += compared.hidden;
         outcome.baseline = compared.new;
@@ -139,6 +140,7 @@ fn settle(
     if let Some(change) = change {
         narrow(outcome, change);
     }
+    Ok(())
 }
 
 /// What is reported of one repository.
@@ -156,30 +158,40 @@ impl Reporter<'_, '_> {
         let files = self.repository.judged.files.values();
         let commented = files.filter(|file| !file.ignores.is_empty() && self.is_reported(&file.path));
         commented.for_each(|file| muting.note(file, self.selection, self.scope));
+        let filter = self.filter();
         let mut kept = Vec::new();
         for mut finding in findings.into_iter().filter(|finding| self.is_wanted(finding)) {
-            let rel = self.options.file.as_ref().and_then(|file| file.relative(&finding.path));
-            match self.selection.verdict(finding.rule, finding.level, rel.as_deref()) {
-                Verdict::Off => {}
-                Verdict::OffHere => outcome.summary.suppressed += 1,
-                Verdict::At(level) => {
+            match filter.of(&mut finding, muting) {
+                Heard::At(level) => {
+                    let spared = self.spared(&filter.spared(&finding, muting), &finding);
+                    finding.fix.iter_mut().for_each(|fix| fix.spared.clone_from(&spared));
                     finding.level = level;
                     kept.push(finding);
                 }
+                Heard::Hidden => outcome.summary.suppressed += 1,
+                Heard::Off | Heard::Excluded => {}
             }
         }
-        let file = |path: &str| self.repository.judged.file(self.repository.judged.relative(path)?);
-        let (kept, muted) = muting.apply(kept, file);
-        outcome.summary.suppressed += muted;
         self.identify(kept)
+    }
+
+    fn filter(&self) -> Filter<'_> {
+        let Self { repository, selection, scope, options, .. } = self;
+        Filter { layer: repository.judged, selection, scope, options }
+    }
+
+    /// Files of a fix that are not to be written: those for which the rule is muted, and those beside the PATHs.
+    fn spared(&self, muted: &[String], finding: &Finding) -> Vec<String> {
+        let steps = finding.fix.iter().flat_map(|fix| fix.steps.iter().map(|step| &step.path));
+        let files: BTreeSet<&String> =
+            muted.iter().chain(steps.filter(|path| !self.judged.is_asked_for(path))).collect();
+        files.into_iter().cloned().collect()
     }
 
     fn is_wanted(&self, finding: &Finding) -> bool {
         let Some(rel) = own_path(self.repository, &finding.path) else { return false };
         let asked = |base: &str| self.options.asks_for_base(base);
-        // What is excluded is out of sight; but what is dangerous is told wherever the run looks.
-        let in_sight = !self.scope.excludes(&finding.path) || is_unmutable(finding.rule);
-        in_sight && self.judged.is_asked_for(&finding.path) && crate::discover::kind_of(rel).1.is_none_or(asked)
+        self.judged.is_asked_for(&finding.path) && crate::discover::kind_of(rel).1.is_none_or(asked)
     }
 
     fn is_reported(&self, path: &str) -> bool {

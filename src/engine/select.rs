@@ -52,6 +52,7 @@ impl<'c> Selection<'c> {
             no_eval: config.no_eval,
         };
         refuse_muted_safety(config)?;
+        refuse_empty_select(config)?;
         Ok(selection)
     }
 
@@ -94,9 +95,10 @@ impl<'c> Selection<'c> {
         matches!(self.command_line(rule), Some(Say::Off)) || self.no_eval && numeric()
     }
 
+    /// What looks after the settings themselves is not for `select`: it would hide the slip in `select`.
     fn for_all_paths(&self, rule: &str) -> Say {
         let Some(file) = self.file else { return Say::On(None) };
-        if !file.select.is_empty() && !fits(&file.select, rule) {
+        if !file.select.is_empty() && !fits(&file.select, rule) && !is_upkeep(rule) {
             return Say::Off;
         }
         say(&file.skip, &file.levels, rule).unwrap_or(Say::On(None))
@@ -139,9 +141,27 @@ fn refuse_muted_safety(config: &Config) -> Result<(), Error> {
     named.map_or(Ok(()), |text| {
         Err(Error::Selector {
             text: text.clone(),
-            reason: "this rule guards against running foreign code or filling memory and cannot be muted".to_owned(),
+            reason:
+                "this rule guards against running foreign code, leaving the data or filling memory and cannot be muted"
+                    .to_owned(),
         })
     })
+}
+
+/// A file that selects no rule at all would pass everything.
+fn refuse_empty_select(config: &Config) -> Result<(), Error> {
+    let Some(file) = config.file.as_ref().filter(|_| config.only.is_empty()) else { return Ok(()) };
+    let Some(first) = file.select.first() else { return Ok(()) };
+    if RULES.iter().any(|rule| fits(&file.select, rule.info.id)) {
+        return Ok(());
+    }
+    let place = format!("`select` in {}:{}", file.path, file.line_at(&first.span));
+    Err(Error::Selector { text: first.text.clone(), reason: format!("{place} {}", fits_none(&first.text)) })
+}
+
+/// Whether a rule is about mutes, settings and the baseline.
+fn is_upkeep(rule: &str) -> bool {
+    RULES.iter().any(|known| known.info.id == rule && matches!(known.check, Check::Upkeep(_)))
 }
 
 /// Whether a rule is a matter of safety.
@@ -155,9 +175,12 @@ fn selector(text: &str) -> Result<GlobMatcher, Error> {
     if RULES.iter().any(|rule| glob.is_match(rule.info.id)) {
         return Ok(glob);
     }
-    let known = RULES.iter().map(|rule| rule.info.id);
-    Err(refuse(nearest(text, known).map_or_else(
+    Err(refuse(fits_none(text)))
+}
+
+fn fits_none(text: &str) -> String {
+    nearest(text, RULES.iter().map(|rule| rule.info.id)).map_or_else(
         || "fits no rule; `mhlint rules` lists them".to_owned(),
         |name| format!("fits no rule; did you mean `{name}`?"),
-    )))
+    )
 }

@@ -9,14 +9,40 @@ use similar::{Algorithm, TextDiff};
 /// Never: writing to memory does not fail.
 pub fn unified(path: &str, before: &[u8], after: Option<&[u8]>) -> Vec<u8> {
     let path = path.trim_start_matches('/');
-    let new = if after.is_some() { format!("b/{path}") } else { "/dev/null".to_owned() };
+    let new = if after.is_some() { quoted(&format!("b/{path}")) } else { "/dev/null".to_owned() };
     let diff = TextDiff::configure().algorithm(Algorithm::Patience).diff_lines(before, after.unwrap_or_default());
     let mut out = Vec::new();
     diff.unified_diff()
-        .header(&format!("a/{path}"), &new)
+        .header(&quoted(&format!("a/{path}")), &new)
         .to_writer(&mut out)
         .expect("invariant: writing to memory does not fail");
     out
+}
+
+/// A path as git writes it in a header: in quotes where it holds what would end the line or the name, so that the name
+/// of a file cannot make a patch for another.
+fn quoted(path: &str) -> String {
+    if !path.chars().any(|c| c.is_control() || c == '"' || c == '\\') {
+        return path.to_owned();
+    }
+    let mut out = String::from("\"");
+    for byte in path.bytes() {
+        match byte {
+            b'"' | b'\\' => out.extend(['\\', char::from(byte)]),
+            b'\n' => out.push_str("\\n"),
+            b'\t' => out.push_str("\\t"),
+            b'\r' => out.push_str("\\r"),
+            b' '..=b'~' => out.push(char::from(byte)),
+            _ => out.extend(['\\', octal(byte >> 6), octal(byte >> 3), octal(byte)]),
+        }
+    }
+    out.push('"');
+    out
+}
+
+/// The last digit of a number written to the base of eight.
+fn octal(byte: u8) -> char {
+    char::from(b'0' + (byte & 7))
 }
 
 #[cfg(test)]
@@ -38,5 +64,22 @@ mod tests {
     #[test]
     fn a_file_that_goes_away_has_no_new_name() {
         assert_eq!(shown("1\n", None), "--- a/a/b.target\n+++ /dev/null\n@@ -1 +0,0 @@\n-1\n");
+    }
+
+    #[test]
+    fn the_name_of_a_file_cannot_end_its_line() {
+        let path = "x\n--- a/victim\n+++ b/\u{e9}\"\\.target";
+        let shown = String::from_utf8(unified(path, b"1\n", Some(b"2\n"))).unwrap();
+        let expected = [
+            r#"--- "a/x\n--- a/victim\n+++ b/\303\251\"\\.target""#,
+            r#"+++ "b/x\n--- a/victim\n+++ b/\303\251\"\\.target""#,
+            "@@ -1 +1 @@\n-1\n+2\n",
+        ];
+        assert_eq!(shown, expected.join("\n"));
+        assert!(
+            String::from_utf8(unified("gr\u{fc}n.target", b"1\n", None))
+                .unwrap()
+                .starts_with("--- a/gr\u{fc}n.target\n")
+        );
     }
 }

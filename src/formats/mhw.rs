@@ -5,6 +5,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::faulty_rows::{FaultyRows, text_name};
 use super::json_file::JsonFault;
 pub use super::mhw_facts::{FAR_SUMS, PairTally, SumFacts, THRESHOLD, WeightsFacts};
 use crate::json::{Duplicate, Reader, SyntaxFault};
@@ -111,7 +112,7 @@ fn read_bones(reader: &mut Reader<'_>, weights: &mut Weights) -> Step<()> {
         let mut bone = BoneWeights { name: name.into_owned(), ..BoneWeights::default() };
         if reader.peek() == Some(b'[') {
             bone.is_list = true;
-            read_pairs(reader, &mut bone)?;
+            read_pairs(reader, &mut bone, &mut weights.facts.malformed_names)?;
         } else {
             weights.has_shapeless_bone = true;
             skip(reader)?;
@@ -121,18 +122,28 @@ fn read_bones(reader: &mut Reader<'_>, weights: &mut Weights) -> Step<()> {
     Ok(())
 }
 
-fn read_pairs(reader: &mut Reader<'_>, bone: &mut BoneWeights) -> Step<()> {
+fn read_pairs(reader: &mut Reader<'_>, bone: &mut BoneWeights, malformed: &mut FaultyRows) -> Step<()> {
     reader.open()?;
     while reader.more(bone.listed == 0, b']')? {
         let position = u32::try_from(bone.listed).unwrap_or(u32::MAX);
         bone.listed += 1;
+        let start = reader.offset();
         if let Some((vertex, weight)) = read_pair(reader)? {
             bone.pairs.push(Pair { position, vertex, weight });
-        } else if bone.malformed.len() < crate::diag::EXAMPLES {
+            continue;
+        }
+        malformed.add(|| entry_name(&bone.name, reader.since(start)));
+        if bone.malformed.len() < crate::diag::EXAMPLES {
             bone.malformed.push(position);
         }
     }
     Ok(())
+}
+
+/// Layout is not part of a name.
+fn entry_name(bone: &str, text: &[u8]) -> String {
+    let compact: Vec<u8> = text.iter().copied().filter(|byte| !byte.is_ascii_whitespace()).collect();
+    format!("{bone} {}", text_name(&compact))
 }
 
 /// `[integer, number]`, or nothing for any other value.

@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
+use super::faulty_rows::FaultyRows;
 use super::json_file::JsonFacts;
 use super::mhw::{BoneWeights, Pair};
 use crate::diag::{EXAMPLES, Evidence};
@@ -25,6 +26,9 @@ pub struct WeightsFacts {
     pub pairs: usize,
     /// Pairs that are not `[integer, number]`.
     pub malformed: PairTally,
+    /// What these are known by: the bone and the text of the entry.
+    #[serde(skip)]
+    pub malformed_names: FaultyRows,
     /// Weights below 0.
     pub negative: PairTally,
     /// Weights above 1.

@@ -7,6 +7,7 @@
 pub mod base_json;
 mod content_hash;
 pub mod expression;
+mod faulty_rows;
 mod fields;
 pub mod format_text;
 pub mod geometry;

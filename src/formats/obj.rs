@@ -8,6 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use serde::Serialize;
 
+use super::faulty_rows::row_name;
 use super::fields::fields;
 pub use super::obj_facts::{BadLine, MeshFacts, Reopened};
 use super::{python_float, python_int};
@@ -146,7 +147,8 @@ impl Parser {
 
     fn vertex<'a>(&mut self, line: &[u8], words: impl Iterator<Item = &'a [u8]>) {
         let Some([x, y, z]) = floats::<3>(words) else {
-            self.bad(line, "a vertex needs three numbers");
+            let name = |mesh: &Mesh| format!("v {}", mesh.positions.len());
+            self.bad(line, "a vertex needs three numbers", name);
             // The vertex keeps its number, or every later face would be judged wrongly.
             self.mesh.positions.push([0.0; 3]);
             return;
@@ -161,7 +163,8 @@ impl Parser {
     fn uv<'a>(&mut self, line: &[u8], words: impl Iterator<Item = &'a [u8]>) {
         let uv = floats::<2>(words);
         if uv.is_none() {
-            self.bad(line, "a texture coordinate needs two numbers");
+            let name = |mesh: &Mesh| format!("vt {}", mesh.uvs.len());
+            self.bad(line, "a texture coordinate needs two numbers", name);
         }
         self.mesh.uvs.push(uv.unwrap_or_default());
     }
@@ -202,12 +205,13 @@ impl Parser {
         }
         self.mesh.corners.truncate(start);
         self.side.uvs.truncate(start);
+        let name = |_: &Mesh| row_name(&fields(line));
         match fault {
             Some(BadCorner::Number(number)) => self.mesh.facts.face_out_of_range.add(self.line, number),
             Some(BadCorner::Text) => {
-                self.bad(line, "a face corner is `vertex`, `vertex/uv` or `vertex/uv/normal` in whole numbers");
+                self.bad(line, "a face corner is `vertex`, `vertex/uv` or `vertex/uv/normal` in whole numbers", name);
             }
-            None => self.bad(line, "a face needs three corners"),
+            None => self.bad(line, "a face needs three corners", name),
         }
     }
 
@@ -238,7 +242,10 @@ impl Parser {
         self.mesh.faces.push(Face { start: bounded(start), len: bounded(len), group });
     }
 
-    fn bad(&mut self, line: &[u8], what: &'static str) {
+    fn bad(&mut self, line: &[u8], what: &'static str, name: impl FnOnce(&Mesh) -> String) {
+        let mut names = std::mem::take(&mut self.mesh.facts.unreadable_names);
+        names.add(|| name(&self.mesh));
+        self.mesh.facts.unreadable_names = names;
         let facts = &mut self.mesh.facts;
         facts.unreadable_lines += 1;
         if facts.unreadable.len() < BAD_LINES_KEPT {

@@ -6,6 +6,7 @@ use std::collections::BTreeSet;
 
 use serde::Serialize;
 
+use super::faulty_rows::FaultyRows;
 use super::obj::{Face, Mesh, NO_UV, Side};
 use crate::diag::Tally;
 
@@ -27,6 +28,9 @@ pub struct MeshFacts {
     pub unreadable: Vec<BadLine>,
     /// How many such lines.
     pub unreadable_lines: u64,
+    /// What they are known by: the vertex, the texture coordinate, the text of a face.
+    #[serde(skip)]
+    pub unreadable_names: FaultyRows,
     /// Faces with a vertex or texture coordinate that does not exist (line, number as written).
     pub face_out_of_range: Tally,
     /// Vertices with NaN or infinity (line, vertex).

@@ -5,6 +5,7 @@
 //! `int()` and `float()`; a failure there stops the program at start (formats/makehuman2.md §6.1).
 
 use super::content_hash::ContentHash;
+use super::faulty_rows::row_name;
 use super::fields::fields;
 use super::inline_ignore::{self, InlineIgnore};
 pub use super::target_facts::{Largest, TargetFacts, UnreadableField};
@@ -91,6 +92,7 @@ impl Parser {
             other => {
                 let count = i64::try_from(other.len()).unwrap_or(i64::MAX);
                 self.target.facts.field_count.add(line, count);
+                self.target.facts.field_count_names.add(|| row_name(other));
             }
         }
         let crlf = rest.get(end..end + 2) == Some(b"\r\n");
@@ -126,6 +128,7 @@ impl Parser {
                     fields.get(at + 1)
                 };
                 self.unreadable(line, offset, bad);
+                self.target.facts.unreadable_names.add(|| row_name(&fields));
             }
         }
     }

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use super::faulty_rows::FaultyRows;
 use crate::diag::Tally;
 
 /// Facts on one target, counted while parsing.
@@ -13,8 +14,14 @@ pub struct TargetFacts {
     pub unreadable: Vec<UnreadableField>,
     /// How many rows have such a field.
     pub unreadable_rows: u64,
+    /// What these rows are known by.
+    #[serde(skip)]
+    pub unreadable_names: FaultyRows,
     /// Lines that are neither comment nor four fields (line, number of fields).
     pub field_count: Tally,
+    /// What these lines are known by.
+    #[serde(skip)]
+    pub field_count_names: FaultyRows,
     /// Negative indices.
     pub negative: Tally,
     /// Indices at or beyond the vertex count of the mesh, seam duplicates included.

@@ -201,7 +201,7 @@ impl Node {
         }
     }
 
-    fn step(&self, step: &str) -> Option<&Self> {
+    pub(super) fn step(&self, step: &str) -> Option<&Self> {
         match &self.value {
             Value::Object(_) => self.get(step),
             Value::Array(elements) => elements.get(step.parse::<usize>().ok()?),

@@ -5,6 +5,7 @@
 
 mod document;
 mod edit;
+mod naming;
 mod reader;
 mod schema;
 mod schema_fault;

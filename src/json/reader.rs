@@ -4,6 +4,8 @@
 use std::borrow::Cow;
 use std::ops::Range;
 
+use super::naming::named_end;
+
 /// Deepest nesting that is read. Python gives up at about 1000; no asset needs ten.
 pub(super) const DEEPEST: u32 = 256;
 
@@ -14,6 +16,8 @@ pub struct SyntaxFault {
     pub span: Range<usize>,
     /// What kind of fault.
     pub kind: SyntaxKind,
+    /// The members and elements it lies in, by name.
+    pub within: String,
 }
 
 /// The kinds of [`SyntaxFault`].
@@ -69,6 +73,11 @@ impl<'a> Reader<'a> {
     /// Offset of the next byte.
     pub fn offset(&self) -> usize {
         self.at
+    }
+
+    /// The bytes read since an offset.
+    pub fn since(&self, start: usize) -> &'a [u8] {
+        self.text.get(start..self.at).unwrap_or_default()
     }
 
     /// Enters an array or object (the opening bracket is next).
@@ -286,7 +295,9 @@ impl<'a> Reader<'a> {
 
     fn fault(&self, span: Range<usize>, kind: SyntaxKind) -> SyntaxFault {
         let end = span.end.min(self.text.len());
-        SyntaxFault { span: span.start.min(end)..end, kind }
+        let start = span.start.min(end);
+        let within = named_end(self.text.get(..start).unwrap_or_default());
+        SyntaxFault { span: start..end, kind, within }
     }
 }
 

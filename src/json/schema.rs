@@ -8,6 +8,7 @@ use std::sync::OnceLock;
 use serde::Serialize;
 use serde_json::Value as Plain;
 
+use super::naming::named;
 use super::{Document, Node, Value, schema_fault, unknown_key};
 
 /// What a schema has to say on a document.
@@ -24,6 +25,9 @@ pub struct SchemaFaults {
 pub struct SchemaFault {
     /// Pointer to the value.
     pub pointer: String,
+    /// The same with names for positions in lists.
+    #[serde(skip)]
+    pub name: String,
     /// Place in the schema that it fails at: equal for equal faults of different values.
     pub keyword: String,
     /// What was found and what is allowed.
@@ -37,6 +41,9 @@ pub struct SchemaFault {
 pub struct UnknownKey {
     /// Pointer to the member.
     pub pointer: String,
+    /// The same with names for positions in lists.
+    #[serde(skip)]
+    pub name: String,
     /// The key.
     pub key: String,
     /// What the object is called in the schema: `Slider`, `Bone`; nothing for the file as a whole.
@@ -98,10 +105,13 @@ pub fn check(name: &str, document: &Document) -> SchemaFaults {
     let plain = plain(&document.root);
     let errors = schema.validator.iter_errors(&plain);
     let faults = errors.map(|error| schema_fault::describe(&error, &schema.tree)).collect();
-    SchemaFaults {
+    let mut found = SchemaFaults {
         faults: empty_objects_once(&plain, faults),
         unknown: unknown_key::find(&document.root, &schema.tree),
-    }
+    };
+    found.faults.iter_mut().for_each(|fault| fault.name = named(document, &fault.pointer));
+    found.unknown.iter_mut().for_each(|unknown| unknown.name = named(document, &unknown.pointer));
+    found
 }
 
 /// An object without any member lacks all its keys for one reason: the first of them stands for all.

@@ -24,7 +24,13 @@ pub(super) fn describe(error: &ValidationError<'_>, schema: &Value) -> SchemaFau
         count => format!(" ({count} other forms are allowed)"),
     };
     let message = format!("{} {wanted}{others}", subject(&pointer));
-    SchemaFault { pointer, description: text_at(schema, &keyword, "description"), keyword, message }
+    SchemaFault {
+        pointer,
+        name: String::new(),
+        description: text_at(schema, &keyword, "description"),
+        keyword,
+        message,
+    }
 }
 
 /// Branches of an error that offers several forms.

@@ -69,6 +69,7 @@ impl<'s> Walk<'s> {
         let known: Vec<&str> = known.collect();
         self.found.push(UnknownKey {
             pointer: self.pointer.clone(),
+            name: String::new(),
             key: key.to_owned(),
             object: schema.title.filter(|_| self.pointer.matches('/').count() > 1).map(str::to_owned),
             nearest: meant(key, &known).map(Cow::into_owned),

@@ -23,6 +23,8 @@ pub struct FileFacts {
     pub path: String,
     /// Path relative to the data root.
     pub rel: String,
+    /// Path relative to the data root of the file that this one is through a link, if that is in the root, too.
+    pub link_to: Option<String>,
     /// What it is for.
     pub kind: Kind,
     /// Base mesh it belongs to.

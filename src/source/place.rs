@@ -36,6 +36,23 @@ pub fn resolved(path: &Path) -> PathBuf {
     place
 }
 
+/// Links that are followed one after the other.
+const LONGEST_CHAIN: usize = 40;
+
+/// What a link leads to, link by link, whether it is there or not; nothing for what is no link.
+pub fn link_targets(path: &Path) -> Vec<PathBuf> {
+    let mut targets: Vec<PathBuf> = Vec::new();
+    let mut at = path.to_owned();
+    while let Ok(target) = fs::read_link(&at) {
+        at = folder_of(&at).join(target);
+        if targets.len() == LONGEST_CHAIN || targets.contains(&at) {
+            break;
+        }
+        targets.push(at.clone());
+    }
+    targets
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -57,6 +74,20 @@ mod tests {
             assert_eq!(resolved(&folder.path().join(path)), root.join(place), "{path}");
         }
         assert_eq!(resolved(Path::new("")), std::env::current_dir().unwrap());
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn links_are_followed_one_by_one_and_never_in_a_circle() {
+        use std::os::unix::fs::symlink;
+        let folder = tempfile::tempdir().unwrap();
+        let at = |name: &str| folder.path().join(name);
+        for (path, target) in [("one", "two"), ("two", "gone"), ("a", "b"), ("b", "a")] {
+            symlink(target, at(path)).unwrap();
+        }
+        assert_eq!(link_targets(&at("one")), [at("two"), at("gone")]);
+        assert_eq!(link_targets(&at("a")), [at("b"), at("a")]);
+        assert_eq!(link_targets(&at("gone")), Vec::<PathBuf>::new());
     }
 
     #[test]

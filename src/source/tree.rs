@@ -8,7 +8,8 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use xxhash_rust::xxh3::xxh3_64;
 
-use super::{Limits, walk};
+use super::Limits;
+use super::walk::{self, Wanted};
 
 /// A listed tree. Paths are relative to its top, with forward slashes.
 #[derive(Debug)]
@@ -40,6 +41,8 @@ pub struct Entry {
     pub size: u64,
     /// The path as the operating system has it.
     pub native: PathBuf,
+    /// Path of the same file without links, where it was reached through a link.
+    pub link_to: Option<String>,
 }
 
 /// What an entry is.
@@ -94,15 +97,15 @@ pub enum ReadFault {
 }
 
 impl Tree {
-    /// Lists the folder `root`. `label` is what reports put before the paths.
-    pub fn on_disk(label: impl Into<String>, root: impl Into<PathBuf>) -> Self {
-        Self::on_disk_to_depth(label, root, usize::MAX)
+    /// Lists the folder `root`, of hidden files only the `wanted` ones. `label` is what reports put before the paths.
+    pub fn on_disk(label: impl Into<String>, root: impl Into<PathBuf>, wanted: Wanted) -> Self {
+        Self::on_disk_to_depth(label, root, usize::MAX, wanted)
     }
 
     /// The same, not deeper than `depth` levels.
-    pub fn on_disk_to_depth(label: impl Into<String>, root: impl Into<PathBuf>, depth: usize) -> Self {
+    pub fn on_disk_to_depth(label: impl Into<String>, root: impl Into<PathBuf>, depth: usize, wanted: Wanted) -> Self {
         let root = root.into();
-        let (entries, faults) = walk::walk(&root, depth);
+        let (entries, faults) = walk::walk(&root, depth, wanted);
         Self {
             label: label.into(),
             backend: Backend::Disk(root),
@@ -257,7 +260,7 @@ fn memory_entries(files: &BTreeMap<String, Arc<[u8]>>) -> Vec<Entry> {
 }
 
 fn memory_entry(path: &str, kind: EntryKind, size: u64) -> Entry {
-    Entry { path: path.to_owned(), kind, size, native: PathBuf::from(path) }
+    Entry { path: path.to_owned(), kind, size, native: PathBuf::from(path), link_to: None }
 }
 
 #[cfg(test)]
@@ -270,7 +273,7 @@ mod tests {
         fs::create_dir(folder.path().join("b")).unwrap();
         fs::write(folder.path().join("b/c.txt"), "hello").unwrap();
         fs::write(folder.path().join("a.txt"), "").unwrap();
-        let disk = Tree::on_disk("x", folder.path());
+        let disk = Tree::on_disk("x", folder.path(), |_, _| false);
         let memory =
             Tree::in_memory("x", [("b/c.txt".to_owned(), b"hello".to_vec()), ("a.txt".to_owned(), Vec::new())]);
         let seen = |tree: &Tree| -> Vec<_> {

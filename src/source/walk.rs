@@ -14,18 +14,23 @@ const MOST_ENTRIES: usize = 1_000_000;
 /// Links followed one after the other before they count as a loop, as Linux does it.
 const LONGEST_CHAIN: usize = 40;
 
-/// Lists everything below `root` except hidden files and folders (`.git` and its kin),
-/// not deeper than `depth` levels.
-pub(super) fn walk(root: &Path, depth: usize) -> (Vec<Entry>, Vec<WalkFault>) {
-    walk_at_most(root, depth, MOST_ENTRIES)
+/// Says of a hidden path, or of a path in a hidden folder, whether somebody reads it: a file that is to be listed, or
+/// (`true` behind it) a folder that is to be searched for such files.
+pub type Wanted = fn(&str, bool) -> bool;
+
+/// Lists everything below `root`, of hidden files and what is in hidden folders (`.git` and its kin) only what is
+/// `wanted`, not deeper than `depth` levels.
+pub(super) fn walk(root: &Path, depth: usize, wanted: Wanted) -> (Vec<Entry>, Vec<WalkFault>) {
+    walk_at_most(root, depth, wanted, MOST_ENTRIES)
 }
 
-fn walk_at_most(root: &Path, depth: usize, most: usize) -> (Vec<Entry>, Vec<WalkFault>) {
+fn walk_at_most(root: &Path, depth: usize, wanted: Wanted, most: usize) -> (Vec<Entry>, Vec<WalkFault>) {
     let canonical = resolved(root);
     let mut entries = Vec::new();
     let mut faults = Vec::new();
     let walk = WalkDir::new(root).follow_links(true).min_depth(1).max_depth(depth);
     let mut walker = walk.into_iter();
+    let mut links = Links::default();
     while let Some(step) = walker.next() {
         if entries.len() + faults.len() >= most {
             let reason = format!("more than {most} files and folders; the rest was not looked at");
@@ -34,12 +39,16 @@ fn walk_at_most(root: &Path, depth: usize, most: usize) -> (Vec<Entry>, Vec<Walk
             break;
         }
         match step {
-            Ok(found) if is_hidden(&found) => skip_folder(&mut walker, &found),
+            Ok(found) if is_hidden(root, &found) && !is_wanted(root, &found, wanted) => {
+                skip_folder(&mut walker, &found);
+            }
             Ok(found) if found.path_is_symlink() && leaves(&canonical, found.path()) => {
                 faults.push(fault(root, found.path(), WalkFaultKind::LinkLeavesRoot));
                 skip_folder(&mut walker, &found);
             }
-            Ok(found) => entries.push(entry(root, &found)),
+            // Of hidden folders only the files are of interest.
+            Ok(found) if found.file_type().is_dir() && is_hidden(root, &found) => {}
+            Ok(found) => entries.push(Entry { link_to: links.meant(&canonical, &found), ..entry(root, &found) }),
             Err(error) => faults.push(walk_fault(root, &error)),
         }
     }
@@ -54,8 +63,39 @@ fn skip_folder(walker: &mut walkdir::IntoIter, found: &DirEntry) {
     }
 }
 
-fn is_hidden(found: &DirEntry) -> bool {
-    found.file_name().as_encoded_bytes().first() == Some(&b'.')
+/// Whether the name, or that of a folder above it inside the root, begins with a point.
+fn is_hidden(root: &Path, found: &DirEntry) -> bool {
+    let path = found.path().strip_prefix(root).unwrap_or(found.path());
+    path.components().any(|part| part.as_os_str().as_encoded_bytes().first() == Some(&b'.'))
+}
+
+/// Links to folders are not followed in hidden places.
+fn is_wanted(root: &Path, found: &DirEntry, wanted: Wanted) -> bool {
+    let is_folder = found.file_type().is_dir();
+    let is_reached = !is_folder || !found.path_is_symlink();
+    is_reached && wanted(&slashed(&relative(root, found.path())), is_folder)
+}
+
+/// The folders met so far that are links.
+#[derive(Default)]
+struct Links {
+    folders: Vec<PathBuf>,
+}
+
+impl Links {
+    /// The path of a file without the links on the way to it, where there are any.
+    fn meant(&mut self, canonical_root: &Path, found: &DirEntry) -> Option<String> {
+        let is_link = found.path_is_symlink();
+        if is_link && found.file_type().is_dir() {
+            self.folders.push(found.path().to_owned());
+        }
+        let is_behind_link = || self.folders.iter().any(|folder| found.path().starts_with(folder));
+        if !found.file_type().is_file() || !(is_link || is_behind_link()) {
+            return None;
+        }
+        let real = fs::canonicalize(found.path()).ok()?;
+        Some(slashed(real.strip_prefix(canonical_root).ok()?))
+    }
 }
 
 fn leaves(canonical_root: &Path, link: &Path) -> bool {
@@ -77,6 +117,7 @@ fn entry(root: &Path, found: &DirEntry) -> Entry {
         size: found.metadata().map_or(0, |metadata| metadata.len()),
         kind,
         native: relative,
+        link_to: None,
     }
 }
 
@@ -150,8 +191,39 @@ mod tests {
 
     use super::*;
 
+    fn nothing(_: &str, _: bool) -> bool {
+        false
+    }
+
+    #[test]
+    fn of_hidden_places_only_wanted_files_are_listed() {
+        let folder = tempfile::tempdir().unwrap();
+        for file in [".git/a.x", "b/.c/d.x", "b/.c/d.y", "b/.e.x", "b/.gitignore", "b/f"] {
+            let path = folder.path().join(file);
+            fs::create_dir_all(path.parent().unwrap()).unwrap();
+            fs::write(path, "").unwrap();
+        }
+        let wanted = |path: &str, is_folder: bool| path.starts_with("b/") && (is_folder || path.ends_with(".x"));
+        let listed = |wanted| walk(folder.path(), usize::MAX, wanted).0.into_iter().map(|entry| entry.path);
+        assert_eq!(listed(nothing).collect::<Vec<_>>(), ["b", "b/f"]);
+        assert_eq!(listed(wanted).collect::<Vec<_>>(), ["b", "b/.c/d.x", "b/.e.x", "b/f"]);
+    }
+
+    #[test]
+    fn a_file_behind_a_link_is_known_as_the_file() {
+        let folder = tempfile::tempdir().unwrap();
+        fs::create_dir(folder.path().join("real")).unwrap();
+        fs::write(folder.path().join("real/file"), "").unwrap();
+        symlink("real", folder.path().join("linked")).unwrap();
+        symlink("real/file", folder.path().join("one")).unwrap();
+        let (entries, _) = walk(folder.path(), usize::MAX, nothing);
+        let links: Vec<_> =
+            entries.iter().filter_map(|entry| Some((&*entry.path, entry.link_to.as_deref()?))).collect();
+        assert_eq!(links, [("linked/file", "real/file"), ("one", "real/file")]);
+    }
+
     fn faults(root: &Path) -> Vec<(String, WalkFaultKind)> {
-        walk(root, usize::MAX).1.into_iter().map(|fault| (fault.path, fault.kind)).collect()
+        walk(root, usize::MAX, nothing).1.into_iter().map(|fault| (fault.path, fault.kind)).collect()
     }
 
     #[test]
@@ -187,7 +259,7 @@ mod tests {
         fs::create_dir(folder.path().join("real")).unwrap();
         fs::write(folder.path().join("real/file"), "").unwrap();
         symlink("real", folder.path().join("data")).unwrap();
-        let (entries, faults) = walk(&folder.path().join("data"), usize::MAX);
+        let (entries, faults) = walk(&folder.path().join("data"), usize::MAX, nothing);
         assert_eq!((entries.len(), faults), (1, Vec::new()));
     }
 
@@ -201,7 +273,7 @@ mod tests {
                 symlink(format!("../{other}"), folder.path().join(name).join(other)).unwrap();
             }
         }
-        let (entries, faults) = walk_at_most(folder.path(), usize::MAX, 500);
+        let (entries, faults) = walk_at_most(folder.path(), usize::MAX, nothing, 500);
         assert!(entries.len() <= 500);
         assert!(
             faults

@@ -19,7 +19,7 @@ def edit(root, file, find, replace):
 def copy(source, to):
     shutil.rmtree(to, ignore_errors=True)
     shutil.copytree(source, to)
-    edit(to, "data/target/figure/macro.json", '"steps": [0.0, 0.25, 0.5, 1.0]', '"steps": [0.0, 0.5, 1.0]')
+    edit(to, "data/target/figure/macro.json", '"steps": [0.0, 0.25, 0.5, 1.0]', '"steps": [0.0, 0.25, 0.5, 0.75, 1.0]')
     edit(to, "data/target/figure/head/head-oval.target", "339 0 .001 .001", "339 0 0,001 .001")
 
 

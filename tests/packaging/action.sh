@@ -69,12 +69,12 @@ if "$mhlint" fixtures/makehuman2 --report github --report sarif="$action/try.sar
     judge "$(dirname "$mhlint")" fixtures/makehuman2 ''
     expect "sound data give exit code 0" grep -qx 'exit-code=0' "$action/out"
     cp -r fixtures/makehuman2/. "$action/data"
-    sed -i 's/"steps": \[0.0, 0.25, 0.5, 1.0\]/"steps": [0.0, 0.5, 1.0]/' "$action/data/data/target/figure/macro.json"
+    sed -i 's/"steps": \[0.0, 0.25, 0.5, 1.0\]/"steps": [0.0, 0.25, 0.5, 0.75, 1.0]/' "$action/data/data/target/figure/macro.json"
     judge "$(dirname "$mhlint")" target/packaging/action/data ''
     expect "damaged data give exit code 1" grep -qx 'exit-code=1' "$action/out"
     expect "the fault is annotated" says '::error '
     expect "the annotation names the file" says 'file=target/packaging/action/data/data/target/figure/macro.json'
-    expect "the log has the readable report" says 'help: give every value a step'
+    expect "the log has the readable report" says 'help: name a value for every step'
     expect "nothing in the report can speak to the runner" says '::stop-commands::'
     expect "the summary names the rule" grep -q macro-steps-length "$action/summary"
     expect "SARIF holds the rule" grep -q '"macro-steps-length"' "$action/temp/mhlint.sarif"

@@ -45,7 +45,7 @@ expect "no compiler was called" [ ! -e "$hook/called" ]
 echo "hook: installed in $took, without a compiler"
 
 # The first commit has no HEAD to compare with; one step of a macro is gone.
-damage() { sed -i 's/"steps": \[0.0, 0.25, 0.5, 1.0\]/"steps": [0.0, 0.5, 1.0]/' data/target/figure/macro.json; }
+damage() { sed -i 's/"steps": \[0.0, 0.25, 0.5, 1.0\]/"steps": [0.0, 0.25, 0.5, 0.75, 1.0]/' data/target/figure/macro.json; }
 damage
 git add data
 run git commit --message "Damaged example data"
@@ -67,8 +67,8 @@ echo "hook: a damaged commit refused in $took; what the artist sees:"
 echo "$output" | sed 's/^/    /'
 expect "the damaged commit is refused" ended_with 1
 expect "nothing was committed" [ "$(git rev-parse HEAD)" = "$before" ]
-for words in 'data/target/figure/macro.json' 'error[macro-steps-length]' 'component `age` has 4 values but 3 steps' \
-    'MakeHuman 2: stops with an IndexError' 'help: give every value a step' 'Failed. 1 error'; do
+for words in 'data/target/figure/macro.json' 'error[macro-steps-length]' 'component `age` has 4 values but 5 steps' \
+    'MakeHuman 2: stops with an IndexError' 'help: name a value for every step' 'Failed. 1 error'; do
     expect "the refusal names fault, consequence and remedy" says "$words"
 done
 git restore --staged --worktree .

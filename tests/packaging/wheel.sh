@@ -24,4 +24,4 @@ run "$mhlint" fixtures/makehuman2
 expect "the installed command judges" ended_with 0
 echo "wheel: the example repository judged in $took"
 run "$mhlint" explain macro-steps-length
-expect "the fixtures are inside the installed command" says "4 values but 3 steps"
+expect "the fixtures are inside the installed command" says "4 values but 5 steps"

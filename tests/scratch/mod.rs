@@ -202,7 +202,7 @@ pub fn edit(root: &Path, file: &str, find: &str, replace: &str) {
 
 /// Makes one error in a copy of the example repository: a component with fewer steps than values.
 pub fn lose_a_step(root: &Path) {
-    let [four, three] = ["\"steps\": [0.0, 0.25, 0.5, 1.0]", "\"steps\": [0.0, 0.5, 1.0]"];
+    let [four, three] = ["\"steps\": [0.0, 0.25, 0.5, 1.0]", "\"steps\": [0.0, 0.25, 0.5, 0.75, 1.0]"];
     edit(root, "data/target/figure/macro.json", four, three);
 }
 

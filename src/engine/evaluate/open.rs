@@ -35,6 +35,10 @@ pub struct Evaluation {
     pub(super) mesh_path: String,
     pub(super) skeleton: Result<SkeletonFile, String>,
     pub(super) weights_path: Option<String>,
+    /// Why the application stops when it binds the weights.
+    pub(super) weights_fault: Option<Error>,
+    /// The archive that the application reads in place of target files, and the targets in it.
+    pub(super) archive: Option<(String, BTreeSet<String>)>,
 }
 
 impl Evaluation {
@@ -183,8 +187,41 @@ fn compose_base(name: &str, stack: &Stack<'_, '_>, limits: Limits) -> Result<Eva
         weights_path: pose_skeleton(&base)
             .and_then(|(file, skeleton)| weights_of(&base, file, skeleton))
             .map(|(file, _)| file.path.clone()),
+        weights_fault: weights_fault(&base, &scene),
+        archive: base.targets.and_then(|folder| folder.archive()).and_then(|file| {
+            let members = file.archive()?.members.iter().map(|member| member.name.clone());
+            Some((file.path.clone(), members.collect()))
+        }),
         scene,
     })
+}
+
+/// Weights of a bone that the skeleton lacks, or for a vertex that the mesh lacks (formats/makehuman2.md §11).
+fn weights_fault(base: &Base<'_>, scene: &Scene) -> Option<Error> {
+    let (skeleton, model) = pose_skeleton(base)?;
+    let (file, weights) = weights_of(base, skeleton, model)?;
+    let names = &scene.skeleton.as_ref()?.names;
+    let stops = |exception, reason| Some(Error::Stops { exception, reason });
+    for bone in weights.bones.iter().filter(|bone| !bone.pairs.is_empty()) {
+        if !names.contains(&bone.name) {
+            return stops(
+                "KeyError",
+                format!("`{}` has weights for `{}`, which the skeleton lacks", file.path, bone.name),
+            );
+        }
+        let outside = |vertex: i64| usize::try_from(vertex).map_or(true, |vertex| vertex >= scene.positions.len());
+        if let Some(pair) = bone.pairs.iter().find(|pair| outside(pair.vertex)) {
+            let reason = format!(
+                "`{}` weighs vertex {} for `{}`; the mesh has {}",
+                file.path,
+                pair.vertex,
+                bone.name,
+                scene.positions.len()
+            );
+            return stops(if pair.vertex < 0 { "OverflowError" } else { "IndexError" }, reason);
+        }
+    }
+    None
 }
 
 fn key_and_patterns(bound: &BoundSlider<'_>) -> (String, Vec<String>) {

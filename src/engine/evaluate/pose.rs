@@ -60,9 +60,12 @@ impl Evaluation {
     /// The base mesh, at `positions`, in a pose of its pose skeleton.
     ///
     /// # Errors
-    /// No usable skeleton or weights, a bone that does not exist.
+    /// No usable skeleton or weights, weights that stop the application, a bone that does not exist.
     pub fn posed(&self, positions: &[Point], poses: &Poses) -> Result<PosedBase, Error> {
         let rest = self.pose_skeleton()?.rest(positions)?;
+        if let Some(fault) = &self.weights_fault {
+            return Err(fault.clone());
+        }
         let no_weights = || Error::NoSkeleton {
             base: self.base.clone(),
             reason: "its pose skeleton has no usable weights file".to_owned(),

@@ -56,6 +56,13 @@ impl Evaluation {
         if known.rows.is_some() {
             return Ok(());
         }
+        if let Some((path, _)) = self.archive.as_ref().filter(|(_, members)| members.contains(&known.name)) {
+            let reason = format!(
+                "MakeHuman 2 takes `{}` from it, and targets are only evaluated from text here; evaluate without the archive",
+                known.name
+            );
+            return Err(Error::file(path, reason));
+        }
         let rows = self.read_rows(&known.path, &known.name)?;
         // Rows for seam duplicates are accepted and overwritten by the application.
         let vertices = self.size.vertices;

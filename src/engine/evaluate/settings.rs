@@ -54,10 +54,32 @@ impl Evaluation {
         let found = exact.or_else(by_pattern).or_else(|| by_key(&|key| key.eq_ignore_ascii_case(name)));
         found.ok_or_else(|| {
             let patterns = self.scene.sliders.iter().map(|slider| slider.pattern.as_str());
-            let known = patterns.chain(self.keys.iter().map(|(key, _)| key.as_str()));
-            Error::UnknownSlider { name: name.to_owned(), nearest: nearest(name, known).map(str::to_owned) }
+            let known: Vec<&str> = patterns.chain(self.keys.iter().map(|(key, _)| key.as_str())).collect();
+            let nearest = nearest(name, known.iter().copied()).or_else(|| same_in_short(name, &known));
+            Error::UnknownSlider { name: name.to_owned(), nearest: nearest.map(str::to_owned) }
         })
     }
+}
+
+/// The only slider whose name is most like it without folders and directions: `gendr` is `macrodetails/Gender`, and
+/// `eyes/l-eye-bag-incr` is one side of `eyes/l-eye-bag-decr|incr`.
+fn same_in_short<'a>(name: &str, known: &[&'a str]) -> Option<&'a str> {
+    let shorts: Vec<String> = known.iter().map(|known| short(known)).collect();
+    let wanted = short(name);
+    let names = || shorts.iter().map(String::as_str);
+    let like = names().find(|short| *short == wanted).or_else(|| nearest(&wanted, names()));
+    let mut fitting = known.iter().zip(&shorts).filter(|(_, short)| Some(short.as_str()) == like);
+    fitting.next().filter(|_| fitting.next().is_none()).map(|(known, _)| *known)
+}
+
+/// The last part of a name without what says a direction, in small letters.
+fn short(name: &str) -> String {
+    let last = name.rsplit('/').next().unwrap_or(name);
+    let stem = match last.rsplit_once('-') {
+        Some((stem, end)) if end.contains('|') || end == "incr" || end == "decr" => stem,
+        _ => last,
+    };
+    stem.to_lowercase()
 }
 
 /// `NAME=VALUE`.
@@ -130,6 +152,14 @@ mod tests {
         assert_eq!(parse_setting("a/b-decr|incr=-0.5"), Ok(("a/b-decr|incr".to_owned(), -0.5)));
         assert!(parse_setting("a/b").is_err());
         assert!(parse_setting("a=much").is_err());
+    }
+
+    #[test]
+    fn parts_of_a_name_are_enough_to_find_it() {
+        let known = ["macrodetails/Gender", "macrodetails/Age", "eyes/l-eye-bag-decr|incr", "eyes/r-eye-bag-decr|incr"];
+        assert_eq!(same_in_short("gendr", &known), Some("macrodetails/Gender"));
+        assert_eq!(same_in_short("eyes/l-eye-bag-incr", &known), Some("eyes/l-eye-bag-decr|incr"));
+        assert_eq!(same_in_short("nose", &known), None);
     }
 
     #[test]

@@ -36,9 +36,20 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         }
         let what = if on_disk == target { "file" } else { "folder" };
         let meant = meant(first, &name, &on_disk);
+        if differs_in_extension(&first.rel, target) {
+            let right = first.rel.rsplit('/').next().unwrap_or_default();
+            out.push(finding.help(format!("rename the file to `{right}`: extensions count with their capitals")));
+            continue;
+        }
         let fix = fix(repository, &cause, &format!("write `{meant}`"));
         out.push(finding.fix(fix).help(format!("write `{meant}`, or rename the {what}")));
     }
+}
+
+/// Whether the names are the same up to the extension of a target, which is not written in what names it.
+fn differs_in_extension(written: &str, real: &str) -> bool {
+    let stem = written.strip_suffix(".target");
+    stem.is_some_and(|stem| real.strip_prefix(stem).is_some_and(|rest| rest.starts_with('.')))
 }
 
 /// What to write, as far as possible in the words of the file that is at fault.

@@ -24,7 +24,9 @@ const SMALLEST: u64 = 200;
 
 fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let mut twins: BTreeMap<(String, &str, u64), Vec<&FileFacts>> = BTreeMap::new();
-    for file in repository.judged.files.values() {
+    // Through a link it is the same file, not another one.
+    let is_link = |file: &FileFacts| file.link_to.as_deref().is_some_and(|real| repository.judged.file(real).is_some());
+    for file in repository.judged.files.values().filter(|file| !is_link(file)) {
         if let (Some(class), Some(hash)) = (class(file), file.content_hash) {
             twins.entry((category(file), class, hash)).or_default().push(file);
         }
@@ -40,6 +42,7 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         for other in others {
             finding = finding.related(other.path.clone(), Place::File, "the same content");
         }
+        let finding = finding.between(files.iter().map(|file| &file.path));
         out.push(finding.evidence(Evidence::of_cases(files.iter().map(|file| &file.rel))));
     }
 }

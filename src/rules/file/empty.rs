@@ -12,8 +12,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(Application::Makehuman2, "loads nothing, or stops")],
         docs: "The file has no bytes, or nothing but blanks and comments. Often a download or an export was interrupted.\n\nHow bad that is \
-            depends on the file. An empty `.mhskel`, `.mhpose` or `.mhbin` stops MakeHuman 2 while it scans the assets, an empty \
-            `compressedtargets.npz` stops every start until it is deleted, and an empty JSON, also an empty object `{}`, counts as missing (an override in `contarget/` is the business of `overlay-broken-override`). A target \
+            depends on the file. An empty `.mhskel`, `.mhpose` or `.mhbin` stops MakeHuman 2 while it scans the assets, an empty `base.mhbin` when it loads the base, an empty \
+            `compressedtargets.npz` stops every start until it is deleted, and an empty JSON, also one that is no more than `{}`, `[]`, `\"\"`, `0`, `false` or `null`, counts as missing (an override in `contarget/` is the business of `overlay-broken-override`). A target \
             without a row loads and moves nothing; where a macro names it, `macro-empty-target` speaks instead.\n\nRestore the \
             content, or remove the file and what refers to it.",
         ..RuleInfo::new("file-empty", Level::Warning, "an empty file where content is needed")
@@ -44,14 +44,16 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
 }
 
-/// Python takes an empty object for false, and the loader that for no file. Other empty values are of a wrong
-/// type, and an empty generated modelling.json is usual.
+/// Python takes an empty object, list or text, 0, false and null for false, and the loader that for no file. An empty
+/// generated modelling.json is usual.
 fn counts_as_missing(repository: &Repository<'_>, file: &FileFacts) -> Option<&'static str> {
     let wanted = matches!(file.kind, Kind::BaseJson | Kind::MacroJson | Kind::ModellingJson | Kind::TargetCategories);
     let usual = file.kind == Kind::ModellingJson && is_generated(repository, file);
     let read = !matches!(file.content, Content::Broken(_) | Content::Unread);
-    let fits = !file.schema.faults.iter().any(|fault| fault.pointer.is_empty() && fault.keyword == "/type");
-    (wanted && !usual && read && fits && file.json.falsy).then_some(" (`{}` counts as no file)")
+    let is_object = !file.schema.faults.iter().any(|fault| fault.pointer.is_empty() && fault.keyword == "/type");
+    let what =
+        if is_object { " (`{}` counts as no file)" } else { " (null, 0, false and empty values count as no file)" };
+    (wanted && !usual && read && file.json.falsy).then_some(what)
 }
 
 /// Whether the file is the `macro.json` of a base without a macro slider, which does as well without.
@@ -97,6 +99,9 @@ fn consequence(repository: &Repository<'_>, file: &FileFacts) -> Option<(Level, 
         (Kind::Text, "bvh") => (Level::Error, "stops with an IndexError when the pose is used"),
         (Kind::Text, _) => (Level::Error, "cannot attach the asset"),
         (Kind::Image | Kind::TargetIcon, _) => (Level::Warning, "shows no picture"),
+        (Kind::Other, "mhbin") if file.rel.starts_with("base/") => {
+            (Level::Error, "stops with an EOFError when it loads the base")
+        }
         (Kind::PackedTarget | Kind::Other, "mhbin") => (Level::Error, "stops at start while it scans the assets"),
         _ => return None,
     })

@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
-use crate::repo::Layer;
+use crate::repo::Repository;
 use crate::source::GzipFault;
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -12,24 +12,33 @@ pub(in crate::rules) static RULE: Rule = Rule {
             (Application::Mpfb, "stops while it unpacks the target"),
         ],
         docs: "A `.gz` file ends in a checksum. If it was cut off by a broken download or a full disk, changed by a transfer in text \
-            mode, or has something behind its end, what was in it is lost or no longer certain.\n\nMakeHuman 2 reads plain targets \
-            only; MPFB stops with an exception.\n\nPack the file again from its source.",
+            mode, or has something behind its end, what was in it is lost or no longer certain.\n\nMPFB stops with an exception. \
+            MakeHuman 2 reads plain targets only and never opens a packed one; in its data folder the finding is an info.\n\nPack \
+            the file again from its source.",
         ..RuleInfo::new(
             "file-gzip-corrupt",
             Level::Error,
             "a packed file that is truncated, damaged or followed by garbage",
         )
     },
-    check: Check::Layer(run),
+    check: Check::Repository(run),
 };
 
-fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for file in layer.files.values() {
+fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    // Only the application that the folder belongs to can be hurt.
+    let is_unread = repository.application == Application::Makehuman2;
+    for file in repository.judged.files.values() {
         let message = match &file.gzip_fault {
             Some(GzipFault::Corrupt(reason)) => format!("cannot be unpacked: {reason}"),
             Some(GzipFault::TrailingGarbage { bytes }) => format!("{bytes} bytes of garbage behind the packed data"),
             Some(GzipFault::Bomb { .. }) | None => continue,
         };
-        out.push(RULE.at(file, Place::File, message).help("pack the file again from its source"));
+        let finding = RULE.at(file, Place::File, message);
+        out.push(if is_unread {
+            let help = "MakeHuman 2 reads plain targets only: put the unpacked target here, or remove the file";
+            finding.level(Level::Info).breaks(Application::Makehuman2, "never opens it").help(help)
+        } else {
+            finding.help("pack the file again from its source")
+        });
     }
 }

@@ -44,6 +44,7 @@ fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 .level(level)
                 .key(if parsed { "parsed" } else { "" })
                 .evidence(evidence)
+                .over_each(files.iter().map(|file| &file.path))
                 .help("run `git lfs pull`"),
         );
     }

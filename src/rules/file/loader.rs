@@ -132,12 +132,12 @@ pub(super) fn refused_json(repository: &Repository<'_>, file: &FileFacts) -> (Le
         (Moment::Never, _) => (Level::Warning, "does not read it; tools that do stop"),
         (Moment::Scan, _) => (Level::Error, "stops at start while it scans the assets"),
         (_, Kind::BaseJson) => (Level::Error, "does not load the base mesh"),
-        (_, Kind::MacroJson) => (Level::Error, "takes it as missing without a word: the base has no macros"),
-        (_, Kind::ModellingJson) => (Level::Error, "takes it as missing without a word: its sliders are gone"),
+        (_, Kind::MacroJson) => (Level::Error, "logs a line and takes it as missing: the base has no macros"),
+        (_, Kind::ModellingJson) => (Level::Error, "logs a line and takes it as missing: its sliders are gone"),
         (_, Kind::TargetCategories) if is_generated(repository, file) => {
             (Level::Error, "stops at start with a TypeError")
         }
-        (_, Kind::TargetCategories) => (Level::Error, "takes it as missing without a word: no slider can be reached"),
+        (_, Kind::TargetCategories) => (Level::Error, "logs a line and takes it as missing: no slider can be reached"),
         (_, Kind::Weights) => (Level::Error, "has no weights: the mesh collapses as soon as it is posed"),
         _ if name == "face-poses.json" => (Level::Error, "offers no expressions for the base"),
         _ if name == "body-poses.json" => (Level::Error, "offers no pose editor for the base"),

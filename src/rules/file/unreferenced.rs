@@ -7,7 +7,7 @@ use super::icons;
 use super::loader::{extension, misnamed, opens};
 use crate::diag::{Application, Evidence, Finding, Level, RuleInfo};
 use crate::discover::Kind;
-use crate::repo::{FileFacts, Repository};
+use crate::repo::{FileFacts, Repository, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -34,6 +34,7 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
     for ((folder, reason), files) in idle {
         let names = files.iter().map(|file| file.file_name());
+        let paths = files.iter().map(|file| &file.path);
         let finding = match files.as_slice() {
             [file] => {
                 RULE.in_layer(repository.judged, &file.rel, format!("`{}` is not used: {}", file.file_name(), reason.1))
@@ -47,7 +48,7 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         };
         let help = "give it the name that is looked for, refer to it, or remove it";
         let asset = repository.judged.display(folder);
-        out.push(finding.key(reason.0).asset(asset).evidence(Evidence::of_cases(names)).help(help));
+        out.push(finding.key(reason.0).asset(asset).evidence(Evidence::of_cases(names)).help(help).over_each(paths));
     }
 }
 
@@ -70,6 +71,7 @@ fn reason(repository: &Repository<'_>, file: &FileFacts, used: &BTreeSet<String>
     // `file-case-mismatch` names a file that takes the place of one that is needed.
     if misnamed(repository.judged, &file.rel).is_some()
         || used.contains(&file.rel)
+        || is_meant(repository, file)
         || !is_judged_folder(&file.rel)
         || opens(&file.rel)
     {
@@ -85,6 +87,15 @@ fn reason(repository: &Repository<'_>, file: &FileFacts, used: &BTreeSet<String>
         ),
         (Kind::Image, _) => ("picture".to_owned(), "icons are looked for in `icons/` of the target folder".to_owned()),
         _ => ("name".to_owned(), "no loader opens a file of this name here".to_owned()),
+    })
+}
+
+/// Whether something names the file but for capitals or the packing: the finding on that reference names the file.
+fn is_meant(repository: &Repository<'_>, file: &FileFacts) -> bool {
+    repository.references.iter().any(|reference| match reference.resolution {
+        Resolution::CaseOnly(found) => std::ptr::eq(found, file),
+        Resolution::Missing => file.rel.strip_suffix(".gz") == Some(reference.rel.as_str()),
+        _ => false,
     })
 }
 

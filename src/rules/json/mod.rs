@@ -17,14 +17,14 @@ fn loss(repository: &Repository<'_>, file: &FileFacts) -> (Level, &'static str) 
     let generated = file.rel.starts_with("target/") && is_user_root(repository);
     match file.kind {
         Kind::MacroJson if generated => (Level::Info, "never reads this file"),
-        Kind::MacroJson => (Level::Error, "treats the file as absent without a word: the base has no macros"),
+        Kind::MacroJson => (Level::Error, "logs a line and treats the file as absent: the base has no macros"),
         Kind::ModellingJson if generated => {
-            (Level::Error, "treats the file as absent without a word: the sliders of the user's targets are gone")
+            (Level::Error, "logs a line and treats the file as absent: the sliders of the user's targets are gone")
         }
-        Kind::ModellingJson => (Level::Error, "treats the file as absent without a word: the base has no sliders"),
+        Kind::ModellingJson => (Level::Error, "logs a line and treats the file as absent: the base has no sliders"),
         Kind::TargetCategories if generated => (Level::Error, "stops at start (TypeError)"),
         Kind::TargetCategories => {
-            (Level::Error, "treats the file as absent without a word: no slider can be reached in the window")
+            (Level::Error, "logs a line and treats the file as absent: no slider can be reached in the window")
         }
         Kind::BaseJson => (Level::Error, "does not load the base mesh; the window opens without one"),
         Kind::Geometry => (Level::Warning, "never reads this file; the scripts that align joint cubes stop"),

@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
 use super::schema_effects::effect_of;
-use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo, structural};
+use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
+use crate::discover::Kind;
 use crate::json::SchemaFault;
 use crate::repo::{FileFacts, Layer};
 
@@ -25,13 +26,21 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for file in layer.files.values().filter(|file| !file.is_ignored_override()) {
+    let judged = layer.files.values().filter(|file| !file.is_ignored_override() && !counts_as_missing(file));
+    for file in judged {
         let mut by_keyword: BTreeMap<(&str, String), Vec<&SchemaFault>> = BTreeMap::new();
         for fault in &file.schema.faults {
             by_keyword.entry((&fault.keyword, missing(fault))).or_default().push(fault);
         }
         out.extend(by_keyword.into_iter().filter_map(|((keyword, _), all)| judge(file, keyword, &all)));
     }
+}
+
+/// Whether the whole file is an empty value (`null`, `[]`, `0`), which Python takes for false and the loader for no
+/// file: `file-empty` speaks.
+fn counts_as_missing(file: &FileFacts) -> bool {
+    let wanted = matches!(file.kind, Kind::BaseJson | Kind::MacroJson | Kind::ModellingJson | Kind::TargetCategories);
+    wanted && file.json.falsy
 }
 
 /// Two missing keys of one object fail at the same keyword; they are two faults.
@@ -56,7 +65,7 @@ fn judge(file: &FileFacts, keyword: &str, all: &[&SchemaFault]) -> Option<Findin
     for other in all.iter().skip(1).take(EXAMPLES - 1) {
         finding = finding.related(file.path.clone(), Place::Pointer(other.pointer.clone()), other.message.clone());
     }
-    let parts = all.iter().map(|fault| structural(&fault.pointer));
+    let parts = all.iter().map(|fault| &fault.name);
     Some(finding.parts(parts).evidence(Evidence::of_cases(all.iter().map(|fault| &fault.pointer))))
 }
 

@@ -1,5 +1,5 @@
 //! What becomes of a value that does not fit its schema, where it is not the usual exception: a table by schema
-//! place (formats/makehuman2.md §3.1, §4, §5.1, §7, §9).
+//! place (formats/makehuman2.md §3.1, §4, §5.1, §7, §9, §10, §11, §19).
 
 use crate::diag::Level;
 use crate::discover::Kind;
@@ -17,6 +17,9 @@ struct Row {
 
 const TEXT: &[&str] = &["is the text", "is an empty text", "is a long text"];
 const TEXT_OR_LIST: &[&str] = &["is the text", "is an empty text", "is a long text", "is a list", "is an empty list"];
+const LIST: &[&str] = &["is a list", "is an empty list"];
+/// What Python takes for false, and the loader for no file.
+const EMPTY: &[&str] = &["is null", "is an empty list", "is an empty text", "is the number 0;", "is `false`"];
 const ANY: &[&str] = &[];
 
 const fn row(
@@ -29,11 +32,11 @@ const fn row(
     Row { kind, keyword, found, level, effect }
 }
 
-use Kind::{BaseJson, Geometry, MacroJson, ModellingJson, TargetCategories};
+use Kind::{BaseJson, Geometry, MacroJson, ModellingJson, Skeleton, TargetCategories, Weights};
 use Level::{Error, Warning};
 
 #[rustfmt::skip]
-static ROWS: [Row; 26] = [
+static ROWS: [Row; 33] = [
     row(Geometry, "", ANY, Warning, "never reads this file; the scripts that align joint cubes stop"),
     row(MacroJson, "/type", ANY, Error, "stops at start with a TypeError"),
     row(MacroJson, "/allOf/", ANY, Error, "stops at start with a KeyError"),
@@ -66,6 +69,14 @@ static ROWS: [Row; 26] = [
     row(BaseJson, "/$defs/random/properties/ideal/type", ANY, Warning, "does without the choice, without a word"),
     row(BaseJson, "/$defs/random/properties/groups/additionalProperties/type", ANY, Warning,
         "takes anything but 0, empty and null for true"),
+    row(Skeleton, "/type", ANY, Error, "stops at start, while it scans the assets"),
+    row(Skeleton, "/properties/name/type", ANY, Error, "stops at start, while it scans the assets (TypeError)"),
+    row(Skeleton, "/properties/tags/type", TEXT, Warning, "makes a tag of every letter"),
+    row(Skeleton, "/properties/tags/type", &["is null"], Error,
+        "stops at start, while it scans the assets (TypeError)"),
+    row(Weights, "/required", ANY, Error, "loads no weights at all: in pose mode the mesh collapses to the origin"),
+    row(Weights, "/type", EMPTY, Error, "loads no weights at all: in pose mode the mesh collapses to the origin"),
+    row(Weights, "/properties/weights/type", LIST, Error, "stops with an AttributeError when it loads the weights"),
 ];
 
 /// Level and effect of a fault, where the table has it.

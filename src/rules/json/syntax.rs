@@ -14,7 +14,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
             comments, no text after the end.\n\nPython, which all applications are written in, is as strict, with one \
             exception: it reads `NaN`, `Infinity` and `-Infinity` as numbers, which JSON does not have and other tools \
             refuse. Such a file loads, so that is a warning.\n\nWhat a fault costs depends on the file. MakeHuman 2 takes a \
-            broken macro.json, modelling.json or target_cat.json for absent, without a word to its user; it does not load \
+            broken macro.json, modelling.json or target_cat.json for absent, with no more than a line in its log; it does not load \
             a base whose base.json is broken; and a broken skeleton or pose stops it at start, because it reads all \
             assets then. A broken override in `contarget/` is the business of `overlay-broken-override`.\n\nMend the text \
             at the place that is shown; the cause may stand just before it.",
@@ -26,15 +26,41 @@ pub(in crate::rules) static RULE: Rule = Rule {
 fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for file in repository.judged.files.values().filter(|file| !file.is_ignored_override()) {
         match &file.content {
-            Content::Broken(JsonFault::Syntax(fault)) if fault.kind != SyntaxKind::TooDeep => {
+            Content::Broken(JsonFault::Syntax(fault)) if fault.kind != SyntaxKind::TooDeep && !is_stray(file) => {
                 let (level, effect) = super::loss(repository, file);
-                let finding = RULE.at(file, Place::Span(fault.span.clone()), format!("no JSON: {fault}"));
+                let finding = RULE
+                    .at(file, Place::Span(fault.span.clone()), format!("no JSON: {fault}"))
+                    .parts([format!("{} {}", sort(&fault.kind), fault.within)]);
                 out.push(finding.level(level).help(help(fault)).breaks(Application::Makehuman2, effect));
             }
             // What NaN does to weights is worse, and another rule's business.
-            _ if file.kind != Kind::Weights => out.extend(special_numbers(file)),
+            _ if file.kind != Kind::Weights && !is_stray(file) => out.extend(special_numbers(file)),
             _ => {}
         }
+    }
+}
+
+/// What a fault is called among those of the same place.
+fn sort(kind: &SyntaxKind) -> &'static str {
+    match kind {
+        SyntaxKind::Expected { .. } => "other",
+        SyntaxKind::TrailingComma => "comma",
+        SyntaxKind::Comment => "comment",
+        SyntaxKind::BadString(_) => "text",
+        SyntaxKind::UnexpectedEnd(_) => "end",
+        SyntaxKind::TrailingText => "rest",
+        SyntaxKind::TooDeep => "depth",
+    }
+}
+
+/// Whether no loader looks for a JSON of this name where it lies: `file-unreferenced` speaks, or `file-case-mismatch`.
+fn is_stray(file: &FileFacts) -> bool {
+    let parts: Vec<&str> = file.rel.split('/').collect();
+    match parts.as_slice() {
+        ["rigs", _, "icons", ..] => false,
+        ["target" | "contarget", _, _, ..] => file.kind == Kind::OtherJson,
+        ["rigs", _, .., name] => file.kind == Kind::OtherJson && *name != "selection_filter.json",
+        _ => false,
     }
 }
 

@@ -79,7 +79,8 @@ fn judge(file: &FileFacts, all: &[&UnknownKey]) -> Option<Finding> {
             Some(nearest) => format!("did you mean `{nearest}`?"),
             None => "remove it, or keep notes under `comment`".to_owned(),
         })
-        .evidence(Evidence::of_cases(all.iter().map(|unknown| &unknown.pointer)).unnamed());
+        .parts(all.iter().map(|unknown| &unknown.name))
+        .evidence(Evidence::of_cases(all.iter().map(|unknown| &unknown.pointer)));
     let matters = matches!(file.kind, Kind::ModellingJson | Kind::TargetCategories | Kind::BaseJson);
     if matters && first.nearest.is_some() {
         finding = finding.level(Level::Warning);

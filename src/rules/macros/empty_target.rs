@@ -4,7 +4,7 @@ use super::super::{Check, Rule, RuleCx};
 use super::links::{MacroLink, links};
 use crate::diag::{Application, Change, Evidence, Finding, Fix, FixKind, Level, Place, RuleInfo};
 use crate::formats::target::TargetFacts;
-use crate::repo::{Base, FileFacts, Reference, Repository, Resolution};
+use crate::repo::{Base, FileFacts, Reference, ReferenceKind, Repository, Resolution};
 use std::collections::BTreeMap;
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -13,7 +13,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
         breaks: &[(Application::Makehuman2, "reads and applies a file that changes nothing")],
         docs: "A target without rows, or with nothing but zeros, does the same as `null`, which says clearly that \
             this combination is meant to change nothing.\n\nMakeHuman 2 reads and applies the file without a \
-            complaint. If a shape was expected here, the file is the wrong one.\n\nWrite `null` and remove the \
+            complaint. If a shape was expected here, the file is the wrong one. A slider that uses the same file is \
+            dead as well (warning), and needs the file.\n\nWrite `null` and remove the \
             file, or store the shape that was meant.",
         ..RuleInfo::new("macro-empty-target", Level::Info, "a combination names a target without any displacement")
     },
@@ -33,16 +34,36 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
         let Some((first, target)) = links.first().and_then(|link| Some((link, link.found()?))) else { continue };
         let more = if links.len() > 1 { format!(" ({} combinations)", links.len()) } else { String::new() };
         let what = if target.size == 0 { "is an empty file and moves nothing" } else { "moves nothing" };
-        let message = format!("`{}` {what}{more}; `null` would do", first.reference.text);
+        let text = &first.reference.text;
+        let finding = match slider_of(repository, target) {
+            Some(slider) => RULE
+                .at(file, first.place(), format!("`{text}` {what}{more}; the slider `{}` uses it, too", slider.owner))
+                .level(Level::Warning)
+                .breaks(Application::Makehuman2, "loads it and changes nothing: the slider seems dead")
+                .help("store the shape that was meant; for the macro `null` would do, but the slider needs the file")
+                .related(&slider.from.path, slider.place.clone(), "uses it, too"),
+            None => RULE
+                .at(file, first.place(), format!("`{text}` {what}{more}; `null` would do"))
+                .help("write `null` and remove the file, or store the shape that was meant"),
+        };
         out.push(
-            RULE.at(file, first.place(), message)
+            finding
                 .key(rel)
                 .fix(fix(repository, base, file, &links, target))
-                .help("write `null` and remove the file, or store the shape that was meant")
                 .related(&target.path, Place::File, "no displacement")
                 .evidence(Evidence::of_cases(links.iter().map(|link| &link.link.name))),
         );
     }
+}
+
+/// What uses the file besides the macros.
+fn slider_of<'s>(repository: &'s Repository<'_>, target: &FileFacts) -> Option<&'s Reference<'s>> {
+    let is_slider = |reference: &&Reference<'_>| {
+        reference.kind.is_target()
+            && reference.kind != ReferenceKind::MacroTarget
+            && matches!(reference.resolution, Resolution::Found(found) if found.path == target.path)
+    };
+    repository.references.iter().find(is_slider)
 }
 
 /// Writes `null` and removes the file, which would only be left lying around. Not where something else names it, or

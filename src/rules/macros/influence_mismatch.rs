@@ -17,7 +17,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
         docs: "`macro_influence` is documented as the list of the macrodefs that a slider takes part \
             in.\n\nMakeHuman 2 evaluates all macrodefs whatever it says, and only cares whether the list is \
             empty. A wrong list is therefore harmless, but it misleads readers and any program that follows the \
-            documentation.\n\nList the macrodefs whose components read the pattern of the slider.",
+            documentation (info).\n\nA slider that no component of `macro.json` reads at all moves nothing \
+            (warning).\n\nList the macrodefs whose components read the pattern of the slider.",
         ..RuleInfo::new(
             "macro-influence-mismatch",
             Level::Info,
@@ -54,11 +55,28 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
             continue;
         }
         let key = &bound.slider.key;
+        if used.is_empty() && unsure.is_empty() && !macros.macrodefs.is_empty() {
+            out.push(dead(bound, names));
+            continue;
+        }
         let message = format!("`macro_influence` of `{key}` {}", difference(&missing, &superfluous));
         let right = used.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
         let finding = RULE.at(bound.file, Place::pointer([key, "macro_influence"]), message).key(key);
         out.push(finding.help(format!("the macrodefs that read the slider are [{right}]")));
     }
+}
+
+/// A slider that no component reads: the list is the least of its faults.
+fn dead(bound: &BoundSlider<'_>, names: &[String]) -> Finding {
+    let key = &bound.slider.key;
+    let member = if matches!(bound.pattern, Pattern::Macro(_)) { "macro" } else { "barycentric" };
+    let name = names.first().map_or("", String::as_str);
+    let message = format!("the macro slider `{key}` does nothing: no component reads its pattern `{name}`");
+    RULE.at(bound.file, Place::pointer([key, member]), message)
+        .key(key)
+        .level(Level::Warning)
+        .breaks(Application::Makehuman2, "shows a slider that moves nothing, and says nothing")
+        .help("let the `pattern` of a component in macro.json name it, or remove the slider")
 }
 
 /// Whether another slider has the same pattern: that one of them is wrong is the fault.

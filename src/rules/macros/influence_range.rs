@@ -69,7 +69,14 @@ fn finding(wrong: &[i64], sliders: &[&BoundSlider<'_>], count: i64) -> Option<Fi
     let has_other =
         |bound: &&BoundSlider<'_>| bound.slider.macro_influence.iter().flatten().any(|index| *index < count);
     if sliders.iter().all(has_other) {
-        finding = finding.level(Level::Info).breaks(Application::Makehuman2, "nothing: another index is left");
+        let in_range =
+            |bound: &&BoundSlider<'_>| bound.slider.macro_influence.iter().flatten().any(|at| (0..count).contains(at));
+        let effect = if sliders.iter().all(in_range) {
+            "nothing: another index is left"
+        } else {
+            "nothing: a negative index passes its test, and it only looks whether any index is left"
+        };
+        finding = finding.level(Level::Info).breaks(Application::Makehuman2, effect);
     }
     Some(finding)
 }

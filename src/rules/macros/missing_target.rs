@@ -35,7 +35,12 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
         let more = if links.len() > 1 { format!(", which {} combinations use", links.len()) } else { String::new() };
         // A file that the combination of its own name uses is not meant.
         let own = |near: &FileFacts| all.iter().any(|link| link.link.name == near.stem() && leads_to(link, near));
+        let packed = format!("{rel}.gz");
+        let packed = repository.strongest_first().find_map(|layer| layer.file(&packed));
         let help = match nearest_file(base, first.reference).filter(|near| !own(near)) {
+            _ if let Some(packed) = packed => {
+                format!("MakeHuman 2 does not read packed targets: unpack `{}`", packed.file_name())
+            }
             Some(near) => format!("did you mean `{}`?", near.stem()),
             None => "correct the name, add the file, or write `null` where nothing should change".to_owned(),
         };

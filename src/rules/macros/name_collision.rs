@@ -39,9 +39,16 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
             let both: Vec<&Link> = a.links.keys().filter_map(|name| b.links.get(name).copied()).collect();
             let differ =
                 both.iter().any(|link| path(a, a.links.get(link.name.as_str()).copied()) != path(b, Some(link)));
-            report(file, (a, b), &both, if differ { Level::Error } else { Level::Warning }, out);
-            report(file, (b, a), &generated(a, b), Level::Warning, out);
-            report(file, (a, b), &generated(b, a), Level::Warning, out);
+            // One finding for the two of them, on the worst that they share.
+            let (of_a, of_b) = (generated(a, b), generated(b, a));
+            if !both.is_empty() {
+                let also = [of_a, of_b].concat();
+                report(file, (a, b), (&both, &also), if differ { Level::Error } else { Level::Warning }, out);
+            } else if of_a.is_empty() {
+                report(file, (a, b), (&of_b, &[]), Level::Warning, out);
+            } else {
+                report(file, (b, a), (&of_a, &of_b), Level::Warning, out);
+            }
         }
     }
 }
@@ -68,11 +75,11 @@ fn path<'a>(table: &Table<'a>, link: Option<&'a Link>) -> Option<(Option<&'a str
     Some((table.macrodef.effective_folder.as_deref(), link?.target.as_deref()?))
 }
 
-/// `links` stand in the second definition; the first one shares their names.
+/// `links` stand in the second definition; the first one shares their names, and `also` of either are shared too.
 fn report(
     file: &FileFacts,
     (other, own): (&Table<'_>, &Table<'_>),
-    links: &[&Link],
+    (links, also): (&[&Link], &[&Link]),
     level: Level,
     out: &mut Vec<Finding>,
 ) {
@@ -80,7 +87,8 @@ fn report(
     let title = |table: &Table<'_>| table.macrodef.components.join("-");
     let lists = other.links.contains_key(first.name.as_str());
     let verb = if lists { "lists" } else { "generates" };
-    let more = if links.len() > 1 { format!(" ({} names like it)", links.len()) } else { String::new() };
+    let shared = links.len() + also.len();
+    let more = if shared > 1 { format!(" ({shared} names are shared)") } else { String::new() };
     let (whose, name) = (titles::macrodef(other.macrodef), titles::combination(&first.name));
     let message = format!("macrodef {whose} {verb} {name} too{more}");
     let place = Place::Pointer(own.macrodef.link_pointer(first, "name"));
@@ -89,7 +97,7 @@ fn report(
         .key(format!("{}/{}", title(own), title(other)))
         .help("rename a value in one of the components, so that the names differ")
         .level(level)
-        .evidence(Evidence::of_cases(links.iter().map(|link| &link.name)).out_of(own.links.len()));
+        .evidence(Evidence::of_cases(links.iter().chain(also).map(|link| &link.name)));
     if let Some(twin) = other.links.get(first.name.as_str()) {
         let twin = Place::Pointer(other.macrodef.link_pointer(twin, "name"));
         finding = finding.related(&file.path, twin, "the same name");

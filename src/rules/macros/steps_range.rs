@@ -32,12 +32,12 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
         if steps.len() != component.values.len() || !is_increasing(steps) {
             continue;
         }
-        let Some(fault) = fault(steps) else { continue };
+        let Some((fault, effect)) = fault(steps) else { continue };
         let slider = component.pattern.as_deref().map(|pattern| format!(" (slider `{pattern}`)")).unwrap_or_default();
         let message = format!("`steps` of `{}`{slider} {fault}", component.name);
         let place = Place::pointer(["components", &component.name, "steps"]);
         let finding = RULE.at(file, place, message).key(&component.name).help("let the first step be 0 and the last 1");
-        out.push(weigh(finding, macros, component));
+        out.push(weigh(finding.breaks(Application::Makehuman2, effect), macros, component));
     }
 }
 
@@ -45,21 +45,28 @@ fn is_increasing(steps: &[f64]) -> bool {
     steps.is_sorted_by(|a, b| a.partial_cmp(b) == Some(Ordering::Less))
 }
 
-fn fault(steps: &[f64]) -> Option<String> {
+/// What is wrong with the ends, and what comes of it.
+fn fault(steps: &[f64]) -> Option<(String, &'static str)> {
+    const NO_INTERVAL: &str = "drops the component, and with it all that its macrodefs apply";
+    const OUT_OF_REACH: &str = "never gives that value its full weight, and says nothing";
     let ([first, .., last] | [first @ last]) = steps else {
-        return Some("are empty: without an interval the component is dropped, and nothing applies".to_owned());
+        let fault = "are empty: without an interval the component is dropped, and nothing applies";
+        return Some((fault.to_owned(), NO_INTERVAL));
     };
     if steps.len() == 1 {
-        return Some(format!("hold {last} alone: without an interval the component is dropped, and nothing applies"));
+        let fault = format!("hold {last} alone: without an interval the component is dropped, and nothing applies");
+        return Some((fault, NO_INTERVAL));
     }
     if last.total_cmp(&1.0).is_lt() {
-        Some(format!("end at {last}: from there to 1 nothing of the macrodef applies"))
+        let fault = format!("end at {last}: from there to 1 nothing of the macrodef applies");
+        Some((fault, "drops the whole macrodef when the slider is above the last step"))
     } else if first.partial_cmp(&0.0) == Some(Ordering::Greater) {
-        Some(format!("begin at {first}: from 0 to there the first value has more than its full weight"))
+        let fault = format!("begin at {first}: from 0 to there the first value has more than its full weight");
+        Some((fault, "gives the first value more than its full weight when the slider is below the first step"))
     } else if first.partial_cmp(&0.0) == Some(Ordering::Less) {
-        Some(format!("begin at {first}: the first value never has its full weight"))
+        Some((format!("begin at {first}: the first value never has its full weight"), OUT_OF_REACH))
     } else if last.total_cmp(&1.0).is_gt() {
-        Some(format!("end at {last}: the last value never has its full weight"))
+        Some((format!("end at {last}: the last value never has its full weight"), OUT_OF_REACH))
     } else {
         None
     }

@@ -1,11 +1,12 @@
 //! `t` is written without suffix.
 
 use super::super::{Check, Rule, RuleCx};
-use super::links::{has_suffix, links};
+use super::fit::{fits, values_of};
+use super::links::{has_suffix, is_in_folder, links};
 use super::titles;
 use crate::diag::{Application, Change, Evidence, Finding, Fix, FixKind, Level, Place, RuleInfo};
 use crate::formats::macro_json::{Link, Macrodef};
-use crate::repo::{Base, FileFacts, Repository};
+use crate::repo::{Base, FileFacts, Reference, Repository, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -17,7 +18,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
         docs: "MakeHuman 2 puts `.target` behind every `t`, so `x.target` makes it look for `x.target.target`. \
             Packed targets (`.target.gz`) are never read. An empty text leads to a file called `.target`.\n\nThe \
             file is not found, and a file that is not found stops the program when its combination has \
-            weight.\n\nRemove the suffix; write `null` instead of an empty text.",
+            weight.\n\nRemove the suffix; write the name of the file, or `null`, instead of an empty text.",
         ..RuleInfo::new("macro-target-extension", Level::Error, "`t` ends in `.target` or `.gz`, or is empty")
     },
     check: Check::Base(run),
@@ -35,39 +36,65 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
         let wrong: Vec<_> = wrong.collect();
         let Some(first) = wrong.first() else { continue };
         let text = first.target.as_deref().unwrap_or_default();
+        let own = own_target(base, macrodef, first);
         let more = if wrong.len() > 1 { format!(" ({} entries like it)", wrong.len()) } else { String::new() };
-        let (message, help) = if text.is_empty() {
-            (
-                format!("`t` of {} is empty{more}", titles::combination(&first.name)),
-                "write `null` where nothing should change".to_owned(),
-            )
+        let (message, help) = if without_suffix(text).is_empty() {
+            let what = if text.is_empty() { "is empty".to_owned() } else { format!("is a bare `{text}`") };
+            let help = match own {
+                Some(own) => format!("write `{own}`: there is a target of this name"),
+                None => "write `null` where nothing should change".to_owned(),
+            };
+            (format!("`t` of {} {what}{more}", titles::combination(&first.name)), help)
         } else {
             let without = without_suffix(text);
             (format!("`{text}` ends in a suffix{more}"), format!("write `{without}`"))
         };
         let finding = RULE.at(file, Place::Pointer(macrodef.link_pointer(first, "t")), message).help(help);
         let evidence = Evidence::of_cases(wrong.iter().map(|link| &link.name)).out_of(macrodef.links.len());
-        let fix = fix(base, file, macrodef, &wrong);
+        let fix = fix(repository, base, file, macrodef, &wrong);
         out.push(finding.key(macrodef.components.join("-")).evidence(evidence).fix(fix));
     }
 }
 
-/// Takes the suffix off where that leads to a file, and writes `null` for an empty text.
-fn fix(base: &Base<'_>, file: &FileFacts, macrodef: &Macrodef, wrong: &[&Link]) -> Fix {
-    let exists = |name: &str| {
-        let folder = macrodef.effective_folder.as_deref();
-        let name = folder.map_or_else(|| name.to_owned(), |folder| format!("{folder}/{name}"));
-        base.targets.is_some_and(|targets| targets.target(&name).is_some())
-    };
-    let mut fix = Fix::new(RULE.info.fix, "remove the suffix, or write `null` for an empty text");
+/// Takes the suffix off where that leads to a file. For an empty text writes the combination's own name if there is such
+/// a file, else `null`, unless an unused file may be the one that was meant.
+fn fix(repository: &Repository<'_>, base: &Base<'_>, file: &FileFacts, macrodef: &Macrodef, wrong: &[&Link]) -> Fix {
+    let mut fix = Fix::new(RULE.info.fix, "remove the suffix; for an empty text write the name of its file, or `null`");
     for link in wrong {
-        let text = Some(without_suffix(link.target.as_deref().unwrap_or_default())).filter(|text| !text.is_empty());
-        if text.is_none_or(exists) {
-            let pointer = macrodef.link_pointer(link, "t");
-            fix = fix.step(&file.path, Change::Value { pointer, text: text.map(str::to_owned) });
+        let text = match without_suffix(link.target.as_deref().unwrap_or_default()) {
+            "" => own_target(base, macrodef, link),
+            text if exists(base, macrodef, text) => Some(text),
+            _ => continue,
+        };
+        if text.is_none() && has_candidate(repository, base, macrodef, link) {
+            continue;
         }
+        let pointer = macrodef.link_pointer(link, "t");
+        fix = fix.step(&file.path, Change::Value { pointer, text: text.map(str::to_owned) });
     }
     fix
+}
+
+fn exists(base: &Base<'_>, macrodef: &Macrodef, name: &str) -> bool {
+    let folder = macrodef.effective_folder.as_deref();
+    let name = folder.map_or_else(|| name.to_owned(), |folder| format!("{folder}/{name}"));
+    base.targets.is_some_and(|targets| targets.target(&name).is_some())
+}
+
+/// The name of the combination, if the folder has a target of that name.
+fn own_target<'a>(base: &Base<'_>, macrodef: &Macrodef, link: &'a Link) -> Option<&'a str> {
+    Some(link.name.as_str()).filter(|name| !name.is_empty() && exists(base, macrodef, name))
+}
+
+/// Whether the folder has a target for the combination that nothing uses.
+fn has_candidate(repository: &Repository<'_>, base: &Base<'_>, macrodef: &Macrodef, link: &Link) -> bool {
+    let is_used = |file: &FileFacts| {
+        let found = |reference: &Reference<'_>| matches!(reference.resolution, Resolution::Found(found) if found.rel == file.rel);
+        repository.references_of(base).any(found)
+    };
+    let name = values_of(&link.name);
+    let fitting = |file: &&FileFacts| is_in_folder(base, macrodef, file) && fits(&values_of(file.stem()), &name);
+    base.targets.is_some_and(|targets| targets.targets().filter(fitting).any(|file| !is_used(file)))
 }
 
 fn without_suffix(text: &str) -> &str {

@@ -59,8 +59,17 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
             Some(near) => format!("did you mean `{near}`?"),
             None => "write the `macro` (or `barycentric`) of an entry of `modelling.json`".to_owned(),
         };
-        let member = if unknown.len() == 1 && component.sum.is_some() { "sum" } else { "pattern" };
-        let finding = RULE.at(file, Place::pointer(["components", name, member]), message).key(name).help(help);
+        let is_corner = component.steps.is_none() && unknown.len() < read.len();
+        let corner = read.iter().position(|own| own == first).filter(|_| is_corner).map(|at| at.to_string());
+        let place = match &corner {
+            Some(corner) => Place::pointer(["components", name, "sum", corner]),
+            None => Place::pointer(["components", name, "pattern"]),
+        };
+        let mut finding = RULE.at(file, place, message).key(name).help(help);
+        if is_corner {
+            let effect = "skips this corner of the triangle without a word; the targets of its value are never applied";
+            finding = finding.breaks(Application::Makehuman2, effect);
+        }
         out.push(weigh(finding.evidence(Evidence::of_cases(&unknown).out_of(read.len())), macros, component));
     }
 }

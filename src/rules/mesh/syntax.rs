@@ -31,6 +31,7 @@ fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         out.push(
             RULE.at(file, Place::Line(first.line), format!("`{}`: {}{more}", first.text, first.what))
                 .help("correct the line, or export the mesh again")
+                .parts(mesh.facts.unreadable_names.names())
                 .evidence(evidence),
         );
     }

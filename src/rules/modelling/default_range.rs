@@ -23,7 +23,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
 fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for bound in groups::hand_made(base) {
         let slider = bound.slider;
-        let Some(default) = slider.default else { continue };
+        // `json-syntax` names what is no finite number.
+        let Some(default) = slider.default.filter(|default| default.is_finite()) else { continue };
         let lowest = if slider.decr.is_some() && !slider.is_macro() { -1.0 } else { 0.0 };
         if (lowest..=1.0).contains(&default) {
             continue;

@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use super::missing::{self, Group};
 use crate::diag::{Application, Evidence, Finding, Level, RuleInfo};
-use crate::repo::{Base, Reference, ReferenceKind, Repository};
+use crate::repo::{Base, FileFacts, Reference, ReferenceKind, Repository};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -63,6 +63,8 @@ fn help(repository: &Repository<'_>, reference: &Reference<'_>) -> String {
         "the name is empty: name a target or remove the key".to_owned()
     } else if let Some(stem) = reference.text.strip_suffix(".target") {
         format!("write it without the suffix: `{stem}`")
+    } else if let Some(packed) = packed(repository, reference) {
+        format!("MakeHuman 2 does not read packed targets: unpack `{packed}`")
     } else if let Some(near) = missing::neighbour(repository, reference) {
         let (folder, _) = reference.text.rsplit_once('/').unwrap_or_default();
         let near = near.strip_suffix(".target").unwrap_or(&near);
@@ -71,6 +73,12 @@ fn help(repository: &Repository<'_>, reference: &Reference<'_>) -> String {
     } else {
         "correct the path, add the target, or remove the entry".to_owned()
     }
+}
+
+/// The packed target that lies where the plain one is looked for.
+fn packed<'a>(repository: &Repository<'a>, reference: &Reference<'_>) -> Option<&'a str> {
+    let rel = format!("{}.gz", reference.rel);
+    repository.strongest_first().find_map(|layer| layer.file(&rel)).map(FileFacts::file_name)
 }
 
 fn is_generated(base: &Base<'_>, reference: &Reference<'_>) -> bool {

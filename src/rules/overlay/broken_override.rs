@@ -1,14 +1,18 @@
-//! An override that the application ignores without a word.
+//! An override that the application ignores.
 
 use super::super::{Check, Rule, RuleCx};
 use super::{Override, SystemFolder, overrides, system_folder};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Place, Rewrite, RuleInfo};
 use crate::formats::json_file::JsonFault;
 use crate::repo::{Base, Content, FileFacts, Repository};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "ignores the override without a word and takes the system's file")],
+        fix: FixKind::Safe,
+        breaks: &[(
+            Application::Makehuman2,
+            "ignores the override but for a line in the log, and takes the system's file",
+        )],
         docs: "macro.json, modelling.json and target_cat.json in `contarget/<base>/` replace those of the system. MakeHuman 2 \
             takes the first of the two that it can read and that is not empty, each file for itself. A syntax error, a byte \
             order mark or an empty object is only a line in the log: the system's file is used as if there were no \
@@ -28,6 +32,13 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
         let message = format!("the override `{}` is ignored: {fault}", file.rel);
         let finding = RULE.at(file, place, message).key(each.name).help(help);
         let finding = finding.breaks(Application::Makehuman2, effect(repository, base, &each));
+        let finding = match &file.content {
+            Content::Broken(JsonFault::ByteOrderMark) => {
+                let change = Change::Rewrite(Rewrite::DropByteOrderMark);
+                finding.fix(Fix::new(RULE.info.fix, "remove the mark").step(&file.path, change))
+            }
+            _ => finding,
+        };
         out.push(match each.system {
             Some(system) => finding.related(system.path.clone(), Place::File, "this file is used instead"),
             None => finding,
@@ -57,9 +68,9 @@ fn fault(file: &FileFacts) -> (Place, String, &'static str) {
 fn effect(repository: &Repository<'_>, base: &Base<'_>, broken: &Override<'_>) -> String {
     let folder = system_folder(repository, base);
     let instead = match (broken.system.is_some(), folder) {
-        (true, _) => "takes the system's file instead, without a word",
-        (false, SystemFolder::Unknown) => "takes the system's file instead if there is one, without a word",
-        (false, _) => "goes on without such a file, without a word",
+        (true, _) => "logs a line and takes the system's file instead",
+        (false, SystemFolder::Unknown) => "logs a line and takes the system's file instead, if there is one",
+        (false, _) => "logs a line and goes on without such a file",
     };
     match (broken.name, folder) {
         ("macro.json", SystemFolder::Absent) => format!(

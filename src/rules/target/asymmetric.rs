@@ -124,7 +124,10 @@ fn uneven(
         finding
             .key(base.name)
             .asset(file.root())
-            .parts(slight.iter().map(|(_, target)| &target.name))
+            .parts(slight.iter().flat_map(|(_, target)| {
+                target.own_mirror.different.iter().map(|vertex| format!("{} {vertex}", target.name))
+            }))
+            .over_each(slight.iter().map(|(file, _)| &file.path))
             .help("make these vertices symmetric")
             .evidence(evidence.out_of(judged).with_worst(distance, format!("{} vertex {vertex}", target.name))),
     )

@@ -48,6 +48,7 @@ fn finding(repository: &Repository<'_>, pair: &PairMeasure) -> Option<Finding> {
     let finding = RULE
         .at(left, place, message)
         .parts(&difference.different)
+        .between([&left.path, &right.path])
         .related(&right.path, Place::File, "its partner")
         .help("mirror one of the two and save it over the other")
         .evidence(evidence.out_of(difference.compared).with_worst(worst, format!("vertex {vertex}")));

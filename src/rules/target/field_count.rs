@@ -34,6 +34,7 @@ fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         out.push(
             RULE.at(file, Place::Line(*line), message)
                 .help("write rows as `INDEX X Y Z`, remarks on lines that begin with `#`")
+                .parts(facts.field_count_names.names())
                 .evidence(evidence.out_of(total)),
         );
     }

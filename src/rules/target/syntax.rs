@@ -46,6 +46,7 @@ pub(super) fn finding(rule: &Rule, file: &FileFacts, facts: &TargetFacts) -> Opt
     let mut evidence =
         Evidence::of_cases(facts.unreadable.iter().map(|field| format!("line {}", field.line))).unnamed();
     evidence.count = rows;
-    let finding = rule.at(file, place, message).evidence(evidence.out_of(facts.rows));
+    let finding =
+        rule.at(file, place, message).parts(facts.unreadable_names.names()).evidence(evidence.out_of(facts.rows));
     Some(finding.help("a row is `INDEX X Y Z`: an integer and three decimals with a point"))
 }

@@ -52,7 +52,8 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
                 let finding = decr
                     .and_then(|decr| folder.name_of(decr))
                     .map_or_else(|| single(base, file, name), |decr| pair(file, name, decr));
-                finding.part_of(folder.layer.display(path), parts)
+                let pair = [Some(file), decr].into_iter().flatten().map(|file| &file.path);
+                finding.part_of(folder.layer.display(path), parts).over_each(pair)
             }));
         }
     }
@@ -71,7 +72,8 @@ fn lost_macrodefs(base: &Base<'_>) -> bool {
 
 /// What cannot be parsed is worse than unused.
 fn breaks_start(file: &FileFacts) -> bool {
-    decoded(file).is_some_and(|(_, facts)| facts.unreadable_rows > 0)
+    let is_no_text = file.encoding.invalid_utf8_at.is_some();
+    is_no_text || decoded(file).is_some_and(|(_, facts)| facts.unreadable_rows > 0)
 }
 
 /// Unused files that a name without file nearly fits, or would fit but for its path: that name is the
@@ -132,6 +134,7 @@ fn whole_folder(layer: &Layer, path: &str, files: &[&FileFacts]) -> Finding {
     let evidence = Evidence::of_cases(files.iter().map(|file| file.file_name())).out_of(files.len());
     RULE.in_layer(layer, path, message)
         .part_of(layer.display(path), files.iter().map(|file| file.file_name()))
+        .over_each(files.iter().map(|file| &file.path))
         .help("add sliders to modelling.json, or remove the folder")
         .evidence(evidence)
 }

@@ -16,7 +16,18 @@ pub(super) fn users<'a>(repository: &'a Repository<'_>) -> BTreeMap<&'a str, Ref
             *known = reference.kind.min(*known);
         }
     }
+    add_links(repository, &mut users);
     users
+}
+
+/// Who uses a file through a link uses the file, and the other way round.
+fn add_links<'a>(repository: &'a Repository<'_>, users: &mut BTreeMap<&'a str, ReferenceKind>) {
+    let linked = |link: &'a FileFacts| Some([link, repository.judged.file(link.link_to.as_deref()?)?]);
+    for pair in repository.judged.files.values().filter_map(linked) {
+        if let Some(kind) = pair.iter().filter_map(|file| users.get(file.path.as_str())).min().copied() {
+            users.extend(pair.map(|file| (file.path.as_str(), kind)));
+        }
+    }
 }
 
 /// The file meant, also where the name is not quite right: that is a finding of its own.

@@ -33,6 +33,7 @@ fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         out.push(
             RULE.at(file, Place::pointer(["weights", bone, &position.to_string()]), message)
                 .help("write a vertex number without a point and a weight between 0 and 1")
+                .parts(weights.facts.malformed_names.names())
                 .evidence(evidence),
         );
     }

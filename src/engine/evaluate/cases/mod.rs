@@ -48,6 +48,9 @@ pub fn run_cases<'t>(path: &str, text: &'t [u8], roots: &Roots) -> Result<CaseRu
     let reports = {
         let file = File::new(path, &document.root)?;
         let mut computer = compute::Computer::new(roots, &file)?;
+        if file.cases.is_empty() {
+            return Err(Error::file(path, "there is no case in `cases`"));
+        }
         file.cases.iter().map(|case| report(&mut computer, case)).collect()
     };
     Ok(CaseRun { text, document, reports })

@@ -1,0 +1,89 @@
+//! Which findings get through: levels, exclusions and mutes are for files, a finding may speak for several.
+
+use super::mute::Muting;
+use super::scope::Scope;
+use super::select::{Selection, Verdict, is_unmutable};
+use crate::config::Config;
+use crate::diag::{Finding, Level, Over};
+use crate::repo::Layer;
+
+/// What becomes of a finding, or of its part in one file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Heard {
+    /// Reported at this level.
+    At(Level),
+    /// Hidden by somebody's wish, and counted.
+    Hidden,
+    /// Excluded: out of sight.
+    Excluded,
+    /// The rule is off.
+    Off,
+}
+
+/// All that can keep a finding on the files of a layer from being reported, but for the PATHs.
+pub(super) struct Filter<'r> {
+    pub(super) layer: &'r Layer,
+    pub(super) selection: &'r Selection<'r>,
+    pub(super) scope: &'r Scope<'r>,
+    pub(super) options: &'r Config,
+}
+
+impl Filter<'_> {
+    /// What becomes of a finding. Where it stays although some of its files are muted, it says so.
+    pub(super) fn of(&self, finding: &mut Finding, muting: &mut Muting<'_>) -> Heard {
+        let own = self.at(finding, &finding.path, muting);
+        let (files, fewest) = match &finding.over {
+            Over::Own => return own,
+            Over::Each(files) => (files, 1),
+            // What is between files is gone when only one is left.
+            Over::Between(files) => (files, 2),
+        };
+        let is_folder = !files.contains(&finding.path);
+        if is_folder && matches!(own, Heard::Hidden | Heard::Excluded) {
+            return own;
+        }
+        let all: Vec<Heard> = files.iter().map(|file| self.at(finding, file, muting)).collect();
+        let heard: Vec<Heard> = all.iter().copied().filter(|heard| matches!(heard, Heard::At(_))).collect();
+        let silent = all.len() - heard.len();
+        match heard.first() {
+            Some(first) if heard.len() >= fewest => {
+                if silent > 0 {
+                    let verb = if silent == 1 { "is" } else { "are" };
+                    finding.message =
+                        format!("{}; {silent} of these {} files {verb} muted", finding.message, all.len());
+                }
+                if matches!(own, Heard::At(_)) { own } else { *first }
+            }
+            _ if all.contains(&Heard::Hidden) => Heard::Hidden,
+            _ => all.into_iter().find(|heard| !matches!(heard, Heard::At(_))).unwrap_or(own),
+        }
+    }
+
+    /// Files of its fix for which the rule of a finding is not heard.
+    pub(super) fn spared(&self, finding: &Finding, muting: &mut Muting<'_>) -> Vec<String> {
+        let steps = finding.fix.iter().flat_map(|fix| &fix.steps);
+        let mut files: Vec<&String> = steps.map(|step| &step.path).collect();
+        files.sort_unstable();
+        files.dedup();
+        files.retain(|file| !matches!(self.at(finding, file, muting), Heard::At(_)));
+        files.into_iter().cloned().collect()
+    }
+
+    fn at(&self, finding: &Finding, path: &str, muting: &mut Muting<'_>) -> Heard {
+        if is_unmutable(finding.rule) {
+            return Heard::At(finding.level);
+        }
+        // What is excluded is out of sight; but what is dangerous is told wherever the run looks.
+        if self.scope.excludes(path) {
+            return Heard::Excluded;
+        }
+        let rel = self.options.file.as_ref().and_then(|file| file.relative(path));
+        let level = match self.selection.verdict(finding.rule, finding.level, rel.as_deref()) {
+            Verdict::Off => return Heard::Off,
+            Verdict::OffHere => return Heard::Hidden,
+            Verdict::At(level) => level,
+        };
+        let file = self.layer.relative(path).and_then(|rel| self.layer.file(rel));
+        if muting.hides(finding.rule, path, file) { Heard::Hidden } else { Heard::At(level) }
+    }
+}

@@ -1,0 +1,142 @@
+//! Mutes and findings over several files, through the real binary: what is muted is neither told nor mended.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may stop where it fails")]
+
+mod scratch;
+
+use std::fs;
+use std::path::Path;
+
+use scratch::{edit, example, findings, mhlint, stderr};
+
+const A: &str = "data/target/figure/head/head-oval.target";
+const B: &str = "data/target/figure/torso/belly-trans-in.target";
+const COMMENT: &str = "# mhlint: ignore target-zero-delta kept as markers\n";
+
+/// The example with a zero row in two targets, which one finding tells, at the first of them.
+fn repository(config: &str, commented: &[&str]) -> tempfile::TempDir {
+    let repository = example();
+    let root = repository.path();
+    fs::write(root.join("mhlint.toml"), config).unwrap();
+    for (path, row) in [(A, "600 0 0 0\n"), (B, "601 0 0 0\n")] {
+        let comment = if commented.contains(&path) { COMMENT } else { "" };
+        let text = format!("{comment}{}{row}", fs::read_to_string(root.join(path)).unwrap());
+        fs::write(root.join(path), text).unwrap();
+    }
+    repository
+}
+
+fn told(root: &Path) -> Vec<String> {
+    let found = findings(&mhlint(root, &["data", "--report", "concise"]));
+    found.into_iter().filter(|line| line.contains("[target-zero-delta]") || line.contains("[config-")).collect()
+}
+
+/// Whether the zero rows are still there.
+fn rows(root: &Path) -> [bool; 2] {
+    [(A, "600 0 0 0"), (B, "601 0 0 0")].map(|(path, row)| fs::read_to_string(root.join(path)).unwrap().contains(row))
+}
+
+fn config_for(path: &str) -> String {
+    format!("[[path]]\nglob = \"{path}\"\nskip = [\"target-zero-delta\"]\n")
+}
+
+fn ignore_of(path: &str) -> String {
+    format!("[[ignore]]\nrule = \"target-zero-delta\"\npath = \"{path}\"\nreason = \"kept as markers\"\n")
+}
+
+#[test]
+fn a_fix_spares_the_files_for_which_the_rule_is_muted() {
+    for config in [ignore_of(B), config_for("data/target/figure/torso/**"), format!("exclude = [\"{B}\"]\n")] {
+        let repository = repository(&config, &[]);
+        let output = mhlint(repository.path(), &["data", "--fix", "--only", "target-zero-delta"]);
+        let is_spared = !config.contains("[[path]]");
+        // `--only` goes before `[[path]]`.
+        assert_eq!(rows(repository.path()), [false, is_spared], "{config}{}", stderr(&output));
+        let repository = self::repository(&config, &[]);
+        let output = mhlint(repository.path(), &["data", "--fix"]);
+        assert_eq!(rows(repository.path()), [false, true], "{config}{}", stderr(&output));
+        assert!(stderr(&output).contains("1 fixed in 1 file"), "{}", stderr(&output));
+    }
+    let repository = repository("", &[B]);
+    mhlint(repository.path(), &["data", "--fix"]);
+    assert_eq!(rows(repository.path()), [false, true]);
+    let repository = self::repository("", &[A]);
+    mhlint(repository.path(), &["data", "--fix"]);
+    assert_eq!(rows(repository.path()), [true, false], "what stands at a muted file is told of the others, too");
+}
+
+#[test]
+fn a_fix_writes_nothing_beside_the_paths() {
+    let repository = repository("", &[]);
+    mhlint(repository.path(), &["data/target/figure/head", "--fix"]);
+    assert_eq!(rows(repository.path()), [false, true]);
+}
+
+#[test]
+fn what_several_files_have_is_muted_when_it_is_for_all_of_them() {
+    for one in [A, B] {
+        for (config, commented) in [(ignore_of(one), vec![]), (String::new(), vec![one]), (config_for(one), vec![])] {
+            let told = told(repository(&config, &commented).path());
+            let [line] = told.as_slice() else { panic!("{one} {config}: {told:#?}") };
+            assert!(line.contains("1 of these 2 files is muted"), "{line}");
+        }
+    }
+    for (config, commented) in [(ignore_of(A), vec![B]), (String::new(), vec![A, B]), (config_for(B), vec![A])] {
+        assert!(told(repository(&config, &commented).path()).is_empty(), "{config}");
+    }
+}
+
+#[test]
+fn what_two_files_have_between_them_is_muted_at_either() {
+    let [left, right] = ["l", "r"].map(|side| format!("data/target/figure/legs/{side}-foot-trans-forward.target"));
+    let pair = |commented: Option<&String>| {
+        let repository = example();
+        edit(repository.path(), &left, "609 0 0 .12", "609 .3 .3 .12");
+        if let Some(path) = commented {
+            let text = fs::read_to_string(repository.path().join(path)).unwrap();
+            let comment = "# mhlint: ignore target-asymmetric-pair meant\n";
+            fs::write(repository.path().join(path), format!("{comment}{text}")).unwrap();
+        }
+        let found = findings(&mhlint(repository.path(), &["data", "--report", "concise"]));
+        found.into_iter().filter(|line| line.contains("[target-asymmetric-pair]") || line.contains("[config-")).count()
+    };
+    assert_eq!(pair(None), 1);
+    assert_eq!(pair(Some(&left)), 0);
+    assert_eq!(pair(Some(&right)), 0);
+}
+
+#[test]
+fn a_fix_that_is_one_whole_is_left_out_where_a_file_of_it_is_muted() {
+    let empty = "data/target/figure/macro_build/teen-maxmuscle.target";
+    let repository = example();
+    let before = fs::read_to_string(repository.path().join("data/target/figure/macro.json")).unwrap();
+    fs::write(repository.path().join(empty), "# mhlint: ignore macro-empty-target kept\n0 0 0 0\n").unwrap();
+    let output = mhlint(repository.path(), &["data", "--fix", "--unsafe-fixes", "--only", "macro-empty-target"]);
+    let said = "1 finding would be mended in files that are muted or beside the PATHs; those stay as they are";
+    assert!(stderr(&output).contains(said), "{}", stderr(&output));
+    assert!(repository.path().join(empty).exists());
+    assert_eq!(fs::read_to_string(repository.path().join("data/target/figure/macro.json")).unwrap(), before);
+}
+
+#[test]
+fn a_folder_is_muted_by_its_files() {
+    let ignore =
+        "[[ignore]]\nrule = \"target-unreferenced\"\npath = \"data/target/figure/new/*.target\"\nreason = \"later\"\n";
+    let comment = "# mhlint: ignore target-unreferenced later\n";
+    let told = |config: &str, comments: [&str; 3]| {
+        let repository = example();
+        let folder = repository.path().join("data/target/figure/new");
+        fs::write(repository.path().join("mhlint.toml"), config).unwrap();
+        fs::create_dir(&folder).unwrap();
+        for (number, comment) in comments.iter().enumerate() {
+            let row = number + 601;
+            let text = format!("{comment}{row} 0 0 .1\n600 .{row} 0 0\n");
+            fs::write(folder.join(format!("n{number}.target")), text).unwrap();
+        }
+        let found = findings(&mhlint(repository.path(), &["data", "--report", "concise"]));
+        found.into_iter().filter(|line| line.contains("[target-unreferenced]") || line.contains("[config-")).collect()
+    };
+    let some: Vec<String> = told("", [comment, "", comment]);
+    assert!(some.len() == 1 && some[0].ends_with("; 2 of these 3 files are muted"), "{some:#?}");
+    assert_eq!(told(ignore, [""; 3]), [""; 0]);
+    assert_eq!(told("", [comment; 3]), [""; 0]);
+}
