@@ -41,9 +41,24 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             out.push(finding.help(format!("rename the file to `{right}`: extensions count with their capitals")));
             continue;
         }
+        let others = alike(repository, target);
+        if let [_, ..] = others.as_slice() {
+            let names: Vec<String> = others.iter().map(|other| format!("`{other}`")).collect();
+            let help = format!("write which is meant: there are `{target}` and {}", names.join(", "));
+            out.push(finding.help(help));
+            continue;
+        }
         let fix = fix(repository, &cause, &format!("write `{meant}`"));
         out.push(finding.fix(fix).help(format!("write `{meant}`, or rename the {what}")));
     }
+}
+
+/// Other files of the layer that the name fits as well, but for capitals.
+fn alike<'r>(repository: &'r Repository<'_>, target: &str) -> Vec<&'r str> {
+    let layer = repository.strongest_first().find(|layer| layer.file(target).is_some());
+    let lower = target.to_lowercase();
+    let is_alike = |rel: &&str| *rel != target && rel.to_lowercase() == lower;
+    layer.into_iter().flat_map(|layer| layer.files.values().map(|file| file.rel.as_str())).filter(is_alike).collect()
 }
 
 /// Whether the names are the same up to the extension of a target, which is not written in what names it.

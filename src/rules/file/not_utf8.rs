@@ -1,7 +1,7 @@
 //! Text must be UTF-8.
 
-use super::super::{Check, Rule, RuleCx};
 use super::super::target::archived::when_read;
+use super::super::{Check, Rule, RuleCx};
 use super::loader::{Moment, is_met, moment};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;

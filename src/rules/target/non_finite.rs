@@ -29,13 +29,17 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             count => format!("{count} displacements are not finite, the first of vertex {index}"),
         };
         let is_outdated = archived::is_outdated(repository, file);
-        let shown = shown_by(repository, file).filter(|_| !is_outdated).map(|setting| format!(", seen at {setting}")).unwrap_or_default();
+        let shown = shown_by(repository, file)
+            .filter(|_| !is_outdated)
+            .map(|setting| format!(", seen at {setting}"))
+            .unwrap_or_default();
         let mut finding = RULE
             .at(file, first_row(&facts.non_finite), message + &shown)
             .help("write finite numbers or remove the rows")
             .evidence(facts.non_finite.evidence(facts.rows));
         if is_outdated {
-            let effect = "applies the numbers of the archive; the vertex is nowhere once that is deleted to be made anew";
+            let effect =
+                "applies the numbers of the archive; the vertex is nowhere once that is deleted to be made anew";
             finding = finding.level(Level::Warning).breaks(Application::Makehuman2, effect);
         }
         out.push(finding);
