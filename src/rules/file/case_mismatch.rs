@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
 use super::loader::{is_generated, misnamed};
-use super::named::{Cause, causes, effect, is_known_by, written};
+use super::named::{Cause, alike, causes, effect, is_known_by, written};
 use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Place, RuleInfo};
 use crate::repo::{Reference, Repository, Resolution};
 
@@ -51,14 +51,6 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let fix = fix(repository, &cause, &format!("write `{meant}`"));
         out.push(finding.fix(fix).help(format!("write `{meant}`, or rename the {what}")));
     }
-}
-
-/// Other files of the layer that the name fits as well, but for capitals.
-fn alike<'r>(repository: &'r Repository<'_>, target: &str) -> Vec<&'r str> {
-    let layer = repository.strongest_first().find(|layer| layer.file(target).is_some());
-    let lower = target.to_lowercase();
-    let is_alike = |rel: &&str| *rel != target && rel.to_lowercase() == lower;
-    layer.into_iter().flat_map(|layer| layer.files.values().map(|file| file.rel.as_str())).filter(is_alike).collect()
 }
 
 /// Whether the names are the same up to the extension of a target, which is not written in what names it.
