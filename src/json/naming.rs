@@ -65,7 +65,7 @@ pub(super) fn named_end(text: &[u8]) -> String {
         }
     }
     let shown = |bytes: &[u8]| String::from_utf8_lossy(bytes).chars().take(LONGEST).collect::<String>();
-    open.iter().map(|inner| format!("/{}:{}", shown(inner.name), shown(inner.last))).collect()
+    open.iter().map(|inner| format!("/{}:{}", shown(inner.name), shown(inner.last))).collect::<Vec<_>>().concat()
 }
 
 /// A list or object that is not closed.
