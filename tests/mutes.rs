@@ -72,6 +72,17 @@ fn a_fix_writes_nothing_beside_the_paths() {
 }
 
 #[test]
+fn who_names_one_of_several_files_is_told_and_gets_it_mended() {
+    let repository = repository("", &[]);
+    let found = findings(&mhlint(repository.path(), &[B, "--report", "concise"]));
+    assert!(matches!(found.as_slice(), [line] if line.contains("[target-zero-delta]")), "{found:?}");
+    mhlint(repository.path(), &[B, "--fix"]);
+    assert_eq!(rows(repository.path()), [true, false]);
+    let found = findings(&mhlint(repository.path(), &["data/target/figure/legs", "--report", "concise"]));
+    assert_eq!(found, Vec::<String>::new());
+}
+
+#[test]
 fn what_several_files_have_is_muted_when_it_is_for_all_of_them() {
     for one in [A, B] {
         for (config, commented) in [(ignore_of(one), vec![]), (String::new(), vec![one]), (config_for(one), vec![])] {

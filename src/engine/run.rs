@@ -19,7 +19,7 @@ use super::roots::{Roots, check_bases, summarise};
 use super::scope::Scope;
 use super::select::Selection;
 use crate::config::Config;
-use crate::diag::{Application, Finding, Upkeep, fingerprint};
+use crate::diag::{Application, Finding, Over, Upkeep, fingerprint};
 use crate::eval::measures::Measures;
 use crate::repo::{Layer, Repository};
 use crate::source::{Limits, Tree};
@@ -191,7 +191,13 @@ impl Reporter<'_, '_> {
     fn is_wanted(&self, finding: &Finding) -> bool {
         let Some(rel) = own_path(self.repository, &finding.path) else { return false };
         let asked = |base: &str| self.options.asks_for_base(base);
-        self.judged.is_asked_for(&finding.path) && crate::discover::kind_of(rel).1.is_none_or(asked)
+        // One finding may speak for several files; who names one of them is told.
+        let others = match &finding.over {
+            Over::Own => [].as_slice(),
+            Over::Each(files) | Over::Between(files) => files.as_slice(),
+        };
+        let mut files = std::iter::once(&finding.path).chain(others);
+        files.any(|file| self.judged.is_asked_for(file)) && crate::discover::kind_of(rel).1.is_none_or(asked)
     }
 
     fn is_reported(&self, path: &str) -> bool {

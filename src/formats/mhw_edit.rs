@@ -88,9 +88,13 @@ pub fn merge_weights(text: &[u8]) -> Vec<Edit> {
                 let written = merged.iter().zip(normalized(&weights));
                 edits.extend(written.map(|((entry, ..), weight)| entry.written(text, weight)));
             } else {
-                edits.extend(merged.iter().filter(|(_, _, parts)| parts.len() > 1).map(|(entry, weight, parts)| {
-                    let decimals = parts.iter().map(|part| decimals(part.token(text))).max().unwrap_or(0);
-                    Edit::replacement(entry.number.clone(), format!("{weight:.decimals$}"))
+                let repeated = merged.iter().zip(&weights).filter(|((_, _, parts), _)| parts.len() > 1);
+                edits.extend(repeated.map(|((entry, weight, parts), loaded)| {
+                    let decimals: Option<Vec<usize>> = parts.iter().map(|part| decimals(part.token(text))).collect();
+                    match decimals.and_then(|decimals| decimals.into_iter().max()) {
+                        Some(decimals) => Edit::replacement(entry.number.clone(), format!("{weight:.decimals$}")),
+                        None => entry.written(text, *loaded),
+                    }
                 }));
             }
         }
@@ -168,12 +172,12 @@ impl Entry {
     }
 }
 
-/// Digits behind the point; enough of them where the number has an exponent.
-fn decimals(token: &[u8]) -> usize {
+/// Digits behind the point; a number with an exponent does not tell.
+fn decimals(token: &[u8]) -> Option<usize> {
     if token.iter().any(|byte| matches!(byte, b'e' | b'E')) {
-        return 9;
+        return None;
     }
-    token.iter().position(|byte| *byte == b'.').map_or(0, |point| token.len() - point - 1)
+    Some(token.iter().position(|byte| *byte == b'.').map_or(0, |point| token.len() - point - 1))
 }
 
 fn sum(weights: impl IntoIterator<Item = f32>) -> f32 {
@@ -187,7 +191,7 @@ fn is_off(weights: &[f32]) -> bool {
 
 /// Entries that have a rule of their own; the vertex is left to it.
 fn is_faulty(entries: &[&Entry]) -> bool {
-    repeats(entries) || entries.iter().any(|entry| !(0.0..=1.0).contains(&entry.loaded()))
+    repeats(entries) || entries.iter().any(|entry| !(0.0..=1.0 + SUM_TOLERANCE).contains(&entry.loaded()))
 }
 
 /// Whether a bone lists the vertex of these entries twice.
@@ -256,6 +260,8 @@ mod tests {
         let text = r#"{"weights": {"a": [[0, 0.5], [1, 0.25], [0, 0.50], [1, 0.125]], "b": [[1, 0.625]]}}"#;
         let expected = r#"{"weights": {"a": [[0, 1.00], [1, 0.375]], "b": [[1, 0.625]]}}"#;
         assert_eq!(by(merge_weights, text), expected);
+        let exponent = r#"{"weights": {"a": [[0, 0.5], [0, 2.5e-1], [0, 0.25]]}}"#;
+        assert_eq!(by(merge_weights, exponent), r#"{"weights": {"a": [[0, 1.0]]}}"#);
         let beyond = r#"{"weights": {"a": [[0, 0.75], [0, 0.75]], "b": [[0, 0.5]]}}"#;
         assert_eq!(by(merge_weights, beyond), r#"{"weights": {"a": [[0, 0.75]], "b": [[0, 0.25]]}}"#);
     }

@@ -31,8 +31,11 @@ pub struct WeightsFacts {
     pub malformed_names: FaultyRows,
     /// Weights below 0.
     pub negative: PairTally,
-    /// Weights above 1.
+    /// Weights above 1, by more than [`SUM_TOLERANCE`].
     pub above_one: PairTally,
+    /// How many of them are the only weight of their vertex, so that dividing by the sum makes them 1.
+    #[serde(skip)]
+    pub above_one_alone: u64,
     /// NaN and infinity.
     pub non_finite: PairTally,
     /// Pairs that normalising leaves at or below [`THRESHOLD`], zero weights included.
@@ -133,6 +136,7 @@ impl WeightsFacts {
         }
         let mut lost = BTreeMap::new();
         for bone in bones {
+            self.count_alone(bone);
             self.count_below_threshold(bone, &mut lost);
         }
         self.lost = lost.into_iter().collect();
@@ -151,7 +155,7 @@ impl WeightsFacts {
         let tally = match pair.weight {
             weight if !weight.is_finite() => Some(&mut self.non_finite),
             weight if weight < 0.0 => Some(&mut self.negative),
-            weight if weight > 1.0 => Some(&mut self.above_one),
+            weight if weight > 1.0 + SUM_TOLERANCE => Some(&mut self.above_one),
             _ => None,
         };
         if let Some(tally) = tally {
@@ -181,6 +185,13 @@ impl WeightsFacts {
                 mark(faulty, *pair);
             }
         }
+    }
+
+    fn count_alone(&mut self, bone: &BoneWeights) {
+        // Exactly the sum: another weight, however small, has its share of the vertex.
+        let sum = |pair: &Pair| self.sums.get(usize::try_from(pair.vertex).ok()?).copied();
+        let above = bone.pairs.iter().filter(|pair| pair.weight.is_finite() && pair.weight > 1.0 + SUM_TOLERANCE);
+        self.above_one_alone += above.filter(|pair| sum(pair) == Some(pair.weight)).count() as u64;
     }
 
     fn count_below_threshold(&mut self, bone: &BoneWeights, lost: &mut BTreeMap<u32, f32>) {

@@ -1,8 +1,10 @@
 //! Backslashes between folders work on Windows only.
 
+use std::collections::BTreeMap;
+
 use super::super::{Check, Rule, RuleCx};
 use super::named::{causes, effect, is_known_by, written};
-use crate::diag::{Application, Finding, Fix, FixKind, Level, RuleInfo};
+use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Place, RuleInfo};
 use crate::repo::{Reference, Repository, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -38,6 +40,16 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         for reference in cause.references.iter().filter(|reference| is_fixable(reference)) {
             let text = Some(reference.text.replace('\\', "/"));
             fix = written(fix, reference, text);
+        }
+        // A folder that is at fault is written once for all that is looked for in it.
+        let mut folders = BTreeMap::new();
+        for reference in cause.references.iter().filter(|_| exists) {
+            if let Some((Place::Pointer(pointer), folder)) = &reference.folder_at_fault {
+                folders.insert((&reference.from.path, pointer), folder.replace('\\', "/"));
+            }
+        }
+        for ((path, pointer), text) in folders {
+            fix = fix.step(path, Change::Value { pointer: pointer.clone(), text: Some(text) });
         }
         out.push(
             finding

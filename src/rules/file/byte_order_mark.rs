@@ -1,5 +1,6 @@
 //! A byte order mark becomes part of the first word.
 
+use super::super::target::archived::when_read;
 use super::super::{Check, Rule, RuleCx};
 use super::loader::{is_met, is_override, refused_json};
 use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Place, Rewrite, RuleInfo};
@@ -30,13 +31,14 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let (level, effect) = consequence(repository, file);
         let message = format!("`{}` begins with a byte order mark", file.file_name());
         let fix = Fix::new(RULE.info.fix, "remove the mark");
-        out.push(
-            RULE.at(file, Place::Span(0..3), message)
-                .fix(fix.step(&file.path, Change::Rewrite(Rewrite::DropByteOrderMark)))
-                .level(level)
-                .breaks(Application::Makehuman2, effect)
-                .help("save the file as UTF-8 without byte order mark"),
-        );
+        let finding = RULE
+            .at(file, Place::Span(0..3), message)
+            .fix(fix.step(&file.path, Change::Rewrite(Rewrite::DropByteOrderMark)))
+            .level(level)
+            .breaks(Application::Makehuman2, effect)
+            .help("save the file as UTF-8 without byte order mark");
+        let is_fatal = file.kind == Kind::Target && level == Level::Error;
+        out.push(if is_fatal { when_read(repository, file, finding) } else { finding });
     }
 }
 

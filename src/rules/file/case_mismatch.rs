@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
 use super::loader::{is_generated, misnamed};
-use super::named::{Cause, causes, effect, is_known_by, written};
+use super::named::{Cause, alike, causes, effect, is_known_by, written};
 use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Place, RuleInfo};
 use crate::repo::{Reference, Repository, Resolution};
 
@@ -39,6 +39,13 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         if differs_in_extension(&first.rel, target) {
             let right = first.rel.rsplit('/').next().unwrap_or_default();
             out.push(finding.help(format!("rename the file to `{right}`: extensions count with their capitals")));
+            continue;
+        }
+        let others = alike(repository, target);
+        if let [_, ..] = others.as_slice() {
+            let names: Vec<String> = others.iter().map(|other| format!("`{other}`")).collect();
+            let help = format!("write which is meant: there are `{target}` and {}", names.join(", "));
+            out.push(finding.help(help));
             continue;
         }
         let fix = fix(repository, &cause, &format!("write `{meant}`"));

@@ -93,3 +93,11 @@ pub(super) fn effect(kind: ReferenceKind) -> &'static str {
         ReferenceKind::Model => "stops at start with a TypeError",
     }
 }
+
+/// Other files of the layer that the name fits as well, but for capitals.
+pub(super) fn alike<'r>(repository: &'r Repository<'_>, target: &str) -> Vec<&'r str> {
+    let layer = repository.strongest_first().find(|layer| layer.file(target).is_some());
+    let lower = target.to_lowercase();
+    let is_alike = |rel: &&str| *rel != target && rel.to_lowercase() == lower;
+    layer.into_iter().flat_map(|layer| layer.files.values().map(|file| file.rel.as_str())).filter(is_alike).collect()
+}

@@ -1,5 +1,6 @@
 //! Text must be UTF-8.
 
+use super::super::target::archived::when_read;
 use super::super::{Check, Rule, RuleCx};
 use super::loader::{Moment, is_met, moment};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
@@ -27,12 +28,12 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let guess = file.encoding.guess.unwrap_or("another encoding");
         let message = format!("`{}` is not UTF-8 (probably {guess})", file.file_name());
         let (level, effect) = consequence(file);
-        out.push(
-            RULE.at(file, Place::Span(at..at + 1), message)
-                .level(level)
-                .breaks(Application::Makehuman2, effect)
-                .help("save the file as UTF-8 without byte order mark"),
-        );
+        let finding = RULE
+            .at(file, Place::Span(at..at + 1), message)
+            .level(level)
+            .breaks(Application::Makehuman2, effect)
+            .help("save the file as UTF-8 without byte order mark");
+        out.push(if file.kind == Kind::Target { when_read(repository, file, finding) } else { finding });
     }
 }
 

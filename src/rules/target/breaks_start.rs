@@ -1,7 +1,7 @@
 //! A target that nothing uses and that stops the program all the same.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{decoded, syntax, usage};
+use super::{archived, decoded, syntax, usage};
 use crate::diag::{Application, Finding, Level, RuleInfo};
 use crate::formats::npz::Archive;
 use crate::repo::{Base, FileFacts, Repository};
@@ -29,8 +29,7 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
         let Some(mut finding) = syntax::finding(&RULE, file, facts) else { continue };
         finding.message.push_str(", and MakeHuman 2 parses this file at start although nothing uses it");
         if has_sound_archive(base, file) {
-            let effect = "stops at start as soon as the archive of the folder is deleted to be made anew";
-            finding = finding.level(Level::Warning).breaks(Application::Makehuman2, effect);
+            finding = finding.level(Level::Warning).breaks(Application::Makehuman2, archived::STOPS_LATER);
         }
         out.push(finding.help("mend the row, or move the file out of the target folder"));
     }

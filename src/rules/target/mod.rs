@@ -9,6 +9,7 @@ use crate::diag::{Element, Place, Tally};
 use crate::formats::target::TargetFacts;
 use crate::repo::{FileFacts, Layer};
 
+pub(super) mod archived;
 pub(super) mod asymmetric;
 pub(super) mod asymmetric_pair;
 pub(super) mod basemesh_mismatch;

@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::shown::shown_by;
-use super::{first_row, targets};
+use super::{archived, first_row, targets};
 use crate::diag::{Application, Finding, Level, RuleInfo};
 use crate::repo::Repository;
 
@@ -14,7 +14,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
         )],
         docs: "`nan` or infinity as a displacement, or a number too large for 32 bit floats (beyond 3.4e38).\n\nPython reads \
             such numbers without complaint and MakeHuman 2 adds them to the mesh. The vertex is lost, with it every face, \
-            joint and garment that depends on it.\n\n\
+            joint and garment that depends on it. While an archive with other numbers stands for the target this is a warning.\n\n\
             Usually an export divided by zero. Write the right numbers or remove the rows.",
         ..RuleInfo::new("target-non-finite", Level::Error, "a displacement that is NaN or infinite")
     },
@@ -28,11 +28,20 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             1 => format!("the displacement of vertex {index} is not finite"),
             count => format!("{count} displacements are not finite, the first of vertex {index}"),
         };
-        let shown = shown_by(repository, file).map(|setting| format!(", seen at {setting}")).unwrap_or_default();
-        out.push(
-            RULE.at(file, first_row(&facts.non_finite), message + &shown)
-                .help("write finite numbers or remove the rows")
-                .evidence(facts.non_finite.evidence(facts.rows)),
-        );
+        let is_outdated = archived::is_outdated(repository, file);
+        let shown = shown_by(repository, file)
+            .filter(|_| !is_outdated)
+            .map(|setting| format!(", seen at {setting}"))
+            .unwrap_or_default();
+        let mut finding = RULE
+            .at(file, first_row(&facts.non_finite), message + &shown)
+            .help("write finite numbers or remove the rows")
+            .evidence(facts.non_finite.evidence(facts.rows));
+        if is_outdated {
+            let effect =
+                "applies the numbers of the archive; the vertex is nowhere once that is deleted to be made anew";
+            finding = finding.level(Level::Warning).breaks(Application::Makehuman2, effect);
+        }
+        out.push(finding);
     }
 }

@@ -1,6 +1,7 @@
 //! Every field of a target row must be a number.
 
 use super::super::{Check, Rule, RuleCx};
+use super::archived::when_read;
 use super::{targets, usage};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::target::TargetFacts;
@@ -15,7 +16,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
         docs: "A row of a target is a vertex index and three decimal numbers with a point.\n\nMakeHuman 2 reads every target below \
             the folder at start, used or not, and hands the fields to Python's `int()` and `float()`. What they refuse \
             (words, `1.0` as an index, a decimal comma) ends the program. The empty archive that stays behind must be \
-            deleted by hand, even after the target was mended.\n\nWrite the field as a number or remove the row. For a target \
+            deleted by hand, even after the target was mended.\n\nWhile a sound archive stands for the target its text is not parsed; then this is a warning. \
+            Write the field as a number or remove the row. For a target \
             that nothing uses see `target-breaks-start`.",
         ..RuleInfo::new("target-syntax", Level::Error, "a field of a target row is no number")
     },
@@ -26,7 +28,7 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let unused = usage::unused_paths(repository);
     for (file, facts) in targets(repository.judged) {
         if !unused.contains(file.path.as_str()) {
-            out.extend(finding(&RULE, file, facts));
+            out.extend(finding(&RULE, file, facts).map(|finding| when_read(repository, file, finding)));
         }
     }
 }

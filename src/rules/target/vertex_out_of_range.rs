@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx};
-use super::{first_row, targets, usage};
+use super::{archived, first_row, targets, usage};
 use crate::diag::{Application, Finding, Level, RuleInfo, Tally};
 use crate::formats::target::TargetFacts;
 use crate::repo::{FileFacts, ReferenceKind, Repository};
@@ -31,10 +31,15 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (file, facts) in targets(repository.judged) {
         let vertices = vertices(repository, file);
         if facts.overflow.count > 0 {
-            out.push(overflow(file, facts));
+            out.push(archived::when_read(repository, file, overflow(file, facts)));
         } else if facts.out_of_range.count > 0 {
             let finding = beyond(file, facts, vertices);
-            out.push(with_consequence(finding, file, facts, &users, &unused));
+            out.push(if archived::is_outdated(repository, file) {
+                let effect = "applies the archive; it stops with an IndexError once that is deleted to be made anew";
+                finding.level(Level::Warning).breaks(Application::Makehuman2, effect)
+            } else {
+                with_consequence(finding, file, facts, &users, &unused)
+            });
         } else if facts.seam.count > 0 {
             out.push(seam(file, facts, vertices));
         }

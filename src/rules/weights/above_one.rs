@@ -15,7 +15,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
         docs: "A weight says how much of a vertex moves with a bone, from 0 to 1. More is impossible; it is usually \
             a percentage or a slip of the decimal point.\n\nMakeHuman 2 divides all weights of a vertex by their \
             sum, so that the mesh holds together, but the shares are not the painted ones. Other programs clamp \
-            or keep the number.\n\nWrite the share as a number up to 1.",
+            or keep the number. Where the weight is the only one of its vertex \
+            the share is the whole all the same: an info. Up to 1.0001 counts as 1.\n\nWrite the share as a number up to 1.",
         ..RuleInfo::new("weights-above-one", Level::Warning, "a weight is larger than 1")
     },
     check: Check::Layer(run),
@@ -32,6 +33,12 @@ fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             }
         };
         let evidence = worst(tally.evidence(weights.facts.pairs), tally);
-        out.push(RULE.at(file, place, message).help("write the share as a number from 0 to 1").evidence(evidence));
+        let mut finding =
+            RULE.at(file, place, message).help("write the share as a number from 0 to 1").evidence(evidence);
+        if weights.facts.above_one_alone == tally.count {
+            let effect = "divides the only weight of the vertex by itself: nothing happens";
+            finding = finding.level(Level::Info).breaks(Application::Makehuman2, effect);
+        }
+        out.push(finding);
     }
 }

@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx};
+use super::unbound::unbound;
 use super::{has_unusable_entries, is_empty};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::mhw::Weights;
@@ -23,10 +24,12 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Base(run),
 };
 
-fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let mesh = base.mesh.filter(|(_, mesh)| mesh.facts.unreadable_lines == 0);
     let visible = base.settings().and_then(|(_, settings)| settings.visible_groups.as_ref());
-    for file in &base.weights {
+    let unbound = unbound(repository, base);
+    // Of a file that is never read that is all there is to say.
+    for file in base.weights.iter().filter(|file| !unbound.iter().any(|other| std::ptr::eq(*other, **file))) {
         // Entries that cannot be used may be the missing ones.
         let Some(weights) = file.weights().filter(|weights| !has_unusable_entries(weights)) else { continue };
         if is_empty(weights) {
