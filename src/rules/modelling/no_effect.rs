@@ -4,23 +4,25 @@ use super::super::{Check, Rule, RuleCx};
 use super::groups;
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::formats::modelling::EFFECTS;
-use crate::repo::{Base, Repository};
+use crate::repo::{Base, BoundSlider, Pattern, Reference, ReferenceKind, Repository, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(Application::Makehuman2, "shows a slider that does nothing and is never saved")],
         docs: "A slider does something through `incr` and `decr` (targets), `macro` or `barycentric`.\n\nAn entry with none of them gets \
-            a slider without a pattern: nothing moves, nothing is saved, no model can set it.\n\nAdd one of the keys, or \
-            remove the entry.",
+            a slider without a pattern: nothing moves, nothing is saved, no model can set it. Beside `macro` or `barycentric`, `incr` and `decr` do nothing: their \
+            targets are loaded and never applied.\n\nAdd one of the keys, or remove the entry; give the targets beside a macro an \
+            entry of their own.",
         ..RuleInfo::new("modelling-no-effect", Level::Warning, "neither `incr`, `decr`, `macro` nor `barycentric`")
     },
     check: Check::Base(run),
 };
 
-fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for bound in groups::hand_made(base) {
         let slider = bound.slider;
         if EFFECTS.iter().any(|key| slider.has(key)) {
+            out.extend(beside_macro(repository, base, bound));
             continue;
         }
         let help = match slider.misspelt_effect() {
@@ -30,4 +32,30 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
         let message = format!("`{}` has neither `incr`, `decr`, `macro` nor `barycentric`", slider.key);
         out.push(RULE.at(bound.file, Place::key([&slider.key]), message).key(&slider.key).help(help));
     }
+}
+
+/// `incr` or `decr` of an entry that `macro` or `barycentric` takes all effect from; a target that does not exist has
+/// a finding of its own.
+fn beside_macro(repository: &Repository<'_>, base: &Base<'_>, bound: &BoundSlider<'_>) -> Option<Finding> {
+    let slider = bound.slider;
+    let winner = match bound.pattern {
+        Pattern::Macro(_) => "macro",
+        Pattern::Barycentric(_) => "barycentric",
+        _ => return None,
+    };
+    let is_loaded = |reference: &&Reference<'_>| {
+        matches!(reference.kind, ReferenceKind::Incr | ReferenceKind::Decr)
+            && reference.owner == slider.key
+            && matches!(reference.resolution, Resolution::Found(_))
+    };
+    let loaded = repository.references_of(base).find(is_loaded)?;
+    let member = if loaded.kind == ReferenceKind::Incr { "incr" } else { "decr" };
+    let message =
+        format!("`{member}` of `{}` has no effect beside `{winner}`: `{}` is never applied", slider.key, loaded.text);
+    let finding = RULE.at(bound.file, loaded.place.clone(), message).key(&slider.key);
+    Some(
+        finding
+            .breaks(Application::Makehuman2, format!("loads the target and ignores `{member}`, without a message"))
+            .help(format!("give `{member}` an entry of its own, or remove it")),
+    )
 }
