@@ -1,5 +1,6 @@
 //! Rules on `base.json` and `geometry.json` of a base mesh of MakeHuman 2.
 
+mod absent_keys;
 pub(super) mod barycentric_presets;
 pub(super) mod geometry_range;
 pub(super) mod missing_file;
