@@ -34,7 +34,7 @@ pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> 
                 "rules": rules.iter().map(|rule| descriptor(rule)).collect::<Vec<_>>(),
             }},
             "invocations": [{
-                "executionSuccessful": outcome.failed_rules.is_empty(),
+                "executionSuccessful": outcome.is_whole(),
                 "toolExecutionNotifications": notifications(outcome, findings.len()),
             }],
             "columnKind": "unicodeCodePoints",
@@ -174,8 +174,15 @@ fn notifications(outcome: &Outcome, shown: usize) -> Vec<Value> {
     if left > 0 {
         notes.push(note(format!("{left} findings are left out: code scanning accepts {RESULTS}"), "warning"));
     }
-    let failed = outcome.failed_rules.iter();
-    notes.extend(failed.map(|rule| note(format!("the rule {} failed, a bug of mhlint", text(rule)), "error")));
+    let failed = [
+        ("the rule", &outcome.failed_rules),
+        ("the reader of", &outcome.failed_files),
+        ("the step", &outcome.failed_steps),
+    ];
+    for (what, names) in failed {
+        let said = |name: &String| format!("{what} {} failed, a bug of mhlint", text(&printable(name)));
+        notes.extend(names.iter().map(|name| note(said(name), "error")));
+    }
     notes
 }
 
