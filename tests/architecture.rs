@@ -30,7 +30,7 @@ const IMPORTS: &[(&str, &[&str])] = &[
 const MAY_OPEN_FILES: [&str; 4] = ["source/", "fix/", "cli/", "engine/input.rs"];
 
 /// Libraries that only one place may know.
-const LIBRARIES: [(&str, &str); 7] = [
+const LIBRARIES: [(&str, &str); 8] = [
     ("clap", "cli/"),
     ("maud", "report/html/"),
     ("miette", "report/human/block.rs"),
@@ -38,6 +38,7 @@ const LIBRARIES: [(&str, &str); 7] = [
     ("quick_xml", "report/junit.rs"),
     ("rayon", "engine/"),
     ("tempfile", "fix/"),
+    ("textwrap", "report/human/block.rs"),
 ];
 
 /// Hard bounds in lines without tests.
