@@ -110,7 +110,7 @@ fn uneven(
         target.name
     );
     let evidence = Evidence::of_cases(slight.iter().map(|(_, target)| {
-        format!("{} ({} of {})", target.name, target.own_mirror.different.len(), target.own_mirror.compared)
+        format!("{} ({} of {} vertices)", target.name, target.own_mirror.different.len(), target.own_mirror.compared)
     }));
     let finding = match slight {
         [_] => RULE.at(file, Place::File, message),
