@@ -1,11 +1,12 @@
 //! A base needs its `base.json`, its mesh, and what `base.json` names.
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo, nearest};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo, Sight, nearest};
 use crate::repo::{Base, FileFacts, Layer, Reference, ReferenceKind, Repository, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
+        sight: Some(Sight::Base),
         breaks: &[(Application::Makehuman2, "stops with a traceback when the base is loaded")],
         docs: "A base mesh consists of `base/<base>/base.json` and `base.obj` (or `base.mhbin`) beside it; `base.json` names a start model (`mhm`) in \
             the same folder and a skeleton (`pose-skeleton`) in `rigs/<base>/`.\n\nWithout `base.json`, without the mesh, or with a start model \
