@@ -193,6 +193,22 @@ fn every_rule_file_has_its_row() {
     assert_eq!(rows, files);
 }
 
+/// How far a rule sees, or what it is for, is data of the rule: a new family brings its own.
+#[test]
+fn what_runs_the_rules_names_none_of_them() {
+    let of_rules = |source: &Source| source.path.starts_with("rules/");
+    let (rules, others): (Vec<Source>, Vec<Source>) = sources().into_iter().partition(of_rules);
+    let ids = rules.iter().filter_map(|rule| rule.code.split_once("RuleInfo::new(")?.1.split('"').nth(1));
+    let families: BTreeSet<String> =
+        ids.filter_map(|id| id.split_once('-').map(|(family, _)| format!("\"{family}-"))).collect();
+    assert!(families.contains("\"target-"), "{families:?}");
+    let names_one = |line: &str| families.iter().any(|family| line.contains(family));
+    let engine = others.iter().filter(|source| source.path.starts_with("engine/"));
+    let faults: Vec<&str> =
+        engine.filter(|source| source.lines().any(names_one)).map(|source| source.path.as_str()).collect();
+    assert_eq!(faults, Vec::<&str>::new());
+}
+
 #[test]
 fn every_dependency_has_its_reason() {
     let manifest: toml::Table = toml::from_str(&fs::read_to_string(project("Cargo.toml")).unwrap()).unwrap();

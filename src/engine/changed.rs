@@ -9,8 +9,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 use super::outcome::Outcome;
-use super::sight::{Sight, sight};
-use crate::diag::{Finding, Place};
+use super::sight::{is_numeric, is_upkeep, sight};
+use crate::diag::{Finding, Place, Sight};
 use crate::repo::{Layer, Reference, Repository, Resolution};
 use crate::source::{folder_of, link_targets, resolved};
 
@@ -75,11 +75,6 @@ pub(super) fn narrow(outcome: &mut Outcome, change: &Change) {
         count => format!("; {count} other findings are not shown"),
     };
     outcome.notes.push(format!("narrowed to what {files} can affect{others}"));
-}
-
-/// Mutes and baseline entries can fall out of use by any change.
-fn is_upkeep(finding: &Finding) -> bool {
-    finding.rule.starts_with("config-") || finding.rule.starts_with("baseline-")
 }
 
 /// What a change reaches in one repository.
@@ -256,7 +251,7 @@ fn named_at<'r>(places: &'r [(&Place, String)], finding: &Finding) -> Option<&'r
         Place::Pointer(pointer) | Place::Key(pointer) => Some(pointer.clone()),
         _ => None,
     };
-    let Some(here) = at(&finding.place).filter(|_| !finding.rule.starts_with("numeric-")) else {
+    let Some(here) = at(&finding.place).filter(|_| !is_numeric(finding)) else {
         return places.first().map(|(_, path)| path.as_str());
     };
     let touches = |place: &Place| {

@@ -7,7 +7,7 @@ use crate::eval::vector::Point;
 use crate::formats::json_file::{self, JsonFault};
 use crate::formats::obj;
 use crate::json::{Document, SyntaxFault};
-use crate::source::{Encoding, Limits, ReadFault, position, read_file};
+use crate::source::{Encoding, Limits, Lines, ReadFault, read_file};
 
 /// The bytes of a file.
 ///
@@ -61,7 +61,7 @@ pub(super) fn json_cause(fault: &JsonFault, bytes: &[u8]) -> String {
 }
 
 fn syntax_cause(fault: &SyntaxFault, bytes: &[u8]) -> String {
-    let line = position(bytes, fault.span.start).line;
+    let line = Lines::of(bytes).position(fault.span.start).line;
     format!("no JSON, line {line}: {fault}")
 }
 

@@ -3,12 +3,13 @@
 use super::super::{Check, Rule, RuleCx};
 use super::component::is_sound;
 use super::links::{MacroLink, links};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo, nearest};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo, Sight, nearest};
 use crate::formats::macro_json::Macrodef;
 use crate::repo::{Base, Repository, TargetFolder};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
+        sight: Some(Sight::Base),
         breaks: &[(
             Application::Makehuman2,
             "uses the folder of the previous macrodef, or stops if there is none; a folder that does not exist leaves every combination without its file, which stops it as soon as one has weight",

@@ -2,12 +2,13 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::links::{MacroLink, has_suffix, links, nearest_file};
-use crate::diag::{Application, Evidence, Finding, Level, RuleInfo};
+use crate::diag::{Application, Evidence, Finding, Level, RuleInfo, Sight};
 use crate::repo::{Base, FileFacts, Repository, Resolution};
 use std::collections::BTreeMap;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
+        sight: Some(Sight::Base),
         breaks: &[(
             Application::Makehuman2,
             "writes a line to the log and stops with an AttributeError as soon as the combination has weight: at start if the default character uses it",

@@ -16,6 +16,7 @@ pub(super) mod basemesh_mismatch;
 pub(super) mod breaks_start;
 pub(super) mod duplicate_vertex;
 pub(super) mod field_count;
+mod meant;
 pub(super) mod missing_opposite;
 pub(super) mod missing_side;
 pub(super) mod moves_helpers_only;
