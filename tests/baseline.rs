@@ -406,7 +406,10 @@ fn errors_hide_what_the_baseline_knows() {
             assert!(!text.contains("prune"), "{text}");
             let written = mhlint(root, &["--baseline", "known.json", "--write-baseline"]);
             let said = stderr(&written);
-            assert!(said.contains("1 new (1 error), ") && said.contains("mend what is new and write it again"), "{said}");
+            assert!(
+                said.contains("1 new (1 error), ") && said.contains("mend what is new and write it again"),
+                "{said}"
+            );
             assert!(said.contains(&format!("{gone} gone")) || file == MESH, "{said}");
             fs::write(root.join("known.json"), &known).unwrap();
         }

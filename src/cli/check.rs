@@ -133,11 +133,8 @@ fn difference(taken_over: TakenOver) -> String {
         return ", the same as before".to_owned();
     }
     let of_them = if errors > 0 { format!(" ({})", report::count(errors, "error")) } else { String::new() };
-    let hidden = if errors > 0 && gone > 0 {
-        "; errors can hide findings, so mend what is new and write it again"
-    } else {
-        ""
-    };
+    let hidden =
+        if errors > 0 && gone > 0 { "; errors can hide findings, so mend what is new and write it again" } else { "" };
     format!(": {new} new{of_them}, {gone} gone{hidden}")
 }
 

@@ -30,6 +30,9 @@ pub struct Sought<'n> {
     letters: [i32; LETTERS],
 }
 
+/// Bytes in which names may differ and still be compared: the time grows with the square, and nobody slips in that many.
+const LONGEST: usize = 200;
+
 /// Kinds of letters that are told apart where they are counted.
 const LETTERS: usize = 96;
 
@@ -60,6 +63,9 @@ impl<'n> Sought<'n> {
             return None;
         }
         let (name, candidate) = without_common_ends(self.name, candidate);
+        if name.len().max(candidate.len()) > LONGEST {
+            return None;
+        }
         Some(strsim::damerau_levenshtein(name, candidate).max(1)).filter(|distance| *distance <= limit)
     }
 

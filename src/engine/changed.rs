@@ -8,11 +8,12 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
+use super::catalogue::is_upkeep;
 use super::outcome::Outcome;
-use super::sight::{is_numeric, is_upkeep, sight};
+use super::sight::{is_numeric, sight};
 use crate::diag::{Finding, Place, Sight};
 use crate::repo::{Layer, Reference, Repository, Resolution};
-use crate::source::{folder_of, link_targets, resolved};
+use crate::source::{folder_of, link_targets, resolved, slashed};
 
 /// Paths of changed files: absolute, without `..`, with forward slashes.
 pub(super) struct Change {
@@ -63,7 +64,8 @@ pub(super) fn explain(repository: &Repository<'_>, findings: &mut [Finding], cha
 /// Leaves out what the change cannot affect, and says how much that was. Findings on the settings of mhlint stay.
 pub(super) fn narrow(outcome: &mut Outcome, change: &Change) {
     let all = outcome.findings.len();
-    outcome.findings.retain(|finding| finding.because.is_some() || is_upkeep(finding));
+    // Mutes and entries of the baseline can fall out of use by any change.
+    outcome.findings.retain(|finding| finding.because.is_some() || is_upkeep(finding.rule));
     outcome.left_out = all - outcome.findings.len();
     let files = match change.files {
         1 => "1 changed file".to_owned(),
@@ -297,12 +299,6 @@ fn in_its_folder(path: &Path) -> String {
         Some(name) => slashed(&resolved(folder_of(path)).join(name)),
         None => slashed(&resolved(path)),
     }
-}
-
-/// A backslash separates on Windows and is part of a name elsewhere.
-fn slashed(path: &Path) -> String {
-    let text = path.to_string_lossy();
-    if cfg!(windows) { text.replace('\\', "/") } else { text.into_owned() }
 }
 
 #[cfg(test)]

@@ -83,8 +83,7 @@ impl Known {
         let hides = if self.write {
             let added = || rest.iter().zip(&known).filter(|(_, known)| !**known).map(|(placed, _)| placed);
             let errors = added().filter(|placed| placed.finding.level == Level::Error).count();
-            taken_over =
-                (!self.is_first).then(|| TakenOver { new: added().count(), errors, gone: used.stale.len() });
+            taken_over = (!self.is_first).then(|| TakenOver { new: added().count(), errors, gone: used.stale.len() });
             // Without what this run could not look at a narrower run would throw entries away.
             let others = self.old.entries.iter().filter(|entry| !judged(entry) && !is_found(entry, &entries));
             let mut all: Vec<Entry> = others.cloned().collect();

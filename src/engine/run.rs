@@ -127,8 +127,7 @@ fn settle(
     outcome: &mut Outcome,
 ) -> Result<(), Error> {
     let Asked { options, selection, scope, change } = asked;
-    let mut upkeep =
-        Upkeep { mutes: muting.mutes(selection, scope), unknown: muting.unknown(), ..Upkeep::default() };
+    let mut upkeep = Upkeep { mutes: muting.mutes(selection, scope), unknown: muting.unknown(), ..Upkeep::default() };
     if let Some(known) = known {
         let roots = data.roots.iter().map(|root| root.layer.path.as_str());
         let compared = known.compare(found, roots, selection, scope)?;

@@ -31,11 +31,6 @@ fn usual(check: &Check, finding: &Finding, kind: Kind) -> Sight {
     }
 }
 
-/// Whether a finding is on mutes and baseline; those can fall out of use by any change.
-pub(super) fn is_upkeep(finding: &Finding) -> bool {
-    rule_of(finding).is_some_and(|rule| matches!(rule.check, Check::Upkeep(_)))
-}
-
 /// Whether a finding is on evaluated shapes.
 pub(super) fn is_numeric(finding: &Finding) -> bool {
     rule_of(finding).is_some_and(|rule| matches!(rule.check, Check::Numeric(_)))

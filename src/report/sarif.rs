@@ -220,6 +220,21 @@ mod tests {
     const RULE: RuleInfo = RuleInfo::new("a-rule", Level::Info, "a fault");
 
     #[test]
+    fn a_run_that_misses_a_file_was_not_successful() {
+        let invocation = |outcome: &Outcome| {
+            let mut text = Vec::new();
+            write(outcome, &View::PLAIN, &mut text).unwrap();
+            let log: Value = serde_json::from_slice(&text).unwrap();
+            log["runs"][0]["invocations"][0].clone()
+        };
+        assert_eq!(invocation(&Outcome::default())["executionSuccessful"], true);
+        let missing = invocation(&Outcome { failed_files: vec!["a.target".to_owned()], ..Outcome::default() });
+        assert_eq!(missing["executionSuccessful"], false);
+        let said = &missing["toolExecutionNotifications"][0];
+        assert_eq!(said["message"]["text"], "the reader of a.target failed, a bug of mhlint");
+    }
+
+    #[test]
     fn paths_become_uris() {
         assert_eq!(artifact("a b/\u{e4}#%.x")["uri"], "a%20b/%C3%A4%23%25.x");
         assert_eq!(artifact("/tmp/x"), json!({ "uri": "file:///tmp/x" }));

@@ -2,7 +2,7 @@
 
 use super::{Paint, View, count, hang, phrase, printable};
 use crate::diag::{Application, Finding, Level};
-use crate::engine::{Outcome, Summary};
+use crate::engine::{Outcome, Summary, is_upkeep};
 
 /// What was judged, and how many findings of each level there are.
 pub(super) fn counts(outcome: &Outcome, view: &View<'_>) -> String {
@@ -106,7 +106,8 @@ pub(super) fn words(outcome: &Outcome, view: &View<'_>) -> String {
 
 /// What the gravest findings on assets mean. Those on the settings of mhlint concern no application.
 fn harm(outcome: &Outcome) -> String {
-    let (settings, assets): (Vec<&Finding>, Vec<&Finding>) = outcome.findings.iter().partition(|one| is_setting(one));
+    let (settings, assets): (Vec<&Finding>, Vec<&Finding>) =
+        outcome.findings.iter().partition(|one| is_upkeep(one.rule));
     let Some(worst) = assets.iter().map(|finding| finding.level).max() else {
         let found = about_settings(&settings);
         return match (outcome.left_out, outcome.summary.suppressed) {
@@ -132,11 +133,6 @@ fn about_settings(findings: &[&Finding]) -> String {
     let worst = findings.iter().map(|finding| finding.level).max().unwrap_or(Level::Info);
     let number = findings.iter().filter(|finding| finding.level == worst).count();
     format!("{} about the settings of mhlint", count(number, worst.word()))
-}
-
-/// Whether a finding is about mutes, settings or the baseline.
-fn is_setting(finding: &Finding) -> bool {
-    ["config-", "baseline-"].iter().any(|family| finding.rule.starts_with(family))
 }
 
 fn too_many(outcome: &Outcome, view: &View<'_>) -> String {

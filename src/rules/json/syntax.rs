@@ -69,9 +69,13 @@ fn help(fault: &SyntaxFault) -> &'static str {
     match &fault.kind {
         SyntaxKind::TrailingComma => "remove the comma; Python refuses it, too",
         SyntaxKind::Comment => "remove the comment (a key `comment` is a place for it); Python refuses it, too",
-        SyntaxKind::Conflict => "keep one side, or what is needed of both, and remove the lines `<<<<<<<`, `=======` and `>>>>>>>`",
+        SyntaxKind::Conflict => {
+            "keep one side, or what is needed of both, and remove the lines `<<<<<<<`, `=======` and `>>>>>>>`"
+        }
         SyntaxKind::CutText => "the file seems to be cut off: restore it, or close the text and all brackets",
-        SyntaxKind::BadString("does not end on its line") => "close the text with `\"`; a line break in it is written `\\n`",
+        SyntaxKind::BadString("does not end on its line") => {
+            "close the text with `\"`; a line break in it is written `\\n`"
+        }
         SyntaxKind::BadString(_) => "write control characters and backslashes as escapes: `\\n`, `\\t`, `\\\\`",
         SyntaxKind::UnexpectedEnd(_) => "the file is cut off (restore it), or a bracket is not closed",
         SyntaxKind::TrailingText => "remove what follows, or a bracket was closed too early",

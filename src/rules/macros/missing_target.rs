@@ -27,7 +27,7 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
     let mut by_file: BTreeMap<&str, Vec<MacroLink<'_>>> = BTreeMap::new();
     let all = links(repository, base);
     for link in all.iter().filter(|link| link.is_missing() && !has_suffix(link.reference.text)) {
-        if !super::folder_missing::speaks(base, link.macrodef, &all) {
+        if !super::lost_folder::is_lost(base, link.macrodef, &all) {
             by_file.entry(&link.reference.rel).or_default().push(*link);
         }
     }

@@ -1,10 +1,10 @@
 //! A target in a macro folder that nothing uses.
 
 use super::super::{Check, Rule, RuleCx};
-use super::alias_suspect::suspects;
 use super::fit::{fitting_names, values_of};
 use super::links::{is_in_folder, unreferenced};
 use super::survey::survey;
+use super::suspects::suspects;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, Sight};
 use crate::formats::macro_json::Macrodef;
 use crate::repo::{Base, FileFacts, Repository};
