@@ -24,8 +24,8 @@
 //! [`mend`] judges and mends in memory; [`fix::write_all`] brings the changes to disk, each file as a whole.
 //!
 //! Two channels are never mixed: damaged data are [`Finding`]s, [`Error`] means that the run could not be
-//! done. No input makes the library panic; where one of its own bugs does, the file or rule is skipped and
-//! [`Outcome::failed_rules`] tells.
+//! done. No input makes the library panic; where one of its own bugs does, the file, rule or base mesh is
+//! skipped and [`Outcome::is_whole`] tells.
 //!
 //! One way through the house: discover → source → formats → repo → rules → engine → report → cli
 //! (`docs/architecture.md`).

@@ -30,7 +30,7 @@ const IMPORTS: &[(&str, &[&str])] = &[
 const MAY_OPEN_FILES: [&str; 4] = ["source/", "fix/", "cli/", "engine/input.rs"];
 
 /// Libraries that only one place may know.
-const LIBRARIES: [(&str, &str); 7] = [
+const LIBRARIES: [(&str, &str); 8] = [
     ("clap", "cli/"),
     ("maud", "report/html/"),
     ("miette", "report/human/block.rs"),
@@ -38,6 +38,7 @@ const LIBRARIES: [(&str, &str); 7] = [
     ("quick_xml", "report/junit.rs"),
     ("rayon", "engine/"),
     ("tempfile", "fix/"),
+    ("textwrap", "report/human/block.rs"),
 ];
 
 /// Hard bounds in lines without tests.
@@ -190,6 +191,62 @@ fn every_rule_file_has_its_row() {
     let is_rule = |source: &Source| source.code.contains("static RULE: Rule");
     let files: BTreeSet<String> = sources().into_iter().filter(is_rule).map(|source| source.path).collect();
     assert_eq!(rows, files);
+}
+
+/// What two rules need lies in a file beside them.
+#[test]
+fn no_rule_imports_another_rule() {
+    let rules: Vec<Source> = sources().into_iter().filter(|source| source.code.contains("static RULE: Rule")).collect();
+    let name = |source: &Source| source.path["rules/".len()..].trim_end_matches(".rs").replace('/', "::");
+    let names: BTreeSet<String> = rules.iter().map(name).collect();
+    let mut faults = Vec::new();
+    for rule in &rules {
+        let own = name(rule);
+        let family = own.split("::").next().unwrap();
+        for (module, word) in neighbours(&rule.code, family) {
+            if module != own && names.contains(&module) {
+                faults.push(format!("{} imports {word}", rule.path));
+            }
+        }
+    }
+    assert_eq!(faults, Vec::<String>::new());
+    let found = |code: &str| neighbours(code, "target").into_iter().map(|(module, _)| module).collect::<Vec<_>>();
+    assert!(found("use super::{a, syntax};").contains(&"target::syntax".to_owned()));
+    assert!(found("use super::super::file::empty::x;").contains(&"file::empty".to_owned()));
+}
+
+/// What stands behind each `super::` of a rule file, as a module below `rules`, and as it is written.
+fn neighbours<'c>(code: &'c str, family: &str) -> Vec<(String, &'c str)> {
+    let mut found = Vec::new();
+    for (at, start) in code.match_indices("super::") {
+        let rest = &code[at + start.len()..];
+        let words: Vec<&str> = match rest.strip_prefix('{') {
+            Some(list) => list.split('}').next().unwrap().split(',').map(str::trim).collect(),
+            None => vec![rest.split(|c: char| !c.is_alphanumeric() && !"_:".contains(c)).next().unwrap()],
+        };
+        for word in words {
+            let parts: Vec<&str> = word.split("::").collect();
+            found.push((format!("{family}::{}", parts[0]), word));
+            found.extend(parts.get(1).map(|second| (format!("{}::{second}", parts[0]), word)));
+        }
+    }
+    found
+}
+
+/// How far a rule sees, or what it is for, is data of the rule: a new family brings its own.
+#[test]
+fn what_runs_the_rules_names_none_of_them() {
+    let of_rules = |source: &Source| source.path.starts_with("rules/");
+    let (rules, others): (Vec<Source>, Vec<Source>) = sources().into_iter().partition(of_rules);
+    let ids = rules.iter().filter_map(|rule| rule.code.split_once("RuleInfo::new(")?.1.split('"').nth(1));
+    let families: BTreeSet<String> =
+        ids.filter_map(|id| id.split_once('-').map(|(family, _)| format!("\"{family}-"))).collect();
+    assert!(families.contains("\"target-"), "{families:?}");
+    let names_one = |line: &str| families.iter().any(|family| line.contains(family));
+    let engine = others.iter().filter(|source| source.path.starts_with("engine/"));
+    let faults: Vec<&str> =
+        engine.filter(|source| source.lines().any(names_one)).map(|source| source.path.as_str()).collect();
+    assert_eq!(faults, Vec::<&str>::new());
 }
 
 #[test]

@@ -7,7 +7,7 @@ use std::fs;
 use std::io::Write;
 use std::path::Path;
 
-use scratch::{assert_refused, copy_folder, edit, example, findings, lose_a_step, mhlint, stderr};
+use scratch::{assert_refused, copy_folder, edit, example, findings, lose_a_step, mhlint, stderr, stdout};
 
 const MACROS: &str = "data/target/figure/macro.json";
 const MODELLING: &str = "data/target/figure/modelling.json";
@@ -382,6 +382,101 @@ fn stale_entries_are_told_and_pruned() {
     assert_eq!(run(root, &[]), Vec::<String>::new());
 }
 
+/// A file that cannot be read any more hides what was known of it: that is not mended.
+#[test]
+fn errors_hide_what_the_baseline_knows() {
+    let repository = damaged();
+    let root = repository.path();
+    let all = write(root, &[]).len();
+    let known = fs::read_to_string(root.join("known.json")).unwrap();
+    for (file, gone) in [(MACROS, 1), (MESH, 1)] {
+        let whole = fs::read(root.join(file)).unwrap();
+        let broken: &[&dyn Fn()] = &[
+            &|| fs::write(root.join(file), &whole[..whole.len() / 2]).unwrap(),
+            &|| fs::write(root.join(file), [b"\xef\xbb\xbf", whole.as_slice()].concat()).unwrap(),
+            &|| fs::remove_file(root.join(file)).unwrap(),
+        ];
+        // A mesh may be cut off between two lines, and a mark before it does no harm.
+        let broken = if file == MESH { &broken[2..] } else { &broken[..2] };
+        for damage in broken {
+            damage();
+            let text = stdout(&mhlint(root, &["--baseline", "known.json"]));
+            assert!(text.contains(&format!(" of {all} entries of the baseline were not found again")), "{text}");
+            assert!(text.contains("help: mend the errors first: what they hide may still be there"), "{text}");
+            assert!(!text.contains("prune"), "{text}");
+            let written = mhlint(root, &["--baseline", "known.json", "--write-baseline"]);
+            let said = stderr(&written);
+            assert!(
+                said.contains("1 new (1 error), ") && said.contains("mend what is new and write it again"),
+                "{said}"
+            );
+            assert!(said.contains(&format!("{gone} gone")) || file == MESH, "{said}");
+            fs::write(root.join("known.json"), &known).unwrap();
+        }
+        fs::write(root.join(file), whole).unwrap();
+    }
+    assert_eq!(run(root, &[]), Vec::<String>::new());
+}
+
+#[test]
+fn writing_a_baseline_says_what_changes() {
+    let repository = damaged();
+    let root = repository.path();
+    let said = || stderr(&mhlint(root, &["--baseline", "known.json", "--write-baseline"]));
+    let first = said();
+    assert!(first.ends_with("known findings written to `known.json`\n"), "{first}");
+    assert!(said().ends_with("written to `known.json`, the same as before\n"));
+    edit(root, OVAL, "339 0 0 0", "339 0 .001 .001");
+    assert!(said().ends_with("written to `known.json`: 0 new, 1 gone\n"));
+    edit(root, SIDE, "\n", "\n1 2 x 4\n");
+    assert!(said().ends_with("written to `known.json`: 1 new (1 error), 0 gone\n"));
+}
+
+/// A muted fault and a known one, in files of their own.
+fn known_and_muted() -> tempfile::TempDir {
+    let repository = example();
+    let root = repository.path();
+    lose_a_step(root);
+    edit(root, OVAL, "339 0 .001 .001", "339 0 0 0");
+    write(root, &["--only", "target-*"]);
+    let ignore = "[[ignore]]\nrule = \"macro-steps-length\"\npath = \"**\"\nreason = \"old\"\n";
+    fs::write(root.join("mhlint.toml"), ignore).unwrap();
+    repository
+}
+
+fn words(root: &Path, format: &str) -> String {
+    let output = mhlint(root, &["--baseline", "known.json", "--report", format]);
+    stdout(&output).split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+#[test]
+fn the_mute_of_what_an_error_hides_is_not_to_be_removed() {
+    let repository = known_and_muted();
+    let root = repository.path();
+    assert!(!words(root, "human").contains("config-unused-ignore"));
+    let whole = fs::read(root.join(MACROS)).unwrap();
+    fs::write(root.join(MACROS), &whole[..whole.len() / 2]).unwrap();
+    let found = words(root, "human");
+    assert!(found.contains("config-unused-ignore") && found.contains("help: mend the errors first"), "{found}");
+    assert!(!found.contains("help: remove the mute"), "{found}");
+}
+
+#[test]
+fn reports_tell_what_is_known_from_what_is_muted() {
+    let repository = known_and_muted();
+    let verdict = "Nothing found beside 1 finding in the baseline and 1 finding muted.";
+    for (format, counts) in [
+        ("human", "0 infos, 1 in the baseline, 1 muted in "),
+        ("markdown", "| errors | warnings | infos | in the baseline | muted | files |"),
+        ("html", ", 1 finding in the baseline, 1 finding muted"),
+    ] {
+        let text = words(repository.path(), format);
+        assert!(text.contains(counts) && text.contains(verdict), "{text}");
+    }
+    let report: serde_json::Value = serde_json::from_str(&words(repository.path(), "json")).unwrap();
+    assert_eq!(report["summary"]["suppressed"], 2);
+}
+
 #[test]
 fn a_narrow_run_keeps_what_it_did_not_look_at() {
     let repository = damaged();
@@ -404,6 +499,7 @@ fn a_baseline_that_is_none_is_refused_and_left_alone() {
         (text.replace("baseline/1", "baseline/2"), "this version reads `mhlint-baseline/1`"),
         ("{\"format\": \"mhlint-report/1\"}".to_owned(), "is no baseline of mhlint"),
         (String::new(), "is damaged"),
+        (format!("<<<<<<< HEAD\n{text}=======\n{text}>>>>>>> other\n"), "holds a merge conflict"),
         ("{\"format\": \"mhlint-baseline/1\", \"entries\": [{\"path\": 3}]}".to_owned(), "is damaged"),
     ] {
         fs::write(root.join("known.json"), &text).unwrap();

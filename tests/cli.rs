@@ -276,8 +276,27 @@ fn quiet_leaves_findings_and_verdict() {
 #[test]
 fn timings_go_to_stderr() {
     let output = mhlint(&project("fixtures/makehuman2"), &["--timings"]);
-    assert!(stderr(&output).contains(" ms  read") && stderr(&output).contains("target-syntax"));
     assert!(!stdout(&output).contains(" ms  "));
+    let text = stderr(&output);
+    let lines: Vec<(f64, &str)> = text
+        .lines()
+        .filter_map(|line| line.split_once(" ms  "))
+        .map(|(time, what)| (time.trim().parse().unwrap(), what))
+        .collect();
+    let steps = ["places", "read", "rules", "targets and evaluation"];
+    let (total, rest) = lines.split_first().unwrap();
+    let (timed, rules): (Vec<_>, Vec<_>) = rest.iter().partition(|(_, what)| steps.contains(what));
+    assert_eq!((total.1, timed.len()), ("total", steps.len()), "{text}");
+    assert!((timed.iter().map(|(time, _)| time).sum::<f64>() - total.0).abs() < 0.01, "{text}");
+    for times in [&timed, &rules] {
+        assert!(times.is_sorted_by(|one, next| one.0 >= next.0), "{text}");
+    }
+    // Those that take no time are counted.
+    let left = text.lines().last().filter(|line| line.ends_with(" below 1 ms"));
+    let left = left.map_or(0, |line| line.trim().split(' ').next().unwrap().parse::<usize>().unwrap());
+    let known = stdout(&mhlint(&project("."), &["rules", "--format", "json"]));
+    let known: serde_json::Value = serde_json::from_str(&known).unwrap();
+    assert_eq!(rules.len() + left, known.as_array().unwrap().len(), "{text}");
 }
 
 #[test]

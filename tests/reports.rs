@@ -429,6 +429,45 @@ fn html_shows_verdict_consequence_source_and_help() {
 }
 
 #[test]
+fn html_shows_the_fix_and_why_a_finding_is_shown() {
+    let repository = example();
+    let file = "data/target/figure/head/head-oval.target";
+    edit(repository.path(), file, "339 0 .001 .001", "339 0 0 0");
+    fs::write(repository.path().join("changed.txt"), format!("{file}\n")).unwrap();
+    let args = ["--report", "html", "--changed-files", "changed.txt", "--only", "target-zero-delta"];
+    let page = run(repository.path(), &args);
+    assert!(page.contains("<dt>Fix</dt><dd><code>--fix</code> mends it: remove the rows</dd>"), "{page}");
+    assert!(page.contains("<dt>Shown because</dt><dd>the file changed</dd>"), "{page}");
+}
+
+#[test]
+fn the_end_of_a_long_report_names_the_first_errors() {
+    let last = |count: usize| {
+        let text = run(many(count).path(), &["--only", "target-breaks-start"]);
+        text.split_once("\nFailed. ").unwrap().1.lines().skip(1).map(str::to_owned).collect::<Vec<_>>()
+    };
+    assert_eq!(last(3), Vec::<String>::new());
+    let place = |number| format!("  data/target/figure/head/broken{number}.target:1:5: target-breaks-start");
+    assert_eq!(last(4), [place("0"), place("1"), place("2"), "  and 1 more error".to_owned()]);
+}
+
+#[test]
+fn names_of_files_are_not_broken_at_their_hyphens() {
+    let repository = example();
+    let name = "head-oval-with-a-name-of-many-words-and-a-hyphen-between-each-two-of-them";
+    edit(repository.path(), "data/target/figure/modelling.json", "\"head/head-oval\"", &format!("\"head/{name}\""));
+    let found = findings(repository.path());
+    assert!(found.iter().any(|one| one["message"].as_str().unwrap().contains(name)), "{found:?}");
+    let text = run(repository.path(), &[]);
+    let words: BTreeSet<&str> = text.split_whitespace().collect();
+    for finding in &found {
+        let message = finding["message"].as_str().unwrap();
+        let broken: Vec<&str> = message.split_whitespace().filter(|word| !words.contains(word)).collect();
+        assert_eq!(broken, Vec::<&str>::new(), "{text}");
+    }
+}
+
+#[test]
 fn all_reports_of_one_run_are_those_of_single_runs() {
     let repository = hostile();
     let folder = tempfile::tempdir().unwrap();

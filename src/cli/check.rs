@@ -1,7 +1,10 @@
 //! `mhlint check`: the run and its reports.
 
+use std::cmp::Reverse;
+use std::collections::BTreeMap;
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use super::args::{CheckArgs, Command};
 use super::changed::{listed, setting_among, since, staged};
@@ -16,7 +19,7 @@ use super::terminal::Terminal;
 use super::workspace::placed;
 use crate::config::Config;
 use crate::diag::nearest;
-use crate::engine::{Baseline, Error, Outcome, rule_infos};
+use crate::engine::{Baseline, Error, Outcome, TakenOver, rule_infos};
 use crate::fix::replace;
 use crate::report::{self, Format, View};
 
@@ -46,12 +49,12 @@ pub(super) fn run(
     }
     checked.write()?;
     if let (Some(file), Some(baseline)) = (new_baseline, &outcome.baseline) {
-        write_baseline(file, baseline, exit, args, err)?;
+        write_baseline(file, baseline, outcome.taken_over, exit, args, err)?;
     }
     write_reports(&targets, outcome, args, &config, exit, terminal, out)?;
     tell(outcome, args, exit, &targets, err)?;
     checked.tell(args.fixes, err)?;
-    if !panics.noted().is_empty() || !outcome.failed_rules.is_empty() {
+    if !panics.noted().is_empty() || !outcome.is_whole() {
         writeln!(err, "mhlint: {}", own_fault(&panics.noted()))?;
     }
     if args.timings {
@@ -104,6 +107,7 @@ fn new_baseline(config: &Config) -> Result<Option<&Path>, Failure> {
 fn write_baseline(
     file: &Path,
     baseline: &Baseline,
+    taken_over: Option<TakenOver>,
     exit: Exit,
     args: &CheckArgs,
     err: &mut dyn Write,
@@ -115,14 +119,28 @@ fn write_baseline(
     replace(file, baseline.text().as_bytes())
         .map_err(|error| Failure::Usage(format!("cannot write the baseline to `{shown}`: {error}")))?;
     if !args.quiet {
-        writeln!(err, "mhlint: {} written to `{shown}`", report::count(baseline.entries.len(), "known finding"))?;
+        let known = report::count(baseline.entries.len(), "known finding");
+        let difference = taken_over.map(difference).unwrap_or_default();
+        writeln!(err, "mhlint: {known} written to `{shown}`{difference}")?;
     }
     Ok(())
 }
 
+/// `: 1 new (1 error), 11 gone`, and a word where the one may be why of the other.
+fn difference(taken_over: TakenOver) -> String {
+    let TakenOver { new, errors, gone } = taken_over;
+    if (new, gone) == (0, 0) {
+        return ", the same as before".to_owned();
+    }
+    let of_them = if errors > 0 { format!(" ({})", report::count(errors, "error")) } else { String::new() };
+    let hidden =
+        if errors > 0 && gone > 0 { "; errors can hide findings, so mend what is new and write it again" } else { "" };
+    format!(": {new} new{of_them}, {gone} gone{hidden}")
+}
+
 /// A bug of ours outweighs everything, since findings may be missing; then comes an empty run.
 fn exit(outcome: &Outcome, config: &Config, panics: &[String]) -> Exit {
-    if !panics.is_empty() || !outcome.failed_rules.is_empty() {
+    if !panics.is_empty() || !outcome.is_whole() {
         Exit::CannotWork
     } else if !outcome.judged_anything() {
         Exit::NothingToCheck
@@ -222,9 +240,27 @@ pub(super) fn own_fault(panics: &[String]) -> String {
     text
 }
 
+/// The whole, the steps of the run, then the rules that took long.
 fn print_timings(outcome: &Outcome, err: &mut dyn Write) -> Result<(), Failure> {
+    const SHORT: Duration = Duration::from_millis(1);
+    let mut steps: BTreeMap<&str, Duration> = BTreeMap::new();
+    let mut rules: BTreeMap<&str, Duration> = BTreeMap::new();
+    let known = rule_infos();
     for timing in &outcome.timings {
-        writeln!(err, "{:>9.3} ms  {}", timing.time.as_secs_f64() * 1e3, timing.what)?;
+        let is_rule = known.iter().any(|rule| rule.id == timing.what);
+        let times = if is_rule { &mut rules } else { &mut steps };
+        *times.entry(&timing.what).or_default() += timing.time;
+    }
+    let mut line = |what: &str, time: Duration| writeln!(err, "{:>9.3} ms  {what}", time.as_secs_f64() * 1e3);
+    line("total", steps.values().sum())?;
+    let (long, short): (Vec<_>, Vec<_>) = rules.into_iter().partition(|(_, time)| *time >= SHORT);
+    for times in [steps.into_iter().collect(), long] {
+        let mut times: Vec<(&str, Duration)> = times;
+        times.sort_by_key(|(_, time)| Reverse(*time));
+        times.into_iter().try_for_each(|(what, time)| line(what, time))?;
+    }
+    if !short.is_empty() {
+        writeln!(err, "{:>12}  {} below 1 ms", "", report::count(short.len(), "rule"))?;
     }
     Ok(())
 }

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::ops::Range;
 
-use crate::source::{excerpt, position};
+use crate::source::Lines;
 
 /// Why a configuration cannot be used.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -42,20 +42,21 @@ impl Error {
 
 impl Fault {
     pub(super) fn new(text: &str, span: Range<usize>, message: String, help: String) -> Self {
-        let at = position(text.as_bytes(), span.start);
-        let quoted = quote(text, span).unwrap_or_default();
+        let lines = Lines::of(text.as_bytes());
+        let at = lines.position(span.start);
+        let quoted = quote(&lines, span).unwrap_or_default();
         Self { message, help, place: Some((at.line, at.column)), quoted }
     }
 }
 
-fn quote(text: &str, span: Range<usize>) -> Option<String> {
-    let found = excerpt(text.as_bytes(), span.clone())?;
+fn quote(lines: &Lines<'_>, span: Range<usize>) -> Option<String> {
+    let found = lines.excerpt(span.clone())?;
     let before = found.text.get(..found.mark.start)?;
     let start = before.rfind('\n').map_or(0, |at| at + 1);
     let line = found.text.get(start..)?.lines().next()?.replace('\t', " ");
     let indent = found.text.get(start..found.mark.start)?.chars().count();
     let marked = found.text.get(found.mark)?.chars().take_while(|c| *c != '\n').count().max(1);
-    let number = position(text.as_bytes(), span.start).line.to_string();
+    let number = lines.position(span.start).line.to_string();
     let margin = " ".repeat(number.len());
     Some(format!("  {number} | {line}\n  {margin} | {}{}", " ".repeat(indent), "^".repeat(marked)))
 }

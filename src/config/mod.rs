@@ -18,7 +18,7 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use crate::diag::{Application, Level, RuleInfo};
-use crate::source::{Folder, Limits, position};
+use crate::source::{Folder, Limits, Lines};
 
 pub use date::Date;
 pub use fault::{Error, Fault};
@@ -225,7 +225,7 @@ impl ConfigFile {
 
     /// Line of a span, counted from 1.
     pub fn line_at(&self, span: &Range<usize>) -> u32 {
-        position(self.text.as_bytes(), span.start).line
+        Lines::of(self.text.as_bytes()).position(span.start).line
     }
 
     /// Path of a printed path relative to the folder of the file; none if it lies elsewhere.

@@ -6,22 +6,93 @@
 /// Ties go to the smaller candidate, so the answer does not depend on order. The other side or the other direction of
 /// `name` is never the answer: it is near by its name and wrong for certain.
 pub fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
-    let limit = (name.chars().count() / 3).max(1);
-    let folded = fold(name);
-    candidates
-        .into_iter()
-        .filter(|candidate| *candidate != name && !is_opposite(name, candidate))
-        .map(|candidate| (distance(name, &folded, candidate), candidate))
-        .filter(|(distance, _)| *distance <= limit)
-        .min()
-        .map(|(_, candidate)| candidate)
+    let sought = Sought::new(name);
+    let mut best: Option<(usize, &str)> = None;
+    for candidate in candidates {
+        // Nothing farther than the best so far is worth measuring.
+        let limit = best.map_or(sought.limit, |(distance, _)| distance);
+        if let Some(distance) = sought.distance(candidate, limit)
+            && best.is_none_or(|best| (distance, candidate) < best)
+            && sought.is_other(candidate)
+        {
+            best = Some((distance, candidate));
+        }
+    }
+    best.map(|(_, candidate)| candidate)
 }
 
-fn distance(name: &str, folded: &str, candidate: &str) -> usize {
-    if fold(candidate) == folded {
-        return 0;
+/// A name that many others are compared with.
+#[derive(Debug)]
+pub struct Sought<'n> {
+    name: &'n str,
+    folded: String,
+    limit: usize,
+    letters: [i32; LETTERS],
+}
+
+/// Bytes in which names may differ and still be compared: the time grows with the square, and nobody slips in that many.
+const LONGEST: usize = 200;
+
+/// Kinds of letters that are told apart where they are counted.
+const LETTERS: usize = 96;
+
+impl<'n> Sought<'n> {
+    /// Counts the letters of a name.
+    pub fn new(name: &'n str) -> Self {
+        let mut letters = [0; LETTERS];
+        name.chars().for_each(|letter| letters[kind_of_letter(letter)] += 1);
+        Self { name, folded: fold(name).collect(), limit: (name.chars().count() / 3).max(1), letters }
     }
-    strsim::damerau_levenshtein(name, candidate).max(1)
+
+    /// Whether `candidate` alone would be the [`nearest`] one.
+    pub fn may_mean(&self, candidate: &str) -> bool {
+        self.distance(candidate, self.limit).is_some() && self.is_other(candidate)
+    }
+
+    /// Whether a name is another one, and not the opposite.
+    fn is_other(&self, candidate: &str) -> bool {
+        self.name != candidate && !is_opposite(self.name, candidate)
+    }
+
+    /// Edit distance, if it is within a limit.
+    fn distance(&self, candidate: &str, limit: usize) -> Option<usize> {
+        if fold(candidate).eq(self.folded.chars()) {
+            return Some(0);
+        }
+        if self.least(candidate) > limit {
+            return None;
+        }
+        let (name, candidate) = without_common_ends(self.name, candidate);
+        if name.len().max(candidate.len()) > LONGEST {
+            return None;
+        }
+        Some(strsim::damerau_levenshtein(name, candidate).max(1)).filter(|distance| *distance <= limit)
+    }
+
+    /// What the edit distance is at least: each edit adds, removes or replaces one letter, or moves some. Most
+    /// names are out of reach by this alone.
+    fn least(&self, candidate: &str) -> usize {
+        let mut letters = self.letters;
+        candidate.chars().for_each(|letter| letters[kind_of_letter(letter)] -= 1);
+        let missing: i32 = letters.iter().filter(|count| **count > 0).sum();
+        let surplus: i32 = letters.iter().filter(|count| **count < 0).sum();
+        missing.max(-surplus).unsigned_abs() as usize
+    }
+}
+
+/// Two names without what they have in common at both ends, which does not count for their distance.
+fn without_common_ends<'s>(mut one: &'s str, mut other: &'s str) -> (&'s str, &'s str) {
+    let common = |pairs: &mut dyn Iterator<Item = (char, char)>| -> usize {
+        pairs.take_while(|(one, other)| one == other).map(|(letter, _)| letter.len_utf8()).sum()
+    };
+    let start = common(&mut one.chars().zip(other.chars()));
+    (one, other) = (&one[start..], &other[start..]);
+    let end = common(&mut one.chars().rev().zip(other.chars().rev()));
+    (&one[..one.len() - end], &other[..other.len() - end])
+}
+
+const fn kind_of_letter(letter: char) -> usize {
+    letter as usize % LETTERS
 }
 
 /// Words that stand for opposites where they are all that differs.
@@ -53,8 +124,8 @@ fn are_opposites(one: &str, other: &str) -> bool {
     OPPOSITES.iter().any(is_pair) || range(one, other) || range(other, one)
 }
 
-fn fold(name: &str) -> String {
-    name.chars().filter(|c| !matches!(c, '-' | '_' | '.' | ' ')).flat_map(char::to_lowercase).collect()
+fn fold(name: &str) -> impl Iterator<Item = char> {
+    name.chars().filter(|c| !matches!(c, '-' | '_' | '.' | ' ')).flat_map(char::to_lowercase)
 }
 
 #[cfg(test)]
@@ -81,6 +152,17 @@ mod tests {
             assert_eq!(nearest(name, [opposite, like]), Some(like), "{name}");
         }
         assert_eq!(nearest("r-kne", ["l-knee", "r-knee"]), Some("r-knee"));
+    }
+
+    proptest::proptest! {
+        #[test]
+        fn what_is_left_out_changes_no_distance(name in "[ab-]{0,9}", candidate in "[abC-]{0,9}") {
+            let whole = strsim::damerau_levenshtein(&name, &candidate);
+            let sought = Sought::new(&name);
+            proptest::prop_assert!(sought.least(&candidate) <= whole);
+            let (one, other) = without_common_ends(&name, &candidate);
+            proptest::prop_assert_eq!(strsim::damerau_levenshtein(one, other), whole);
+        }
     }
 
     #[test]

@@ -17,10 +17,28 @@ pub struct RuleInfo {
     pub unmutable: bool,
     /// What each application does with it.
     pub breaks: &'static [(Application, &'static str)],
+    /// How far it sees; `None` for what is usual with the kind of its check.
+    pub sight: Option<Sight>,
     /// Typed options with their defaults.
     pub options: &'static [OptionInfo],
     /// What it means, why it matters, what to do: plain paragraphs for `mhlint explain`.
     pub docs: &'static str,
+}
+
+/// The files of its base mesh that a finding can come from, besides those that the file it stands at names. A run that is
+/// narrowed to a change shows no more.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Sight {
+    /// The one that it stands at.
+    File,
+    /// Those in the same folder and below.
+    Folder,
+    /// Skeletons and weights.
+    Rigs,
+    /// Skeletons and weights, and files in the same folder.
+    FolderAndRigs,
+    /// All: the rule looks for files that nothing names, or for what is not there.
+    Base,
 }
 
 /// Whether a rule can repair what it finds.
@@ -59,7 +77,8 @@ pub struct OptionInfo {
 impl RuleInfo {
     /// A rule with nothing but the obligatory parts; the rest by struct update.
     pub const fn new(id: &'static str, level: Level, summary: &'static str) -> Self {
-        Self { id, summary, level, fix: FixKind::None, unmutable: false, breaks: &[], options: &[], docs: "" }
+        let (fix, unmutable) = (FixKind::None, false);
+        Self { id, summary, level, fix, unmutable, breaks: &[], sight: None, options: &[], docs: "" }
     }
 
     /// The part of the id before the first dash.

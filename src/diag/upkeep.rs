@@ -11,6 +11,9 @@ pub struct Upkeep {
     pub unknown: Vec<UnknownRule>,
     /// The baseline, if there is one.
     pub baseline: Option<BaselineUse>,
+    /// Whether errors were found that neither a mute nor the baseline hides. A file that cannot be read hides what
+    /// else was found in it and of it, so what is not found any more need not be mended.
+    pub errors: bool,
 }
 
 /// One mute: an `[[ignore]]` of the configuration, or a comment in an asset.

@@ -53,6 +53,12 @@ impl Baseline {
             }
             ReadFault::TooLarge { .. } => refuse("is too large for a baseline"),
         })?;
+        if is_conflict(&bytes) {
+            return Err(refuse(
+                "holds a merge conflict that was not resolved; keep the entries of both sides, or remove the file and \
+                 write it anew with `--write-baseline`",
+            ));
+        }
         let damaged = |error: serde_json::Error| {
             refuse(&format!("is damaged ({error}); restore it, or remove it and write it anew with `--write-baseline`"))
         };
@@ -124,6 +130,11 @@ impl Baseline {
         let stale = self.entries.iter().zip(&met).filter(|(_, met)| met.is_none());
         (known, stale.map(|(entry, _)| entry).collect())
     }
+}
+
+/// Whether git left the lines of both sides of a merge in a file.
+fn is_conflict(bytes: &[u8]) -> bool {
+    bytes.split(|byte| *byte == b'\n').any(|line| line.starts_with(b"<<<<<<< "))
 }
 
 /// Whether everything that a finding speaks for was there before. `met` are the entries that were found again, and at

@@ -8,11 +8,12 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
+use super::catalogue::is_upkeep;
 use super::outcome::Outcome;
-use super::sight::{Sight, sight};
-use crate::diag::{Finding, Place};
+use super::sight::{is_numeric, sight};
+use crate::diag::{Finding, Place, Sight};
 use crate::repo::{Layer, Reference, Repository, Resolution};
-use crate::source::{folder_of, link_targets, resolved};
+use crate::source::{folder_of, link_targets, resolved, slashed};
 
 /// Paths of changed files: absolute, without `..`, with forward slashes.
 pub(super) struct Change {
@@ -63,7 +64,8 @@ pub(super) fn explain(repository: &Repository<'_>, findings: &mut [Finding], cha
 /// Leaves out what the change cannot affect, and says how much that was. Findings on the settings of mhlint stay.
 pub(super) fn narrow(outcome: &mut Outcome, change: &Change) {
     let all = outcome.findings.len();
-    outcome.findings.retain(|finding| finding.because.is_some() || is_upkeep(finding));
+    // Mutes and entries of the baseline can fall out of use by any change.
+    outcome.findings.retain(|finding| finding.because.is_some() || is_upkeep(finding.rule));
     outcome.left_out = all - outcome.findings.len();
     let files = match change.files {
         1 => "1 changed file".to_owned(),
@@ -75,11 +77,6 @@ pub(super) fn narrow(outcome: &mut Outcome, change: &Change) {
         count => format!("; {count} other findings are not shown"),
     };
     outcome.notes.push(format!("narrowed to what {files} can affect{others}"));
-}
-
-/// Mutes and baseline entries can fall out of use by any change.
-fn is_upkeep(finding: &Finding) -> bool {
-    finding.rule.starts_with("config-") || finding.rule.starts_with("baseline-")
 }
 
 /// What a change reaches in one repository.
@@ -256,7 +253,7 @@ fn named_at<'r>(places: &'r [(&Place, String)], finding: &Finding) -> Option<&'r
         Place::Pointer(pointer) | Place::Key(pointer) => Some(pointer.clone()),
         _ => None,
     };
-    let Some(here) = at(&finding.place).filter(|_| !finding.rule.starts_with("numeric-")) else {
+    let Some(here) = at(&finding.place).filter(|_| !is_numeric(finding)) else {
         return places.first().map(|(_, path)| path.as_str());
     };
     let touches = |place: &Place| {
@@ -302,12 +299,6 @@ fn in_its_folder(path: &Path) -> String {
         Some(name) => slashed(&resolved(folder_of(path)).join(name)),
         None => slashed(&resolved(path)),
     }
-}
-
-/// A backslash separates on Windows and is part of a name elsewhere.
-fn slashed(path: &Path) -> String {
-    let text = path.to_string_lossy();
-    if cfg!(windows) { text.replace('\\', "/") } else { text.into_owned() }
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 //! Takes what the application would take; what cannot be used (missing file, damaged rows) is left out
 //! and named by rules of its own.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::references::through_references;
 use crate::eval::macro_def::{Blend, Component, Macrodef, Slider};
@@ -14,7 +14,7 @@ use crate::eval::settings::Dimension;
 use crate::eval::skeleton::{Bone, hierarchy};
 use crate::eval::weights::{self, Entry, LoadedWeights};
 use crate::formats::macro_json::MacroFile;
-use crate::formats::mhskel::{RotationPlane, Skeleton};
+use crate::formats::mhskel::{Plane, RotationPlane, Skeleton};
 use crate::formats::mhw::Weights;
 use crate::formats::obj::Mesh;
 use crate::formats::target::Row;
@@ -74,11 +74,13 @@ pub(super) fn compose(base: &Base<'_>, rows: &mut Rows) -> Option<Composed> {
 /// Bones of another skeleton that get nothing of the default skeleton's weights.
 fn without_weights(scene: &Scene, skeleton: &Skeleton) -> Vec<String> {
     let Some((default, weights)) = scene.skeleton.as_ref().zip(scene.weights.as_ref()) else { return Vec::new() };
-    let by_name = |name: &str| default.names.iter().position(|other| other == name);
+    let numbers = first_places(default.names.iter().map(String::as_str));
+    let by_name = |name: &str| numbers.get(name).copied();
     let parents: Vec<Option<usize>> = default.bones.iter().map(|bone| bone.parent).collect();
     let moved = through_references(&weights.bones, &parents, skeleton, by_name);
-    let has = |number: usize| moved.bones.iter().any(|list| list.bone == number && !list.entries.is_empty());
-    let bare = skeleton.bones.iter().enumerate().filter(|(number, _)| !has(*number));
+    let filled: BTreeSet<usize> =
+        moved.bones.iter().filter(|list| !list.entries.is_empty()).map(|list| list.bone).collect();
+    let bare = skeleton.bones.iter().enumerate().filter(|(number, _)| !filled.contains(number));
     bare.map(|(_, bone)| bone.name.clone()).collect()
 }
 
@@ -295,27 +297,30 @@ pub(super) fn skeleton_of(skeleton: &Skeleton, vertices: usize) -> Option<SceneS
         out.joints.push(list.iter().map(|vertex| joint_vertex(*vertex, vertices)).collect::<Option<Vec<u32>>>()?);
         out.joint_names.push(joint.name.clone());
     }
-    let by_name = |name: &str| skeleton.bones.iter().position(|bone| bone.name == name);
+    let by_name = first_places(skeleton.bones.iter().map(|bone| bone.name.as_str()));
     let mut parents = Vec::new();
     for bone in &skeleton.bones {
         parents.push(match &bone.parent {
             None => None,
-            Some(parent) => Some(by_name(parent)?),
+            Some(parent) => Some(*by_name.get(parent.as_str())?),
         });
     }
     let order = hierarchy(&parents).ok()?;
-    let joint = |name: &str| out.joint_names.iter().position(|joint| joint == name);
+    let places: BTreeMap<usize, usize> = order.iter().enumerate().map(|(place, old)| (*old, place)).collect();
+    let joints = first_places(out.joint_names.iter().map(String::as_str));
+    let joint = |name: &str| joints.get(name).copied();
+    let planes = first_places(skeleton.planes.iter().map(|plane| plane.name.as_str()));
     let mut bones = Vec::new();
     for old in &order {
         let bone = skeleton.bones.get(*old)?;
         let plane = match &bone.rotation_plane {
             RotationPlane::Absent => None,
             RotationPlane::Malformed => return None,
-            RotationPlane::Named(name) => Some(plane_joints(skeleton, name, joint)?),
+            RotationPlane::Named(name) => Some(plane_joints(skeleton.planes.get(*planes.get(name.as_str())?)?, joint)?),
         };
         let parent = parents.get(*old).copied().flatten();
         bones.push(Bone {
-            parent: parent.and_then(|parent| order.iter().position(|place| *place == parent)),
+            parent: parent.and_then(|parent| places.get(&parent).copied()),
             head: joint(bone.head.as_deref()?)?,
             tail: joint(bone.tail.as_deref()?)?,
             plane,
@@ -331,8 +336,16 @@ fn joint_vertex(vertex: i64, vertices: usize) -> Option<u32> {
     u32::try_from(vertex).ok().filter(|vertex| (*vertex as usize) < vertices)
 }
 
-fn plane_joints(skeleton: &Skeleton, name: &str, joint: impl Fn(&str) -> Option<usize>) -> Option<[usize; 3]> {
-    let plane = skeleton.planes.iter().find(|plane| plane.name == name)?;
+/// Where each name stands, of equal ones the first.
+fn first_places<'n>(names: impl Iterator<Item = &'n str>) -> BTreeMap<&'n str, usize> {
+    let mut places = BTreeMap::new();
+    for (place, name) in names.enumerate() {
+        places.entry(name).or_insert(place);
+    }
+    places
+}
+
+fn plane_joints(plane: &Plane, joint: impl Fn(&str) -> Option<usize>) -> Option<[usize; 3]> {
     match plane.joints.as_deref()? {
         [Some(a), Some(b), Some(c), ..] => Some([joint(a)?, joint(b)?, joint(c)?]),
         _ => None,
@@ -343,9 +356,10 @@ fn plane_joints(skeleton: &Skeleton, name: &str, joint: impl Fn(&str) -> Option<
 fn bind(skeleton: &SceneSkeleton, weights: &Weights, mesh: &Mesh) -> Option<LoadedWeights> {
     let vertices = mesh.positions.len();
     let root = skeleton.bones.iter().position(|bone| bone.parent.is_none())?;
+    let numbers = first_places(skeleton.names.iter().map(String::as_str));
     let mut lists: Vec<(usize, Vec<Entry>)> = Vec::new();
     for bone in &weights.bones {
-        let Some(number) = skeleton.names.iter().position(|name| *name == bone.name) else { continue };
+        let Some(number) = numbers.get(bone.name.as_str()).copied() else { continue };
         let entry = |pair: &crate::formats::mhw::Pair| Some((u32::try_from(pair.vertex).ok()?, pair.weight));
         lists.push((number, bone.pairs.iter().map(entry).collect::<Option<Vec<Entry>>>()?));
     }

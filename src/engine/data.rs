@@ -74,6 +74,12 @@ impl<'t> Data<'t> {
         system.chain(self.roots.iter_mut().zip(&self.sizes))
     }
 
+    /// Paths of the files that a bug of ours kept from being read.
+    pub(super) fn failed_files(&self) -> Vec<String> {
+        let files = self.all().flat_map(|root| root.layer.files.values());
+        files.filter(|file| file.failed).map(|file| file.path.clone()).collect()
+    }
+
     /// Every root, the system's first.
     pub(super) fn all(&self) -> impl Iterator<Item = &Loaded<'t>> {
         self.system.iter().chain(&self.roots)

@@ -6,6 +6,7 @@ use std::time::{Duration, Instant};
 
 use rayon::prelude::*;
 
+use super::caught::caught;
 use super::mute::Muting;
 use super::outcome::{Outcome, Timing};
 use super::select::{Selection, Verdict};
@@ -69,18 +70,19 @@ fn run_rule(
     findings
 }
 
-/// Findings on the mutes themselves.
+/// Findings on the mutes themselves. Rules that panicked are noted in `failed`.
 pub(super) fn look_after(
     upkeep: &Upkeep,
     selection: &Selection<'_>,
     muting: &Muting<'_>,
     options: &Config,
+    failed: &mut Vec<String>,
 ) -> Vec<Finding> {
     let cx = RuleCx { options: &options.rule_options };
     let mut findings = Vec::new();
     for rule in RULES.iter().filter(|rule| selection.runs(rule.info.id)) {
         if let Check::Upkeep(run) = rule.check {
-            run(upkeep, &cx, &mut findings);
+            caught(rule.info.id, failed, || run(upkeep, &cx, &mut findings));
         }
     }
     findings.retain_mut(|finding| {

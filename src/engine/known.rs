@@ -4,11 +4,11 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use super::baseline::{Baseline, Entry, Found, placed};
-use super::outcome::Error;
+use super::outcome::{Error, TakenOver};
 use super::scope::Scope;
 use super::select::{Selection, is_unmutable};
 use crate::config::Config;
-use crate::diag::{BaselineUse, Finding};
+use crate::diag::{BaselineUse, Finding, Level};
 use crate::rules::RULES;
 use crate::source::{Folder, holds};
 
@@ -29,6 +29,7 @@ pub(super) struct Known {
     folder: Folder,
     old: Baseline,
     write: bool,
+    is_first: bool,
 }
 
 /// What a baseline did.
@@ -38,6 +39,8 @@ pub(super) struct Compared {
     pub(super) used: BaselineUse,
     /// The one to write.
     pub(super) new: Option<Baseline>,
+    /// What that one changes.
+    pub(super) taken_over: Option<TakenOver>,
 }
 
 impl Known {
@@ -46,9 +49,9 @@ impl Known {
         let Some(path) = config.baseline.clone() else { return Ok(None) };
         let inside = path.parent().unwrap_or(Path::new("")).to_owned();
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        let is_new = config.write_baseline && !holds(&inside, &name);
-        let old = if is_new { Baseline::default() } else { Baseline::read(&path)? };
-        Ok(Some(Self { folder: Folder::of(&inside), path, old, write: config.write_baseline }))
+        let is_first = config.write_baseline && !holds(&inside, &name);
+        let old = if is_first { Baseline::default() } else { Baseline::read(&path)? };
+        Ok(Some(Self { folder: Folder::of(&inside), path, old, write: config.write_baseline, is_first }))
     }
 
     /// Hides what is known. `roots` are printed paths of the judged data roots.
@@ -76,8 +79,11 @@ impl Known {
             judged: self.old.entries.iter().filter(judged).count(),
             stale: stale.iter().map(|entry| describe(entry)).collect(),
         };
-        let mut new = None;
+        let (mut new, mut taken_over) = (None, None);
         let hides = if self.write {
+            let added = || rest.iter().zip(&known).filter(|(_, known)| !**known).map(|(placed, _)| placed);
+            let errors = added().filter(|placed| placed.finding.level == Level::Error).count();
+            taken_over = (!self.is_first).then(|| TakenOver { new: added().count(), errors, gone: used.stale.len() });
             // Without what this run could not look at a narrower run would throw entries away.
             let others = self.old.entries.iter().filter(|entry| !judged(entry) && !is_found(entry, &entries));
             let mut all: Vec<Entry> = others.cloned().collect();
@@ -91,7 +97,7 @@ impl Known {
         let hidden = hides.iter().filter(|hides| **hides).count();
         let rest = rest.into_iter().zip(hides).filter(|(_, hides)| !hides).map(|(placed, _)| placed);
         let kept = safe.into_iter().chain(rest).map(|placed| placed.finding).collect();
-        Ok(Compared { kept, hidden, used, new })
+        Ok(Compared { kept, hidden, used, new, taken_over })
     }
 
     /// Whether there is something at the path of an entry, or at one beside it.

@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::caught::caught;
 use super::compose::{Composed, Rows, compose};
 use super::data::Data;
 use super::gauge::gauge;
@@ -10,8 +11,13 @@ use crate::config::Config;
 use crate::eval::measures::Measures;
 use crate::repo::Base;
 
-/// Reads the targets of all bases and measures each base of each repository: one map a repository.
-pub(super) fn measure_bases(data: &mut Data<'_>, options: &Config) -> Vec<BTreeMap<String, Measures>> {
+/// Reads the targets of all bases and measures each base of each repository: one map a repository. What could not be
+/// measured for a bug of ours is noted in `failed`.
+pub(super) fn measure_bases(
+    data: &mut Data<'_>,
+    options: &Config,
+    failed: &mut Vec<String>,
+) -> Vec<BTreeMap<String, Measures>> {
     let mut measures: Vec<BTreeMap<String, Measures>> = data.roots.iter().map(|_| BTreeMap::new()).collect();
     for name in names(data) {
         let evaluated = name.as_deref().filter(|name| !options.no_eval && options.asks_for_base(name));
@@ -21,7 +27,7 @@ pub(super) fn measure_bases(data: &mut Data<'_>, options: &Config) -> Vec<BTreeM
             rows.append(&mut load_targets(root.place, &mut root.layer, name.as_deref(), sizes, &options.limits, keep));
         }
         if let Some(name) = evaluated {
-            measure_base(data, name, rows, options, &mut measures);
+            measure_base(data, name, rows, options, &mut measures, failed);
         }
     }
     measures
@@ -44,6 +50,7 @@ fn measure_base(
     mut rows: Rows,
     options: &Config,
     measures: &mut [BTreeMap<String, Measures>],
+    failed: &mut Vec<String>,
 ) {
     let stacks = data.stacks();
     let concerned: Vec<bool> = stacks
@@ -58,9 +65,12 @@ fn measure_base(
         let base = Base::resolve(name, system, user);
         // Repositories over the same system data share its rows; the last one takes them.
         let own = if Some(number) == last { &mut rows } else { &mut rows.clone() };
-        if let Some(composed) = compose(&base, own) {
-            let Composed { scene, rigs } = composed;
-            found.insert(name.to_owned(), gauge(&scene, &rigs, options));
+        let measured = || {
+            let Composed { scene, rigs } = compose(&base, own)?;
+            Some(gauge(&scene, &rigs, options))
+        };
+        if let Some(Some(measured)) = caught(&format!("evaluation of `{name}`"), failed, measured) {
+            found.insert(name.to_owned(), measured);
         }
     }
 }

@@ -4,6 +4,7 @@
 
 mod baseline;
 mod catalogue;
+mod caught;
 mod changed;
 mod compose;
 mod data;
@@ -32,7 +33,7 @@ mod stack;
 
 pub use crate::eval::settings::DEFAULT_SAMPLES;
 pub use baseline::{Baseline, Entry};
-pub use catalogue::rule_infos;
+pub use catalogue::{is_upkeep, rule_infos};
 pub use mend::{Mended, mend, mendable};
-pub use outcome::{Error, Outcome, RootSummary, Summary, Timing};
+pub use outcome::{Error, Outcome, RootSummary, Summary, TakenOver, Timing};
 pub use run::{lint, lint_trees};

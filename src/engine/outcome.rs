@@ -23,10 +23,18 @@ pub struct Outcome {
     pub timings: Vec<Timing>,
     /// The baseline to write, where one was asked for: [`Config::write_baseline`].
     pub baseline: Option<Baseline>,
+    /// What [`Outcome::baseline`] changes, where there was one before.
+    pub taken_over: Option<TakenOver>,
+    /// Findings that the baseline hides; [`Summary::suppressed`] counts them with the muted ones.
+    pub in_baseline: usize,
     /// Findings that are not shown because the change cannot affect them.
     pub left_out: usize,
     /// Rules that panicked: bugs of ours, whose findings are missing.
     pub failed_rules: Vec<String>,
+    /// Files on which a reader of ours panicked, by path: bugs of ours, whose findings are missing.
+    pub failed_files: Vec<String>,
+    /// Other work that panicked, such as the evaluation of a base mesh.
+    pub failed_steps: Vec<String>,
 }
 
 /// A data root.
@@ -58,6 +66,17 @@ pub struct Summary {
     pub files: usize,
     /// Their size in bytes.
     pub bytes: u64,
+}
+
+/// How a new baseline differs from the one that it takes the place of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct TakenOver {
+    /// Findings that were not in the old one.
+    pub new: usize,
+    /// Those of them that are errors.
+    pub errors: usize,
+    /// Entries of the old one that were not found again.
+    pub gone: usize,
 }
 
 /// Time spent on something.
@@ -116,11 +135,16 @@ impl Outcome {
     }
 
     /// Whether the run passes: nothing at or above [`Config::fail_on`], no more warnings than
-    /// [`Config::max_warnings`], and every rule did its work.
+    /// [`Config::max_warnings`], and all of the work was done.
     pub fn passes(&self, config: &Config) -> bool {
         let graded = config.fail_on.is_some_and(|level| self.has_at_least(level));
         let too_many = config.max_warnings.is_some_and(|limit| self.summary.warning > limit);
-        self.failed_rules.is_empty() && !graded && !too_many
+        self.is_whole() && !graded && !too_many
+    }
+
+    /// Whether all of the work was done: no bug of ours took a file, a rule or a step away.
+    pub fn is_whole(&self) -> bool {
+        [&self.failed_rules, &self.failed_files, &self.failed_steps].iter().all(|failed| failed.is_empty())
     }
 
     /// Whether any root was judged.
@@ -144,3 +168,22 @@ impl std::fmt::Display for Error {
 }
 
 impl std::error::Error for Error {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_run_that_misses_something_does_not_pass() {
+        let what = || vec!["something".to_owned()];
+        let config = Config { fail_on: None, ..Config::default() };
+        assert!(Outcome::default().passes(&config));
+        for missing in [
+            Outcome { failed_rules: what(), ..Outcome::default() },
+            Outcome { failed_files: what(), ..Outcome::default() },
+            Outcome { failed_steps: what(), ..Outcome::default() },
+        ] {
+            assert!(!missing.passes(&config) && !missing.is_whole());
+        }
+    }
+}

@@ -49,6 +49,7 @@ pub(super) fn empty(tree: &Tree, entry: &Entry, rel: &str) -> FileFacts {
         base: base.map(str::to_owned),
         size: entry.size,
         unreadable: None,
+        failed: false,
         gzip_fault: None,
         encoding: Encoding::default(),
         json: JsonFacts::default(),
@@ -186,6 +187,7 @@ pub(super) fn panicked(tree: &Tree, entry: &Entry, rel: &str) -> Reading {
     let mut facts = empty(tree, entry, rel);
     let reason = "mhlint itself failed on this file; please report it with the file".to_owned();
     facts.unreadable = Some(crate::source::ReadFault::Unreadable(reason));
+    facts.failed = true;
     facts.content = if facts.kind.is_json() { Content::Broken(JsonFault::Empty) } else { Content::Unread };
     Reading { facts, rows: Vec::new() }
 }

@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 use std::time::Instant;
 
+use super::caught::caught;
 use super::changed::{Change, explain, narrow};
 use super::data::{Data, Loaded};
 use super::heard::{Filter, Heard};
@@ -19,7 +20,7 @@ use super::roots::{Roots, check_bases, summarise};
 use super::scope::Scope;
 use super::select::Selection;
 use crate::config::Config;
-use crate::diag::{Application, Finding, Over, Upkeep, fingerprint};
+use crate::diag::{Application, Finding, Level, Over, Upkeep, fingerprint};
 use crate::eval::measures::Measures;
 use crate::repo::{Layer, Repository};
 use crate::source::{Limits, Tree};
@@ -70,7 +71,8 @@ pub(super) fn lint_inputs(inputs: &[Input], system: Option<&Tree>, options: &Con
     let mut data = Data::load(places, system_place, &options.limits);
     outcome.timings.push(timing("read", started));
     let started = Instant::now();
-    let measures = measure_bases(&mut data, options);
+    let measures = measure_bases(&mut data, options, &mut outcome.failed_steps);
+    outcome.failed_files = data.failed_files();
     outcome.timings.push(timing("targets and evaluation", started));
     let started = Instant::now();
     let found = judge_all(&data, &measures, &asked, &mut muting, &mut outcome);
@@ -125,18 +127,21 @@ fn settle(
     outcome: &mut Outcome,
 ) -> Result<(), Error> {
     let Asked { options, selection, scope, change } = asked;
-    let mut upkeep = Upkeep { mutes: muting.mutes(selection, scope), unknown: muting.unknown(), baseline: None };
+    let mut upkeep = Upkeep { mutes: muting.mutes(selection, scope), unknown: muting.unknown(), ..Upkeep::default() };
     if let Some(known) = known {
         let roots = data.roots.iter().map(|root| root.layer.path.as_str());
         let compared = known.compare(found, roots, selection, scope)?;
         outcome.findings = compared.kept;
         outcome.summary.suppressed += compared.hidden;
-        outcome.baseline = compared.new;
+        outcome.in_baseline = compared.hidden;
+        (outcome.baseline, outcome.taken_over) = (compared.new, compared.taken_over);
         upkeep.baseline = Some(compared.used);
     } else {
         outcome.findings = found.into_iter().map(|placed| placed.finding).collect();
     }
-    outcome.findings.extend(look_after(&upkeep, selection, muting, options));
+    // Known and muted errors hid what they hide when the baseline and the mutes were written, too.
+    upkeep.errors = outcome.has_at_least(Level::Error);
+    outcome.findings.extend(look_after(&upkeep, selection, muting, options, &mut outcome.failed_rules));
     if let Some(change) = change {
         narrow(outcome, change);
     }
@@ -240,7 +245,7 @@ fn own_path<'p>(repository: &Repository<'_>, path: &'p str) -> Option<&'p str> {
 fn finish(outcome: &mut Outcome, trees: &[&Tree], limits: &Limits) {
     outcome.roots.sort_by(|a, b| (&a.path, a.application).cmp(&(&b.path, b.application)));
     outcome.findings.sort_by(|a, b| (&a.path, a.rule, &a.key).cmp(&(&b.path, b.rule, &b.key)));
-    locate(&mut outcome.findings, trees, limits);
+    caught("places of findings", &mut outcome.failed_steps, || locate(&mut outcome.findings, trees, limits));
     let place = |finding: &Finding| (finding.location.line, finding.location.column);
     outcome.findings.sort_by(|a, b| (&a.path, place(a), a.rule, &a.key).cmp(&(&b.path, place(b), b.rule, &b.key)));
     outcome.count();

@@ -5,6 +5,7 @@
 
 use globset::{Glob, GlobMatcher};
 
+use super::catalogue::is_upkeep;
 use super::outcome::Error;
 use crate::config::{Config, ConfigFile, Selector};
 use crate::diag::{Level, nearest};
@@ -157,11 +158,6 @@ fn refuse_empty_select(config: &Config) -> Result<(), Error> {
     }
     let place = format!("`select` in {}:{}", file.path, file.line_at(&first.span));
     Err(Error::Selector { text: first.text.clone(), reason: format!("{place} {}", fits_none(&first.text)) })
-}
-
-/// Whether a rule is about mutes, settings and the baseline.
-fn is_upkeep(rule: &str) -> bool {
-    RULES.iter().any(|known| known.info.id == rule && matches!(known.check, Check::Upkeep(_)))
 }
 
 /// Whether a rule is a matter of safety.

@@ -1,62 +1,41 @@
-//! How far a rule sees from the file at which it reports, besides what that file names.
+//! How far a rule sees from the file at which it reports, besides what that file names: as it declares, or as is usual
+//! with the kind of its check.
 
-use crate::diag::{Finding, Level};
+use crate::diag::{Finding, Level, Sight};
 use crate::discover::{Kind, kind_of};
-use crate::rules::{Check, RULES};
-
-/// The files of its base mesh that a finding can come from.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Sight {
-    /// The one that it stands at.
-    File,
-    /// Those in the same folder and below.
-    Folder,
-    /// Skeletons and weights.
-    Rigs,
-    /// Skeletons and weights, and files in the same folder.
-    FolderAndRigs,
-    /// All.
-    Base,
-}
-
-/// Families that judge a file by itself, by what it names, and by the files that decide over a base mesh.
-const BY_THEMSELVES: [&str; 7] = ["file-", "json-", "macro-", "mesh-", "modelling-", "skeleton-", "weights-"];
-
-/// Rules of these families that look for files that nothing names, or for what is not there.
-const LOOKING_FURTHER: [&str; 6] = [
-    "file-unreferenced",
-    "macro-folder-missing",
-    "macro-missing-combination",
-    "macro-missing-target",
-    "macro-unreferenced-target",
-    "modelling-no-effect",
-];
-
-/// Rules that ask of a target whether something names it; files with names decide over the base mesh.
-const OF_ONE_TARGET: [&str; 3] = ["target-breaks-start", "target-oversized-delta", "target-unreferenced"];
+use crate::rules::{Check, RULES, Rule};
 
 /// How far the rule of a finding at `rel` sees.
 pub(super) fn sight(finding: &Finding, rel: &str) -> Sight {
-    let rule = finding.rule;
+    let Some(rule) = rule_of(finding) else { return Sight::Base };
     let kind = kind_of(rel).0;
-    let checks = RULES.iter().find(|known| known.info.id == rule).map(|known| &known.check);
-    match checks {
+    match (rule.info.sight, &rule.check) {
         // The archive stands for all targets beside and below it.
-        Some(Check::Layer(_) | Check::Repository(_)) if kind == Kind::TargetArchive => Sight::Folder,
-        Some(Check::Numeric(_)) if kind == Kind::Target && rule.starts_with("target-") => Sight::FolderAndRigs,
-        // Old remarks on evaluated shapes are many, and no gate hangs on them.
-        Some(Check::Numeric(_)) if finding.level == Level::Info => Sight::Rigs,
-        Some(Check::Numeric(_)) => Sight::Base,
-        _ if LOOKING_FURTHER.contains(&rule) => Sight::Base,
-        Some(Check::Layer(_) | Check::Repository(_)) => Sight::File,
-        _ if OF_ONE_TARGET.contains(&rule) => Sight::File,
-        _ if BY_THEMSELVES.iter().any(|family| rule.starts_with(family)) => own_sight(kind),
-        _ if kind == Kind::Target && rule.starts_with("target-") => Sight::Folder,
-        _ => Sight::Base,
+        (_, Check::Layer(_) | Check::Repository(_)) if kind == Kind::TargetArchive => Sight::Folder,
+        // Told of a folder, a finding has no neighbours.
+        (Some(Sight::Folder | Sight::FolderAndRigs), check) if kind == Kind::Other => usual(check, finding, kind),
+        (Some(declared), _) => declared,
+        (None, check) => usual(check, finding, kind),
     }
 }
 
-/// Skeletons and weights are judged together.
-fn own_sight(kind: Kind) -> Sight {
-    if matches!(kind, Kind::Skeleton | Kind::Weights) { Sight::Rigs } else { Sight::File }
+fn usual(check: &Check, finding: &Finding, kind: Kind) -> Sight {
+    match check {
+        Check::Layer(_) | Check::Repository(_) => Sight::File,
+        // Skeletons and weights are judged together.
+        Check::Base(_) if matches!(kind, Kind::Skeleton | Kind::Weights) => Sight::Rigs,
+        Check::Base(_) => Sight::File,
+        // Old remarks on evaluated shapes are many, and no gate hangs on them.
+        Check::Numeric(_) if finding.level == Level::Info => Sight::Rigs,
+        Check::Numeric(_) | Check::Upkeep(_) => Sight::Base,
+    }
+}
+
+/// Whether a finding is on evaluated shapes.
+pub(super) fn is_numeric(finding: &Finding) -> bool {
+    rule_of(finding).is_some_and(|rule| matches!(rule.check, Check::Numeric(_)))
+}
+
+fn rule_of(finding: &Finding) -> Option<&'static Rule> {
+    RULES.iter().find(|rule| rule.info.id == finding.rule).copied()
 }

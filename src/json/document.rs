@@ -92,7 +92,7 @@ impl Document {
     }
 }
 
-fn steps(pointer: &str) -> impl Iterator<Item = String> {
+pub(super) fn steps(pointer: &str) -> impl Iterator<Item = String> {
     let body = pointer.strip_prefix('/');
     body.into_iter().flat_map(|body| body.split('/')).map(|step| step.replace("~1", "/").replace("~0", "~"))
 }

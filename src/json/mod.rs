@@ -5,6 +5,7 @@
 
 mod document;
 mod edit;
+mod finder;
 mod naming;
 mod reader;
 mod schema;
@@ -14,5 +15,6 @@ mod unknown_key;
 
 pub use document::{Document, Duplicate, Member, Node, Value, parse};
 pub use edit::{removals, remove_elements, set_value};
+pub use finder::Finder;
 pub use reader::{Reader, SyntaxFault, SyntaxKind};
 pub use schema::{SchemaFault, SchemaFaults, UnknownKey, check, schema_names, schema_text};

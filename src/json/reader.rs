@@ -9,6 +9,9 @@ use super::naming::named_end;
 /// Deepest nesting that is read. Python gives up at about 1000; no asset needs ten.
 pub(super) const DEEPEST: u32 = 256;
 
+/// What the first side of a merge conflict begins with.
+const CONFLICT: &[u8] = b"<<<<<<< ";
+
 /// Why a text is no JSON.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SyntaxFault {
@@ -34,7 +37,11 @@ pub enum SyntaxKind {
     TrailingComma,
     /// A comment; JSON has none.
     Comment,
-    /// A string that does not end, or holds a raw control character or a bad escape.
+    /// A line that git left where it could not merge.
+    Conflict,
+    /// The file ends inside a string.
+    CutText,
+    /// A string that does not end on its line, or holds a raw control character or a bad escape.
     BadString(&'static str),
     /// The text ends inside a value.
     UnexpectedEnd(&'static str),
@@ -148,7 +155,7 @@ impl<'a> Reader<'a> {
         let rest = self.text.get(start..).unwrap_or_default();
         let plain = rest.iter().position(|byte| matches!(byte, b'"' | b'\\' | 0..=0x1f));
         let Some(length) = plain else {
-            return Err(self.fault(self.at..self.text.len(), SyntaxKind::BadString("does not end")));
+            return Err(self.fault(self.at..self.text.len(), SyntaxKind::CutText));
         };
         if rest.get(length) == Some(&b'"') {
             self.at = start + length + 1;
@@ -163,9 +170,12 @@ impl<'a> Reader<'a> {
         let mut out = Vec::new();
         loop {
             match self.text.get(self.at).copied() {
-                None => return Err(self.fault(open..self.at, SyntaxKind::BadString("does not end"))),
+                None => return Err(self.fault(open..self.at, SyntaxKind::CutText)),
                 Some(b'"') => break,
                 Some(b'\\') => self.escape(&mut out)?,
+                Some(b'\n' | b'\r') => {
+                    return Err(self.fault(open..self.at, SyntaxKind::BadString("does not end on its line")));
+                }
                 Some(0..=0x1f) => {
                     let what = SyntaxKind::BadString("holds a raw control character");
                     return Err(self.fault(self.at..self.at + 1, what));
@@ -272,7 +282,7 @@ impl<'a> Reader<'a> {
     pub fn finish(&mut self) -> Step<()> {
         match self.peek() {
             None => Ok(()),
-            Some(b'/' | b'#') => Err(self.expected("the end of the text")),
+            Some(b'/' | b'#' | b'<') => Err(self.expected("the end of the text")),
             Some(_) => Err(self.fault(self.at..self.at + 1, SyntaxKind::TrailingText)),
         }
     }
@@ -283,9 +293,14 @@ impl<'a> Reader<'a> {
         let kind = match rest {
             [] => return self.end(expected),
             [b'/', b'/' | b'*', ..] | [b'#', ..] => SyntaxKind::Comment,
+            rest if rest.starts_with(CONFLICT) => SyntaxKind::Conflict,
             _ => SyntaxKind::Expected { expected, found: next_word(rest) },
         };
-        let length = if let SyntaxKind::Expected { found, .. } = &kind { found.len() } else { 2 };
+        let length = match &kind {
+            SyntaxKind::Expected { found, .. } => found.len(),
+            SyntaxKind::Conflict => CONFLICT.len() - 1,
+            _ => 2,
+        };
         self.fault(self.at..(self.at + length).min(self.text.len()), kind)
     }
 

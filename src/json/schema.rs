@@ -78,8 +78,9 @@ impl Schema {
     }
 }
 
-static SCHEMAS: [Schema; 8] = [
+static SCHEMAS: [Schema; 9] = [
     Schema::new("base", include_str!("../../schemas/base.schema.json")),
+    Schema::new("config", include_str!("../../schemas/config.schema.json")),
     Schema::new("geometry", include_str!("../../schemas/geometry.schema.json")),
     Schema::new("macro", include_str!("../../schemas/macro.schema.json")),
     Schema::new("mhskel", include_str!("../../schemas/mhskel.schema.json")),

@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::intent::Intent;
 use super::{BoundSlider, Candidate, Content, FileFacts, Layer, Overlaid, Pattern, TargetFolder};
 use crate::discover::Kind;
 use crate::formats::base_json::BaseJson;
@@ -42,6 +43,12 @@ pub struct Base<'a> {
     pub other_targets: Option<TargetFolder<'a>>,
     /// All sliders as the application sees them.
     pub sliders: Vec<BoundSlider<'a>>,
+    /// Numbers of the sliders by key.
+    by_key: BTreeMap<&'a str, usize>,
+    /// Numbers of the sliders by what they register; of several the last.
+    by_pattern: BTreeMap<String, usize>,
+    /// What the faulty sliders were meant to be.
+    pub(super) intent: Intent<'a>,
     /// Skeletons in `rigs/<base>/` of all layers, strongest first.
     pub skeletons: Vec<&'a FileFacts>,
     /// Weights in `rigs/<base>/` of all layers, strongest first.
@@ -103,13 +110,13 @@ pub(super) fn resolve<'a>(name: &'a str, layers: Layers<'a>) -> Base<'a> {
         (system_folder, contarget.filter(TargetFolder::exists))
     };
     let opposites = base_json.and_then(|(_, model)| model).map(|model| model.opposites.as_slice());
-    let sliders = bind_sliders(&modelling, &user_modelling, opposites.unwrap_or_default());
+    let (sliders, by_key) = bind_sliders(&modelling, &user_modelling, opposites.unwrap_or_default());
     let rigs = |kind: Kind| {
         let files = [user, if is_same(user, system) { None } else { system }];
         let below = files.into_iter().flatten().flat_map(|layer| layer.below(&format!("rigs/{name}")));
         below.filter(|file| file.kind == kind).collect()
     };
-    Base {
+    let mut base = Base {
         name,
         has_system: system.is_some(),
         base_json,
@@ -123,10 +130,15 @@ pub(super) fn resolve<'a>(name: &'a str, layers: Layers<'a>) -> Base<'a> {
         user_targets: user_target.map(|layer| TargetFolder { layer, folder: "target", base: name }),
         entry_targets: user.map(|layer| TargetFolder { layer, folder: "target", base: name }),
         other_targets,
+        by_key,
+        by_pattern: by_pattern(&sliders),
+        intent: Intent::default(),
         sliders,
         skeletons: rigs(Kind::Skeleton),
         weights: rigs(Kind::Weights),
-    }
+    };
+    base.intent = Intent::of(&base);
+    base
 }
 
 fn is_same(a: Option<&Layer>, b: Option<&Layer>) -> bool {
@@ -173,12 +185,13 @@ fn model_of_categories(content: &Content) -> Option<&TargetCategories> {
     if let Content::Categories(model) = content { Some(model) } else { None }
 }
 
-/// The winner's sliders with the user's merged on top: an equal key replaces in place, others follow.
+/// The winner's sliders with the user's merged on top: an equal key replaces in place, others follow. And where each
+/// key stands.
 fn bind_sliders<'a>(
     modelling: &Overlaid<'a, Modelling>,
     user: &Candidate<'a, Modelling>,
     opposites: &[(String, String)],
-) -> Vec<BoundSlider<'a>> {
+) -> (Vec<BoundSlider<'a>>, BTreeMap<&'a str, usize>) {
     let mut sliders: Vec<BoundSlider<'a>> = Vec::new();
     let mut by_key: BTreeMap<&str, usize> = BTreeMap::new();
     for (file, model) in modelling.winner().into_iter().chain(user.accepted()) {
@@ -194,7 +207,14 @@ fn bind_sliders<'a>(
             }
         }
     }
-    sliders
+    (sliders, by_key)
+}
+
+fn by_pattern(sliders: &[BoundSlider<'_>]) -> BTreeMap<String, usize> {
+    let names = |(number, slider): (usize, &BoundSlider<'_>)| {
+        slider.pattern.names().iter().map(move |name| (name.clone(), number)).collect::<Vec<_>>()
+    };
+    sliders.iter().enumerate().flat_map(names).collect()
 }
 
 impl<'a> Base<'a> {
@@ -203,10 +223,14 @@ impl<'a> Base<'a> {
         resolve(name, Layers::new(system, user))
     }
 
+    /// The slider of a key.
+    pub fn entry(&self, key: &str) -> Option<&BoundSlider<'a>> {
+        self.sliders.get(*self.by_key.get(key)?)
+    }
+
     /// The slider registered under a pattern; of several the last.
     pub fn slider(&self, pattern: &str) -> Option<&BoundSlider<'a>> {
-        let registers = |slider: &&BoundSlider<'a>| slider.pattern.names().iter().any(|name| name == pattern);
-        self.sliders.iter().rev().find(registers)
+        self.sliders.get(*self.by_pattern.get(pattern)?)
     }
 
     /// The folder a slider's targets come from.

@@ -33,6 +33,8 @@ pub struct FileFacts {
     pub size: u64,
     /// Why its bytes could not be had.
     pub unreadable: Option<ReadFault>,
+    /// Whether a reader of ours failed on it: a bug, for which the file counts as unreadable.
+    pub failed: bool,
     /// Why it could not be unpacked.
     pub gzip_fault: Option<GzipFault>,
     /// Encoding of the text.

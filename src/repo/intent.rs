@@ -1,17 +1,72 @@
 //! What damaged and misspelt sliders were meant to be. A name that leads nowhere only because of such a slider is
 //! no finding: the slider is.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use super::{Base, BoundSlider, Pattern};
-use crate::diag::nearest;
+use crate::diag::Sought;
 use crate::formats::modelling::Modelling;
+
+/// What faulty sliders of a base hide.
+#[derive(Debug, Default)]
+pub(super) struct Intent<'a> {
+    /// Whether some slider cannot be read.
+    unreadable: bool,
+    /// Whether the icon of some slider cannot be read.
+    unreadable_icons: bool,
+    /// Targets that entries with misspelt keys were meant to use.
+    targets: BTreeSet<&'a str>,
+    /// Patterns of misspelt entries.
+    meant: BTreeSet<String>,
+    /// Folders of the barycentric sets that are too short.
+    short: BTreeSet<Option<String>>,
+    /// Numbers of the sliders with two targets that no pair of opposites covers, by `decr`.
+    undeclared: BTreeMap<&'a str, Vec<usize>>,
+    /// Targets of sliders that lack one.
+    lacking: BTreeMap<&'a str, Sought<'a>>,
+}
+
+impl<'a> Intent<'a> {
+    pub(super) fn of(base: &Base<'a>) -> Self {
+        let sliders = || base.sliders.iter();
+        let unreadable = base.models().any(|model| !model.unreadable.is_empty());
+        let has_no_icon = |bound: &BoundSlider<'_>| {
+            let slider = bound.slider;
+            slider.keys.is_empty() || slider.has("icon") && slider.icon.is_none()
+        };
+        let misspelt = sliders().filter_map(|bound| bound.slider.meant.as_deref());
+        let is_short =
+            |bound: &&BoundSlider<'_>| bound.slider.barycentric.is_some() && bound.slider.barycentric_len < 3;
+        let short = sliders().filter(is_short).flat_map(|bound| bound.pattern.names());
+        let mut undeclared: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
+        for (number, bound) in base.sliders.iter().enumerate().filter(|(_, bound)| bound.is_undeclared_pair()) {
+            undeclared.entry(bound.slider.decr.as_deref().unwrap_or_default()).or_default().push(number);
+        }
+        let lacking = sliders().filter(|slider| base.lacks_target(slider));
+        let names = lacking.flat_map(|bound| [&bound.slider.decr, &bound.slider.incr]).flatten();
+        Self {
+            unreadable: unreadable || sliders().any(|bound| bound.slider.is_incomplete()),
+            unreadable_icons: unreadable || sliders().any(has_no_icon),
+            targets: misspelt.flat_map(|slider| [&slider.incr, &slider.decr]).flatten().map(String::as_str).collect(),
+            meant: sliders().flat_map(|slider| slider.meant.names()).cloned().collect(),
+            short: short.map(|name| folder_of(name)).collect(),
+            undeclared,
+            lacking: names.map(|name| (name.as_str(), Sought::new(name))).collect(),
+        }
+    }
+}
+
+fn folder_of(pattern: &str) -> Option<String> {
+    pattern.rsplit_once('/').map(|(folder, _)| folder.to_owned())
+}
 
 impl<'a> Base<'a> {
     /// Whether a pattern is missing only because of a slider that has a finding of its own.
     pub fn explains_pattern(&self, pattern: &str) -> bool {
         self.has_unreadable_sliders()
-            || self.misses_in_barycentric(pattern)
+            || self.intent.short.contains(&folder_of(pattern))
             || self.names_undeclared_pair(pattern)
-            || self.sliders.iter().any(|slider| slider.meant.names().iter().any(|name| name == pattern))
+            || self.intent.meant.contains(pattern)
             || self.misspells_target(pattern)
     }
 
@@ -28,8 +83,7 @@ impl<'a> Base<'a> {
     /// Whether some slider cannot be read, so that nobody can tell which patterns, targets and pictures it
     /// would have used.
     pub fn has_unreadable_sliders(&self) -> bool {
-        self.models().any(|model| !model.unreadable.is_empty())
-            || self.sliders.iter().any(|slider| slider.slider.is_incomplete())
+        self.intent.unreadable
     }
 
     /// Whether an entry of this key is there and no object.
@@ -39,17 +93,12 @@ impl<'a> Base<'a> {
 
     /// Whether a picture may be unused only because some slider cannot be read.
     pub fn has_unreadable_icons(&self) -> bool {
-        let lost = |bound: &BoundSlider<'_>| {
-            let slider = bound.slider;
-            slider.keys.is_empty() || slider.has("icon") && slider.icon.is_none()
-        };
-        self.models().any(|model| !model.unreadable.is_empty()) || self.sliders.iter().any(lost)
+        self.intent.unreadable_icons
     }
 
     /// Whether an entry with a misspelt key was meant to use a target.
     pub fn means_target(&self, name: &str) -> bool {
-        let meant = self.sliders.iter().filter_map(|slider| slider.slider.meant.as_deref());
-        meant.into_iter().any(|slider| [&slider.incr, &slider.decr].into_iter().flatten().any(|own| own == name))
+        self.intent.targets.contains(name)
     }
 
     fn models(&self) -> impl Iterator<Item = &'a Modelling> + use<'a> {
@@ -57,28 +106,19 @@ impl<'a> Base<'a> {
         both.map(|(_, model)| model)
     }
 
-    /// Whether a pattern may be missing only because a barycentric set of its folder is too short.
-    fn misses_in_barycentric(&self, pattern: &str) -> bool {
-        let folder = |pattern: &str| pattern.rsplit_once('/').map(|(folder, _)| folder.to_owned());
-        self.sliders.iter().any(|bound| {
-            let short = bound.slider.barycentric.is_some() && bound.slider.barycentric_len < 3;
-            short && bound.pattern.names().iter().any(|name| folder(name) == folder(pattern))
-        })
-    }
-
     /// Whether a pattern is missing only because `target-opposites` does not declare its pair.
     fn names_undeclared_pair(&self, pattern: &str) -> bool {
-        self.sliders.iter().any(|slider| slider.would_register(pattern))
+        let path = |pattern: &str| pattern.split_once('|').map_or(String::new(), |(path, _)| path.to_owned());
+        let paths = [path(pattern), path(pattern.strip_prefix("custom/").unwrap_or_default())];
+        let numbers = paths.iter().filter_map(|path| self.intent.undeclared.get(path.as_str())).flatten();
+        numbers.filter_map(|number| self.sliders.get(*number)).any(|slider| slider.would_register(pattern))
     }
 
     /// Whether a slider that names a target which is not there has nearly this pattern.
     fn misspells_target(&self, pattern: &str) -> bool {
-        let strip = |text: &str| text.split('|').next().unwrap_or_default().to_owned();
-        let wanted = strip(pattern);
-        self.sliders.iter().filter(|slider| self.lacks_target(slider)).any(|slider| {
-            let own = [&slider.slider.decr, &slider.slider.incr].into_iter().flatten();
-            own.into_iter().any(|own| *own == wanted || nearest(own, [wanted.as_str()]).is_some())
-        })
+        let wanted = pattern.split('|').next().unwrap_or_default();
+        let lacking = &self.intent.lacking;
+        lacking.contains_key(wanted) || lacking.values().any(|own| own.may_mean(wanted))
     }
 
     /// Whether a target of a slider is not where the application looks for it.

@@ -2,8 +2,8 @@
 
 use std::io::{self, Write};
 
+use super::phrase::colons;
 use super::{View, count, printable};
-use crate::diag::Location;
 use crate::engine::Outcome;
 
 /// Writes the findings, then a line of counts unless quiet.
@@ -13,7 +13,7 @@ pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> 
             out,
             "{}{}: {}[{}] {}",
             printable(&finding.path),
-            place(&finding.location),
+            colons(&finding.location),
             finding.level,
             finding.rule,
             printable(&finding.message)
@@ -32,12 +32,4 @@ pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> 
         )?;
     }
     Ok(())
-}
-
-fn place(location: &Location) -> String {
-    match (location.line, location.column) {
-        (Some(line), Some(column)) => format!(":{line}:{column}"),
-        (Some(line), None) => format!(":{line}"),
-        _ => String::new(),
-    }
 }

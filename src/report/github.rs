@@ -31,8 +31,7 @@ pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> 
     if view.quiet {
         return Ok(());
     }
-    let summary = &outcome.summary;
-    writeln!(out, "{} in {}", verdict::tally(summary), verdict::files(summary))?;
+    writeln!(out, "{} in {}", verdict::tally(outcome), verdict::files(&outcome.summary))?;
     writeln!(out, "{}", verdict::words(outcome, view))
 }
 

@@ -41,7 +41,7 @@ fn fails(finding: &Finding, view: &View<'_>) -> bool {
 
 fn write_run<W: Write>(outcome: &Outcome, view: &View<'_>, run_fails: bool, writer: &mut Writer<W>) -> io::Result<()> {
     let words = printable(&verdict::words(outcome, view));
-    let mut said = vec![format!("{} in {}", verdict::tally(&outcome.summary), verdict::files(&outcome.summary))];
+    let mut said = vec![format!("{} in {}", verdict::tally(outcome), verdict::files(&outcome.summary))];
     said.extend(verdict::roots(outcome));
     said.extend(outcome.notes.iter().map(|note| format!("note: {note}")));
     let said: Vec<String> = said.iter().map(|line| printable(line)).collect();

@@ -61,11 +61,13 @@ fn fitting(blocks: &[String], room: usize) -> usize {
 
 fn head(outcome: &Outcome, view: &View<'_>) -> String {
     let summary = &outcome.summary;
-    let muted = if summary.suppressed > 0 { format!(" {} |", summary.suppressed) } else { String::new() };
-    let [title, rule] = if muted.is_empty() { ["", ""] } else { [" muted |", "---:|"] };
+    let hidden = verdict::hidden(outcome);
+    let title: String = hidden.clone().map(|(_, what)| format!(" {what} |")).collect();
+    let rule: String = hidden.clone().map(|_| "---:|").collect();
+    let hidden: String = hidden.map(|(number, _)| format!(" {number} |")).collect();
     let table = format!(
         "## mhlint: {}\n\n{}\n\n| errors | warnings | infos |{title} files |\n|---:|---:|---:|{rule}---:|\n\
-        | {} | {} | {} |{muted} {} |\n",
+        | {} | {} | {} |{hidden} {} |\n",
         if view.pass { "passed" } else { "failed" },
         inline(&verdict::words(outcome, view)),
         summary.error,

@@ -1,7 +1,7 @@
 //! Findings in words that every format for people uses: places, evidence, and the whole as lines of plain text.
 
 use super::{count, printable};
-use crate::diag::{Confidence, Evidence, Finding, FixKind, Location};
+use crate::diag::{Confidence, Evidence, Finding, Fix, FixKind, Location};
 
 /// Related places that a text names; formats with room for more have their own bound.
 pub(super) const RELATED: usize = 5;
@@ -32,13 +32,18 @@ pub(super) fn lines(finding: &Finding) -> Vec<Line> {
         lines.push(line("help", help));
     }
     if let Some(fix) = &finding.fix {
-        let option = if fix.kind == FixKind::Safe { "`--fix`" } else { "`--fix --unsafe-fixes`" };
-        lines.push(line("fix", &format!("{option} mends it: {}", fix.title)));
+        lines.push(line("fix", &mends(fix)));
     }
     if let Some(because) = &finding.because {
         lines.push(line("shown because", because));
     }
     lines
+}
+
+/// Which option mends it, and how.
+pub(super) fn mends(fix: &Fix) -> String {
+    let option = if fix.kind == FixKind::Safe { "`--fix`" } else { "`--fix --unsafe-fixes`" };
+    format!("{option} mends it: {}", fix.title)
 }
 
 /// Message and lines as plain text, each on its own line.

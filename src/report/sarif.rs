@@ -34,7 +34,7 @@ pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> 
                 "rules": rules.iter().map(|rule| descriptor(rule)).collect::<Vec<_>>(),
             }},
             "invocations": [{
-                "executionSuccessful": outcome.failed_rules.is_empty(),
+                "executionSuccessful": outcome.is_whole(),
                 "toolExecutionNotifications": notifications(outcome, findings.len()),
             }],
             "columnKind": "unicodeCodePoints",
@@ -174,8 +174,15 @@ fn notifications(outcome: &Outcome, shown: usize) -> Vec<Value> {
     if left > 0 {
         notes.push(note(format!("{left} findings are left out: code scanning accepts {RESULTS}"), "warning"));
     }
-    let failed = outcome.failed_rules.iter();
-    notes.extend(failed.map(|rule| note(format!("the rule {} failed, a bug of mhlint", text(rule)), "error")));
+    let failed = [
+        ("the rule", &outcome.failed_rules),
+        ("the reader of", &outcome.failed_files),
+        ("the step", &outcome.failed_steps),
+    ];
+    for (what, names) in failed {
+        let said = |name: &String| format!("{what} {} failed, a bug of mhlint", text(&printable(name)));
+        notes.extend(names.iter().map(|name| note(said(name), "error")));
+    }
     notes
 }
 
@@ -211,6 +218,21 @@ mod tests {
     use crate::diag::{Excerpt, Place};
 
     const RULE: RuleInfo = RuleInfo::new("a-rule", Level::Info, "a fault");
+
+    #[test]
+    fn a_run_that_misses_a_file_was_not_successful() {
+        let invocation = |outcome: &Outcome| {
+            let mut text = Vec::new();
+            write(outcome, &View::PLAIN, &mut text).unwrap();
+            let log: Value = serde_json::from_slice(&text).unwrap();
+            log["runs"][0]["invocations"][0].clone()
+        };
+        assert_eq!(invocation(&Outcome::default())["executionSuccessful"], true);
+        let missing = invocation(&Outcome { failed_files: vec!["a.target".to_owned()], ..Outcome::default() });
+        assert_eq!(missing["executionSuccessful"], false);
+        let said = &missing["toolExecutionNotifications"][0];
+        assert_eq!(said["message"]["text"], "the reader of a.target failed, a bug of mhlint");
+    }
 
     #[test]
     fn paths_become_uris() {

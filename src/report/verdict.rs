@@ -1,24 +1,36 @@
 //! The last lines: what was looked at, and one sentence that says how it ended.
 
-use super::{Paint, View, count, hang, printable};
+use super::{Paint, View, count, hang, phrase, printable};
 use crate::diag::{Application, Finding, Level};
-use crate::engine::{Outcome, Summary};
+use crate::engine::{Outcome, Summary, is_upkeep};
 
 /// What was judged, and how many findings of each level there are.
 pub(super) fn counts(outcome: &Outcome, view: &View<'_>) -> String {
-    let line = format!("{} in {} of {}", tally(&outcome.summary), files(&outcome.summary), roots(outcome).join(", "));
+    let line = format!("{} in {} of {}", tally(outcome), files(&outcome.summary), roots(outcome).join(", "));
     hang("", &printable(&line), view.width)
 }
 
-/// `1 error, 0 warnings, 0 infos`, and what was muted.
-pub(super) fn tally(summary: &Summary) -> String {
-    let muted = if summary.suppressed > 0 { format!(", {} muted", summary.suppressed) } else { String::new() };
-    format!(
-        "{}, {}, {}{muted}",
-        count(summary.error, "error"),
-        count(summary.warning, "warning"),
-        count(summary.info, "info")
-    )
+/// `1 error, 0 warnings, 0 infos`, and what is hidden.
+pub(super) fn tally(outcome: &Outcome) -> String {
+    let summary = &outcome.summary;
+    let found = [(summary.error, "error"), (summary.warning, "warning"), (summary.info, "info")];
+    let found = found.map(|(number, noun)| count(number, noun));
+    let hidden = hidden(outcome).map(|(number, what)| format!("{number} {what}"));
+    found.into_iter().chain(hidden).collect::<Vec<_>>().join(", ")
+}
+
+/// How many findings are hidden, and by what.
+pub(super) fn hidden(outcome: &Outcome) -> impl Iterator<Item = (usize, &'static str)> + Clone {
+    let known = outcome.in_baseline;
+    let all = [(known, "in the baseline"), (outcome.summary.suppressed.saturating_sub(known), "muted")];
+    all.into_iter().filter(|(number, _)| *number > 0)
+}
+
+/// `29 findings in the baseline and 1 finding muted`.
+fn beside(outcome: &Outcome) -> String {
+    let parts: Vec<String> =
+        hidden(outcome).map(|(number, what)| format!("{} {what}", count(number, "finding"))).collect();
+    parts.join(" and ")
 }
 
 /// `86 files (344.3 kB)`.
@@ -48,10 +60,25 @@ pub(super) fn sentence(outcome: &Outcome, view: &View<'_>) -> String {
     }
 }
 
+/// Where the first errors are, for who reads only the end of a long report.
+pub(super) fn first_errors(outcome: &Outcome) -> Vec<String> {
+    const NAMED: usize = 3;
+    if outcome.findings.len() <= NAMED {
+        return Vec::new();
+    }
+    let errors = || outcome.findings.iter().filter(|finding| finding.level == Level::Error);
+    let place = |finding: &Finding| format!("{}{}", phrase::path(&finding.path), phrase::colons(&finding.location));
+    let mut lines: Vec<String> =
+        errors().take(NAMED).map(|finding| format!("{}: {}", place(finding), finding.rule)).collect();
+    let left = errors().count().saturating_sub(NAMED);
+    lines.extend((left > 0).then(|| format!("and {}", count(left, "more error"))));
+    lines
+}
+
 /// The verdict without colour or line breaks.
 pub(super) fn words(outcome: &Outcome, view: &View<'_>) -> String {
     let summary = &outcome.summary;
-    if !outcome.failed_rules.is_empty() {
+    if !outcome.is_whole() {
         return "No verdict: mhlint itself failed on these data.".to_owned();
     }
     if !outcome.judged_anything() {
@@ -61,7 +88,7 @@ pub(super) fn words(outcome: &Outcome, view: &View<'_>) -> String {
         return "Nothing found that the change can affect; what else there is was left out.".to_owned();
     }
     if outcome.findings.is_empty() && summary.suppressed > 0 {
-        return format!("Nothing found beside what is muted: {}.", count(summary.suppressed, "finding"));
+        return format!("Nothing found beside {}.", beside(outcome));
     }
     if outcome.findings.is_empty() {
         let who = applications(outcome, &[]);
@@ -79,12 +106,13 @@ pub(super) fn words(outcome: &Outcome, view: &View<'_>) -> String {
 
 /// What the gravest findings on assets mean. Those on the settings of mhlint concern no application.
 fn harm(outcome: &Outcome) -> String {
-    let (settings, assets): (Vec<&Finding>, Vec<&Finding>) = outcome.findings.iter().partition(|one| is_setting(one));
+    let (settings, assets): (Vec<&Finding>, Vec<&Finding>) =
+        outcome.findings.iter().partition(|one| is_upkeep(one.rule));
     let Some(worst) = assets.iter().map(|finding| finding.level).max() else {
         let found = about_settings(&settings);
         return match (outcome.left_out, outcome.summary.suppressed) {
             (0, 0) => format!("{found}; nothing found in the data."),
-            (0, _) => format!("{found}; nothing found in the data beside what is muted."),
+            (0, _) => format!("{found}; nothing found in the data beside {}.", beside(outcome)),
             _ => format!("{found}; nothing found in the data that the change can affect."),
         };
     };
@@ -105,11 +133,6 @@ fn about_settings(findings: &[&Finding]) -> String {
     let worst = findings.iter().map(|finding| finding.level).max().unwrap_or(Level::Info);
     let number = findings.iter().filter(|finding| finding.level == worst).count();
     format!("{} about the settings of mhlint", count(number, worst.word()))
-}
-
-/// Whether a finding is about mutes, settings or the baseline.
-fn is_setting(finding: &Finding) -> bool {
-    ["config-", "baseline-"].iter().any(|family| finding.rule.starts_with(family))
 }
 
 fn too_many(outcome: &Outcome, view: &View<'_>) -> String {

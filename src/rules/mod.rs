@@ -3,6 +3,7 @@
 //! A rule reads facts and says what would happen. It reads no files, knows no report and no other rule.
 
 mod archive;
+mod archived;
 mod base;
 mod config;
 mod file;

@@ -18,77 +18,112 @@ pub struct Position {
     pub column: u32,
 }
 
-/// Position of a byte offset. Offsets beyond the end give the end.
-pub fn position(bytes: &[u8], offset: usize) -> Position {
-    let offset = offset.min(bytes.len());
-    let (line, start) = line_of(bytes, offset);
-    let column = String::from_utf8_lossy(bytes.get(start..offset).unwrap_or_default()).chars().count();
-    Position { line, column: u32::try_from(column).unwrap_or(u32::MAX - 1) + 1 }
+/// Bytes between two places up to which the characters are counted once for all.
+const COUNTED_STEP: usize = 4096;
+
+/// Where the lines of a text begin, found once for any number of questions.
+pub struct Lines<'t> {
+    bytes: &'t [u8],
+    /// First byte of each line.
+    starts: Vec<usize>,
+    /// Bytes and the number of characters up to there, in steps: a line may be as long as the text.
+    counted: Vec<(usize, usize)>,
 }
 
-/// Byte range of a line (from 1) without its line end.
-pub fn line_span(bytes: &[u8], line: u32) -> Option<Range<usize>> {
-    let mut start = 0;
-    let mut number = 1;
-    while number < line {
-        start = next_line(bytes, start)?;
-        number += 1;
+impl<'t> Lines<'t> {
+    /// The lines of a text.
+    pub fn of(bytes: &'t [u8]) -> Self {
+        let starts = std::iter::successors(Some(0), |start| next_line(bytes, *start)).collect();
+        Self { bytes, starts, counted: counted(bytes) }
     }
-    Some(start..end_of_line(bytes, start))
-}
 
-/// The marked range with one line of context before and after, if it is fit to be quoted.
-pub fn excerpt(bytes: &[u8], mark: Range<usize>) -> Option<Excerpt> {
-    let start = mark.start.min(bytes.len());
-    let (line, line_start) = line_of(bytes, start);
-    let line_end = end_of_line(bytes, start);
-    let previous = line.checked_sub(2).and_then(|_| previous_line(bytes, line_start));
-    let first = previous.unwrap_or(line_start);
-    let last = next_line(bytes, start).map_or(line_end, |next| end_of_line(bytes, next));
-    if last - first > 3 * LONGEST_QUOTED_LINE || line_end - line_start > LONGEST_QUOTED_LINE {
-        return None;
+    /// Position of a byte offset. Offsets beyond the end give the end.
+    pub fn position(&self, offset: usize) -> Position {
+        let offset = offset.min(self.bytes.len());
+        let line = self.line_of(offset);
+        let column = self.characters(offset) - self.characters(self.start(line));
+        let number = |count: usize| u32::try_from(count).unwrap_or(u32::MAX - 1) + 1;
+        Position { line: number(line), column: number(column) }
     }
-    let text = std::str::from_utf8(bytes.get(first..last)?).ok()?;
-    let mark_end = mark.end.clamp(start, line_end);
-    Some(Excerpt {
-        text: text.to_owned(),
-        first_line: if previous.is_some() { line - 1 } else { line },
-        mark: start - first..mark_end - first,
-    })
-}
 
-fn line_of(bytes: &[u8], offset: usize) -> (u32, usize) {
-    let mut line = 1;
-    let mut start = 0;
-    while let Some(next) = next_line(bytes, start) {
-        if next > offset {
-            break;
+    /// Byte range of a line (from 1) without its line end.
+    pub fn span(&self, line: u32) -> Option<Range<usize>> {
+        let line = usize::try_from(line.saturating_sub(1)).ok()?;
+        let start = *self.starts.get(line)?;
+        Some(start..self.end(line))
+    }
+
+    /// The marked range with one line of context before and after, if it is fit to be quoted.
+    pub fn excerpt(&self, mark: Range<usize>) -> Option<Excerpt> {
+        let start = mark.start.min(self.bytes.len());
+        let line = self.line_of(start);
+        // A mark may begin within a line end.
+        let line_end = self.end(line).max(start);
+        let first_line = line.saturating_sub(1);
+        let first = self.start(first_line);
+        let last = if line + 1 < self.starts.len() { self.end(line + 1) } else { line_end };
+        if last - first > 3 * LONGEST_QUOTED_LINE || line_end - self.start(line) > LONGEST_QUOTED_LINE {
+            return None;
         }
-        start = next;
-        line += 1;
+        let text = std::str::from_utf8(self.bytes.get(first..last)?).ok()?;
+        let mark_end = mark.end.clamp(start, line_end);
+        Some(Excerpt {
+            text: text.to_owned(),
+            first_line: u32::try_from(first_line).ok()? + 1,
+            mark: start - first..mark_end - first,
+        })
     }
-    (line, start)
+
+    /// The line that an offset lies in, from 0.
+    fn line_of(&self, offset: usize) -> usize {
+        self.starts.partition_point(|start| *start <= offset).saturating_sub(1)
+    }
+
+    fn start(&self, line: usize) -> usize {
+        self.starts.get(line).copied().unwrap_or(self.bytes.len())
+    }
+
+    /// Where the line end of a line begins.
+    fn end(&self, line: usize) -> usize {
+        let Some(next) = self.starts.get(line + 1) else { return self.bytes.len() };
+        let upto = self.bytes.get(self.start(line)..*next).unwrap_or_default();
+        next - if upto.ends_with(b"\r\n") { 2 } else { 1 }
+    }
+
+    /// Characters before an offset.
+    fn characters(&self, offset: usize) -> usize {
+        let step = self.counted.partition_point(|(at, _)| *at <= offset).checked_sub(1);
+        let (at, before) = step.and_then(|step| self.counted.get(step)).copied().unwrap_or_default();
+        before + String::from_utf8_lossy(self.bytes.get(at..offset).unwrap_or_default()).chars().count()
+    }
 }
 
-fn end_of_line(bytes: &[u8], from: usize) -> usize {
-    let rest = bytes.get(from..).unwrap_or_default();
-    rest.iter().position(|byte| matches!(byte, b'\n' | b'\r')).map_or(bytes.len(), |length| from + length)
+/// Characters up to some places, all of them at the beginning of a character.
+fn counted(bytes: &[u8]) -> Vec<(usize, usize)> {
+    let mut counted = vec![(0, 0)];
+    let (mut at, mut characters, mut next) = (0, 0, COUNTED_STEP);
+    for chunk in bytes.utf8_chunks() {
+        for character in chunk.valid().chars() {
+            at += character.len_utf8();
+            characters += 1;
+            if at >= next {
+                counted.push((at, characters));
+                next = at + COUNTED_STEP;
+            }
+        }
+        at += chunk.invalid().len();
+        characters += usize::from(!chunk.invalid().is_empty());
+    }
+    counted
 }
 
 fn next_line(bytes: &[u8], from: usize) -> Option<usize> {
-    let end = end_of_line(bytes, from);
+    let rest = bytes.get(from..)?;
+    let end = from + rest.iter().position(|byte| matches!(byte, b'\n' | b'\r'))?;
     match (bytes.get(end)?, bytes.get(end + 1)) {
         (b'\r', Some(b'\n')) => Some(end + 2),
         _ => Some(end + 1),
     }
-}
-
-fn previous_line(bytes: &[u8], line_start: usize) -> Option<usize> {
-    let before = bytes.get(..line_start)?;
-    let body =
-        before.strip_suffix(b"\r\n").or_else(|| before.strip_suffix(b"\n")).or_else(|| before.strip_suffix(b"\r"))?;
-    let start = body.iter().rposition(|byte| matches!(byte, b'\n' | b'\r'));
-    Some(start.map_or(0, |at| at + 1))
 }
 
 #[cfg(test)]
@@ -99,25 +134,39 @@ mod tests {
     fn all_line_ends_count_once() {
         let text = b"a\nb\r\nc\rd";
         let at = |offset| {
-            let Position { line, column } = position(text, offset);
+            let Position { line, column } = Lines::of(text).position(offset);
             (line, column)
         };
         assert_eq!((at(0), at(2), at(5), at(7), at(99)), ((1, 1), (2, 1), (3, 1), (4, 1), (4, 2)));
-        assert_eq!(line_span(text, 2), Some(2..3));
-        assert_eq!(line_span(text, 4), Some(7..8));
-        assert_eq!(line_span(text, 5), None);
+        assert_eq!(Lines::of(text).span(2), Some(2..3));
+        assert_eq!(Lines::of(text).span(4), Some(7..8));
+        assert_eq!(Lines::of(text).span(5), None);
     }
 
     #[test]
     fn excerpt_has_one_line_around() {
-        let found = excerpt(b"one\ntwo\nthree\nfour\n", 4..7).unwrap();
+        let found = Lines::of(b"one\ntwo\nthree\nfour\n").excerpt(4..7).unwrap();
         assert_eq!((found.text.as_str(), found.first_line), ("one\ntwo\nthree", 1));
         assert_eq!(found.mark, 4..7);
     }
 
     #[test]
     fn columns_are_characters() {
-        assert_eq!(position("äb".as_bytes(), 2), Position { line: 1, column: 2 });
+        assert_eq!(Lines::of("äb".as_bytes()).position(2), Position { line: 1, column: 2 });
+    }
+
+    #[test]
+    fn characters_are_counted_alike_far_into_a_line() {
+        // Whole letters and bytes that are none, in a line longer than a step and after one.
+        let line: Vec<u8> = b"a\xc3\xa4\xff\xe2\x82".iter().copied().cycle().take(3 * COUNTED_STEP).collect();
+        let text = [b"x\n".as_slice(), &line, b"\n", &line].concat();
+        let lines = Lines::of(&text);
+        for start in [2, line.len() + 3] {
+            for length in [0, 1, COUNTED_STEP - 1, COUNTED_STEP, 2 * COUNTED_STEP + 3, line.len()] {
+                let column = String::from_utf8_lossy(&text[start..start + length]).chars().count() + 1;
+                assert_eq!(lines.position(start + length).column as usize, column, "{start} {length}");
+            }
+        }
     }
 
     proptest::proptest! {
@@ -127,13 +176,14 @@ mod tests {
             offset in 0_usize..70,
             length in 0_usize..20,
         ) {
-            let Position { line, column } = position(&bytes, offset);
-            let span = line_span(&bytes, line).unwrap();
+            let lines = Lines::of(&bytes);
+            let Position { line, column } = lines.position(offset);
+            let span = lines.span(line).unwrap();
             let offset = offset.min(bytes.len());
             // An offset between the two bytes of a line end belongs to the line before it.
             proptest::prop_assert!(span.start <= offset && offset <= span.end + 1);
             proptest::prop_assert!(column as usize <= offset - span.start + 1);
-            if let Some(found) = excerpt(&bytes, offset..offset + length) {
+            if let Some(found) = lines.excerpt(offset..offset + length) {
                 proptest::prop_assert!(found.mark.start <= found.mark.end && found.mark.end <= found.text.len());
                 proptest::prop_assert!(found.first_line == line || found.first_line + 1 == line);
             }

@@ -6,8 +6,8 @@ use super::error::Error;
 use crate::eval::vector::Point;
 use crate::formats::json_file::{self, JsonFault};
 use crate::formats::obj;
-use crate::json::{Document, SyntaxFault, SyntaxKind};
-use crate::source::{Encoding, Limits, ReadFault, position, read_file};
+use crate::json::{Document, SyntaxFault};
+use crate::source::{Encoding, Limits, Lines, ReadFault, read_file};
 
 /// The bytes of a file.
 ///
@@ -61,17 +61,8 @@ pub(super) fn json_cause(fault: &JsonFault, bytes: &[u8]) -> String {
 }
 
 fn syntax_cause(fault: &SyntaxFault, bytes: &[u8]) -> String {
-    let line = position(bytes, fault.span.start).line;
-    let what = match &fault.kind {
-        SyntaxKind::Expected { expected, found } => format!("{expected} is wanted, {found} found"),
-        SyntaxKind::TrailingComma => "a comma before a closing bracket".to_owned(),
-        SyntaxKind::Comment => "a comment; JSON has none".to_owned(),
-        SyntaxKind::BadString(what) => format!("a string with {what}"),
-        SyntaxKind::UnexpectedEnd(what) => format!("the text ends inside {what}"),
-        SyntaxKind::TrailingText => "text behind the end".to_owned(),
-        SyntaxKind::TooDeep => "nested too deep".to_owned(),
-    };
-    format!("no JSON, line {line}: {what}")
+    let line = Lines::of(bytes).position(fault.span.start).line;
+    format!("no JSON, line {line}: {fault}")
 }
 
 /// An OBJ text whose `v` lines hold other positions, one each; every other line is kept as it is.

@@ -4,7 +4,7 @@ use maud::{Markup, html};
 
 use super::inline;
 use crate::diag::{Finding, Location, Related};
-use crate::report::phrase::{self, bare_place, colons, doubt, evidence_line};
+use crate::report::phrase::{self, bare_place, colons, doubt, evidence_line, mends};
 use crate::report::printable;
 use crate::report::snippet::snippet;
 
@@ -35,6 +35,12 @@ pub(super) fn article(finding: &Finding, id: &str, open: bool) -> Markup {
                     }
                     @if let Some(help) = &finding.help {
                         div .help { dt { "What to do" } dd { (inline(&printable(help))) } }
+                    }
+                    @if let Some(fix) = &finding.fix {
+                        div .help { dt { "Fix" } dd { (inline(&printable(&mends(fix)))) } }
+                    }
+                    @if let Some(because) = &finding.because {
+                        div { dt { "Shown because" } dd { (inline(&printable(because))) } }
                     }
                     (evidence(finding))
                     (related(&finding.related))

@@ -39,7 +39,7 @@ pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> 
                 meta http-equiv="Content-Security-Policy" content=(POLICY);
                 meta name="viewport" content="width=device-width, initial-scale=1";
                 meta name="color-scheme" content="light dark";
-                title { "mhlint: " (if view.pass { "passed" } else { "failed" }) ", " (verdict::tally(&outcome.summary)) }
+                title { "mhlint: " (if view.pass { "passed" } else { "failed" }) ", " (verdict::tally(outcome)) }
                 link rel="icon" href="data:,";
                 style { (PreEscaped(STYLE)) }
             }
@@ -86,7 +86,7 @@ fn top(outcome: &Outcome, view: &View<'_>) -> Markup {
             }
             p .root {
                 (verdict::files(summary))
-                @if summary.suppressed > 0 { ", " (count(summary.suppressed, "finding")) " muted" }
+                @for (number, what) in verdict::hidden(outcome) { ", " (count(number, "finding")) " " (what) }
             }
             @if !outcome.notes.is_empty() {
                 section .notes aria-label="Not judged" {

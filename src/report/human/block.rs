@@ -10,6 +10,7 @@ use miette::{
     Diagnostic, GraphicalReportHandler, GraphicalTheme, LabeledSpan, MietteError, MietteSpanContents, Severity,
     SourceCode, SourceSpan, SpanContents, ThemeCharacters, ThemeStyles,
 };
+use textwrap::{WordSeparator, WordSplitter};
 
 use crate::diag::{Break, Finding, Level, Location};
 use crate::report::phrase::{bare_place, doubt, lines};
@@ -59,6 +60,9 @@ fn handler(finding: &Finding, view: &View<'_>) -> GraphicalReportHandler {
         .with_width(view.width)
         .with_links(false)
         .with_break_words(false)
+        // Names of files stay whole, hyphens and all.
+        .with_word_separator(WordSeparator::AsciiSpace)
+        .with_word_splitter(WordSplitter::NoHyphenation)
         .without_syntax_highlighting()
 }
 

@@ -25,7 +25,9 @@ pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> 
         write_notes(&outcome.notes, view, out)?;
         writeln!(out, "{}", verdict::counts(outcome, view))?;
     }
-    writeln!(out, "{}", verdict::sentence(outcome, view))
+    writeln!(out, "{}", verdict::sentence(outcome, view))?;
+    let errors = verdict::first_errors(outcome);
+    errors.iter().try_for_each(|line| writeln!(out, "{}", hang("  ", line, view.width)))
 }
 
 fn write_heading(file: &[&Finding], outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> io::Result<()> {

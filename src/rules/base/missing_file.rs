@@ -2,11 +2,12 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::absent_keys;
-use crate::diag::{Application, Finding, Level, RuleInfo, nearest};
+use crate::diag::{Application, Finding, Level, RuleInfo, Sight, nearest};
 use crate::repo::{Base, FileFacts, Layer, Reference, ReferenceKind, Repository, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
+        sight: Some(Sight::Base),
         breaks: &[(Application::Makehuman2, "stops with a traceback when the base is loaded")],
         docs: "A base mesh consists of `base/<base>/base.json` and `base.obj` (or `base.mhbin`) beside it; `base.json` names a start model (`mhm`) in \
             the same folder and a skeleton (`pose-skeleton`) in `rigs/<base>/`.\n\nWithout `base.json`, without the mesh, or with a start model \

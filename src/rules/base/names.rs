@@ -40,7 +40,7 @@ impl Names<'_, '_> {
         let message = format!("no slider has the pattern `{pattern}`");
         let near = nearest(pattern, patterns);
         let mut unknown = Unknown::new(pattern, message, near, "name the pattern of a slider, or remove the line");
-        let of_key = self.base.sliders.iter().find(|slider| slider.slider.key == pattern);
+        let of_key = self.base.entry(pattern);
         if let Some(own) = of_key.and_then(|slider| slider.pattern.names().first()) {
             unknown.help = format!("this is the key of an entry; write its pattern `{own}`");
         }
@@ -65,7 +65,7 @@ impl Names<'_, '_> {
         if self.base.has_unreadable_entry(key) {
             return None;
         }
-        if self.base.sliders.iter().any(|slider| slider.slider.key == key) {
+        if self.base.entry(key).is_some() {
             return None;
         }
         let keys = self.base.sliders.iter().map(|slider| slider.slider.key.as_str());

@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use super::has_sliders;
 use super::names::{Names, Unknown};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo, Sight};
 use crate::formats::base_json::{BaseJson, Random};
 use crate::repo::{Base, FileFacts, Repository};
 
@@ -12,6 +12,7 @@ const NO_MEASURE: &str = "none";
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
+        sight: Some(Sight::Base),
         breaks: &[(Application::Makehuman2, "ignores the name; what it was for has no effect")],
         docs: "`modifier-presets` and `measure` name sliders by their pattern, `random.gender`, `random.ideal` and `random.rules` by their key, \
             `random.groups` and `head-pattern` name groups of sliders.\n\nA name that does not exist is ignored, mostly without a message; a rule of \

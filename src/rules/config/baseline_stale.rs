@@ -1,5 +1,6 @@
 //! Entries of the baseline that no longer occur.
 
+use super::MEND_FIRST;
 use crate::diag::{Evidence, Finding, Level, Place, RuleInfo, Upkeep};
 use crate::rules::{Check, Rule, RuleCx};
 
@@ -8,7 +9,9 @@ pub(in crate::rules) static RULE: Rule = Rule {
         docs: "The baseline holds findings that were not found again: they are mended. As long as they are in it \
                they would be hidden if they came back.\n\nRun again with `--write-baseline`: that prunes them, and \
                keeps what this run could not look at (with another PATH, `--only` and the like). If no entry at all \
-               is found again the file probably belongs to another repository.",
+               is found again the file probably belongs to another repository.\n\nWhere errors are found beside those of \
+               the baseline, mend them first: a file that cannot be read hides what else was found in it and in what \
+               it names, and all of that is new again once the file is restored.",
         ..RuleInfo::new("baseline-stale", Level::Info, "entries of the baseline that no longer occur")
     },
     check: Check::Upkeep(run),
@@ -18,6 +21,9 @@ fn run(upkeep: &Upkeep, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(baseline) = upkeep.baseline.as_ref().filter(|baseline| !baseline.stale.is_empty()) else { return };
     let (stale, judged) = (baseline.stale.len(), baseline.judged);
     let (message, help) = match (stale, judged) {
+        (stale, judged) if upkeep.errors => {
+            (format!("{stale} of {judged} entries of the baseline were not found again"), MEND_FIRST)
+        }
         (1, 1) => ("the only entry of the baseline no longer occurs".to_owned(), PRUNE),
         (stale, judged) if stale == judged => (
             format!("none of the {judged} entries of the baseline occurs: is it that of another repository?"),

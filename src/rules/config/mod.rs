@@ -9,6 +9,9 @@ pub(super) mod unused_ignore;
 use super::Rule;
 use crate::diag::{Finding, Mute};
 
+/// What to do about something that is not found any more, while there are errors.
+const MEND_FIRST: &str = "mend the errors first: what they hide may still be there";
+
 /// A finding of `rule` on a mute.
 fn on(rule: &Rule, mute: &Mute, message: String) -> Finding {
     let covers = mute.covers.as_deref().unwrap_or_default();

@@ -1,6 +1,6 @@
 //! A mute without effect.
 
-use super::{on, where_of};
+use super::{MEND_FIRST, on, where_of};
 use crate::diag::{Finding, Level, MuteState, RuleInfo, Upkeep};
 use crate::rules::{Check, Rule, RuleCx};
 
@@ -10,7 +10,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
                nothing: the fault is mended, the file is gone, or the rule is off. Left where it is, it will hide \
                the next fault of the kind without a word.\n\nRemove it. It is reported only where the run looked at \
                everything that the mute is for: not with `--only`, `--skip` or `--base`, and not when PATH is \
-               narrower than the mute. A rule that is a matter of safety cannot be muted, so a mute for it has no \
+               narrower than the mute. Where errors are found, mend them first: a file that \
+               cannot be read hides what else was found in it. A rule that is a matter of safety cannot be muted, so a mute for it has no \
                effect either.",
         ..RuleInfo::new("config-unused-ignore", Level::Warning, "a mute that hides nothing")
     },
@@ -22,7 +23,7 @@ fn run(upkeep: &Upkeep, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let (message, help) = match mute.state {
             MuteState::Unused => (
                 format!("the mute of `{}` hides nothing: nothing of the kind is found{}", mute.rule, where_of(mute)),
-                "remove the mute",
+                if upkeep.errors { MEND_FIRST } else { "remove the mute" },
             ),
             MuteState::Unmutable => (
                 format!("`{}` is a matter of safety and cannot be muted; the mute has no effect", mute.rule),

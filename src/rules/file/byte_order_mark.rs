@@ -1,6 +1,6 @@
 //! A byte order mark becomes part of the first word.
 
-use super::super::target::archived::when_read;
+use super::super::archived::when_read;
 use super::super::{Check, Rule, RuleCx};
 use super::loader::{is_met, is_override, refused_json};
 use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Place, Rewrite, RuleInfo};

@@ -3,10 +3,10 @@
 //! Gets a repository and an icon, says whether a slider asks for it, and whether a fault that is told elsewhere is
 //! why none does.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
-use crate::diag::nearest;
-use crate::repo::{Base, FileFacts, ReferenceKind, Repository, Resolution, TargetFolder};
+use crate::diag::Sought;
+use crate::repo::{Base, FileFacts, Reference, ReferenceKind, Repository, Resolution, TargetFolder};
 
 /// Icons count as unused only where the sliders that could name them are known: in the folder in use.
 pub(super) fn is_store(repository: &Repository<'_>, file: &FileFacts) -> bool {
@@ -22,32 +22,56 @@ pub(super) fn is_store(repository: &Repository<'_>, file: &FileFacts) -> bool {
     })
 }
 
-/// Whether a slider asks for an icon that is not there and must mean this one: that name is the fault.
-pub(super) fn is_misspelt(repository: &Repository<'_>, name: &str) -> bool {
-    let icons = repository.references.iter().filter(|reference| reference.kind == ReferenceKind::Icon);
-    let mut lost = icons.filter(|reference| !matches!(reference.resolution, Resolution::Found(_)));
-    let bases = repository.bases.iter();
-    lost.any(|reference| {
-        // With a wrong path in front of it, the name itself may be right.
-        let written = reference.text.rsplit(['/', '\\']).next().unwrap_or_default();
-        written == name || nearest(written, [name]).is_some()
-    }) || bases.flat_map(|base| &base.sliders).any(|slider| slider.as_meant().icon.as_deref() == Some(name))
+/// What the sliders of a repository say about icons, gathered once for all of its icons.
+pub(super) struct Icons<'r> {
+    /// Names of the icons that are asked for and not there.
+    lost: BTreeMap<&'r str, Sought<'r>>,
+    /// Names that sliders with misspelt keys were meant to ask for.
+    meant: BTreeSet<&'r str>,
+    /// Names of the targets that nothing uses, without extension.
+    unused_targets: BTreeSet<&'r str>,
+    /// The same without their last word: pairs of targets share an icon.
+    unused_pairs: BTreeSet<&'r str>,
 }
 
-/// Whether the picture is called after a target of a slider that is gone: that nothing uses the target is the news.
-pub(super) fn is_of_unused_target(repository: &Repository<'_>, icon: &str) -> bool {
-    let is_used = |file: &FileFacts| {
-        let mut targets = repository.references.iter().filter(|reference| reference.kind.is_target());
-        targets.any(|reference| matches!(reference.resolution, Resolution::Found(found) if std::ptr::eq(found, file)))
-    };
-    let folders = repository.bases.iter().filter_map(|base| base.targets);
-    let mut targets = folders.flat_map(|folder| folder.layer.below(&folder.rel()));
-    targets.any(|file| {
-        let (stem, pair) = (file.stem(), file.stem().rsplit_once('-').map(|(pair, _)| pair));
-        let rest = icon.strip_prefix(stem);
-        let is_called_after = pair == Some(icon) || rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('-'));
-        is_called_after && file.target().is_some() && !is_used(file)
-    })
+impl<'r> Icons<'r> {
+    pub(super) fn of(repository: &'r Repository<'_>) -> Self {
+        let icons = repository.references.iter().filter(|reference| reference.kind == ReferenceKind::Icon);
+        let lost = icons.filter(|reference| !matches!(reference.resolution, Resolution::Found(_)));
+        // With a wrong path in front of it, the name itself may be right.
+        let names = lost.map(|reference| reference.text.rsplit(['/', '\\']).next().unwrap_or_default());
+        let sliders = repository.bases.iter().flat_map(|base| &base.sliders);
+        let targets = repository.references.iter().filter(|reference| reference.kind.is_target());
+        let used: BTreeSet<&str> = targets.filter_map(found).map(|file| file.path.as_str()).collect();
+        let folders = repository.bases.iter().filter_map(|base| base.targets);
+        let files = folders.flat_map(|folder| folder.layer.below(&folder.rel())).filter(|file| file.target().is_some());
+        let unused_targets: BTreeSet<&str> =
+            files.filter(|file| !used.contains(file.path.as_str())).map(FileFacts::stem).collect();
+        Self {
+            lost: names.map(|name| (name, Sought::new(name))).collect(),
+            meant: sliders.filter_map(|slider| slider.as_meant().icon.as_deref()).collect(),
+            unused_pairs: unused_targets.iter().filter_map(|stem| Some(stem.rsplit_once('-')?.0)).collect(),
+            unused_targets,
+        }
+    }
+
+    /// Whether a slider asks for an icon that is not there and must mean this one: that name is the fault.
+    pub(super) fn is_misspelt(&self, name: &str) -> bool {
+        self.lost.contains_key(name)
+            || self.meant.contains(name)
+            || self.lost.values().any(|written| written.may_mean(name))
+    }
+
+    /// Whether the picture is called after a target of a slider that is gone: that nothing uses the target is the
+    /// news.
+    pub(super) fn is_of_unused_target(&self, icon: &str) -> bool {
+        let words = icon.match_indices('-').filter_map(|(end, _)| icon.get(..end));
+        self.unused_pairs.contains(icon) || words.chain([icon]).any(|stem| self.unused_targets.contains(stem))
+    }
+}
+
+fn found<'r>(reference: &Reference<'r>) -> Option<&'r FileFacts> {
+    if let Resolution::Found(file) = reference.resolution { Some(file) } else { None }
 }
 
 /// Paths of the icons that some slider asks for, relative to the root.

@@ -1,6 +1,6 @@
 //! Text must be UTF-8.
 
-use super::super::target::archived::when_read;
+use super::super::archived::when_read;
 use super::super::{Check, Rule, RuleCx};
 use super::loader::{Moment, is_met, moment};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};

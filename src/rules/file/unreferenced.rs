@@ -5,12 +5,13 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::super::{Check, Rule, RuleCx};
 use super::icons;
 use super::loader::{extension, misnamed, opens};
-use crate::diag::{Application, Evidence, Finding, Level, RuleInfo};
+use crate::diag::{Application, Evidence, Finding, Level, RuleInfo, Sight};
 use crate::discover::Kind;
 use crate::repo::{FileFacts, Repository, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
+        sight: Some(Sight::Base),
         breaks: &[(Application::Makehuman2, "never opens it")],
         docs: "Nothing in the repository refers to the file, and no loader looks for its name. It does no harm, but it is often the sign of a \
             slip: an icon whose slider is called differently, a target packed as `.target.gz` (MakeHuman 2 reads plain targets only), an \
@@ -23,12 +24,12 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let used = icons::in_use(repository);
+    let references = References::of(repository);
     // One finding for a folder and reason: a folder of packed targets is one decision.
     let mut idle: BTreeMap<(&str, Reason), Vec<&FileFacts>> = BTreeMap::new();
     for file in repository.judged.files.values() {
         let folder = file.rel.rsplit_once('/').map_or("", |(folder, _)| folder);
-        if let Some(reason) = reason(repository, file, &used) {
+        if let Some(reason) = reason(repository, file, &references) {
             idle.entry((folder, reason)).or_default().push(file);
         }
     }
@@ -55,23 +56,52 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 /// A word for the reason, and the reason in words.
 type Reason = (String, String);
 
+/// What the references of a repository say about its files.
+struct References<'r> {
+    used_icons: BTreeSet<String>,
+    icons: icons::Icons<'r>,
+    /// Paths of the files that something names but for capitals: the finding on that reference names the file.
+    meant: BTreeSet<&'r str>,
+    /// Names of files that are not there, of which one may be there packed.
+    missing: BTreeSet<&'r str>,
+}
+
+impl<'r> References<'r> {
+    fn of(repository: &'r Repository<'_>) -> Self {
+        let (mut meant, mut missing) = (BTreeSet::new(), BTreeSet::new());
+        for reference in &repository.references {
+            match reference.resolution {
+                Resolution::CaseOnly(found) => meant.insert(found.path.as_str()),
+                Resolution::Missing => missing.insert(reference.rel.as_str()),
+                _ => false,
+            };
+        }
+        Self { used_icons: icons::in_use(repository), icons: icons::Icons::of(repository), meant, missing }
+    }
+
+    fn mean(&self, file: &FileFacts) -> bool {
+        self.meant.contains(file.path.as_str())
+            || file.rel.strip_suffix(".gz").is_some_and(|unpacked| self.missing.contains(unpacked))
+    }
+}
+
 /// Why nothing uses the file, if nothing does.
-fn reason(repository: &Repository<'_>, file: &FileFacts, used: &BTreeSet<String>) -> Option<Reason> {
+fn reason(repository: &Repository<'_>, file: &FileFacts, references: &References<'_>) -> Option<Reason> {
     let name = file.file_name();
     // A file called `icons` stands in the place of a folder: unreadable.
     if file.encoding.lfs_pointer || file.gzip_fault.is_some() || name == "icons" || is_note(name) {
         return None;
     }
     if file.kind == Kind::TargetIcon {
-        let idle = icons::is_store(repository, file) && !used.contains(&file.rel);
-        let idle =
-            idle && !icons::is_misspelt(repository, name) && !icons::is_of_unused_target(repository, file.stem());
+        let idle = icons::is_store(repository, file) && !references.used_icons.contains(&file.rel);
+        let icons = &references.icons;
+        let idle = idle && !icons.is_misspelt(name) && !icons.is_of_unused_target(file.stem());
         return idle.then(|| ("icon".to_owned(), "no slider has this icon".to_owned()));
     }
     // `file-case-mismatch` names a file that takes the place of one that is needed.
     if misnamed(repository.judged, &file.rel).is_some()
-        || used.contains(&file.rel)
-        || is_meant(repository, file)
+        || references.used_icons.contains(&file.rel)
+        || references.mean(file)
         || !is_judged_folder(&file.rel)
         || opens(&file.rel)
     {
@@ -87,15 +117,6 @@ fn reason(repository: &Repository<'_>, file: &FileFacts, used: &BTreeSet<String>
         ),
         (Kind::Image, _) => ("picture".to_owned(), "icons are looked for in `icons/` of the target folder".to_owned()),
         _ => ("name".to_owned(), "no loader opens a file of this name here".to_owned()),
-    })
-}
-
-/// Whether something names the file but for capitals or the packing: the finding on that reference names the file.
-fn is_meant(repository: &Repository<'_>, file: &FileFacts) -> bool {
-    repository.references.iter().any(|reference| match reference.resolution {
-        Resolution::CaseOnly(found) => std::ptr::eq(found, file),
-        Resolution::Missing => file.rel.strip_suffix(".gz") == Some(reference.rel.as_str()),
-        _ => false,
     })
 }
 

@@ -46,7 +46,8 @@ fn sort(kind: &SyntaxKind) -> &'static str {
         SyntaxKind::Expected { .. } => "other",
         SyntaxKind::TrailingComma => "comma",
         SyntaxKind::Comment => "comment",
-        SyntaxKind::BadString(_) => "text",
+        SyntaxKind::Conflict => "conflict",
+        SyntaxKind::CutText | SyntaxKind::BadString(_) => "text",
         SyntaxKind::UnexpectedEnd(_) => "end",
         SyntaxKind::TrailingText => "rest",
         SyntaxKind::TooDeep => "depth",
@@ -68,9 +69,15 @@ fn help(fault: &SyntaxFault) -> &'static str {
     match &fault.kind {
         SyntaxKind::TrailingComma => "remove the comma; Python refuses it, too",
         SyntaxKind::Comment => "remove the comment (a key `comment` is a place for it); Python refuses it, too",
-        SyntaxKind::BadString("does not end") => "close the text with `\"`",
+        SyntaxKind::Conflict => {
+            "keep one side, or what is needed of both, and remove the lines `<<<<<<<`, `=======` and `>>>>>>>`"
+        }
+        SyntaxKind::CutText => "the file seems to be cut off: restore it, or close the text and all brackets",
+        SyntaxKind::BadString("does not end on its line") => {
+            "close the text with `\"`; a line break in it is written `\\n`"
+        }
         SyntaxKind::BadString(_) => "write control characters and backslashes as escapes: `\\n`, `\\t`, `\\\\`",
-        SyntaxKind::UnexpectedEnd(_) => "the file is cut off, or a bracket is not closed",
+        SyntaxKind::UnexpectedEnd(_) => "the file is cut off (restore it), or a bracket is not closed",
         SyntaxKind::TrailingText => "remove what follows, or a bracket was closed too early",
         SyntaxKind::Expected { found, .. } if found.starts_with('\'') => {
             "use double quotes; Python refuses others, too"

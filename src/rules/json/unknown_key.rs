@@ -1,12 +1,11 @@
 //! Keys that no application reads.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
 use crate::formats::mhskel::{Bone, RotationPlane, Section};
-use crate::formats::modelling::Slider;
 use crate::json::UnknownKey;
 use crate::repo::{Base, Content, FileFacts, Repository};
 
@@ -27,16 +26,37 @@ pub(in crate::rules) static RULE: Rule = Rule {
 fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for file in repository.judged.files.values().filter(|file| !file.is_ignored_override()) {
         let mut by_key: BTreeMap<(&str, Option<&str>), Vec<&UnknownKey>> = BTreeMap::new();
-        for unknown in file.schema.unknown.iter().filter(|unknown| !is_told(repository, file, unknown)) {
+        let sliders = told_sliders(repository, file);
+        for unknown in file.schema.unknown.iter().filter(|unknown| !is_told(file, &sliders, unknown)) {
             by_key.entry((&unknown.key, unknown.object.as_deref())).or_default().push(unknown);
         }
         out.extend(by_key.into_values().filter_map(|all| judge(file, &all)));
     }
 }
 
+/// Pointers of entries, and the keys of theirs that another rule names.
+type Told<'f> = BTreeSet<(String, &'f str)>;
+
+/// The misspelt keys for which entries of `modelling.json` are said to have no effect.
+fn told_sliders<'f>(repository: &Repository<'_>, file: &'f FileFacts) -> Told<'f> {
+    // Generated entries are not judged for their effect.
+    let generated = |base: &Base<'_>| base.user_modelling.file().is_some_and(|own| std::ptr::eq(own, file));
+    match &file.content {
+        Content::Modelling(model) if !repository.bases.iter().any(generated) => {
+            let sliders = model.sliders.iter();
+            sliders.filter_map(|slider| Some((pointer_of(&slider.key), slider.misspelt_effect()?.0))).collect()
+        }
+        _ => BTreeSet::new(),
+    }
+}
+
+fn pointer_of(key: &str) -> String {
+    format!("/{}", key.replace('~', "~0").replace('/', "~1"))
+}
+
 /// Whether the finding on the key that is missing instead names this one: a part that the schema or another rule
 /// wants.
-fn is_told(repository: &Repository<'_>, file: &FileFacts, unknown: &UnknownKey) -> bool {
+fn is_told(file: &FileFacts, sliders: &Told<'_>, unknown: &UnknownKey) -> bool {
     let Some(nearest) = unknown.nearest.as_deref() else { return false };
     let (owner, _) = unknown.pointer.rsplit_once('/').unwrap_or_default();
     let wanted = format!(" has no `{nearest}`");
@@ -54,14 +74,7 @@ fn is_told(repository: &Repository<'_>, file: &FileFacts, unknown: &UnknownKey) 
             _ => false,
         },
         Content::BaseJson(settings) if owner.is_empty() => nearest == "visible groups" && !settings.has_visible_groups,
-        Content::Modelling(model) => {
-            // Generated entries are not judged for their effect.
-            let generated = |base: &Base<'_>| base.user_modelling.file().is_some_and(|own| std::ptr::eq(own, file));
-            let told = |slider: &&Slider| slider.misspelt_effect().is_some_and(|(key, _)| key == unknown.key);
-            let mut sliders = model.sliders.iter().filter(told);
-            sliders.any(|slider| Place::pointer([&slider.key]) == Place::Pointer(owner.to_owned()))
-                && !repository.bases.iter().any(generated)
-        }
+        Content::Modelling(_) => sliders.contains(&(owner.to_owned(), &unknown.key)),
         _ => false,
     }
 }

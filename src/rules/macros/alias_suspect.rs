@@ -1,10 +1,10 @@
 //! `t` that spells another value than its name, beside a file that fits better.
 
 use super::super::{Check, Rule, RuleCx};
-use super::fit::{contradiction, fits, values_of};
-use super::links::{MacroLink, links, unreferenced};
+use super::links::unreferenced;
+use super::suspects::suspects;
 use crate::diag::{Application, Confidence, Finding, Level, Place, RuleInfo};
-use crate::repo::{Base, FileFacts, Repository};
+use crate::repo::{Base, Repository};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -23,14 +23,6 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Base(run),
 };
 
-/// An entry that names another value's file although a better one is free.
-pub(super) struct Suspect<'s> {
-    pub(super) link: MacroLink<'s>,
-    pub(super) better: &'s FileFacts,
-    /// The value that `t` spells, and the one that the name has.
-    values: (&'s str, &'s str),
-}
-
 fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, _)) = base.macro_file() else { return };
     let free = unreferenced(repository, base);
@@ -48,29 +40,4 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
             "fits better and is used by nothing",
         ));
     }
-}
-
-/// All suspects; `free` are the unused files of the macro folders.
-pub(super) fn suspects<'s>(
-    repository: &'s Repository<'_>,
-    base: &'s Base<'_>,
-    free: &[&'s FileFacts],
-) -> Vec<Suspect<'s>> {
-    let Some((_, macros)) = base.macro_file() else { return Vec::new() };
-    let all = links(repository, base);
-    let found = all.iter().filter_map(|link| Some((link, link.found()?)));
-    found
-        .filter_map(|(link, file)| {
-            let values = contradiction(macros, link.macrodef, &link.link.name, &values_of(file.stem()))?;
-            let folder = file.rel.rsplit_once('/')?.0;
-            let beside = |other: &&&FileFacts| other.rel.rsplit_once('/').is_some_and(|(parent, _)| parent == folder);
-            let name = values_of(&link.link.name);
-            let better = |other: &&&FileFacts| {
-                let spelt = values_of(other.stem());
-                spelt.contains(&values.1) && fits(&spelt, &name)
-            };
-            let better = free.iter().filter(beside).find(better)?;
-            Some(Suspect { link: *link, better, values })
-        })
-        .collect()
 }

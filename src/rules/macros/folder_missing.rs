@@ -3,12 +3,13 @@
 use super::super::{Check, Rule, RuleCx};
 use super::component::is_sound;
 use super::links::{MacroLink, links};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo, nearest};
-use crate::formats::macro_json::Macrodef;
-use crate::repo::{Base, Repository, TargetFolder};
+use super::lost_folder::{holds_files, is_lost};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo, Sight, nearest};
+use crate::repo::{Base, Repository};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
+        sight: Some(Sight::Base),
         breaks: &[(
             Application::Makehuman2,
             "uses the folder of the previous macrodef, or stops if there is none; a folder that does not exist leaves every combination without its file, which stops it as soon as one has weight",
@@ -33,7 +34,7 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
             continue;
         }
         let finding = match (&macrodef.folder, &macrodef.effective_folder) {
-            (Some(folder), _) if speaks(base, macrodef, &all) => {
+            (Some(folder), _) if is_lost(base, macrodef, &all) => {
                 let place = Place::pointer(["macrodef", &index, "folder"]);
                 let message = match base.targets {
                     Some(targets) if holds_files(targets, folder) => {
@@ -70,19 +71,6 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
         let help = finding.help.clone().unwrap_or_else(|| "write the name of the folder".to_owned());
         out.push(finding.help(help).key(macrodef.components.join("-")));
     }
-}
-
-/// Whether the folder is the reason that targets of a definition are missing.
-pub(super) fn speaks(base: &Base<'_>, macrodef: &Macrodef, all: &[MacroLink<'_>]) -> bool {
-    let (Some(folder), Some(_)) = (&macrodef.effective_folder, &macrodef.folder) else { return true };
-    let Some(targets) = base.targets else { return false };
-    let own = || all.iter().filter(|link| link.macrodef.index == macrodef.index);
-    // A single name that is missing may be a slip of its own; all of several are not.
-    own().all(MacroLink::is_missing) && (own().nth(1).is_some() || !holds_files(targets, folder))
-}
-
-fn holds_files(targets: TargetFolder<'_>, folder: &str) -> bool {
-    targets.layer.below(&format!("{}/{}", targets.rel(), folder.trim_matches('/'))).next().is_some()
 }
 
 /// The folder that holds all files of a definition, as help.

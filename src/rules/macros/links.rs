@@ -64,6 +64,10 @@ pub(super) fn has_suffix(text: &str) -> bool {
 pub(super) fn unreferenced<'s>(repository: &'s Repository<'_>, base: &'s Base<'_>) -> Vec<&'s FileFacts> {
     let Some(folder) = base.targets else { return Vec::new() };
     let mut named: BTreeSet<&str> = BTreeSet::new();
+    let mut by_stem: BTreeMap<&str, &str> = BTreeMap::new();
+    for file in folder.targets() {
+        by_stem.entry(file.rel.trim_end_matches(".target")).or_insert(&file.rel);
+    }
     for reference in repository.references_of(base).filter(|reference| reference.kind.is_target()) {
         match reference.resolution {
             Resolution::Found(file) | Resolution::CaseOnly(file) | Resolution::Backslash(Some(file)) => {
@@ -72,8 +76,7 @@ pub(super) fn unreferenced<'s>(repository: &'s Repository<'_>, base: &'s Base<'_
             _ => {
                 // `x.target` written for `x`, or a slip of the pen: those findings name the file.
                 let stem = reference.rel.trim_end_matches(".target").trim_end_matches(".target.gz");
-                let meant = folder.targets().find(|file| file.rel.trim_end_matches(".target") == stem);
-                named.extend(meant.map(|file| file.rel.as_str()));
+                named.extend(by_stem.get(stem));
                 named.extend(nearest_file(base, reference).map(|file| file.rel.as_str()));
             }
         }
@@ -135,10 +138,9 @@ pub(super) fn is_in_folder(base: &Base<'_>, macrodef: &Macrodef, file: &FileFact
 pub(super) fn nearest_file<'s>(base: &'s Base<'_>, reference: &Reference<'_>) -> Option<&'s FileFacts> {
     let folder = base.targets?;
     let (parent, _) = reference.rel.rsplit_once('/')?;
-    let beside: Vec<&FileFacts> = folder.layer.below(parent).filter(|file| file.rel.ends_with(".target")).collect();
-    let rel = crate::diag::nearest(&reference.rel, beside.iter().map(|file| file.rel.as_str()))?;
+    let beside = folder.layer.below(parent).filter(|file| file.rel.ends_with(".target"));
     // The limit of the slip grows with the length of what is compared: the folder must not help.
-    let (short, own) = (rel.strip_prefix(parent)?, reference.rel.strip_prefix(parent)?);
-    crate::diag::nearest(own, [short])?;
-    folder.layer.file(rel)
+    let own = reference.rel.strip_prefix(parent)?;
+    let near = crate::diag::nearest(own, beside.filter_map(|file| file.rel.strip_prefix(parent)))?;
+    folder.layer.file(&format!("{parent}{near}"))
 }

@@ -2,12 +2,13 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::links::{MacroLink, has_suffix, links, nearest_file};
-use crate::diag::{Application, Evidence, Finding, Level, RuleInfo};
+use crate::diag::{Application, Evidence, Finding, Level, RuleInfo, Sight};
 use crate::repo::{Base, FileFacts, Repository, Resolution};
 use std::collections::BTreeMap;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
+        sight: Some(Sight::Base),
         breaks: &[(
             Application::Makehuman2,
             "writes a line to the log and stops with an AttributeError as soon as the combination has weight: at start if the default character uses it",
@@ -26,7 +27,7 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
     let mut by_file: BTreeMap<&str, Vec<MacroLink<'_>>> = BTreeMap::new();
     let all = links(repository, base);
     for link in all.iter().filter(|link| link.is_missing() && !has_suffix(link.reference.text)) {
-        if !super::folder_missing::speaks(base, link.macrodef, &all) {
+        if !super::lost_folder::is_lost(base, link.macrodef, &all) {
             by_file.entry(&link.reference.rel).or_default().push(*link);
         }
     }

@@ -8,10 +8,12 @@ mod fit;
 mod judgeable;
 mod links;
 mod listing;
+mod lost_folder;
 mod misspelt_value;
 mod space;
 mod spelled;
 mod survey;
+mod suspects;
 mod titles;
 
 pub(super) mod alias_suspect;

@@ -1,17 +1,18 @@
 //! A target in a macro folder that nothing uses.
 
 use super::super::{Check, Rule, RuleCx};
-use super::alias_suspect::suspects;
 use super::fit::{fitting_names, values_of};
 use super::links::{is_in_folder, unreferenced};
 use super::survey::survey;
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use super::suspects::suspects;
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, Sight};
 use crate::formats::macro_json::Macrodef;
 use crate::repo::{Base, FileFacts, Repository};
 use std::collections::BTreeSet;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
+        sight: Some(Sight::Base),
         breaks: &[(Application::Makehuman2, "reads the file at start and never applies it")],
         docs: "A target in the folder of a macrodef has an effect only if an entry names it in `t`, or a slider \
             uses it.\n\nSuch a file is often the one that a nearby combination should name: an entry was copied \

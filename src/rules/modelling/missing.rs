@@ -67,15 +67,23 @@ fn is_empty(repository: &Repository<'_>, folder: &str) -> bool {
 
 /// The file beside the missing one that is most like it, by name without folder. A target that something else uses
 /// already is not meant: the other side or the other direction often has nearly the same name.
-pub(super) fn neighbour(repository: &Repository<'_>, reference: &Reference<'_>) -> Option<String> {
+pub(super) fn neighbour(
+    repository: &Repository<'_>,
+    reference: &Reference<'_>,
+    used: &BTreeSet<&str>,
+) -> Option<String> {
     let folder = folder_of(&reference.rel);
     let wanted = reference.rel.rsplit('/').next().unwrap_or_default();
     let layers: Vec<_> = repository.strongest_first().collect();
     let files = layers.iter().flat_map(|layer| layer.below(&folder));
-    let used: BTreeSet<&str> = repository.references.iter().filter_map(|other| used_target(other)).collect();
     let free = files.filter(|file| !file.kind.is_json() && !used.contains(file.path.as_str()));
     let names = free.map(FileFacts::file_name);
     nearest(wanted, names).map(str::to_owned)
+}
+
+/// Paths of the targets that something uses.
+pub(super) fn used_targets<'a>(repository: &Repository<'a>) -> BTreeSet<&'a str> {
+    repository.references.iter().filter_map(used_target).collect()
 }
 
 fn used_target<'a>(reference: &Reference<'a>) -> Option<&'a str> {

@@ -1,5 +1,7 @@
 //! `incr` and `decr` must name targets that exist.
 
+use std::collections::BTreeSet;
+
 use super::super::{Check, Rule, RuleCx};
 use super::missing::{self, Group};
 use crate::diag::{Application, Evidence, Finding, Level, RuleInfo};
@@ -24,12 +26,18 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let is_target = |kind| matches!(kind, ReferenceKind::Incr | ReferenceKind::Decr);
+    let used = missing::used_targets(repository);
     for group in missing::groups(repository, base, is_target) {
-        out.extend(finding(repository, base, &group));
+        out.extend(finding(repository, base, &group, &used));
     }
 }
 
-fn finding(repository: &Repository<'_>, base: &Base<'_>, group: &Group<'_, '_>) -> Option<Finding> {
+fn finding(
+    repository: &Repository<'_>,
+    base: &Base<'_>,
+    group: &Group<'_, '_>,
+    used: &BTreeSet<&str>,
+) -> Option<Finding> {
     let first = group.references.first()?;
     let count = group.references.len();
     let (message, key) = match &group.folder {
@@ -40,7 +48,7 @@ fn finding(repository: &Repository<'_>, base: &Base<'_>, group: &Group<'_, '_>) 
         .at(first.from, first.place.clone(), message)
         .key(format!("{key} {}", if group.folder.is_some() { "" } else { side(first) }).trim_end())
         .evidence(Evidence::of_cases(group.references.iter().map(|reference| reference.text)));
-    finding = finding.help(help(repository, first));
+    finding = finding.help(help(repository, first, used));
     if is_generated(base, first) {
         finding = finding.level(Level::Warning).help(
             "this file is generated: delete both generated JSON files, MakeHuman 2 writes them anew from the targets",
@@ -58,14 +66,14 @@ fn side(reference: &Reference<'_>) -> &'static str {
     if reference.kind == ReferenceKind::Incr { "incr" } else { "decr" }
 }
 
-fn help(repository: &Repository<'_>, reference: &Reference<'_>) -> String {
+fn help(repository: &Repository<'_>, reference: &Reference<'_>, used: &BTreeSet<&str>) -> String {
     if reference.text.is_empty() {
         "the name is empty: name a target or remove the key".to_owned()
     } else if let Some(stem) = reference.text.strip_suffix(".target") {
         format!("write it without the suffix: `{stem}`")
     } else if let Some(packed) = packed(repository, reference) {
         format!("MakeHuman 2 does not read packed targets: unpack `{packed}`")
-    } else if let Some(near) = missing::neighbour(repository, reference) {
+    } else if let Some(near) = missing::neighbour(repository, reference, used) {
         let (folder, _) = reference.text.rsplit_once('/').unwrap_or_default();
         let near = near.strip_suffix(".target").unwrap_or(&near);
         let slash = if folder.is_empty() { "" } else { "/" };
@@ -86,5 +94,5 @@ fn is_generated(base: &Base<'_>, reference: &Reference<'_>) -> bool {
 }
 
 fn is_unused(base: &Base<'_>, reference: &Reference<'_>) -> bool {
-    base.sliders.iter().any(|slider| slider.slider.key == reference.owner && slider.slider.is_macro())
+    base.entry(reference.owner).is_some_and(|slider| slider.slider.is_macro())
 }

@@ -41,7 +41,7 @@ fn with_patterns<'b, 'a>(base: &'b Base<'a>) -> Option<&'b [BoundSlider<'a>]> {
 
 /// What could be meant by an unknown pattern.
 fn advice(base: &Base<'_>, name: &str) -> String {
-    if let Some(slider) = base.sliders.iter().find(|slider| slider.slider.key == name)
+    if let Some(slider) = base.entry(name)
         && let [pattern, ..] = slider.pattern.names()
     {
         return format!("`{name}` is the key of an entry; write its pattern `{pattern}`");

@@ -1,13 +1,16 @@
 //! An entry must do something.
 
+use std::collections::BTreeMap;
+
 use super::super::{Check, Rule, RuleCx};
 use super::groups;
-use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo, Sight};
 use crate::formats::modelling::EFFECTS;
 use crate::repo::{Base, BoundSlider, Pattern, Reference, ReferenceKind, Repository, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
+        sight: Some(Sight::Base),
         breaks: &[(Application::Makehuman2, "shows a slider that does nothing and is never saved")],
         docs: "A slider does something through `incr` and `decr` (targets), `macro` or `barycentric`.\n\nAn entry with none of them gets \
             a slider without a pattern: nothing moves, nothing is saved, no model can set it. Beside `macro` or `barycentric`, `incr` and `decr` do nothing: their \
@@ -19,10 +22,11 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let loaded = loaded(repository, base);
     for bound in groups::hand_made(base) {
         let slider = bound.slider;
         if EFFECTS.iter().any(|key| slider.has(key)) {
-            out.extend(beside_macro(repository, base, bound));
+            out.extend(beside_macro(bound, &loaded));
             continue;
         }
         let help = match slider.misspelt_effect() {
@@ -34,21 +38,29 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
     }
 }
 
+/// The first target that is there of each entry, by key.
+fn loaded<'r>(repository: &'r Repository<'_>, base: &'r Base<'_>) -> BTreeMap<&'r str, &'r Reference<'r>> {
+    let is_loaded = |reference: &&Reference<'_>| {
+        matches!(reference.kind, ReferenceKind::Incr | ReferenceKind::Decr)
+            && matches!(reference.resolution, Resolution::Found(_))
+    };
+    let mut loaded = BTreeMap::new();
+    for reference in repository.references_of(base).filter(is_loaded) {
+        loaded.entry(reference.owner).or_insert(reference);
+    }
+    loaded
+}
+
 /// `incr` or `decr` of an entry that `macro` or `barycentric` takes all effect from; a target that does not exist has
 /// a finding of its own.
-fn beside_macro(repository: &Repository<'_>, base: &Base<'_>, bound: &BoundSlider<'_>) -> Option<Finding> {
+fn beside_macro(bound: &BoundSlider<'_>, loaded: &BTreeMap<&str, &Reference<'_>>) -> Option<Finding> {
     let slider = bound.slider;
     let winner = match bound.pattern {
         Pattern::Macro(_) => "macro",
         Pattern::Barycentric(_) => "barycentric",
         _ => return None,
     };
-    let is_loaded = |reference: &&Reference<'_>| {
-        matches!(reference.kind, ReferenceKind::Incr | ReferenceKind::Decr)
-            && reference.owner == slider.key
-            && matches!(reference.resolution, Resolution::Found(_))
-    };
-    let loaded = repository.references_of(base).find(is_loaded)?;
+    let loaded = loaded.get(slider.key.as_str())?;
     let member = if loaded.kind == ReferenceKind::Incr { "incr" } else { "decr" };
     let message =
         format!("`{member}` of `{}` has no effect beside `{winner}`: `{}` is never applied", slider.key, loaded.text);

@@ -4,11 +4,12 @@ use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
 use super::counted;
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, Sight};
 use crate::repo::{Base, Content, FileFacts, Reference, Repository, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
+        sight: Some(Sight::Base),
         breaks: &[(Application::Makehuman2, "finds the files if its system data has them, otherwise not")],
         docs: "User data lies over the data that comes with MakeHuman 2. Names in it may lead to files there, which \
             `mhlint` cannot know when it is given the user's folder alone. The same goes for vertices: whether the base mesh \

@@ -2,11 +2,12 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::{Override, counted, is_complete, overrides};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, Sight};
 use crate::repo::{Base, Repository};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
+        sight: Some(Sight::Base),
         breaks: &[(Application::Makehuman2, "reads the file in contarget and not the system's")],
         docs: "macro.json, modelling.json and target_cat.json in `contarget/<base>/` replace the system's files of the same \
             names as a whole; nothing is merged. With macro.json the target files change as well: all of the system's \
@@ -77,8 +78,7 @@ fn replaced_by_contarget(base: &Base<'_>, replaced: &[&Override<'_>]) -> Option<
 fn unreachable(base: &Base<'_>) -> (String, Vec<String>) {
     let loser = base.modelling.system.accepted().filter(|_| base.modelling.is_overridden());
     let keys = loser.map(|(_, model)| model.sliders.as_slice()).unwrap_or_default().iter().map(|slider| &slider.key);
-    let mut lost: Vec<String> =
-        keys.filter(|key| !base.sliders.iter().any(|bound| bound.slider.key == **key)).cloned().collect();
+    let mut lost: Vec<String> = keys.filter(|key| base.entry(key).is_none()).cloned().collect();
     let sliders = lost.len();
     if let Some(folder) = base.other_targets.filter(|_| base.macros.is_overridden()) {
         lost.extend(folder.targets().filter_map(|file| folder.name_of(file)).map(str::to_owned));

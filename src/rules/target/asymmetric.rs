@@ -3,13 +3,14 @@
 use super::super::{Check, Rule, RuleCx};
 use super::shown::shown_by;
 use super::{ZeroRows, target_folder, with_zero_rows};
-use crate::diag::{Application, Evidence, Finding, Level, OptionInfo, Place, RuleInfo};
+use crate::diag::{Application, Evidence, Finding, Level, OptionInfo, Place, RuleInfo, Sight};
 use crate::eval::measures::Measures;
 use crate::eval::target_measure::TargetMeasure;
 use crate::repo::{Base, FileFacts, Repository};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
+        sight: Some(Sight::FolderAndRigs),
         breaks: &[(Application::Makehuman2, "makes the figure uneven; symmetry cannot even it out")],
         docs: "A target whose name says no side (no `l`, `r`, `left`, `right`) moves one side otherwise than the other.\n\n\
             Targets whose names end as `nonsym` under `random` of base.json says are meant to be so and left alone. A target \
@@ -110,7 +111,7 @@ fn uneven(
         target.name
     );
     let evidence = Evidence::of_cases(slight.iter().map(|(_, target)| {
-        format!("{} ({} of {})", target.name, target.own_mirror.different.len(), target.own_mirror.compared)
+        format!("{} ({} of {} vertices)", target.name, target.own_mirror.different.len(), target.own_mirror.compared)
     }));
     let finding = match slight {
         [_] => RULE.at(file, Place::File, message),

@@ -1,7 +1,7 @@
 //! A target that nothing uses and that stops the program all the same.
 
-use super::super::{Check, Rule, RuleCx};
-use super::{archived, decoded, syntax, usage};
+use super::super::{Check, Rule, RuleCx, archived};
+use super::{decoded, unreadable_fields, usage};
 use crate::diag::{Application, Finding, Level, RuleInfo};
 use crate::formats::npz::Archive;
 use crate::repo::{Base, FileFacts, Repository};
@@ -26,7 +26,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (file, facts) in usage::unused(repository, base).into_iter().filter_map(decoded) {
-        let Some(mut finding) = syntax::finding(&RULE, file, facts) else { continue };
+        let Some(mut finding) = unreadable_fields::finding(&RULE, file, facts) else { continue };
         finding.message.push_str(", and MakeHuman 2 parses this file at start although nothing uses it");
         if has_sound_archive(base, file) {
             finding = finding.level(Level::Warning).breaks(Application::Makehuman2, archived::STOPS_LATER);

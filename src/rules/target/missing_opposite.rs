@@ -2,11 +2,12 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::{parent, usage};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo, Sight};
 use crate::repo::{Base, FileFacts, Repository, TargetFolder};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
+        sight: Some(Sight::Folder),
         breaks: &[(
             Application::Makehuman2,
             "makes a slider of one side; of a single `-decr` target it makes one that grows where it should shrink",

@@ -4,12 +4,13 @@ use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
 use super::{parent, usage};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, Sight};
 use crate::discover::Kind;
 use crate::repo::{Base, FileFacts, Repository};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
+        sight: Some(Sight::Folder),
         breaks: &[(
             Application::Makehuman2,
             "offers the slider on one side only; symmetry leaves the other side as it is",

@@ -9,13 +9,13 @@ use crate::diag::{Element, Place, Tally};
 use crate::formats::target::TargetFacts;
 use crate::repo::{FileFacts, Layer};
 
-pub(super) mod archived;
 pub(super) mod asymmetric;
 pub(super) mod asymmetric_pair;
 pub(super) mod basemesh_mismatch;
 pub(super) mod breaks_start;
 pub(super) mod duplicate_vertex;
 pub(super) mod field_count;
+mod meant;
 pub(super) mod missing_opposite;
 pub(super) mod missing_side;
 pub(super) mod moves_helpers_only;
@@ -26,8 +26,9 @@ mod shown;
 pub(super) mod splits_joint_cube;
 pub(super) mod stale_binary;
 pub(super) mod syntax;
+mod unreadable_fields;
 pub(super) mod unreferenced;
-mod usage;
+pub(super) mod usage;
 pub(super) mod vertex_out_of_range;
 pub(super) mod without_effect;
 pub(super) mod zero_delta;
@@ -73,7 +74,7 @@ fn counted(count: u64, thing: &str) -> String {
 }
 
 /// The folder that targets of a base are loaded from: the first two parts of the path.
-fn target_folder(file: &FileFacts) -> &str {
+pub(super) fn target_folder(file: &FileFacts) -> &str {
     let end = file.rel.match_indices('/').nth(1).map_or(file.rel.len(), |(at, _)| at);
     file.rel.get(..end).unwrap_or(&file.rel)
 }

@@ -1,12 +1,13 @@
 //! A target changes something that is seen.
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, Sight};
 use crate::eval::measures::Measures;
 use crate::repo::{Base, Repository};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
+        sight: Some(Sight::FolderAndRigs),
         breaks: &[(
             Application::Makehuman2,
             "changes nothing to be seen: helpers are hidden and only carry clothes and joints",

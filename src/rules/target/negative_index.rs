@@ -1,7 +1,7 @@
 //! Vertices are counted from 0.
 
+use super::super::archived::when_read;
 use super::super::{Check, Rule, RuleCx};
-use super::archived::when_read;
 use super::{first_row, targets};
 use crate::diag::{Application, Finding, Level, RuleInfo};
 use crate::repo::Repository;

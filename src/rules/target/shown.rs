@@ -21,7 +21,7 @@ pub(super) fn shown_by(repository: &Repository<'_>, file: &FileFacts) -> Option<
 }
 
 fn side(base: &Base<'_>, key: &str, value: &str) -> Option<String> {
-    let slider = base.sliders.iter().find(|slider| slider.slider.key == key)?;
+    let slider = base.entry(key)?;
     Some(format!("`{}` = {value}", slider.pattern.names().first()?))
 }
 

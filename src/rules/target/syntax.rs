@@ -1,11 +1,11 @@
 //! Every field of a target row must be a number.
 
+use super::super::archived::when_read;
 use super::super::{Check, Rule, RuleCx};
-use super::archived::when_read;
+use super::unreadable_fields::finding;
 use super::{targets, usage};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
-use crate::formats::target::TargetFacts;
-use crate::repo::{FileFacts, Repository};
+use crate::diag::{Application, Level, RuleInfo};
+use crate::repo::Repository;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -31,22 +31,4 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             out.extend(finding(&RULE, file, facts).map(|finding| when_read(repository, file, finding)));
         }
     }
-}
-
-/// The finding on the unreadable fields of a target, if there are any.
-pub(super) fn finding(rule: &Rule, file: &FileFacts, facts: &TargetFacts) -> Option<Finding> {
-    let first = facts.unreadable.first()?;
-    let rows = facts.unreadable_rows;
-    let message = if rows == 1 {
-        format!("`{}` is no number", first.field)
-    } else {
-        format!("`{}` is no number ({rows} rows like it)", first.field)
-    };
-    let place = Place::Span(first.start..first.start + first.field.len());
-    let mut evidence =
-        Evidence::of_cases(facts.unreadable.iter().map(|field| format!("line {}", field.line))).unnamed();
-    evidence.count = rows;
-    let finding =
-        rule.at(file, place, message).parts(facts.unreadable_names.names()).evidence(evidence.out_of(facts.rows));
-    Some(finding.help("a row is `INDEX X Y Z`: an integer and three decimals with a point"))
 }

@@ -3,8 +3,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx};
+use super::meant::meant_by_missing;
 use super::{decoded, parent, usage};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, nearest};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::{Base, FileFacts, Layer, Repository};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -76,51 +77,22 @@ fn breaks_start(file: &FileFacts) -> bool {
     is_no_text || decoded(file).is_some_and(|(_, facts)| facts.unreadable_rows > 0)
 }
 
-/// Unused files that a name without file nearly fits, or would fit but for its path: that name is the
-/// fault to report.
-fn meant_by_missing<'a>(repository: &Repository<'_>, base: &Base<'_>, unused: &[&'a FileFacts]) -> BTreeSet<&'a str> {
-    let mut meant = BTreeSet::new();
-    for reference in repository.references_of(base).filter(|reference| reference.kind.is_target()) {
-        if usage::target_of(&reference.resolution).is_some() {
-            continue;
-        }
-        let stem = reference.text.rsplit(['/', '\\']).next();
-        let namesakes = unused.iter().filter(|file| Some(file.stem()) == stem);
-        meant.extend(namesakes.map(|file| file.rel.as_str()));
-        let rel = reference.rel.replace('\\', "/");
-        let beside = unused.iter().copied().filter(|file| parent(&file.rel) == parent(&rel));
-        meant.extend(nearest(&rel, beside.map(|file| file.rel.as_str())));
-    }
-    meant.extend(unused.iter().filter(|file| is_of_lost_partner(base, file)).map(|file| file.rel.as_str()));
-    meant
-}
-
-/// Whether `lsym` or `rsym` of some slider asks for a pattern with this target, which no slider has.
-fn is_of_lost_partner(base: &Base<'_>, file: &FileFacts) -> bool {
-    let Some(name) = base.targets.and_then(|folder| folder.name_of(file)) else { return false };
-    let partners = base.sliders.iter().flat_map(|bound| [&bound.slider.lsym, &bound.slider.rsym]).flatten();
-    let mut lost = partners.filter(|partner| base.slider(partner).is_none());
-    lost.any(|partner| match partner.split_once('|') {
-        Some((decr, incr)) => {
-            let stem = name.strip_suffix(incr);
-            name == decr || stem.is_some_and(|stem| stem.ends_with(['-', '/']) && decr.starts_with(stem))
-        }
-        None => name == partner,
-    })
-}
-
 /// Each target, and the two of a pair of opposites as one: a slider that is gone leaves both.
 fn in_pairs<'a>(base: &Base<'_>, files: &[&'a FileFacts]) -> Vec<(&'a FileFacts, Option<&'a FileFacts>)> {
     let opposites = base.settings().map(|(_, settings)| settings.opposites.as_slice()).unwrap_or_default();
+    let mut by_stem: BTreeMap<&str, &'a FileFacts> = BTreeMap::new();
+    for file in files {
+        by_stem.entry(file.stem()).or_insert(file);
+    }
     let decr_of = |file: &FileFacts| {
         let stems = opposites
             .iter()
             .filter_map(|(decr, incr)| Some(format!("{}{decr}", file.stem().strip_suffix(incr.as_str())?)));
-        stems.into_iter().find_map(|stem| files.iter().copied().find(|other| other.stem() == stem))
+        stems.into_iter().find_map(|stem| by_stem.get(stem.as_str()).copied())
     };
     let pairs: Vec<_> = files.iter().map(|file| (*file, decr_of(file))).collect();
-    let is_told = |file: &FileFacts| pairs.iter().any(|(_, decr)| decr.is_some_and(|decr| std::ptr::eq(decr, file)));
-    pairs.iter().copied().filter(|(file, _)| !is_told(file)).collect()
+    let told: BTreeSet<&str> = pairs.iter().filter_map(|(_, decr)| Some(decr.as_ref()?.path.as_str())).collect();
+    pairs.iter().copied().filter(|(file, _)| !told.contains(file.path.as_str())).collect()
 }
 
 fn pair(file: &FileFacts, incr: &str, decr: &str) -> Finding {

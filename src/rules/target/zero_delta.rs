@@ -24,11 +24,12 @@ fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             [] => continue,
             [(file, facts)] => one_file(layer, file, facts),
             [(file, facts), ..] => {
-                let (message, evidence) = of_folder(folder, &found);
+                let most = most_first(&found);
+                let (message, evidence) = of_folder(folder, &most);
                 let finding = RULE.at(file, first_row(&facts.zero), message).evidence(evidence);
                 let finding = finding.asset(layer.display(folder)).parts(found.iter().map(|(file, _)| &file.rel));
                 let finding = finding.over_each(found.iter().map(|(file, _)| &file.path));
-                found.iter().take(EXAMPLES * 2).fold(finding, |finding, (file, facts)| {
+                most.iter().take(EXAMPLES * 2).fold(finding, |finding, (file, facts)| {
                     finding.related(&file.path, first_row(&facts.zero), counted(facts.zero.count, "zero row"))
                 })
             }
@@ -54,13 +55,19 @@ fn one_file(layer: &Layer, file: &FileFacts, facts: &TargetFacts) -> Finding {
     finding.asset(layer.display(target_folder(file))).evidence(facts.zero.evidence(facts.rows))
 }
 
-/// What is said of several files, at the first of them.
+/// The files by how many of their rows are zero.
+fn most_first<'f>(files: &[(&'f FileFacts, &'f TargetFacts)]) -> Vec<(&'f FileFacts, &'f TargetFacts)> {
+    let mut most = files.to_vec();
+    most.sort_by_key(|(file, facts)| (std::cmp::Reverse(facts.zero.count), &file.rel));
+    most
+}
+
+/// What is said of several files.
 fn of_folder(folder: &str, files: &[(&FileFacts, &TargetFacts)]) -> (String, Evidence) {
     let count: u64 = files.iter().map(|(_, facts)| facts.zero.count).sum();
     let of: usize = files.iter().map(|(_, facts)| facts.rows).sum();
     let message = format!("{count} zero rows in {} of `{folder}` move nothing", counted(files.len() as u64, "target"));
-    let mut most: Vec<_> = files.iter().map(|(file, facts)| (facts.zero.count, file)).collect();
-    most.sort_by_key(|(count, file)| (std::cmp::Reverse(*count), &file.rel));
-    let evidence = Evidence::of_groups(most.iter().map(|(count, file)| format!("{} ({count})", file.rel)), count);
+    let named = files.iter().map(|(file, facts)| format!("{} ({})", file.rel, facts.zero.count));
+    let evidence = Evidence::of_groups(named, count);
     (message, evidence.out_of(of))
 }

@@ -3,6 +3,7 @@
 pub(super) mod above_one;
 pub(super) mod asymmetric;
 pub(super) mod below_threshold;
+mod binding;
 pub(super) mod duplicate_vertex;
 pub(super) mod empty_bone;
 mod loss;

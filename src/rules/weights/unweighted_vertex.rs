@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx};
-use super::unbound::unbound;
+use super::binding::unbound;
 use super::{has_unusable_entries, is_empty};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::mhw::Weights;

@@ -2,7 +2,7 @@
 //!
 //! What is wrong with such a text waits until the archive is deleted, which is the usual remedy for a stale one.
 
-use super::target_folder;
+use super::target::{target_folder, usage};
 use crate::diag::{Application, Finding, Level};
 use crate::formats::npz::{Archive, Member};
 use crate::repo::{FileFacts, Repository};
@@ -11,8 +11,8 @@ use crate::repo::{FileFacts, Repository};
 pub(super) const STOPS_LATER: &str = "stops at start as soon as the archive of the folder is deleted to be made anew";
 
 /// Whether nobody parses the text: a sound archive lies in its folder and has the target, or nothing asks for it.
-pub(in crate::rules) fn is_unread(repository: &Repository<'_>, file: &FileFacts) -> bool {
-    let is_unused = || super::usage::unused_paths(repository).contains(file.path.as_str());
+pub(super) fn is_unread(repository: &Repository<'_>, file: &FileFacts) -> bool {
+    let is_unused = || usage::unused_paths(repository).contains(file.path.as_str());
     archive(repository, file).is_some_and(|archive| member(archive, file).is_some() || is_unused())
 }
 
@@ -23,7 +23,7 @@ pub(super) fn is_outdated(repository: &Repository<'_>, file: &FileFacts) -> bool
 }
 
 /// A finding on a text that stops the program: while nobody parses it, only a warning of what comes.
-pub(in crate::rules) fn when_read(repository: &Repository<'_>, file: &FileFacts, finding: Finding) -> Finding {
+pub(super) fn when_read(repository: &Repository<'_>, file: &FileFacts, finding: Finding) -> Finding {
     if is_unread(repository, file) {
         finding.level(Level::Warning).breaks(Application::Makehuman2, STOPS_LATER)
     } else {

@@ -1,0 +1,38 @@
+//! Entries of `macro.json` that name a file of other values while a better one is free.
+
+use super::fit::{contradiction, fits, values_of};
+use super::links::{MacroLink, links};
+use crate::repo::{Base, FileFacts, Repository};
+
+/// An entry that names another value's file although a better one is free.
+pub(super) struct Suspect<'s> {
+    pub(super) link: MacroLink<'s>,
+    pub(super) better: &'s FileFacts,
+    /// The value that `t` spells, and the one that the name has.
+    pub(super) values: (&'s str, &'s str),
+}
+
+/// All suspects; `free` are the unused files of the macro folders.
+pub(super) fn suspects<'s>(
+    repository: &'s Repository<'_>,
+    base: &'s Base<'_>,
+    free: &[&'s FileFacts],
+) -> Vec<Suspect<'s>> {
+    let Some((_, macros)) = base.macro_file() else { return Vec::new() };
+    let all = links(repository, base);
+    let found = all.iter().filter_map(|link| Some((link, link.found()?)));
+    found
+        .filter_map(|(link, file)| {
+            let values = contradiction(macros, link.macrodef, &link.link.name, &values_of(file.stem()))?;
+            let folder = file.rel.rsplit_once('/')?.0;
+            let beside = |other: &&&FileFacts| other.rel.rsplit_once('/').is_some_and(|(parent, _)| parent == folder);
+            let name = values_of(&link.link.name);
+            let better = |other: &&&FileFacts| {
+                let spelt = values_of(other.stem());
+                spelt.contains(&values.1) && fits(&spelt, &name)
+            };
+            let better = free.iter().filter(beside).find(better)?;
+            Some(Suspect { link: *link, better, values })
+        })
+        .collect()
+}
