@@ -9,6 +9,7 @@ use super::faulty_rows::row_name;
 use super::fields::fields;
 use super::inline_ignore::{self, InlineIgnore};
 pub use super::target_facts::{Largest, TargetFacts, UnreadableField};
+use super::target_repeats::repeats;
 use super::target_row::fast_row;
 use super::{python_float, python_int};
 
@@ -53,7 +54,7 @@ pub fn parse(text: &[u8], mesh: Option<MeshSize>) -> Target {
 
 /// `fast` reads the lines it knows; tests take it away.
 fn parse_by(fast: impl Fn(&[u8]) -> (Option<Row>, usize), text: &[u8], mesh: Option<MeshSize>) -> Target {
-    let mut parser = Parser { target: Target::default(), mesh, lengths: Vec::new(), line_offsets: Vec::new() };
+    let mut parser = Parser { target: Target::default(), mesh, lengths: Vec::new(), zeros: Vec::new(), line_offsets: Vec::new() };
     parser.target.rows.reserve(text.len() / 20);
     let mut line = 1;
     let mut start = 0;
@@ -75,6 +76,8 @@ struct Parser {
     target: Target,
     mesh: Option<MeshSize>,
     lengths: Vec<f32>,
+    /// Line and index of the rows that move nothing.
+    zeros: Vec<(u32, i64)>,
     /// Line minus position of the row, wherever it changes: position and difference.
     line_offsets: Vec<(usize, usize)>,
 }
@@ -185,7 +188,7 @@ impl Parser {
         let length = if square.is_finite() && square > 0.0 {
             square.sqrt()
         } else if x == 0.0 && y == 0.0 && z == 0.0 {
-            facts.zero.add(line, index);
+            self.zeros.push((line, index));
             return;
         } else if !(x.is_finite() && y.is_finite() && z.is_finite()) {
             facts.non_finite.add(line, index);
@@ -202,7 +205,7 @@ impl Parser {
     }
 
     fn finish(mut self) -> Target {
-        self.count_duplicates();
+        self.count_repeats();
         self.measure_lengths();
         let mut hash = ContentHash::default();
         for row in &self.target.rows {
@@ -226,27 +229,17 @@ impl Parser {
         facts.tail_length = tail.map_or(*median, |tail| *above.select_nth_unstable_by(tail, f32::total_cmp).1);
     }
 
-    /// Shipped targets are sorted, which needs no table.
-    fn count_duplicates(&mut self) {
-        let rows = &self.target.rows;
-        if rows.is_sorted_by(|a, b| a.index < b.index) {
-            return;
-        }
-        let mut places: Vec<(u32, usize)> = rows.iter().enumerate().map(|(at, row)| (row.index, at)).collect();
-        places.sort_unstable();
-        let mut repeated: Vec<(usize, u32)> = Vec::new();
-        for pair in places.windows(2) {
-            if let [(first, _), (index, at)] = pair
-                && first == index
-            {
-                repeated.push((*at, *index));
-            }
-        }
-        repeated.sort_unstable();
-        for (at, index) in repeated {
+    fn count_repeats(&mut self) {
+        let repeats = repeats(&self.target.rows);
+        for at in repeats.rows {
+            let Some(index) = self.target.rows.get(at).map(|row| i64::from(row.index)) else { continue };
             let line = self.line_of(at);
-            self.target.facts.duplicate.add(line, i64::from(index));
+            self.target.facts.duplicate.add(line, index);
         }
+        let facts = &mut self.target.facts;
+        facts.moving -= repeats.replaced;
+        let zeros = self.zeros.iter().filter(|(_, index)| repeats.vertices.binary_search(index).is_err());
+        zeros.for_each(|(line, index)| facts.zero.add(*line, *index));
     }
 
     /// Line of a kept row.
@@ -311,6 +304,21 @@ mod tests {
         assert_eq!(tallies.map(|tally| tally.count), [1, 1, 3, 2, 1]);
         assert_eq!(facts.duplicate.first, [(6, 9)]);
         assert_eq!((facts.rows, target.rows.len()), (8, 5));
+    }
+
+    #[test]
+    fn zeros_of_a_vertex_that_moves_are_repeats_and_repeated_zeros_are_zeros() {
+        let facts = facts("1 0 .1 0\n1 0 0 0\n2 0 0 0\n3 0 0 0\n3 0 0 0\n4 0 0 0\n4 0 .1 0\n");
+        assert_eq!(facts.zero.first, [(3, 2), (4, 3), (5, 3)]);
+        assert_eq!(facts.duplicate.first, [(2, 1), (7, 4)]);
+        assert_eq!((facts.rows, facts.moving, facts.moves_nothing()), (7, 1, false));
+    }
+
+    #[test]
+    fn a_target_whose_rows_are_all_undone_moves_nothing() {
+        let undone = facts("1 0 .1 0\n1 0 0 0\n");
+        assert_eq!((undone.zero.count, undone.moving, undone.moves_nothing()), (0, 0, true));
+        assert!(!facts("1 nan 0 0\n").moves_nothing() && !facts("# a\n").moves_nothing());
     }
 
     #[test]
