@@ -9,7 +9,7 @@ use super::faulty_rows::row_name;
 use super::fields::fields;
 use super::inline_ignore::{self, InlineIgnore};
 pub use super::target_facts::{Largest, TargetFacts, UnreadableField};
-use super::target_repeats::repeats;
+use super::target_repeats::{moves, repeats};
 use super::target_row::fast_row;
 use super::{python_float, python_int};
 
@@ -54,7 +54,8 @@ pub fn parse(text: &[u8], mesh: Option<MeshSize>) -> Target {
 
 /// `fast` reads the lines it knows; tests take it away.
 fn parse_by(fast: impl Fn(&[u8]) -> (Option<Row>, usize), text: &[u8], mesh: Option<MeshSize>) -> Target {
-    let mut parser = Parser { target: Target::default(), mesh, lengths: Vec::new(), zeros: Vec::new(), line_offsets: Vec::new() };
+    let mut parser =
+        Parser { target: Target::default(), mesh, lengths: Vec::new(), zeros: Vec::new(), line_offsets: Vec::new() };
     parser.target.rows.reserve(text.len() / 20);
     let mut line = 1;
     let mut start = 0;
@@ -207,11 +208,7 @@ impl Parser {
     fn finish(mut self) -> Target {
         self.count_repeats();
         self.measure_lengths();
-        let mut hash = ContentHash::default();
-        for row in &self.target.rows {
-            hash.add(row.index, row.delta);
-        }
-        self.target.facts.content = hash.finish();
+        self.target.facts.content = ContentHash::of(&self.target.rows);
         self.target
     }
 
@@ -231,13 +228,16 @@ impl Parser {
 
     fn count_repeats(&mut self) {
         let repeats = repeats(&self.target.rows);
-        for at in repeats.rows {
-            let Some(index) = self.target.rows.get(at).map(|row| i64::from(row.index)) else { continue };
-            let line = self.line_of(at);
+        for at in &repeats.rows {
+            let Some(index) = self.target.rows.get(*at).map(|row| i64::from(row.index)) else { continue };
+            let line = self.line_of(*at);
             self.target.facts.duplicate.add(line, index);
         }
         let facts = &mut self.target.facts;
-        facts.moving -= repeats.replaced;
+        let replaced = repeats.replaced.iter().filter_map(|at| self.target.rows.get(*at));
+        let is_counted = |row: &&Row| moves(row) && row.delta.iter().all(|part| part.is_finite());
+        facts.moving -= replaced.filter(is_counted).count();
+        facts.displacement = repeats.displacement(&self.target.rows);
         let zeros = self.zeros.iter().filter(|(_, index)| repeats.vertices.binary_search(index).is_err());
         zeros.for_each(|(line, index)| facts.zero.add(*line, *index));
     }
@@ -341,6 +341,8 @@ mod tests {
     fn zeros_of_either_sign_are_one_content() {
         assert_eq!(facts("1 -0 0 1\n").content, facts("1 0 0 1\n").content);
         assert_ne!(facts("1 0 0 1\n").content, facts("2 0 0 1\n").content);
+        let written = facts("1 0 0 2\n3 0 0 0\n2 0 0 1\n1 0 0 0\n");
+        assert_eq!(written.displacement, facts("2 0 0 1\n").displacement);
     }
 
     #[test]

@@ -50,8 +50,11 @@ pub struct TargetFacts {
     pub max_index: Option<i64>,
     /// Base mesh that the header names (`# basemesh NAME`), with its line.
     pub basemesh: Option<(u32, String)>,
-    /// Hash over the decoded rows: equal displacement, equal hash.
+    /// Hash over the decoded rows: equal rows, equal hash.
     pub content: u64,
+    /// Hash over what comes of the rows: without those that move nothing or are replaced.
+    #[serde(skip)]
+    pub displacement: u64,
 }
 
 impl TargetFacts {

@@ -76,6 +76,16 @@ impl ReferenceKind {
     }
 }
 
+impl<'a> Reference<'a> {
+    /// The file that is meant, also where the name is not quite right: that has a finding of its own.
+    pub fn meant(&self) -> Option<&'a FileFacts> {
+        match self.resolution {
+            Resolution::Found(file) | Resolution::CaseOnly(file) | Resolution::Backslash(Some(file)) => Some(file),
+            _ => None,
+        }
+    }
+}
+
 /// All references of a base.
 pub(super) fn collect<'a>(repository: &Repository<'a>, base: &Base<'a>) -> Vec<Reference<'a>> {
     let mut references = Vec::new();

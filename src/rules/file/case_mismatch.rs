@@ -24,7 +24,9 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     fixed_names(repository, out);
-    for cause in causes(repository, |reference| found(reference).map(|found| differing(&plain(&reference.rel), found).0)) {
+    for cause in
+        causes(repository, |reference| found(reference).map(|found| differing(&plain(&reference.rel), found).0))
+    {
         let Some(first) = cause.references.first() else { continue };
         let Some(target) = found(first) else { continue };
         let written = plain(&first.rel);

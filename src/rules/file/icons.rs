@@ -38,7 +38,7 @@ pub(super) fn is_misspelt(repository: &Repository<'_>, name: &str) -> bool {
 pub(super) fn is_of_unused_target(repository: &Repository<'_>, icon: &str) -> bool {
     let is_used = |file: &FileFacts| {
         let mut targets = repository.references.iter().filter(|reference| reference.kind.is_target());
-        targets.any(|reference| matches!(reference.resolution, Resolution::Found(found) if std::ptr::eq(found, file)))
+        targets.any(|reference| reference.meant().is_some_and(|meant| std::ptr::eq(meant, file)))
     };
     let folders = repository.bases.iter().filter_map(|base| base.targets);
     let mut targets = folders.flat_map(|folder| folder.layer.below(&folder.rel()));
@@ -53,12 +53,7 @@ pub(super) fn is_of_unused_target(repository: &Repository<'_>, icon: &str) -> bo
 /// Paths of the icons that some slider asks for, relative to the root.
 pub(super) fn in_use(repository: &Repository<'_>) -> BTreeSet<String> {
     let icons = repository.references.iter().filter(|reference| reference.kind == ReferenceKind::Icon);
-    let mut used: BTreeSet<String> = icons
-        .filter_map(|reference| match reference.resolution {
-            Resolution::Found(file) | Resolution::CaseOnly(file) => Some(file.rel.clone()),
-            _ => None,
-        })
-        .collect();
+    let mut used: BTreeSet<String> = icons.filter_map(|icon| Some(icon.meant()?.rel.clone())).collect();
     repository.bases.iter().for_each(|base| used.extend(generated_icons(base)));
     used
 }

@@ -93,7 +93,7 @@ fn reason(repository: &Repository<'_>, file: &FileFacts, used: &BTreeSet<String>
 /// Whether something names the file but for capitals or the packing: the finding on that reference names the file.
 fn is_meant(repository: &Repository<'_>, file: &FileFacts) -> bool {
     repository.references.iter().any(|reference| match reference.resolution {
-        Resolution::CaseOnly(found) => std::ptr::eq(found, file),
+        Resolution::CaseOnly(found) | Resolution::Backslash(Some(found)) => std::ptr::eq(found, file),
         Resolution::Missing => file.rel.strip_suffix(".gz") == Some(reference.rel.as_str()),
         _ => false,
     })

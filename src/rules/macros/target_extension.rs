@@ -79,10 +79,7 @@ fn exists(base: &Base<'_>, macrodef: &Macrodef, name: &str) -> bool {
     let folder = macrodef.effective_folder.as_deref();
     let name = folder.map_or_else(|| name.to_owned(), |folder| format!("{folder}/{name}"));
     // Other faults of the name have findings of their own, and are mended afterwards.
-    matches!(
-        base.target_named(&name),
-        Resolution::Found(_) | Resolution::CaseOnly(_) | Resolution::Backslash(Some(_))
-    )
+    matches!(base.target_named(&name), Resolution::Found(_) | Resolution::CaseOnly(_) | Resolution::Backslash(Some(_)))
 }
 
 /// The name of the combination, if the folder has a target of that name.
@@ -93,8 +90,7 @@ fn own_target<'a>(base: &Base<'_>, macrodef: &Macrodef, link: &'a Link) -> Optio
 /// Whether the folder has a target for the combination that nothing uses.
 fn has_candidate(repository: &Repository<'_>, base: &Base<'_>, macrodef: &Macrodef, link: &Link) -> bool {
     let is_used = |file: &FileFacts| {
-        let found = |reference: &Reference<'_>| matches!(reference.resolution, Resolution::Found(found) if found.rel == file.rel);
-        repository.references_of(base).any(found)
+        repository.references_of(base).filter_map(Reference::meant).any(|meant| meant.rel == file.rel)
     };
     let name = values_of(&link.name);
     let fitting = |file: &&FileFacts| is_in_folder(base, macrodef, file) && fits(&values_of(file.stem()), &name);
