@@ -113,7 +113,7 @@ fn fill_target(facts: &mut FileFacts, bytes: &[u8], mesh: Option<MeshSize>) -> V
     } else {
         target::parse(bytes, mesh)
     };
-    facts.content_hash = Some(parsed.facts.content);
+    facts.content_hash = Some(parsed.facts.displacement);
     facts.ignores = parsed.ignores;
     facts.content = Content::Target(Box::new(parsed.facts));
     parsed.rows

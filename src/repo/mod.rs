@@ -11,7 +11,7 @@ mod overlay;
 mod reference;
 mod slider;
 
-pub use base::Base;
+pub use base::{Base, is_beneath};
 pub use facts::{Content, FileFacts};
 pub use layer::{Layer, Repository, TargetFolder};
 pub use overlay::{Candidate, Overlaid};

@@ -54,17 +54,38 @@ impl Cause<'_, '_> {
     }
 }
 
-/// Whether the name is part of a pattern by which something else knows the slider: written otherwise, it would be lost.
+/// Whether a slider must keep its name: it is part of a pattern by which something else knows the slider, or would,
+/// rightly written, give the pattern of another one.
 pub(super) fn is_known_by(repository: &Repository<'_>, reference: &Reference<'_>) -> bool {
+    is_slider(reference.kind) && (is_part_of_pattern(repository, reference) || has_double(repository, reference))
+}
+
+fn is_slider(kind: ReferenceKind) -> bool {
+    matches!(kind, ReferenceKind::Incr | ReferenceKind::Decr)
+}
+
+fn is_part_of_pattern(repository: &Repository<'_>, reference: &Reference<'_>) -> bool {
     let names_it = |pattern: &str| pattern.starts_with(reference.text);
     let mut bases = repository.bases.iter().filter(|base| base.name == reference.base);
-    matches!(reference.kind, ReferenceKind::Incr | ReferenceKind::Decr)
-        && bases.any(|base| {
-            let mut partners = base.sliders.iter().flat_map(|bound| [&bound.slider.lsym, &bound.slider.rsym]);
-            let presets = base.settings().map(|(_, settings)| settings.presets.as_slice()).unwrap_or_default();
-            partners.any(|partner| partner.as_deref().is_some_and(names_it))
-                || presets.iter().any(|(pattern, _)| names_it(pattern))
-        })
+    bases.any(|base| {
+        let mut partners = base.sliders.iter().flat_map(|bound| [&bound.slider.lsym, &bound.slider.rsym]);
+        let presets = base.settings().map(|(_, settings)| settings.presets.as_slice()).unwrap_or_default();
+        partners.any(|partner| partner.as_deref().is_some_and(names_it))
+            || presets.iter().any(|(pattern, _)| names_it(pattern))
+    })
+}
+
+/// Whether another slider moves the same targets.
+fn has_double(repository: &Repository<'_>, reference: &Reference<'_>) -> bool {
+    let mut by_slider: BTreeMap<&str, BTreeMap<ReferenceKind, &str>> = BTreeMap::new();
+    let of_base = repository.references.iter().filter(|other| other.base == reference.base && is_slider(other.kind));
+    for other in of_base {
+        if let Some(file) = other.meant() {
+            by_slider.entry(other.owner).or_default().insert(other.kind, &file.path);
+        }
+    }
+    let own = by_slider.remove(reference.owner);
+    own.is_some_and(|own| by_slider.values().any(|other| *other == own))
 }
 
 /// A fix that also writes `text` for a name.

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::fit::{fits, values_of};
 use crate::diag::Place;
 use crate::formats::macro_json::{Link, Macrodef};
-use crate::repo::{Base, FileFacts, Reference, ReferenceKind, Repository, Resolution};
+use crate::repo::{Base, FileFacts, Reference, ReferenceKind, Repository, Resolution, is_beneath};
 
 /// An entry with a file name.
 #[derive(Clone, Copy)]
@@ -130,8 +130,7 @@ fn last_part(text: &str) -> Option<&str> {
 /// Whether a target lies in the folder that a definition uses, or below it.
 pub(super) fn is_in_folder(base: &Base<'_>, macrodef: &Macrodef, file: &FileFacts) -> bool {
     let name = base.targets.and_then(|folder| folder.name_of(file)).unwrap_or_default();
-    let folder = macrodef.effective_folder.as_deref().map_or("", |folder| folder.trim_matches('/'));
-    !folder.is_empty() && name.strip_prefix(folder).is_some_and(|rest| rest.starts_with('/'))
+    macrodef.effective_folder.as_deref().is_some_and(|folder| is_beneath(folder, name))
 }
 
 /// The file whose name is most like that of a missing one, in the same folder.
