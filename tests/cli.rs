@@ -272,7 +272,8 @@ fn a_report_goes_to_where_a_link_leads_even_if_nothing_is_there_yet() {
     use std::os::unix::fs::symlink;
     let repository = example();
     let at = |name: &str| repository.path().join(name);
-    for (link, target) in [("new.json", "user/report.json"), ("gone.json", "no/such/r.json"), ("round.json", "round.json")]
+    for (link, target) in
+        [("new.json", "user/report.json"), ("gone.json", "no/such/r.json"), ("round.json", "round.json")]
     {
         symlink(target, at(link)).unwrap();
     }

@@ -5,7 +5,9 @@ use xxhash_rust::xxh3::xxh3_64;
 use crate::discover::{Kind, kind_of};
 use crate::formats::json_file::{self, JsonFacts, JsonFault};
 use crate::formats::target::{MeshSize, Row};
-use crate::formats::{base_json, geometry, inline_ignore, macro_json, mhskel, mhw, modelling, npz, obj, target, target_cat};
+use crate::formats::{
+    base_json, geometry, inline_ignore, macro_json, mhskel, mhw, modelling, npz, obj, target, target_cat,
+};
 use crate::json::{self, Document, SchemaFaults};
 use crate::repo::{Content, FileFacts};
 use crate::source::{Encoding, Entry, Limits, Tree, try_gunzip, zip_bomb};

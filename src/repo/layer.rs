@@ -12,7 +12,7 @@ use crate::discover::{Kind, kind_of};
 use crate::source::WalkFault;
 
 /// A path as a system compares it that regards neither capitals nor the form of accented letters.
-pub fn folded(path: &str) -> String {
+pub fn fold(path: &str) -> String {
     composed(path).to_lowercase()
 }
 
@@ -89,20 +89,20 @@ impl Layer {
 
     /// The file whose path differs from `rel` in nothing but case, or the form of its accented letters.
     pub fn file_ignoring_case(&self, rel: &str) -> Option<&FileFacts> {
-        let wanted = folded(rel);
+        let wanted = fold(rel);
         let (files, folded) = self.folded.get_or_init(|| (self.files.len(), self.folded()));
         if *files == self.files.len() {
             return self.files.get(folded.get(&wanted)?);
         }
         // Files were added since.
-        self.files.values().find(|file| folded(&file.rel) == wanted)
+        self.files.values().find(|file| fold(&file.rel) == wanted)
     }
 
     /// Of paths that differ in case only, the first.
     fn folded(&self) -> BTreeMap<String, String> {
         let mut folded = BTreeMap::new();
         for rel in self.files.keys() {
-            folded.entry(self::folded(rel)).or_insert_with(|| rel.clone());
+            folded.entry(fold(rel)).or_insert_with(|| rel.clone());
         }
         folded
     }
@@ -113,7 +113,7 @@ impl Layer {
             return file.path.clone();
         }
         if let Some(folder) = self.below(rel).next().filter(|file| file.is_loose()).map(FileFacts::folder) {
-            return folder.to_owned();
+            return if folder.is_empty() { ".".to_owned() } else { folder.to_owned() };
         }
         if self.path.is_empty() { rel.to_owned() } else { format!("{}/{rel}", self.path) }
     }

@@ -44,7 +44,8 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         }
         let what = if on_disk == target { "file" } else { "folder" };
         if in_form {
-            let help = format!("the {what} and its name here look alike: give both plain letters, or copy one to the other");
+            let help =
+                format!("the {what} and its name here look alike: give both plain letters, or copy one to the other");
             out.push(finding.help(help));
             continue;
         }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::super::Rule;
 use crate::diag::{Change, Evidence, Finding, Fix, Level, Place};
-use crate::repo::{Reference, ReferenceKind, Repository, Resolution, composed, folded};
+use crate::repo::{Reference, ReferenceKind, Repository, Resolution, composed, fold};
 
 /// References of one cause in one file, in the order of the file.
 pub(super) struct Cause<'r, 'a> {
@@ -102,8 +102,8 @@ pub(super) fn differs_in_form(reference: &Reference<'_>) -> bool {
 /// Other files of the layer that the name fits as well, but for capitals.
 pub(super) fn alike<'r>(repository: &'r Repository<'_>, target: &str) -> Vec<&'r str> {
     let layer = repository.strongest_first().find(|layer| layer.file(target).is_some());
-    let wanted = folded(target);
-    let is_alike = |rel: &&str| *rel != target && folded(rel) == wanted;
+    let wanted = fold(target);
+    let is_alike = |rel: &&str| *rel != target && fold(rel) == wanted;
     layer.into_iter().flat_map(|layer| layer.files.values().map(|file| file.rel.as_str())).filter(is_alike).collect()
 }
 
