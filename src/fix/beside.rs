@@ -40,8 +40,8 @@ impl Beside {
     }
 }
 
-/// Replaces a file as a whole, or makes it. A link is followed, to where nothing is as well; a device or pipe has no place to take and is written
-/// to as it is.
+/// Replaces a file as a whole, or makes it. A link is followed, also to where nothing is yet; a device or pipe has no
+/// place to take and is written to as it is.
 ///
 /// # Errors
 /// What the operating system says. Then the file is as it was.
