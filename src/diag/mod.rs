@@ -18,7 +18,7 @@ pub use finding::{Break, Finding, Over, Related};
 pub use fix::{Change, Edit, Fix, Rewrite, Step};
 pub use key::{fingerprint, structural};
 pub use level::{Application, Confidence, Level};
-pub use nearest::{Sought, nearest};
+pub use nearest::{Sought, Suggestions, nearest};
 pub use place::{Element, Excerpt, Location, Place};
 pub use rule_info::{FixKind, OptionInfo, RuleInfo, Sight};
 pub use upkeep::{BaselineUse, IdleGlob, Mute, MuteState, UnknownRule, Upkeep};

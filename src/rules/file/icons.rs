@@ -22,6 +22,9 @@ pub(super) fn is_store(repository: &Repository<'_>, file: &FileFacts) -> bool {
     })
 }
 
+/// Names of missing icons that are compared with others; where thousands are missing, none is a slip of the pen.
+const COMPARED: usize = 4096;
+
 /// What the sliders of a repository say about icons, gathered once for all of its icons.
 pub(super) struct Icons<'r> {
     /// Names of the icons that are asked for and not there.
@@ -60,7 +63,7 @@ impl<'r> Icons<'r> {
     pub(super) fn is_misspelt(&self, name: &str) -> bool {
         self.lost.contains_key(name)
             || self.meant.contains(name)
-            || self.lost.values().any(|written| written.may_mean(name))
+            || self.lost.len() <= COMPARED && self.lost.values().any(|written| written.may_mean(name))
     }
 
     /// Whether the picture is called after a target of a slider that is gone: that nothing uses the target is the
