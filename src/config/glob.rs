@@ -19,6 +19,8 @@ pub struct Selector {
 pub struct PathGlob {
     /// As written.
     pub text: String,
+    /// Where.
+    pub span: Range<usize>,
     glob: GlobMatcher,
 }
 
@@ -39,11 +41,15 @@ impl Selector {
 }
 
 impl PathGlob {
-    pub(super) fn new(text: &str) -> Result<Self, String> {
+    /// Compiles a glob of paths.
+    ///
+    /// # Errors
+    /// What is wrong with the glob.
+    pub fn new(text: &str, span: Range<usize>) -> Result<Self, String> {
         let plain = text.trim_start_matches("./").trim_end_matches('/');
         let glob = GlobBuilder::new(plain).literal_separator(true).build();
         let glob = glob.map_err(|error| error.kind().to_string())?.compile_matcher();
-        Ok(Self { text: plain.to_owned(), glob })
+        Ok(Self { text: plain.to_owned(), span, glob })
     }
 
     /// Whether it fits a path. Without a wildcard it names a file, or a folder with everything in it.
@@ -68,7 +74,7 @@ mod tests {
 
     #[test]
     fn a_star_stays_in_its_folder_and_a_plain_name_covers_a_folder() {
-        let fits = |glob: &str, path: &str| PathGlob::new(glob).unwrap().fits(path);
+        let fits = |glob: &str, path: &str| PathGlob::new(glob, 0..0).unwrap().fits(path);
         assert!(fits("rigs/*/a.mhw", "rigs/hm08/a.mhw") && !fits("rigs/*", "rigs/hm08/a.mhw"));
         assert!(fits("rigs/**", "rigs/hm08/a.mhw") && fits("**/a.mhw", "rigs/hm08/a.mhw"));
         assert!(fits("rigs", "rigs/hm08/a.mhw") && fits("./rigs/", "rigs/a") && !fits("rigs", "rigs2/a"));
@@ -76,7 +82,7 @@ mod tests {
 
     #[test]
     fn everything_that_fits_lies_in_its_folder() {
-        let folder = |glob: &str| PathGlob::new(glob).unwrap().folder().to_owned();
+        let folder = |glob: &str| PathGlob::new(glob, 0..0).unwrap().folder().to_owned();
         assert_eq!([folder("a/b*/c"), folder("a/b"), folder("**"), folder("a/**")], ["a", "a/b", "", "a"]);
     }
 }

@@ -11,7 +11,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
                the next fault of the kind without a word.\n\nRemove it. It is reported only where the run looked at \
                everything that the mute is for: not with `--only`, `--skip` or `--base`, and not when PATH is \
                narrower than the mute. A rule that is a matter of safety cannot be muted, so a mute for it has no \
-               effect either.",
+               effect either, nor has a comment that speaks to mhlint in other words.",
         ..RuleInfo::new("config-unused-ignore", Level::Warning, "a mute that hides nothing")
     },
     check: Check::Upkeep(run),
@@ -19,6 +19,11 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(upkeep: &Upkeep, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for mute in &upkeep.mutes {
+        if let MuteState::Malformed { words } = &mute.state {
+            let message = format!("the comment `{words}` is no mute");
+            out.push(on(&RULE, mute, message).key(words).help("write `mhlint: ignore RULE reason` behind the `#`"));
+            continue;
+        }
         let (message, help) = match mute.state {
             MuteState::Unused => (
                 format!("the mute of `{}` hides nothing: nothing of the kind is found{}", mute.rule, where_of(mute)),
