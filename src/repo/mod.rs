@@ -13,7 +13,7 @@ mod slider;
 
 pub use base::Base;
 pub use facts::{Content, FileFacts};
-pub use layer::{Layer, Repository, TargetFolder};
+pub use layer::{Layer, Repository, TargetFolder, composed, fold};
 pub use overlay::{Candidate, Overlaid};
 pub use reference::{Reference, ReferenceKind, Resolution};
 pub use slider::{BoundSlider, Pattern};

@@ -51,7 +51,7 @@ pub enum ReferenceKind {
 pub enum Resolution<'a> {
     /// The file; the archive for a target that only the archive holds.
     Found(&'a FileFacts),
-    /// A file whose path differs in case only.
+    /// A file whose path differs in case only, or in the form of its accented letters.
     CaseOnly(&'a FileFacts),
     /// A file that only a system which takes `\` for a separator finds.
     Backslash(Option<&'a FileFacts>),

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
 use super::loader::{is_generated, misnamed};
-use super::named::{Cause, alike, causes, effect, is_known_by, written};
+use super::named::{Cause, alike, causes, differing, differs_in_form, effect, is_known_by, written};
 use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Place, RuleInfo};
 use crate::repo::{Reference, Repository, Resolution};
 
@@ -14,7 +14,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
         breaks: &[(Application::Makehuman2, "finds it on Windows and macOS, on Linux it does not exist")],
         docs: "The name is written with other capitals than the file has. On Windows and on most Macs that makes no difference, on Linux it \
             does, and inside `compressedtargets.npz` everywhere.\n\nWhat follows is what follows from a missing file: an exception when \
-            the slider moves, a refused skeleton, an empty button.\n\nThe same goes for base.json, base.obj, macro.json, modelling.json and target_cat.json, which are looked for by these names alone.\n\nWrite the name exactly as the file is called, or rename \
+            the slider moves, a refused skeleton, an empty button.\n\nThe same goes for base.json, base.obj, macro.json, modelling.json and target_cat.json, which are looked for by these names alone.\n\nAccented letters can be written in two forms that \
+            look alike, as one letter or as a letter and a mark (Unicode normalisation). macOS finds either, other systems only what is written.\n\nWrite the name exactly as the file is called, or rename \
             the file. A folder whose name differs is reported once for the file that refers into it.",
         ..RuleInfo::new("file-case-mismatch", Level::Error, "a reference that differs from its file in case")
     },
@@ -28,13 +29,26 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let Some(target) = found(first) else { continue };
         let (name, on_disk) = differing(&first.rel, target);
         let holder = repository.strongest_first().find(|layer| layer.file(target).is_some());
-        let finding = cause.finding(&RULE, |_| format!("`{name}` is called `{on_disk}` on disk"));
+        let in_form = differs_in_form(first);
+        let finding = cause.finding(&RULE, |_| {
+            if in_form {
+                return format!("`{name}` and the name on disk differ only in Unicode normalisation");
+            }
+            format!("`{name}` is called `{on_disk}` on disk")
+        });
         let Some(finding) = finding else { continue };
-        let mut finding = finding.breaks(Application::Makehuman2, format!("on Linux: {}", effect(first.kind)));
+        let systems = if in_form { "on Linux and Windows" } else { "on Linux" };
+        let mut finding = finding.breaks(Application::Makehuman2, format!("{systems}: {}", effect(first.kind)));
         if let Some(layer) = holder {
             finding = finding.related(layer.display(target), Place::File, "the file that is meant");
         }
         let what = if on_disk == target { "file" } else { "folder" };
+        if in_form {
+            let help =
+                format!("the {what} and its name here look alike: give both plain letters, or copy one to the other");
+            out.push(finding.help(help));
+            continue;
+        }
         let meant = meant(first, &name, &on_disk);
         if differs_in_extension(&first.rel, target) {
             let right = first.rel.rsplit('/').next().unwrap_or_default();
@@ -126,32 +140,4 @@ fn folder_on_disk(reference: &Reference<'_>) -> Option<(String, String)> {
     let above = found(reference)?.strip_suffix(".target")?.strip_suffix(reference.text)?.strip_suffix('/')?;
     let text = above.get(above.len().checked_sub(folder.len())?..)?;
     text.eq_ignore_ascii_case(folder).then(|| (pointer.clone(), text.to_owned()))
-}
-
-/// The shortest beginnings of both paths that hold the whole difference: a folder, where one differs.
-fn differing(written: &str, real: &str) -> (String, String) {
-    let (mut a, mut b) = (Vec::new(), Vec::new());
-    let mut differ = 0;
-    for (index, (left, right)) in written.split('/').zip(real.split('/')).enumerate() {
-        a.push(left);
-        b.push(right);
-        if left != right {
-            differ = index + 1;
-        }
-    }
-    a.truncate(differ);
-    b.truncate(differ);
-    (a.join("/"), b.join("/"))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_folder_is_named_without_what_is_in_it() {
-        let both = |a: &str, b: &str| (a.to_owned(), b.to_owned());
-        assert_eq!(differing("t/Head/a.target", "t/head/a.target"), both("t/Head", "t/head"));
-        assert_eq!(differing("t/Head/A.target", "t/head/a.target"), both("t/Head/A.target", "t/head/a.target"));
-    }
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::super::Rule;
 use crate::diag::{Change, Evidence, Finding, Fix, Level, Place};
-use crate::repo::{Reference, ReferenceKind, Repository};
+use crate::repo::{Reference, ReferenceKind, Repository, Resolution, composed, fold};
 
 /// References of one cause in one file, in the order of the file.
 pub(super) struct Cause<'r, 'a> {
@@ -94,10 +94,43 @@ pub(super) fn effect(kind: ReferenceKind) -> &'static str {
     }
 }
 
+/// Whether a reference names its file in another form of accented letters, and not just with other capitals.
+pub(super) fn differs_in_form(reference: &Reference<'_>) -> bool {
+    matches!(reference.resolution, Resolution::CaseOnly(file) if composed(&reference.rel) == composed(&file.rel))
+}
+
 /// Other files of the layer that the name fits as well, but for capitals.
 pub(super) fn alike<'r>(repository: &'r Repository<'_>, target: &str) -> Vec<&'r str> {
     let layer = repository.strongest_first().find(|layer| layer.file(target).is_some());
-    let lower = target.to_lowercase();
-    let is_alike = |rel: &&str| *rel != target && rel.to_lowercase() == lower;
+    let wanted = fold(target);
+    let is_alike = |rel: &&str| *rel != target && fold(rel) == wanted;
     layer.into_iter().flat_map(|layer| layer.files.values().map(|file| file.rel.as_str())).filter(is_alike).collect()
+}
+
+/// The shortest beginnings of both paths that hold the whole difference: a folder, where one differs.
+pub(super) fn differing(written: &str, real: &str) -> (String, String) {
+    let (mut a, mut b) = (Vec::new(), Vec::new());
+    let mut differ = 0;
+    for (index, (left, right)) in written.split('/').zip(real.split('/')).enumerate() {
+        a.push(left);
+        b.push(right);
+        if left != right {
+            differ = index + 1;
+        }
+    }
+    a.truncate(differ);
+    b.truncate(differ);
+    (a.join("/"), b.join("/"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_folder_is_named_without_what_is_in_it() {
+        let both = |a: &str, b: &str| (a.to_owned(), b.to_owned());
+        assert_eq!(differing("t/Head/a.target", "t/head/a.target"), both("t/Head", "t/head"));
+        assert_eq!(differing("t/Head/A.target", "t/head/a.target"), both("t/Head/A.target", "t/head/a.target"));
+    }
 }
