@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use crate::engine::Outcome;
 use crate::report::Format;
+use crate::source::slashed;
 
 /// How paths that are relative to the working directory become relative to the top of the repository.
 struct Workspace {
@@ -77,11 +78,6 @@ impl Workspace {
         }
         Some(parts.join("/"))
     }
-}
-
-fn slashed(path: &Path) -> String {
-    let text = path.to_string_lossy();
-    if cfg!(windows) { text.replace('\\', "/") } else { text.into_owned() }
 }
 
 #[cfg(test)]

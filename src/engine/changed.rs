@@ -12,7 +12,7 @@ use super::outcome::Outcome;
 use super::sight::{Sight, sight};
 use crate::diag::{Finding, Place};
 use crate::repo::{Layer, Reference, Repository, Resolution};
-use crate::source::{folder_of, link_targets, resolved};
+use crate::source::{folder_of, link_targets, resolved, slashed};
 
 /// Paths of changed files: absolute, without `..`, with forward slashes.
 pub(super) struct Change {
@@ -302,12 +302,6 @@ fn in_its_folder(path: &Path) -> String {
         Some(name) => slashed(&resolved(folder_of(path)).join(name)),
         None => slashed(&resolved(path)),
     }
-}
-
-/// A backslash separates on Windows and is part of a name elsewhere.
-fn slashed(path: &Path) -> String {
-    let text = path.to_string_lossy();
-    if cfg!(windows) { text.replace('\\', "/") } else { text.into_owned() }
 }
 
 #[cfg(test)]

@@ -17,7 +17,7 @@ pub use folder::{Folder, holds, is_below};
 pub use gunzip::{GzipFault, gunzip, try_gunzip};
 pub use limits::Limits;
 pub use lines::{Position, excerpt, line_span, position};
-pub use place::{canonical, folder_of, link_targets, resolved};
+pub use place::{canonical, folder_of, link_targets, resolved, slashed};
 pub use text::Encoding;
 pub use tree::{Entry, EntryKind, ReadFault, Tree, WalkFault, WalkFaultKind, read_file};
 pub use walk::Wanted;
