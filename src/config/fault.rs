@@ -44,6 +44,8 @@ impl Fault {
     pub(super) fn new(text: &str, span: Range<usize>, message: String, help: String) -> Self {
         let at = position(text.as_bytes(), span.start);
         let quoted = quote(text, span).unwrap_or_default();
+        // A name in quotes may hold line breaks, and what stands behind one must not look like a line of its own.
+        let [message, help] = [message, help].map(|text| text.replace(['\n', '\r'], " "));
         Self { message, help, place: Some((at.line, at.column)), quoted }
     }
 }
