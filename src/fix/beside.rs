@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 use tempfile::{Builder, TempPath};
 
-use crate::source::folder_of;
+use crate::source::{folder_of, link_targets};
 
 /// A content that waits beside its file; goes away if it is not used.
 #[derive(Debug)]
@@ -49,7 +49,10 @@ pub fn replace(file: &Path, bytes: &[u8]) -> io::Result<()> {
     match fs::metadata(file) {
         Ok(before) if !before.is_file() => fs::OpenOptions::new().write(true).open(file)?.write_all(bytes),
         Ok(_) => Beside::write(fs::canonicalize(file)?, bytes)?.take_place(),
-        Err(_) => Beside::write(file.to_owned(), bytes)?.take_place(),
+        Err(_) => {
+            let behind = link_targets(file).pop().unwrap_or_else(|| file.to_owned());
+            Beside::write(behind, bytes)?.take_place()
+        }
     }
 }
 
