@@ -1,5 +1,6 @@
 //! What a run gives back.
 
+use std::path::Path;
 use std::time::Duration;
 
 use serde::Serialize;
@@ -7,6 +8,8 @@ use serde::Serialize;
 use super::baseline::Baseline;
 use crate::config::Config;
 use crate::diag::{Application, Finding, Level};
+use crate::discover::{Kind, kind_of, loose_place, root_above};
+use crate::source::{resolved, slashed};
 
 /// Result of a run.
 #[derive(Debug, Clone, Default)]
@@ -25,6 +28,8 @@ pub struct Outcome {
     pub baseline: Option<Baseline>,
     /// Findings that are not shown because the change cannot affect them.
     pub left_out: usize,
+    /// What alone was reported on, where that is not all of the data: `in ...`, `on ...`, `by ...`.
+    pub only: Vec<String>,
     /// Rules that panicked: bugs of ours, whose findings are missing.
     pub failed_rules: Vec<String>,
 }
@@ -121,6 +126,18 @@ impl Outcome {
         let graded = config.fail_on.is_some_and(|level| self.has_at_least(level));
         let too_many = config.max_warnings.is_some_and(|limit| self.summary.warning > limit);
         self.failed_rules.is_empty() && !graded && !too_many
+    }
+
+    /// Whether a file lies where a judged data root has its assets, or is a loose one of them.
+    pub fn has_asset(&self, file: &Path) -> bool {
+        let place = resolved(file);
+        let below = |root: &RootSummary| {
+            let rel = slashed(place.strip_prefix(resolved(Path::new(&root.path))).ok()?);
+            let (folder, _) = rel.split_once('/').unwrap_or(("", &rel));
+            let in_data = root_above(folder).is_some() && kind_of(&rel).0 != Kind::Other;
+            Some(in_data || loose_place(&rel, None).is_some())
+        };
+        self.roots.iter().filter(|root| root.judged).any(|root| below(root) == Some(true))
     }
 
     /// Whether any root was judged.
