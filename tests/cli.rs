@@ -491,6 +491,8 @@ fn a_report_does_not_take_the_place_of_an_asset() {
     assert_eq!(fs::read(root.join(asset)).unwrap(), before);
     fs::write(root.join("loose.target"), "1 0.1 0.2 0.3\n").unwrap();
     assert_refused(&mhlint(root, &["loose.target", "--report", "json=loose.target"]), &["is an asset"]);
+    let in_system = format!("json={asset}");
+    assert_refused(&mhlint(root, &["user", "--system", "data", "--report", &in_system]), &["is an asset"]);
     // Beside the assets a report is welcome, again and again.
     for file in ["r.json", "data/r.json", "data/target/figure/r.html", "r.json", "data/r.json"] {
         assert_eq!(code(&mhlint(root, &[".", "--report", &format!("json={file}")])), Some(1), "{file}");

@@ -7,7 +7,7 @@ use std::path::{Component, Path, PathBuf};
 use super::exit::Failure;
 use super::git::{Refusal, Repository};
 use crate::config::{Config, FILE_NAME};
-use crate::source::{canonical, folder_of, resolved};
+use crate::source::{canonical, folder_of, holds, resolved};
 
 /// Paths from a list: a line each, or separated by NUL as `git diff -z` writes them; `-` is standard input.
 /// Lines that git has put in quotes, as it does where a name is not ASCII, are read as git means them.
@@ -104,11 +104,11 @@ fn leads_somewhere(file: &Path) -> bool {
     file.exists() || file.is_symlink() || folder_of(file).is_dir() || outermost(file)
 }
 
-/// The folder above the working directory from which a path would lead to something.
+/// The folder above the working directory, not above its repository, from which a path would lead to something.
 fn folder_above_with(file: &Path) -> Option<PathBuf> {
     let here = canonical(Path::new("."))?;
-    let above: Vec<&Path> = here.ancestors().skip(1).collect();
-    let found = above.iter().position(|above| leads_somewhere(&above.join(file)))?;
+    let levels = here.ancestors().position(|folder| holds(folder, ".git")).unwrap_or(usize::MAX);
+    let found = here.ancestors().skip(1).take(levels).position(|above| leads_somewhere(&above.join(file)))?;
     file.is_relative().then(|| vec![".."; found + 1].join("/").into())
 }
 

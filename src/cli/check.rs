@@ -36,7 +36,7 @@ pub(super) fn run(
     drop(progress);
     let checked = checked.map_err(|error| explained(error, paths, args, &config))?;
     let outcome = &checked.outcome;
-    refuse_asset(&targets, paths, outcome)?;
+    refuse_asset(&targets, paths, &config, outcome)?;
     let exit = exit(outcome, &config, &panics.noted());
     if args.fixes.diff && !matches!(exit, Exit::CannotWork | Exit::NothingToCheck) {
         let changes = checked.show(terminal, out)?;

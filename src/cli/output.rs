@@ -92,10 +92,16 @@ pub(super) fn refuse_unwritable(what: &str, file: &Path) -> Result<(), Failure> 
 }
 
 /// Refuses a report in place of what was judged, before anything is written.
-pub(super) fn refuse_asset(targets: &[Target], paths: &[PathBuf], outcome: &Outcome) -> Result<(), Failure> {
+pub(super) fn refuse_asset(
+    targets: &[Target],
+    paths: &[PathBuf],
+    config: &Config,
+    outcome: &Outcome,
+) -> Result<(), Failure> {
+    let system = config.system.as_deref();
     let is_path = |file: &Path| paths.iter().any(|path| path.is_file() && resolved(path) == resolved(file));
     let mut files = targets.iter().filter_map(|target| target.file.as_deref());
-    files.find(|file| file.is_file() && (is_path(file) || outcome.has_asset(file))).map_or(Ok(()), |file| {
+    files.find(|file| file.is_file() && (is_path(file) || outcome.has_asset(file, system))).map_or(Ok(()), |file| {
         let (shown, remedy) = (file.display(), "name another file, outside of the data");
         Err(Failure::Usage(format!(
             "cannot write a report to `{shown}`: that is an asset, and would be lost; {remedy}"

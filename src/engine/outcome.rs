@@ -128,16 +128,16 @@ impl Outcome {
         self.failed_rules.is_empty() && !graded && !too_many
     }
 
-    /// Whether a file lies where a judged data root has its assets, or is a loose one of them.
-    pub fn has_asset(&self, file: &Path) -> bool {
+    /// Whether a file lies where a judged data root or the system data have their assets, or is a loose one of them.
+    pub fn has_asset(&self, file: &Path, system: Option<&Path>) -> bool {
         let place = resolved(file);
-        let below = |root: &RootSummary| {
-            let rel = slashed(place.strip_prefix(resolved(Path::new(&root.path))).ok()?);
-            let (folder, _) = rel.split_once('/').unwrap_or(("", &rel));
-            let in_data = root_above(folder).is_some() && kind_of(&rel).0 != Kind::Other;
-            Some(in_data || loose_place(&rel, None).is_some())
+        let is_asset_in = |root: &Path| {
+            let rel = place.strip_prefix(resolved(root)).map(slashed).unwrap_or_default();
+            let (folder, _) = rel.rsplit_once('/').unwrap_or_default();
+            root_above(folder).is_some() && kind_of(&rel).0 != Kind::Other || loose_place(&rel, None).is_some()
         };
-        self.roots.iter().filter(|root| root.judged).any(|root| below(root) == Some(true))
+        let judged = self.roots.iter().filter(|root| root.judged).map(|root| Path::new(root.path.as_str()));
+        judged.chain(system).any(is_asset_in)
     }
 
     /// Whether any root was judged.

@@ -83,7 +83,8 @@ pub(super) fn words(outcome: &Outcome, view: &View<'_>) -> String {
 
 /// Where or by what alone something could be found, with a blank before it; empty where nothing was left out.
 fn only(outcome: &Outcome) -> String {
-    outcome.only.iter().map(|part| format!(" {}", printable(part))).collect()
+    let parts: Vec<String> = outcome.only.iter().map(|part| printable(part)).collect();
+    if parts.is_empty() { String::new() } else { format!(" {}", parts.join(" ")) }
 }
 
 /// What the gravest findings on assets mean. Those on the settings of mhlint concern no application.

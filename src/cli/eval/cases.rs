@@ -66,7 +66,7 @@ fn line(comparison: &Comparison) -> String {
     let verdict = if comparison.agrees() { "agrees " } else { "differs" };
     let mut lines = vec![format!("{verdict} {}: {}\n", printable(&comparison.name), printable(&numbers.join(", ")))];
     let shown = comparison.differences.iter().take(SHOWN);
-    lines.extend(shown.map(|difference| format!("        {}\n", printable(&difference.to_string()))));
+    lines.extend(shown.map(|difference| format!("        {}\n", printable(difference))));
     if comparison.differences.len() > SHOWN {
         lines.push(format!("        and {} differences more\n", comparison.differences.len() - SHOWN));
     }
