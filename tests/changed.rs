@@ -378,10 +378,77 @@ fn what_belongs_together_is_not_mended_by_halves() {
     let output = check(root, &fix);
     assert_eq!(written(root), [EMPTY]);
     assert_shown(&output, 0, &["macro-empty-target"], &[]);
-    let said = "1 finding would be mended in files that have not changed; those stay as they are";
+    let said = "1 finding would be mended in files that have not changed; those stay as they are; \
+        run without --since to mend them";
     assert!(stderr(&output).contains(said), "{}", stderr(&output));
     // With macro.json in the change the fix is whole.
     edit(root, "data/target/figure/macro.json", "\"name\"", "\"name\" ");
     assert_shown(&check(root, &fix), 0, &[], &["macro-empty-target"]);
     assert!(!root.join(EMPTY).exists());
+}
+
+#[test]
+fn a_list_that_cannot_be_meant_is_no_pass() {
+    let repository = repository();
+    let root = repository.path();
+    let shown = |folder: &Path, list: &str, said: &str| {
+        fs::write(root.join("list"), list).unwrap();
+        let list = root.join("list");
+        let output = check(folder, &["--changed-files", list.to_str().unwrap()]);
+        assert_shown(&output, 1, &[OLD], &[]);
+        assert!(
+            stderr(&output).contains(said) && stderr(&output).contains(": the whole report"),
+            "{}",
+            stderr(&output)
+        );
+        assert_eq!(stderr(&check(folder, &["--quiet", "--changed-files", list.to_str().unwrap()])), "");
+    };
+    shown(root, "", "--changed-files lists no file");
+    shown(root, "elsewhere/a\nelsewhere/b\n", "`elsewhere/a` is not here, nor is any other of the 2 listed files");
+    // What git lists from the top of the repository, whatever folder it is asked in.
+    let data = root.join("data");
+    let inside = format!("`{OVAL}` is not here, but in `..`; list paths relative to where mhlint runs");
+    shown(&data, &format!("README.md\n{OVAL}\n"), &inside);
+    fs::remove_file(root.join(OVAL)).unwrap();
+    shown(&data, &format!("{OVAL}\n"), &inside);
+}
+
+#[test]
+fn a_list_of_deleted_files_and_files_beside_the_data_narrows() {
+    let repository = repository();
+    let root = repository.path();
+    fs::remove_dir_all(root.join("data/target/figure/head")).unwrap();
+    fs::write(root.join("notes.txt"), "").unwrap();
+    for list in [format!("{OVAL}\nnotes.txt\n"), "notes.txt\ndocs/gone.md\n".to_owned(), "gone.txt\n".to_owned()] {
+        fs::write(root.join("list"), &list).unwrap();
+        let output = check(root, &["--changed-files", "list"]);
+        assert!(
+            stderr(&output).contains("narrowed to what") && !stdout(&output).contains(OLD),
+            "{list}: {}",
+            stdout(&output)
+        );
+    }
+    fs::write(root.join("list"), format!("../{OVAL}\n")).unwrap();
+    let output = check(&root.join("user"), &["--changed-files", "../list"]);
+    assert!(stderr(&output).contains("narrowed to what"), "{}", stderr(&output));
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_backslash_in_the_name_of_a_folder_is_no_separator() {
+    let repository = example();
+    let root = repository.path();
+    fs::create_dir(root.join("k\\b")).unwrap();
+    fs::rename(root.join("data"), root.join("k\\b/data")).unwrap();
+    let target = format!("k\\b/{OVAL}");
+    fs::write(root.join(&target), "1 nan 0 0\n").unwrap();
+    fs::write(root.join("list"), format!("{target}\n")).unwrap();
+    let report = ["--no-eval", "--report", "concise"];
+    let narrowed = mhlint(root, &[&["k\\b/data", "--changed-files", "list"], &report[..]].concat());
+    assert_shown(&narrowed, 1, &[&format!("{target}:1:1: error[target-non-finite]")], &[]);
+    let part = mhlint(root, &[&[target.as_str()], &report[..]].concat());
+    assert_shown(&part, 1, &["target-non-finite", "in 86 files"], &["(loose)"]);
+    fs::write(root.join("k\\b/mhlint.toml"), "[[path]]\nglob = \"data\"\nskip = [\"target-*\"]\n").unwrap();
+    let skipped = mhlint(root, &[&["k\\b/data"], &report[..]].concat());
+    assert_shown(&skipped, 0, &[], &["target-non-finite"]);
 }

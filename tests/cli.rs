@@ -54,7 +54,7 @@ fn max_warnings_bounds_the_warnings() {
     assert_eq!(code(&mhlint(repository.path(), &[&args[..], &["1"]].concat())), Some(0));
     let output = mhlint(repository.path(), &[&args[..], &["0"]].concat());
     assert_eq!(code(&output), Some(1));
-    assert!(stdout(&output).contains("--max-warnings allows 0"), "{}", stdout(&output));
+    assert!(stdout(&output).contains("More than the 0 warnings that `max-warnings` allows."), "{}", stdout(&output));
 }
 
 #[test]
@@ -514,5 +514,177 @@ fn help_and_version_go_to_stdout() {
         let output = mhlint(&project("."), &args);
         assert_eq!((code(&output), stderr(&output).as_str()), (Some(0), ""));
         assert!(stdout(&output).contains(words));
+    }
+}
+
+/// No line that a CI system takes for a command, nothing that steers a terminal.
+#[track_caller]
+fn assert_harmless(output: &Output) {
+    let text = stdout(output) + &stderr(output);
+    assert!(!text.contains('\u{1b}') && text.lines().all(|line| !line.starts_with("::")), "{text}");
+    assert!(text.contains("\u{fffd}::error::pwned"), "{text}");
+}
+
+#[cfg(unix)]
+#[test]
+fn names_in_errors_steer_neither_terminal_nor_ci() {
+    let repository = example();
+    let root = repository.path();
+    fs::create_dir(root.join("data/base/evil\n::error::pwned")).unwrap();
+    fs::write(root.join("data/base/evil\n::error::pwned/base.json"), "{}").unwrap();
+    fs::write(root.join("data/base/evil\n::error::pwned/base.obj"), "v 0 0 0\n").unwrap();
+    assert_harmless(&mhlint(root, &["data", "--base", "nope"]));
+    assert_harmless(&mhlint(root, &["x\n::error::pwned\u{1b}[31m"]));
+    let case = r#"{"kind": "mh2_macro_weights", "cases": [{"name": "a\n::error::pwned\u001b[31m", "inputs": {"modifiers": 1}}]}"#;
+    fs::write(root.join("cases.json"), case).unwrap();
+    assert_harmless(&mhlint(root, &["eval", "cases", "cases.json", "--compare", "--root", "makehuman2=data"]));
+    assert_harmless(&mhlint(root, &["eval", "mesh", "data", "--base", "x\n::error::pwned\u{1b}[31m"]));
+    fs::write(root.join("mhlint.toml"), "\"a\\n::error::pwned\\u001b[31m\" = 1\n").unwrap();
+    let output = mhlint(root, &["data"]);
+    assert_harmless(&output);
+    assert!(
+        stderr(&output).starts_with("mhlint: mhlint.toml:1:1: there is no key `a \u{fffd}::"),
+        "{}",
+        stderr(&output)
+    );
+}
+
+#[test]
+fn a_report_does_not_take_the_place_of_an_asset() {
+    let repository = broken();
+    let root = repository.path();
+    let asset = "data/target/figure/macro.json";
+    let before = fs::read(root.join(asset)).unwrap();
+    for path in [".", "data", "data/target", "user"] {
+        let judged = if path == "user" { "user/target/figure/macro.json" } else { asset };
+        fs::create_dir_all(root.join("user/target/figure")).unwrap();
+        fs::write(root.join("user/target/figure/macro.json"), &before).unwrap();
+        let output = mhlint(root, &[path, "--report", &format!("json={judged}")]);
+        assert_refused(&output, &[judged, "is an asset", "name another file"]);
+    }
+    assert_eq!(fs::read(root.join(asset)).unwrap(), before);
+    fs::write(root.join("loose.target"), "1 0.1 0.2 0.3\n").unwrap();
+    assert_refused(&mhlint(root, &["loose.target", "--report", "json=loose.target"]), &["is an asset"]);
+    let in_system = format!("json={asset}");
+    assert_refused(&mhlint(root, &["user", "--system", "data", "--report", &in_system]), &["is an asset"]);
+    // Beside the assets a report is welcome, again and again.
+    for file in ["r.json", "data/r.json", "data/target/figure/r.html", "r.json", "data/r.json"] {
+        assert_eq!(code(&mhlint(root, &[".", "--report", &format!("json={file}")])), Some(1), "{file}");
+    }
+}
+
+#[test]
+fn a_report_follows_a_link_to_a_file_that_is_not_there_yet() {
+    let repository = broken();
+    let link = repository.path().join("link.json");
+    fs::create_dir(repository.path().join("reports")).unwrap();
+    std::os::unix::fs::symlink("reports/new.json", &link).unwrap();
+    mhlint(repository.path(), &["--report", "json=link.json"]);
+    assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+    assert!(repository.path().join("reports/new.json").is_file());
+}
+
+#[test]
+fn options_that_would_be_swallowed_are_refused() {
+    let repository = broken();
+    for mending in ["--diff", "--fix"] {
+        let output = mhlint(repository.path(), &["--baseline", "b.json", "--write-baseline", mending]);
+        assert_refused(&output, &["--write-baseline", mending, "cannot be used with"]);
+    }
+    assert!(!repository.path().join("b.json").exists());
+    let quiet = mhlint(repository.path(), &["--fix", "--quiet"]);
+    assert_eq!((code(&quiet), stderr(&quiet).as_str()), (Some(1), ""));
+    let timed = mhlint(repository.path(), &["--diff", "--timings"]);
+    assert!(stderr(&timed).contains(" ms  read"), "{}", stderr(&timed));
+}
+
+#[test]
+fn every_refused_write_names_a_remedy() {
+    let repository = example();
+    let root = repository.path();
+    let long = "n".repeat(256);
+    let baseline = ["--baseline", long.as_str(), "--write-baseline"];
+    assert_refused(&mhlint(root, &baseline), &["cannot write the baseline", "name another file"]);
+    let mesh = |file: &str| mhlint(root, &["eval", "mesh", "data", "-o", file]);
+    assert_refused(&mesh(&long), &["cannot write the result", "name another file"]);
+    assert_refused(&mesh("no/such.obj"), &["there is no folder `no`", "make it first"]);
+    assert_refused(&mesh("data"), &["it is a folder", "name a file in it"]);
+    if Path::new("/proc/self").is_dir() {
+        assert_refused(&mhlint(root, &["init", "/proc/self"]), &["/proc/self/mhlint.toml", "; name "]);
+    }
+}
+
+#[test]
+fn an_unknown_option_is_not_taken_for_a_value() {
+    let repository = example();
+    for args in [&["--lvl"][..], &["eval", "skeleton", "data", "--base", "figure", "--rig", "foo"]] {
+        let output = mhlint(repository.path(), args);
+        assert_refused(&output, &["unexpected argument", "--help"]);
+        assert!(!stderr(&output).contains("as a value"), "{}", stderr(&output));
+    }
+}
+
+#[test]
+fn the_verdict_claims_no_more_than_was_reported() {
+    let repository = broken();
+    let verdict = |args: &[&str]| {
+        let output = mhlint(repository.path(), &[&["--quiet"], args].concat());
+        assert_eq!(code(&output), Some(0), "{args:?}: {}", stdout(&output));
+        stdout(&output).replace('\n', " ")
+    };
+    for (args, said) in [
+        (
+            &["data/target/figure/head"][..],
+            "Nothing found in `data/target/figure/head`; what else there is was left out.",
+        ),
+        (&["--only", "json-*"], "Nothing found by the rules `json-*`; what else there is was left out."),
+        (
+            &["data/rigs", "--base", "figure", "--only", "json-*"],
+            "Nothing found in `data/rigs` on the base mesh `figure` by the rules `json-*`; what else there is was left out.",
+        ),
+    ] {
+        assert_eq!(verdict(args).trim_end(), said);
+    }
+    assert!(verdict(&["--skip", "macro-*"]).contains("MakeHuman 2 loads all of it"));
+    fs::write(repository.path().join("mhlint.toml"), "select = [\"json-*\"]\n").unwrap();
+    assert!(verdict(&[]).contains("Nothing found by the rules `json-*`;"));
+}
+
+/// Applies what `--diff` shows in `folder` with a program that reads patches from standard input.
+fn apply(program: &[&str], folder: &Path, diff: &[u8]) -> bool {
+    use std::io::Write;
+    let mut command = Command::new(program[0]);
+    command.args(&program[1..]).current_dir(folder).stdin(Stdio::piped()).stdout(Stdio::null()).stderr(Stdio::null());
+    let Ok(mut child) = command.spawn() else {
+        println!("left out: no {}", program[0]);
+        return true;
+    };
+    child.stdin.take().unwrap().write_all(diff).unwrap();
+    child.wait().unwrap().success()
+}
+
+#[test]
+fn what_diff_shows_is_a_patch() {
+    let repository = example();
+    let root = repository.path();
+    let oval = "da ta/target/figure/head/head-oval.target";
+    fs::rename(root.join("data"), root.join("da ta")).unwrap();
+    scratch::edit(root, oval, "339 0 .001 .001", "339 0 0 0");
+    let whole = root.join("da ta");
+    for (from, path, said) in [
+        ("", "da ta", ""),
+        ("", ".", ""),
+        ("user", "../da ta", "the patch is for the folder `..`"),
+        ("", whole.to_str().unwrap(), ""),
+        ("da ta/target", ".", ""),
+    ] {
+        let folder = root.join(from);
+        let output = mhlint(&folder, &[path, "--diff"]);
+        assert_eq!(code(&output), Some(1), "{}", stderr(&output));
+        assert!(stderr(&output).contains(said), "{from} {path}: {}", stderr(&output));
+        let above = folder.join(if stderr(&output).contains("the folder `..`") { ".." } else { "" });
+        for program in [&["patch", "-p1", "--dry-run"][..], &["git", "apply", "--check"]] {
+            assert!(apply(program, &above, &output.stdout), "{program:?} {from} {path}: {}", stdout(&output));
+        }
     }
 }

@@ -169,6 +169,15 @@ fn what_is_wrong_with_the_file_is_told_with_place_and_remedy() {
         ("select = [\"json-sintax\"]\n", &["`select` in mhlint.toml:1 fits no rule; did you mean `json-syntax`?"]),
         ("select = [\"macros-*\", \"zzz\"]\n", &["`macros-*`", "fits no rule"]),
         ("[eval]\nexhaustive = 1\n", &["true or false"]),
+        ("fail-on = \"errors\"\n", &["did you mean \"error\"?"]),
+        ("[level]\nbaseline = \"b.json\"\n", &["mhlint.toml:2:1", "`baseline` is a key of the top", "above the first"]),
+        ("[level]\nexclude = [\"a\"]\n", &["mhlint.toml:2:1", "`exclude` is a key of the top"]),
+        ("[eval]\nbaseline = \"b.json\"\n", &["no key `baseline` in `[eval]`", "is a key of the top"]),
+        ("[[path]]\nglob = \"a\"\nexclude = []\n", &["no key `exclude` in `[[path]]`", "is a key of the top"]),
+        ("[rule]\nskip = []\n", &["`skip` is a key of the top"]),
+        ("[rule.target-oversized-delta]\nskip = []\n", &["no option `skip`", "`skip` is a key of the top"]),
+        ("samples = 3\n", &["`samples` is a key of `[eval]`"]),
+        ("[eval]\nreason = \"a\"\n", &["`reason` is a key of `[[ignore]]`"]),
     ] {
         assert_refused(&mhlint(repository(config).path(), &[]), words);
     }
@@ -313,6 +322,35 @@ fn config_shows_each_value_and_where_it_comes_from() {
     has(&text, "fail-on = \"never\"", "command line");
     has(&text, "select = [\"target-*\"]", "command line");
     assert!(stdout(&mhlint(example().path(), &["config"])).starts_with("# no mhlint.toml at or above `.`"));
+}
+
+#[test]
+fn config_leaves_out_what_only_stands_in_place_of() {
+    let off = "skip = [\"macro-*\"]\n[level]\ntarget-zero-delta = \"off\"\ntarget-syntax = \"info\"\n\
+        [[path]]\nglob = \"data\"\nskip = [\"json-*\"]\nlevel = { json-syntax = \"off\", target-syntax = \"error\" }\n";
+    let repository = repository(off);
+    let shown = |args: &[&str]| stdout(&mhlint(repository.path(), &[&["config"], args].concat()));
+    let (all, only) = (shown(&[]), shown(&["--only", "target-*", "--no-eval"]));
+    let turned_off =
+        ["skip = [\"macro-*\"]", "target-zero-delta = \"off\"", "skip = [\"json-*\"]", "json-syntax = \"off\""];
+    for setting in turned_off {
+        assert!(all.contains(setting) && !only.contains(setting), "{setting}:\n{all}\n{only}");
+    }
+    for setting in ["level.target-syntax = \"info\"", "path \"data\": level.target-syntax = \"error\""] {
+        assert!(all.contains(setting) && only.contains(setting), "{setting}:\n{only}");
+    }
+    assert!(all.contains("eval.samples") && !only.contains("eval.samples") && only.contains("--no-eval"), "{only}");
+}
+
+#[test]
+fn init_says_which_settings_it_takes_the_place_of() {
+    let repository = repository("fail-on = \"info\"\n");
+    let root = repository.path();
+    let made = mhlint(root, &["init", "data/target"]);
+    assert_eq!(made.status.code(), Some(0));
+    assert!(stderr(&made).contains("`mhlint.toml` no longer counts below `data/target`"), "{}", stderr(&made));
+    let made = mhlint(&root.join("data"), &["init"]);
+    assert!(stderr(&made).contains("`../mhlint.toml` no longer counts below `.`"), "{}", stderr(&made));
 }
 
 #[test]

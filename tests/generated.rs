@@ -79,6 +79,30 @@ fn readme_holds_the_help() {
     check("README.md", "help", &format!("```text\n{}\n```\n", lines.join("\n").trim_end()));
 }
 
+/// On a terminal that draws; the test itself has none.
+#[test]
+fn the_sample_of_the_readme_is_what_a_terminal_shows() {
+    let repository = example();
+    Case::read(&project("fixtures/rules/macro-steps-length/bad")).apply(repository.path());
+    let tree = mhlint::Tree::on_disk("data", repository.path().join("data"), mhlint::discover::is_read_though_hidden);
+    let config = mhlint::Config::default();
+    let outcome = mhlint::lint_trees(vec![tree], None, &config).unwrap();
+    let view = mhlint::report::View {
+        pass: false,
+        fail_on: config.fail_on,
+        max_warnings: None,
+        color: false,
+        unicode: true,
+        width: 80,
+        quiet: false,
+        rules: &mhlint::rule_infos(),
+    };
+    let mut sample = Vec::new();
+    mhlint::report::write(mhlint::report::Format::Human, &outcome, &view, &mut sample).unwrap();
+    let sample = String::from_utf8(sample).unwrap();
+    check("README.md", "sample", &format!("```text\n$ mhlint data\n{}\n```\n", sample.trim_end()));
+}
+
 #[test]
 fn the_samples_of_the_reports_are_what_is_written() {
     let repository = example();

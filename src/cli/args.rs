@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use clap::error::{ContextKind, ErrorKind};
 use clap::{Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
@@ -141,7 +142,7 @@ pub(super) struct CheckArgs {
     #[arg(long, value_name = "FILE")]
     pub(super) baseline: Option<PathBuf>,
     /// Write what is found now to the baseline, without what is found no more.
-    #[arg(long)]
+    #[arg(long, conflicts_with = "mending")]
     pub(super) write_baseline: bool,
     /// Configuration; the nearest mhlint.toml at or above the first PATH if none is given.
     #[arg(long, value_name = "FILE")]
@@ -174,6 +175,16 @@ impl CheckArgs {
     /// The PATHs, or the current directory.
     pub(super) fn paths_or_here(&self) -> Vec<PathBuf> {
         if self.paths.is_empty() { vec![PathBuf::from(".")] } else { self.paths.clone() }
+    }
+
+    /// The option that narrows the report to a change.
+    pub(super) const fn narrowing(&self) -> Option<&'static str> {
+        match (&self.changed_files, &self.since, self.staged) {
+            (Some(_), ..) => Some("--changed-files"),
+            (None, Some(_), _) => Some("--since"),
+            (None, None, true) => Some("--staged"),
+            (None, None, false) => None,
+        }
     }
 }
 
@@ -230,6 +241,15 @@ impl FailOn {
             Self::Never => None,
         }
     }
+}
+
+/// Ends the command with what is wrong with its arguments. That an unknown option could be a value is left out: no value
+/// of ours begins with a dash.
+pub(super) fn refuse(mut error: clap::Error) -> ! {
+    if error.kind() == ErrorKind::UnknownArgument {
+        error.remove(ContextKind::Suggested);
+    }
+    error.exit()
 }
 
 fn application(text: &str) -> Result<Application, String> {

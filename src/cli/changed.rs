@@ -2,12 +2,12 @@
 
 use std::collections::BTreeSet;
 use std::io::Read;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 use super::exit::Failure;
 use super::git::{Refusal, Repository};
 use crate::config::{Config, FILE_NAME};
-use crate::source::{canonical, folder_of, resolved};
+use crate::source::{canonical, folder_of, holds, resolved};
 
 /// Paths from a list: a line each, or separated by NUL as `git diff -z` writes them; `-` is standard input.
 /// Lines that git has put in quotes, as it does where a name is not ASCII, are read as git means them.
@@ -72,6 +72,44 @@ fn unquoted(line: &[u8]) -> Option<Vec<u8>> {
         });
     }
     Some(name)
+}
+
+/// Why a list of changed files cannot be meant for the folder where mhlint runs, if so. A gate must not pass for a list
+/// that its maker did not get: git lists from the top of the repository wherever it runs, and nothing at all when it failed.
+pub(super) fn astray(files: &[PathBuf]) -> Option<String> {
+    let Some(first) = files.first() else { return Some("--changed-files lists no file".to_owned()) };
+    let lost: Vec<&PathBuf> = files.iter().filter(|file| !leads_somewhere(file)).collect();
+    let remedy = "list paths relative to where mhlint runs, as `git diff --relative` does, or use --since";
+    let above = lost.iter().find_map(|file| Some((file, folder_above_with(file)?)));
+    if let Some((file, above)) = above {
+        let (file, above) = (file.display(), above.display());
+        return Some(format!("--changed-files: `{file}` is not here, but in `{above}`; {remedy}"));
+    }
+    (lost.len() == files.len()).then(|| {
+        let others = match files.len() {
+            1 => String::new(),
+            number => format!(", nor is any other of the {number} listed files"),
+        };
+        format!("--changed-files: `{}` is not here{others}; {remedy}", first.display())
+    })
+}
+
+/// Whether there is something at a path, or was: of a deleted file a folder is left, at least the outermost.
+fn leads_somewhere(file: &Path) -> bool {
+    let outermost = |file: &Path| {
+        let is_name = |part: &Component<'_>| matches!(part, Component::Normal(_));
+        let ups: PathBuf = file.components().take_while(|part| !is_name(part)).collect();
+        file.is_relative() && file.components().find(is_name).is_some_and(|name| ups.join(name).is_dir())
+    };
+    file.exists() || file.is_symlink() || folder_of(file).is_dir() || outermost(file)
+}
+
+/// The folder above the working directory, not above its repository, from which a path would lead to something.
+fn folder_above_with(file: &Path) -> Option<PathBuf> {
+    let here = canonical(Path::new("."))?;
+    let levels = here.ancestors().position(|folder| holds(folder, ".git")).unwrap_or(usize::MAX);
+    let found = here.ancestors().skip(1).take(levels).position(|above| leads_somewhere(&above.join(file)))?;
+    file.is_relative().then(|| vec![".."; found + 1].join("/").into())
 }
 
 /// Files that differ between HEAD, or nothing before the first commit, and what is staged; deleted and renamed ones

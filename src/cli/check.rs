@@ -7,11 +7,11 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use super::args::{CheckArgs, Command};
-use super::changed::{listed, setting_among, since, staged};
+use super::changed::{astray, listed, setting_among, since, staged};
 use super::config::settings;
 use super::exit::{Exit, Failure};
 use super::fix;
-use super::output::{Target, refuse_unwritable, targets, write_file};
+use super::output::{Target, refuse_asset, refuse_unwritable, targets, write_file};
 use super::panics::Panics;
 use super::progress::Progress;
 use super::step_summary;
@@ -20,7 +20,6 @@ use super::workspace::placed;
 use crate::config::Config;
 use crate::diag::nearest;
 use crate::engine::{Baseline, Error, Outcome, TakenOver, rule_infos};
-use crate::fix::replace;
 use crate::report::{self, Format, View};
 
 pub(super) fn run(
@@ -40,11 +39,15 @@ pub(super) fn run(
     drop(progress);
     let checked = checked.map_err(|error| explained(error, paths, args, &config))?;
     let outcome = &checked.outcome;
+    refuse_asset(&targets, paths, &config, outcome)?;
     let exit = exit(outcome, &config, &panics.noted());
     if args.fixes.diff && !matches!(exit, Exit::CannotWork | Exit::NothingToCheck) {
         let changes = checked.show(terminal, out)?;
         out.flush()?;
-        checked.tell(args.fixes, err)?;
+        checked.tell(args, err)?;
+        if args.timings {
+            print_timings(outcome, err)?;
+        }
         return Ok(if changes { Exit::Findings } else { Exit::Clean });
     }
     checked.write()?;
@@ -53,7 +56,7 @@ pub(super) fn run(
     }
     write_reports(&targets, outcome, args, &config, exit, terminal, out)?;
     tell(outcome, args, exit, &targets, err)?;
-    checked.tell(args.fixes, err)?;
+    checked.tell(args, err)?;
     if !panics.noted().is_empty() || !outcome.is_whole() {
         writeln!(err, "mhlint: {}", own_fault(&panics.noted()))?;
     }
@@ -77,11 +80,13 @@ fn changed(
         (None, None) if args.staged => staged(first)?,
         (None, None) => return Ok(None),
     };
+    let no_list = || args.changed_files.as_ref().and_then(|_| astray(&files));
     let whole = if args.staged && files.is_empty() {
         Some("nothing is staged".to_owned())
     } else {
         let found = args.config.is_none().then_some(first);
-        setting_among(&files, config, found).map(|setting| format!("the change touches {setting}"))
+        let setting = || setting_among(&files, config, found).map(|setting| format!("the change touches {setting}"));
+        no_list().or_else(setting)
     };
     let Some(reason) = whole else { return Ok(Some(files)) };
     if !args.quiet {
@@ -115,10 +120,9 @@ fn write_baseline(
     if matches!(exit, Exit::CannotWork | Exit::NothingToCheck) {
         return Ok(());
     }
-    let shown = file.display();
-    replace(file, baseline.text().as_bytes())
-        .map_err(|error| Failure::Usage(format!("cannot write the baseline to `{shown}`: {error}")))?;
+    write_file("the baseline", file, baseline.text().as_bytes())?;
     if !args.quiet {
+        let shown = file.display();
         let known = report::count(baseline.entries.len(), "known finding");
         let difference = taken_over.map(difference).unwrap_or_default();
         writeln!(err, "mhlint: {known} written to `{shown}`{difference}")?;
@@ -177,7 +181,7 @@ fn write_reports(
     for (target, file) in targets.iter().filter_map(|target| Some((target, target.file.as_ref()?))) {
         let mut bytes = Vec::new();
         report::write(target.format, &placed(outcome, target.format), &view(Terminal::PLAIN), &mut bytes)?;
-        write_file(file, &bytes)?;
+        write_file("the report", file, &bytes)?;
     }
     if let Some(file) = step_summary::file().filter(|_| targets.iter().any(|one| one.format == Format::Github)) {
         step_summary::append(&file, outcome, &view(Terminal::PLAIN))?;

@@ -9,6 +9,8 @@ use super::exit::{Exit, Failure};
 use crate::config::{Config, ConfigFile, Selector, find};
 use crate::diag::{Application, Level};
 use crate::engine::{DEFAULT_SAMPLES, rule_infos};
+use crate::report::printable;
+use crate::source::slashed;
 
 /// The settings in force.
 pub(super) fn settings(args: &CheckArgs) -> Result<Config, Failure> {
@@ -55,11 +57,11 @@ pub(super) fn run(args: &CheckArgs, out: &mut dyn Write) -> Result<Exit, Failure
     let empty = ConfigFile::default();
     let sheet = Sheet { config: &config, file: config.file.as_ref().unwrap_or(&empty), args };
     if let Some(file) = &config.file {
-        writeln!(out, "# {}", file.path)?;
+        writeln!(out, "# {}", printable(&file.path))?;
     } else {
         let first = args.paths_or_here();
         let first = first.first().map_or(Path::new("."), PathBuf::as_path);
-        writeln!(out, "# no mhlint.toml at or above `{}`; `mhlint init` writes one", first.display())?;
+        writeln!(out, "# no mhlint.toml at or above `{}`; `mhlint init` writes one", printable(&slashed(first)))?;
     }
     let mut rows = sheet.general();
     rows.extend(sheet.levels());
@@ -67,7 +69,7 @@ pub(super) fn run(args: &CheckArgs, out: &mut dyn Write) -> Result<Exit, Failure
     rows.extend(sheet.blocks());
     let width = rows.iter().map(|(setting, _)| setting.chars().count()).max().unwrap_or(0);
     for (setting, origin) in rows {
-        writeln!(out, "{setting:<width$}  # {origin}")?;
+        writeln!(out, "{setting:<width$}  # {}", printable(&origin))?;
     }
     Ok(Exit::Clean)
 }
@@ -86,7 +88,7 @@ struct Sheet<'a> {
 impl Sheet<'_> {
     fn general(&self) -> Vec<Row> {
         let (config, args, file) = (self.config, self.args, self.file);
-        let path = |path: &PathBuf| quoted(path.to_string_lossy().replace('\\', "/"));
+        let path = |path: &PathBuf| quoted(slashed(path));
         let mut rows = vec![
             self.row(
                 "fail-on",
@@ -95,8 +97,11 @@ impl Sheet<'_> {
             ),
             self.row("max-warnings", or_none(config.max_warnings), args.max_warnings.is_some()),
             self.select(),
-            ("skip = ".to_owned() + &list(file.skip.iter().map(|s| &s.text)), self.origin("skip", false)),
         ];
+        // `--only` stands in place of these.
+        if args.only.is_empty() {
+            rows.push(("skip = ".to_owned() + &list(file.skip.iter().map(|s| &s.text)), self.origin("skip", false)));
+        }
         if !args.skip.is_empty() {
             rows.push((format!("skip = {}", list(&args.skip)), COMMAND_LINE.to_owned()));
         }
@@ -107,9 +112,15 @@ impl Sheet<'_> {
             self.row("apps", list(apps), !args.applications.is_empty()),
             self.row("bases", list(&config.bases), !args.bases.is_empty()),
             self.row("baseline", or_none(config.baseline.as_ref().map(path)), args.baseline.is_some()),
-            self.row("eval.samples", config.samples.unwrap_or(DEFAULT_SAMPLES), args.samples.is_some()),
-            self.row("eval.exhaustive", config.exhaustive, args.exhaustive),
         ]);
+        if config.no_eval {
+            rows.push(("eval = none (--no-eval)".to_owned(), COMMAND_LINE.to_owned()));
+        } else {
+            rows.extend([
+                self.row("eval.samples", config.samples.unwrap_or(DEFAULT_SAMPLES), args.samples.is_some()),
+                self.row("eval.exhaustive", config.exhaustive, args.exhaustive),
+            ]);
+        }
         rows
     }
 
@@ -138,9 +149,15 @@ impl Sheet<'_> {
     }
 
     fn levels(&self) -> Vec<Row> {
-        let file = self.file.levels.iter().map(|(selector, level)| self.level(selector, *level));
+        let in_force = self.file.levels.iter().filter(|(_, level)| self.is_in_force(*level));
+        let file = in_force.map(|(selector, level)| self.level(selector, *level));
         let args = self.args.levels.iter();
         file.chain(args.map(|(rule, level)| (level_text(rule, *level), COMMAND_LINE.to_owned()))).collect()
+    }
+
+    /// `--only` stands in place of what the file turns off; another level stays.
+    fn is_in_force(&self, level: Option<Level>) -> bool {
+        level.is_some() || self.args.only.is_empty()
     }
 
     fn level(&self, selector: &Selector, level: Option<Level>) -> Row {
@@ -164,11 +181,11 @@ impl Sheet<'_> {
         let mut rows = Vec::new();
         for block in &self.file.blocks {
             let within = format!("path {}: ", quoted(&block.glob.text));
-            if !block.skip.is_empty() {
+            if !block.skip.is_empty() && self.args.only.is_empty() {
                 let skip = list(block.skip.iter().map(|selector| &selector.text));
                 rows.push((format!("{within}skip = {skip}"), at(self.file.line_at(&block.span))));
             }
-            for (selector, level) in &block.levels {
+            for (selector, level) in block.levels.iter().filter(|(_, level)| self.is_in_force(*level)) {
                 let (text, origin) = self.level(selector, *level);
                 rows.push((format!("{within}{text}"), origin));
             }
@@ -192,7 +209,7 @@ fn list<T: Display>(items: impl IntoIterator<Item = T>) -> String {
 }
 
 fn quoted(text: impl Display) -> String {
-    crate::report::printable(&format!("\"{text}\""))
+    printable(&format!("\"{text}\""))
 }
 
 fn or_none<T: Display>(value: Option<T>) -> String {

@@ -4,6 +4,7 @@ use std::fmt;
 use std::io;
 use std::process::ExitCode;
 
+use crate::report::printable;
 use crate::{config, engine};
 
 /// How the command ends.
@@ -79,10 +80,10 @@ impl From<io::Error> for Failure {
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Run(error) => error.fmt(f),
+            Self::Run(error) => f.write_str(&printable(&error.to_string())),
             Self::Config(error) => error.fmt(f),
             Self::Usage(text) => f.write_str(text),
-            Self::Eval(error) => error.fmt(f),
+            Self::Eval(error) => f.write_str(&printable(&error.to_string())),
             Self::Io(error) => {
                 write!(f, "cannot write to standard output: {error}; send it to a file or program that takes it")
             }

@@ -4,7 +4,9 @@ use std::collections::BTreeMap;
 use std::io::{IsTerminal, Write};
 use std::path::PathBuf;
 
+use super::args::CheckArgs;
 use super::exit::Failure;
+use super::patch::{Names, names};
 use super::terminal::Terminal;
 use crate::config::Config;
 use crate::engine::{self, Mended, Outcome, mendable};
@@ -56,10 +58,10 @@ impl Checked {
 
     /// Shows the changes. Gives whether there are any.
     pub(super) fn show(&self, terminal: Terminal, out: &mut dyn Write) -> Result<bool, Failure> {
-        for change in &self.changes {
+        for (change, name) in self.changes.iter().zip(self.names().names) {
             let text = |stored: &[u8]| unpack(stored, &Limits::default()).unwrap_or_default();
             let after = change.after.as_deref().map(text);
-            let diff = unified(&change.path, &text(&change.before), after.as_deref());
+            let diff = unified(&name, &text(&change.before), after.as_deref());
             if std::io::stdout().is_terminal() {
                 write_painted(&diff, Paint { color: terminal.color }, out)?;
             } else {
@@ -69,10 +71,19 @@ impl Checked {
         Ok(!self.changes.is_empty())
     }
 
+    /// What the changed files are called in a patch.
+    fn names(&self) -> Names {
+        names(&self.changes.iter().map(|change| change.path.as_str()).collect::<Vec<_>>())
+    }
+
     /// What was mended and what else could be, for standard error.
-    pub(super) fn tell(&self, args: FixArgs, err: &mut dyn Write) -> Result<(), Failure> {
-        if !args.fix && !args.diff {
+    pub(super) fn tell(&self, asked: &CheckArgs, err: &mut dyn Write) -> Result<(), Failure> {
+        let args = asked.fixes;
+        if asked.quiet || !args.fix && !args.diff {
             return Ok(());
+        }
+        if let Some(above) = self.names().above.filter(|_| args.diff) {
+            writeln!(err, "mhlint: the patch is for the folder `{above}`: use `git apply` or `patch -p1` there")?;
         }
         let files = count(self.changes.len(), "file");
         let done = if args.fix { "fixed" } else { "would be fixed" };
@@ -82,7 +93,12 @@ impl Checked {
         }
         if self.outside > 0 {
             let more = count(self.outside, "finding");
-            writeln!(err, "mhlint: {more} would be mended in files that have not changed; those stay as they are")?;
+            let whole =
+                asked.narrowing().map_or_else(String::new, |option| format!("; run without {option} to mend them"));
+            writeln!(
+                err,
+                "mhlint: {more} would be mended in files that have not changed; those stay as they are{whole}"
+            )?;
         }
         if self.spared > 0 {
             let more = count(self.spared, "finding");

@@ -5,18 +5,21 @@ use std::io::{ErrorKind, Write};
 use std::path::Path;
 
 use super::exit::{Exit, Failure};
-use crate::config::{FILE_NAME, TEMPLATE};
+use super::output::remedy;
+use crate::config::{FILE_NAME, TEMPLATE, find};
+use crate::report::printable;
 
-pub(super) fn run(folder: Option<&Path>, out: &mut dyn Write) -> Result<Exit, Failure> {
-    let folder = folder.unwrap_or(Path::new(""));
-    if !folder.as_os_str().is_empty() && !folder.is_dir() {
+pub(super) fn run(folder: Option<&Path>, out: &mut dyn Write, err: &mut dyn Write) -> Result<Exit, Failure> {
+    let folder = folder.unwrap_or(Path::new("."));
+    if !folder.is_dir() {
         let shown = folder.display();
         return Err(Failure::Usage(format!(
             "there is no folder `{shown}`; make it first, or name the one of the data"
         )));
     }
-    let file = folder.join(FILE_NAME);
+    let file = if folder == Path::new(".") { FILE_NAME.into() } else { folder.join(FILE_NAME) };
     let shown = file.display();
+    let above = find(folder);
     // The file is made only if there is none, so that two at a time cannot overwrite each other either.
     let made = OpenOptions::new().write(true).create_new(true).open(&file);
     let written = made.and_then(|mut made| made.write_all(TEMPLATE.as_bytes()));
@@ -26,8 +29,19 @@ pub(super) fn run(folder: Option<&Path>, out: &mut dyn Write) -> Result<Exit, Fa
             let remedy = "edit it, or remove it first; `mhlint config` shows what is in force";
             return Err(Failure::Usage(format!("`{shown}` is there already and was left alone: {remedy}")));
         }
-        Err(error) => return Err(Failure::Usage(format!("cannot write `{shown}`: {error}"))),
+        Err(error) => {
+            return Err(Failure::Usage(format!("cannot write `{shown}`: {error}; {}", remedy(&error))));
+        }
     }
-    writeln!(out, "wrote {shown}: every setting with its meaning, all of them commented out")?;
+    writeln!(
+        out,
+        "wrote {}: every setting with its meaning, all of them commented out",
+        printable(&shown.to_string())
+    )?;
+    if let Some(above) = above {
+        let above = above.display();
+        let remedy = "copy what is to hold here, or remove the new file";
+        writeln!(err, "mhlint: `{above}` no longer counts below `{}`; {remedy}", folder.display())?;
+    }
     Ok(Exit::Clean)
 }

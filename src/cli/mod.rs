@@ -9,10 +9,12 @@ mod exit;
 mod explain;
 mod fix;
 mod git;
+mod harmless;
 mod init;
 mod list;
 mod output;
 mod panics;
+mod patch;
 mod progress;
 mod schema;
 mod shell;
@@ -29,15 +31,15 @@ use clap::Parser;
 use crate::report::Paint;
 use args::{Args, Command};
 use exit::{Exit, Failure};
+use harmless::Harmless;
 use panics::Panics;
 use terminal::Terminal;
 
 /// Runs the command and gives the exit code.
 pub fn main() -> ExitCode {
-    let args = Args::parse();
+    let args = Args::try_parse().unwrap_or_else(|error| args::refuse(error));
     let panics = Panics::watch();
-    // Not locked: another thread that says something would wait for ever.
-    let mut err = io::stderr();
+    let mut err = Harmless::stderr();
     let ended = catch_unwind(AssertUnwindSafe(|| run(&args, &panics, &mut err)));
     let result = match ended {
         Ok(Ok(exit)) => Ok(exit),
@@ -66,7 +68,7 @@ fn run(args: &Args, panics: &Panics, err: &mut dyn Write) -> Result<Exit, Failur
         Some(Command::Explain { rule, format }) => {
             explain::run(rule, *format, explain::Page { paint, width: terminal.width }, &mut out)?
         }
-        Some(Command::Init { folder }) => init::run(folder.as_deref(), &mut out)?,
+        Some(Command::Init { folder }) => init::run(folder.as_deref(), &mut out, err)?,
         Some(Command::Rules { format }) => list::run(*format, paint, &mut out)?,
         Some(Command::Schema { name }) => schema::run(name.as_deref(), &mut out)?,
         Some(Command::Completions { shell }) => shell::write_completions(*shell, &mut out)?,

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use super::args::not_one_of;
 use super::exit::Failure;
 use crate::config::Config;
+use crate::engine::Outcome;
 use crate::fix::replace;
 use crate::report::Format;
 use crate::source::{folder_of, link_targets, resolved};
@@ -97,12 +98,30 @@ pub(super) fn refuse_unwritable(what: &str, file: &Path) -> Result<(), Failure> 
     Ok(())
 }
 
-/// Writes a report to a file.
-pub(super) fn write_file(file: &Path, bytes: &[u8]) -> Result<(), Failure> {
+/// Refuses a report in place of what was judged, before anything is written.
+pub(super) fn refuse_asset(
+    targets: &[Target],
+    paths: &[PathBuf],
+    config: &Config,
+    outcome: &Outcome,
+) -> Result<(), Failure> {
+    let system = config.system.as_deref();
+    let is_path = |file: &Path| paths.iter().any(|path| path.is_file() && resolved(path) == resolved(file));
+    let mut files = targets.iter().filter_map(|target| target.file.as_deref());
+    files.find(|file| file.is_file() && (is_path(file) || outcome.has_asset(file, system))).map_or(Ok(()), |file| {
+        let (shown, remedy) = (file.display(), "name another file, outside of the data");
+        Err(Failure::Usage(format!(
+            "cannot write a report to `{shown}`: that is an asset, and would be lost; {remedy}"
+        )))
+    })
+}
+
+/// Writes `what` to a file.
+pub(super) fn write_file(what: &str, file: &Path, bytes: &[u8]) -> Result<(), Failure> {
     let shown = file.display();
     replace(file, bytes).map_err(|error| {
         let remedy = remedy(&error);
-        Failure::Usage(format!("cannot write the report to `{shown}`: {error}; {remedy}"))
+        Failure::Usage(format!("cannot write {what} to `{shown}`: {error}; {remedy}"))
     })
 }
 

@@ -4,7 +4,7 @@ use std::path::{Component, Path, PathBuf};
 
 use super::{Config, Error, read};
 use crate::diag::RuleInfo;
-use crate::source::{Folder, Limits, ReadFault, canonical, holds, read_file};
+use crate::source::{Folder, Limits, ReadFault, canonical, holds, read_file, slashed};
 
 /// Name of the configuration file.
 pub const FILE_NAME: &str = "mhlint.toml";
@@ -45,7 +45,7 @@ fn shown(path: &Path, up: usize) -> PathBuf {
 }
 
 pub(super) fn load(path: &Path, rules: &[&'static RuleInfo]) -> Result<Config, Error> {
-    let shown = path.to_string_lossy().replace('\\', "/");
+    let shown = slashed(path);
     let limits = Limits { file_bytes: LARGEST, ..Limits::default() };
     let bytes = read_file(path, &limits).map_err(|fault| Error::unreadable(&shown, &reason(path, fault)))?;
     let text = String::from_utf8(bytes).map_err(|_| Error::unreadable(&shown, "it is not UTF-8"))?;

@@ -70,7 +70,8 @@ impl Reader<'_> {
             let Some(key) = keys.iter().find(|key| key.name == name.get_ref()) else {
                 let known = keys.iter().map(|key| key.name);
                 let text = name.get_ref();
-                self.fault((name.span(), format!("there is no key `{text}`{within}"), meant(text, known)));
+                let help = elsewhere(text, !within.is_empty()).unwrap_or_else(|| meant(text, known));
+                self.fault((name.span(), format!("there is no key `{text}`{within}"), help));
                 continue;
             };
             if within.is_empty() && !matches!(key.shape, Shape::Table(_) | Shape::Tables(_)) {
@@ -176,6 +177,11 @@ impl Reader<'_> {
         };
         let mut levels = Vec::new();
         for (rule, value) in table {
+            let text = rule.get_ref();
+            if let Some(help) = elsewhere(text, true) {
+                self.fault((rule.span(), format!("there is no rule `{text}` to give a level to"), help));
+                continue;
+            }
             let level = self.take(value::level(rule.get_ref(), value, "off"));
             let selector = self.selector(name, rule.get_ref(), rule.span(), true);
             levels.extend(selector.zip(level));
@@ -190,7 +196,10 @@ impl Reader<'_> {
         };
         for (name, value) in table {
             let Some(rule) = self.rules.iter().find(|rule| rule.id == name.get_ref()) else {
-                self.unknown("rule", name.get_ref(), name.span());
+                match elsewhere(name.get_ref(), true) {
+                    Some(help) => self.fault((name.span(), format!("there is no rule `{}`", name.get_ref()), help)),
+                    None => self.unknown("rule", name.get_ref(), name.span()),
+                }
                 continue;
             };
             match value.get_ref() {
@@ -206,7 +215,7 @@ impl Reader<'_> {
             if !rule.options.iter().any(|option| option.name == text) {
                 let known = rule.options.iter().map(|option| option.name);
                 let message = format!("the rule `{}` has no option `{text}`", rule.id);
-                self.fault((name.span(), message, meant(text, known)));
+                self.fault((name.span(), message, elsewhere(text, true).unwrap_or_else(|| meant(text, known))));
             } else if let Some(number) = self.take(value::real(text, value)) {
                 self.config.rule_options.insert((rule.id.to_owned(), text.to_string()), number);
                 self.file.places.insert(format!("rule.{}.{text}", rule.id), name.span());
@@ -297,6 +306,22 @@ fn date(value: &Value<'_>) -> Result<Date, Wrong> {
     let day = value.get_ref().as_datetime().filter(|moment| moment.time.is_none()).and_then(|moment| moment.date);
     let day = day.map(|day| Date(i64::from(day.year), day.month, day.day));
     day.ok_or_else(|| value::wrong("until", value, "a day without quotes, such as 2027-06-30,"))
+}
+
+/// What to do about a key that is one of another table: the top is above all tables, a table begins with its name.
+fn elsewhere(name: &str, below: bool) -> Option<String> {
+    let is_value =
+        |key: &&Key| !matches!(key.shape, Shape::Table(_) | Shape::Tables(_) | Shape::Levels | Shape::Options);
+    if below && FILE.iter().filter(is_value).any(|key| key.name == name) {
+        return Some(format!("`{name}` is a key of the top: put it above the first [section]"));
+    }
+    let tables = FILE.iter().filter_map(|table| match table.shape {
+        Shape::Table(keys) => Some((format!("[{}]", table.name), keys)),
+        Shape::Tables(keys) => Some((format!("[[{}]]", table.name), keys)),
+        _ => None,
+    });
+    let mut holding = tables.filter(|(_, keys)| keys.iter().any(|key| key.name == name));
+    holding.next().map(|(table, _)| format!("`{name}` is a key of `{table}`: put it below a line `{table}`"))
 }
 
 /// What may be meant by a name, or what there is.

@@ -5,7 +5,7 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeInteger, DeValue};
 
-use crate::diag::Level;
+use crate::diag::{Level, nearest};
 
 /// A value with its place.
 pub(super) type Value<'i> = Spanned<DeValue<'i>>;
@@ -64,7 +64,12 @@ pub(super) fn level(name: &str, value: &Value<'_>, none_word: &str) -> Result<Op
         Some("warning") => Ok(Some(Level::Warning)),
         Some("info") => Ok(Some(Level::Info)),
         Some(word) if word == none_word => Ok(None),
-        _ => Err(wrong(name, value, &format!("one of \"error\", \"warning\", \"info\", \"{none_word}\""))),
+        word => {
+            let wanted = format!("one of \"error\", \"warning\", \"info\", \"{none_word}\"");
+            let (span, message, help) = wrong(name, value, &wanted);
+            let near = word.and_then(|word| nearest(word, ["error", "warning", "info", none_word]));
+            Err((span, message, near.map_or(help, |near| format!("did you mean \"{near}\"?"))))
+        }
     }
 }
 

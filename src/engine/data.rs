@@ -29,6 +29,12 @@ impl<'t> Loaded<'t> {
         Self { place, layer, role, narrow }
     }
 
+    /// The parts of a data root that alone are asked for; none for the whole of it. A loose file is a whole.
+    pub(super) fn parts(&self) -> impl Iterator<Item = &str> {
+        let narrow = if self.place.moved.is_none() { self.narrow.as_slice() } else { &[] };
+        narrow.iter().map(String::as_str)
+    }
+
     /// Whether a path is one that the PATHs ask for.
     pub(super) fn is_asked_for(&self, path: &str) -> bool {
         self.narrow.is_empty() || self.narrow.iter().any(|narrow| is_below(path, narrow))

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use super::outcome::Error;
 use super::roots::roots_of;
 use crate::discover::{is_read_though_hidden, root_above};
-use crate::source::{Tree, folder_of};
+use crate::source::{Tree, folder_of, slashed};
 
 /// A tree to look for data roots in.
 pub(super) struct Input {
@@ -67,19 +67,16 @@ fn open_beside(path: &Path, place: &Path, here: &str) -> (PathBuf, Input) {
 
 /// The data root that `path` lies inside of.
 fn open_above(path: &Path, place: &Path, here: &str) -> Option<(PathBuf, Input)> {
-    let slashed = place.to_str()?.replace('\\', "/");
-    let root = PathBuf::from(root_above(&slashed)?);
+    place.to_str()?;
+    let root = PathBuf::from(root_above(&slashed(place))?);
     let shallow = Tree::on_disk_to_depth(String::new(), &root, 4, is_read_though_hidden);
     roots_of(&shallow).iter().any(|root| root.path.is_empty()).then_some(())?;
     let levels = place.strip_prefix(&root).ok()?.components().count();
     let root_label = label_above(path, here, levels);
-    let narrow = if root_label.is_empty() {
-        place.strip_prefix(&root).ok()?.to_str()?.to_owned()
-    } else {
-        format!("{root_label}/{}", place.strip_prefix(&root).ok()?.to_str()?)
-    };
+    let below = slashed(place.strip_prefix(&root).ok()?);
+    let narrow = if root_label.is_empty() { below } else { format!("{root_label}/{below}") };
     let tree = Tree::on_disk(root_label, &root, is_read_though_hidden);
-    Some((root, Input { tree, narrow: vec![narrow.replace('\\', "/")] }))
+    Some((root, Input { tree, narrow: vec![narrow] }))
 }
 
 /// What is printed for the folder `levels` above `path`.
@@ -103,7 +100,7 @@ fn canonical(path: &Path) -> Result<PathBuf, Error> {
 
 /// The path as reports print it: forward slashes, no `./`, empty for the working directory.
 fn label(path: &Path) -> String {
-    let text = path.to_string_lossy().replace('\\', "/");
+    let text = slashed(path);
     let absolute = text.starts_with('/');
     let parts: Vec<&str> = text.split('/').filter(|part| !part.is_empty() && *part != ".").collect();
     format!("{}{}", if absolute { "/" } else { "" }, parts.join("/"))

@@ -10,7 +10,7 @@ use super::select::{Selection, is_unmutable};
 use crate::config::Config;
 use crate::diag::{BaselineUse, Finding, Level};
 use crate::rules::RULES;
-use crate::source::{Folder, holds};
+use crate::source::{Folder, holds, slashed};
 
 /// A finding with the place of its asset.
 pub(super) struct Placed {
@@ -75,7 +75,7 @@ impl Known {
         let judged = |entry: &&Entry| self.is_judged(entry, selection, scope);
         let stale: Vec<&Entry> = lost.into_iter().filter(judged).collect();
         let mut used = BaselineUse {
-            path: self.path.to_string_lossy().replace('\\', "/"),
+            path: slashed(&self.path),
             judged: self.old.entries.iter().filter(judged).count(),
             stale: stale.iter().map(|entry| describe(entry)).collect(),
         };

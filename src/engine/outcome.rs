@@ -1,5 +1,6 @@
 //! What a run gives back.
 
+use std::path::Path;
 use std::time::Duration;
 
 use serde::Serialize;
@@ -7,6 +8,8 @@ use serde::Serialize;
 use super::baseline::Baseline;
 use crate::config::Config;
 use crate::diag::{Application, Finding, Level};
+use crate::discover::{Kind, kind_of, loose_place, root_above};
+use crate::source::{resolved, slashed};
 
 /// Result of a run.
 #[derive(Debug, Clone, Default)]
@@ -29,6 +32,8 @@ pub struct Outcome {
     pub in_baseline: usize,
     /// Findings that are not shown because the change cannot affect them.
     pub left_out: usize,
+    /// What alone was reported on, where that is not all of the data: `in ...`, `on ...`, `by ...`.
+    pub only: Vec<String>,
     /// Rules that panicked: bugs of ours, whose findings are missing.
     pub failed_rules: Vec<String>,
     /// Files on which a reader of ours panicked, by path: bugs of ours, whose findings are missing.
@@ -145,6 +150,18 @@ impl Outcome {
     /// Whether all of the work was done: no bug of ours took a file, a rule or a step away.
     pub fn is_whole(&self) -> bool {
         [&self.failed_rules, &self.failed_files, &self.failed_steps].iter().all(|failed| failed.is_empty())
+    }
+
+    /// Whether a file lies where a judged data root or the system data have their assets, or is a loose one of them.
+    pub fn has_asset(&self, file: &Path, system: Option<&Path>) -> bool {
+        let place = resolved(file);
+        let is_asset_in = |root: &Path| {
+            let rel = place.strip_prefix(resolved(root)).map(slashed).unwrap_or_default();
+            let (folder, _) = rel.rsplit_once('/').unwrap_or_default();
+            root_above(folder).is_some() && kind_of(&rel).0 != Kind::Other || loose_place(&rel, None).is_some()
+        };
+        let judged = self.roots.iter().filter(|root| root.judged).map(|root| Path::new(root.path.as_str()));
+        judged.chain(system).any(is_asset_in)
     }
 
     /// Whether any root was judged.

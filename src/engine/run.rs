@@ -73,6 +73,7 @@ pub(super) fn lint_inputs(inputs: &[Input], system: Option<&Tree>, options: &Con
     let moved = moved(inputs, &roots.found, system, options, &mut outcome);
     let places = roots.places(&moved, system_place, &asked.scope, options, &mut outcome);
     let mut data = Data::load(places, system_place, &options.limits);
+    outcome.only = asked_for(&data, options);
     outcome.timings.push(timing("read", started));
     let started = Instant::now();
     let measures = measure_bases(&mut data, options, &mut outcome.failed_steps);
@@ -91,6 +92,31 @@ pub(super) fn lint_inputs(inputs: &[Input], system: Option<&Tree>, options: &Con
     outcome.timings.push(timing("places", started));
     Ok(outcome)
 }
+
+/// What the PATHs, `--base` and the selected rules leave of the data to report on, in words.
+fn asked_for(data: &Data<'_>, options: &Config) -> Vec<String> {
+    let names = |before: &str, names: &[&str]| {
+        let shown: Vec<String> = names.iter().take(NAMED).map(|name| format!("`{name}`")).collect();
+        let more = match names.len().saturating_sub(NAMED) {
+            0 => String::new(),
+            more => format!(" and {more} more"),
+        };
+        (!names.is_empty()).then(|| format!("{before} {}{more}", shown.join(", ")))
+    };
+    let paths: Vec<&str> = data.roots.iter().flat_map(Loaded::parts).collect();
+    let bases: Vec<&str> = options.bases.iter().map(String::as_str).collect();
+    let of_file = || options.file.iter().flat_map(|file| &file.select).map(|selector| selector.text.as_str());
+    let rules: Vec<&str> =
+        if options.only.is_empty() { of_file().collect() } else { options.only.iter().map(String::as_str).collect() };
+    let rules = if rules.contains(&"*") { Vec::new() } else { rules };
+    [names("in", &paths), names("on the base mesh", &bases), names("by the rules", &rules)]
+        .into_iter()
+        .flatten()
+        .collect()
+}
+
+/// Names that a sentence holds.
+const NAMED: usize = 3;
 
 fn timing(what: &str, started: Instant) -> Timing {
     Timing { what: what.to_owned(), time: started.elapsed() }

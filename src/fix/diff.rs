@@ -9,17 +9,23 @@ use similar::{Algorithm, TextDiff};
 /// Never: writing to memory does not fail.
 pub fn unified(path: &str, before: &[u8], after: Option<&[u8]>) -> Vec<u8> {
     let path = path.trim_start_matches('/');
-    let new = if after.is_some() { quoted(&format!("b/{path}")) } else { "/dev/null".to_owned() };
+    let new = if after.is_some() { header(&format!("b/{path}")) } else { "/dev/null".to_owned() };
     let diff = TextDiff::configure().algorithm(Algorithm::Patience).diff_lines(before, after.unwrap_or_default());
     let mut out = Vec::new();
     diff.unified_diff()
-        .header(&quoted(&format!("a/{path}")), &new)
+        .header(&header(&format!("a/{path}")), &new)
         .to_writer(&mut out)
         .expect("invariant: writing to memory does not fail");
     out
 }
 
-/// A path as git writes it in a header: in quotes where it holds what would end the line or the name, so that the name
+/// A path as git writes it in a header. Behind a name with a blank stands a tab, or `patch` would take it for shorter.
+fn header(path: &str) -> String {
+    let tab = if path.contains(' ') { "\t" } else { "" };
+    quoted(path) + tab
+}
+
+/// A path as git writes it: in quotes where it holds what would end the line or the name, so that the name
 /// of a file cannot make a patch for another.
 fn quoted(path: &str) -> String {
     if !path.chars().any(|c| c.is_control() || c == '"' || c == '\\') {
@@ -67,12 +73,18 @@ mod tests {
     }
 
     #[test]
+    fn a_tab_ends_a_name_with_a_blank() {
+        let shown = String::from_utf8(unified("a b", b"1\n", Some(b"2\n"))).unwrap();
+        assert!(shown.starts_with("--- a/a b\t\n+++ b/a b\t\n@@"), "{shown}");
+    }
+
+    #[test]
     fn the_name_of_a_file_cannot_end_its_line() {
         let path = "x\n--- a/victim\n+++ b/\u{e9}\"\\.target";
         let shown = String::from_utf8(unified(path, b"1\n", Some(b"2\n"))).unwrap();
         let expected = [
-            r#"--- "a/x\n--- a/victim\n+++ b/\303\251\"\\.target""#,
-            r#"+++ "b/x\n--- a/victim\n+++ b/\303\251\"\\.target""#,
+            "--- \"a/x\\n--- a/victim\\n+++ b/\\303\\251\\\"\\\\.target\"\t",
+            "+++ \"b/x\\n--- a/victim\\n+++ b/\\303\\251\\\"\\\\.target\"\t",
             "@@ -1 +1 @@\n-1\n+2\n",
         ];
         assert_eq!(shown, expected.join("\n"));

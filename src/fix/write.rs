@@ -61,13 +61,24 @@ impl fmt::Display for WriteError {
             Reason::LeavesRoot => {
                 f.write_str("a link leads out of the data folder; give mhlint the folder it leads to")
             }
-            Reason::NoFile => f.write_str("it is no regular file"),
-            Reason::Io(error) => write!(f, "{error}"),
+            Reason::NoFile => f.write_str("it is no regular file; leave it out by naming other PATHs"),
+            Reason::Io(error) => write!(f, "{error}; {}", remedy(error)),
         }
     }
 }
 
 impl std::error::Error for WriteError {}
+
+/// What to do about a change that the operating system refuses. The new file waits beside the old one.
+fn remedy(error: &io::Error) -> &'static str {
+    match error.kind() {
+        io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => "make room on the disk",
+        io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem => {
+            "allow writing to its folder, or leave it out by naming other PATHs"
+        }
+        _ => "run mhlint again, or leave it out by naming other PATHs",
+    }
+}
 
 /// A change that waits to be done.
 struct Prepared<'c> {
@@ -184,6 +195,15 @@ mod tests {
         let read_only = write_all(&[first, change(root, "b", "other", Some("x"))]).unwrap_err();
         assert!(read_only.to_string().contains("`b`: it is read-only"), "{read_only}");
         assert_eq!(content(root), texts(&before));
+    }
+
+    #[test]
+    fn a_refusal_names_a_remedy() {
+        let refused = |kind: io::ErrorKind| {
+            WriteError { path: "a".to_owned(), reason: Reason::Io(io::Error::from(kind)) }.to_string()
+        };
+        assert!(refused(io::ErrorKind::PermissionDenied).contains("; allow writing to its folder"));
+        assert!(refused(io::ErrorKind::StorageFull).contains("; make room"));
     }
 
     #[test]

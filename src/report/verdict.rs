@@ -84,11 +84,15 @@ pub(super) fn words(outcome: &Outcome, view: &View<'_>) -> String {
     if !outcome.judged_anything() {
         return "Nothing to check: no data of MakeHuman 2 were found.".to_owned();
     }
+    let only = only(outcome);
     if outcome.findings.is_empty() && outcome.left_out > 0 {
-        return "Nothing found that the change can affect; what else there is was left out.".to_owned();
+        return format!("Nothing found{only} that the change can affect; what else there is was left out.");
     }
     if outcome.findings.is_empty() && summary.suppressed > 0 {
-        return format!("Nothing found beside {}.", beside(outcome));
+        return format!("Nothing found{only} beside {}.", beside(outcome));
+    }
+    if outcome.findings.is_empty() && !only.is_empty() {
+        return format!("Nothing found{only}; what else there is was left out.");
     }
     if outcome.findings.is_empty() {
         let who = applications(outcome, &[]);
@@ -100,8 +104,14 @@ pub(super) fn words(outcome: &Outcome, view: &View<'_>) -> String {
     }
     match view.fail_on {
         Some(limit) => format!("Passed: nothing at or above {limit}. {harm}"),
-        None => format!("Passed, whatever was found (--fail-on never). {harm}"),
+        None => format!("Passed, whatever was found (`fail-on` is never). {harm}"),
     }
+}
+
+/// Where or by what alone something could be found, with a blank before it; empty where nothing was left out.
+fn only(outcome: &Outcome) -> String {
+    let parts: Vec<String> = outcome.only.iter().map(|part| printable(part)).collect();
+    if parts.is_empty() { String::new() } else { format!(" {}", parts.join(" ")) }
 }
 
 /// What the gravest findings on assets mean. Those on the settings of mhlint concern no application.
@@ -109,11 +119,12 @@ fn harm(outcome: &Outcome) -> String {
     let (settings, assets): (Vec<&Finding>, Vec<&Finding>) =
         outcome.findings.iter().partition(|one| is_upkeep(one.rule));
     let Some(worst) = assets.iter().map(|finding| finding.level).max() else {
-        let found = about_settings(&settings);
+        let (found, only) = (about_settings(&settings), only(outcome));
+        let data = if only.is_empty() { " in the data" } else { &only };
         return match (outcome.left_out, outcome.summary.suppressed) {
-            (0, 0) => format!("{found}; nothing found in the data."),
-            (0, _) => format!("{found}; nothing found in the data beside {}.", beside(outcome)),
-            _ => format!("{found}; nothing found in the data that the change can affect."),
+            (0, 0) => format!("{found}; nothing found{data}."),
+            (0, _) => format!("{found}; nothing found{data} beside {}.", beside(outcome)),
+            _ => format!("{found}; nothing found{data} that the change can affect."),
         };
     };
     let gravest: Vec<&Finding> = assets.into_iter().filter(|finding| finding.level == worst).collect();
@@ -137,7 +148,9 @@ fn about_settings(findings: &[&Finding]) -> String {
 
 fn too_many(outcome: &Outcome, view: &View<'_>) -> String {
     match view.max_warnings {
-        Some(limit) if outcome.summary.warning > limit => format!(" --max-warnings allows {limit}."),
+        Some(limit) if outcome.summary.warning > limit => {
+            format!(" More than the {} that `max-warnings` allows.", count(limit, "warning"))
+        }
         _ => String::new(),
     }
 }

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::place::{canonical, named};
+use super::place::{canonical, named, slashed};
 
 /// A folder that globs are relative to.
 ///
@@ -76,7 +76,7 @@ fn names_of(path: &Path) -> Vec<String> {
 
 /// Forward slashes, no `.`, no `..` but at the front.
 fn plain(path: &str) -> String {
-    let slashed = path.replace('\\', "/");
+    let slashed = slashed(Path::new(path));
     let slashed = slashed.strip_prefix("//?/").unwrap_or(&slashed);
     let mut parts: Vec<&str> = Vec::new();
     for part in slashed.split('/').filter(|part| !part.is_empty() && *part != ".") {

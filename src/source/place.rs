@@ -13,6 +13,12 @@ pub fn folder_of(file: &Path) -> &Path {
     named(file.parent().unwrap_or(Path::new("")))
 }
 
+/// The path with forward slashes. A backslash separates on Windows and is part of a name elsewhere.
+pub fn slashed(path: &Path) -> String {
+    let text = path.to_string_lossy();
+    if cfg!(windows) { text.replace('\\', "/") } else { text.into_owned() }
+}
+
 /// The absolute path without links, if there is something.
 pub fn canonical(path: &Path) -> Option<PathBuf> {
     fs::canonicalize(named(path)).ok()

@@ -7,6 +7,7 @@ use super::args::CasesArgs;
 use super::write;
 use crate::cli::exit::{Exit, Failure};
 use crate::engine::evaluate::{CaseRun, Comparison, Deviation, Error, Roots, read_text, run_cases};
+use crate::report::printable;
 
 /// Differences that are listed of a case.
 const SHOWN: usize = 10;
@@ -18,7 +19,7 @@ pub(super) fn run(args: &CasesArgs, out: &mut dyn Write, err: &mut dyn Write) ->
     let cases = run_cases(&args.file.to_string_lossy(), &text, &roots)?;
     for report in &cases.reports {
         for note in &report.notes {
-            writeln!(err, "mhlint: case {}: {note}", report.name)?;
+            writeln!(err, "mhlint: {}", printable(&format!("case {}: {note}", report.name)))?;
         }
     }
     if args.compare {
@@ -28,7 +29,7 @@ pub(super) fn run(args: &CasesArgs, out: &mut dyn Write, err: &mut dyn Write) ->
     let mut exit = Exit::Clean;
     for report in &cases.reports {
         if let Err(error) = &report.outputs {
-            writeln!(err, "mhlint: case {}: {error}", report.name)?;
+            writeln!(err, "mhlint: {}", printable(&format!("case {}: {error}", report.name)))?;
             exit = Exit::CannotWork;
         }
     }
@@ -59,13 +60,13 @@ fn compare(cases: &CaseRun<'_>, args: &CasesArgs, out: &mut dyn Write) -> Result
 /// A case: its verdict, and the largest deviation of every quantity with what is allowed.
 fn line(comparison: &Comparison) -> String {
     if let Some(failure) = &comparison.failure {
-        return format!("error   {}: {failure}\n", comparison.name);
+        return format!("{}\n", printable(&format!("error   {}: {failure}", comparison.name)));
     }
     let numbers: Vec<String> = comparison.deviations.iter().map(deviation).collect();
     let verdict = if comparison.agrees() { "agrees " } else { "differs" };
-    let mut lines = vec![format!("{verdict} {}: {}\n", comparison.name, numbers.join(", "))];
+    let mut lines = vec![format!("{verdict} {}: {}\n", printable(&comparison.name), printable(&numbers.join(", ")))];
     let shown = comparison.differences.iter().take(SHOWN);
-    lines.extend(shown.map(|difference| format!("        {difference}\n")));
+    lines.extend(shown.map(|difference| format!("        {}\n", printable(difference))));
     if comparison.differences.len() > SHOWN {
         lines.push(format!("        and {} differences more\n", comparison.differences.len() - SHOWN));
     }

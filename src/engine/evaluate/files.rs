@@ -6,8 +6,8 @@ use super::error::Error;
 use crate::eval::vector::Point;
 use crate::formats::json_file::{self, JsonFault};
 use crate::formats::obj;
-use crate::json::{Document, SyntaxFault};
-use crate::source::{Encoding, Limits, Lines, ReadFault, read_file};
+use crate::json::{Document, SyntaxFault, SyntaxKind};
+use crate::source::{Encoding, Limits, Lines, ReadFault, read_file, slashed};
 
 /// The bytes of a file.
 ///
@@ -38,7 +38,7 @@ pub(super) fn document(bytes: &[u8]) -> Result<Document, String> {
 
 /// A path as messages print it.
 pub(super) fn shown(path: &Path) -> String {
-    path.to_string_lossy().replace('\\', "/")
+    slashed(path)
 }
 
 /// Why bytes could not be had, in words.
