@@ -389,7 +389,7 @@ fn errors_hide_what_the_baseline_knows() {
     let root = repository.path();
     let all = write(root, &[]).len();
     let known = fs::read_to_string(root.join("known.json")).unwrap();
-    for (file, gone) in [(MACROS, 1), (MESH, 1)] {
+    for file in [MACROS, MESH] {
         let whole = fs::read(root.join(file)).unwrap();
         let broken: &[&dyn Fn()] = &[
             &|| fs::write(root.join(file), &whole[..whole.len() / 2]).unwrap(),
@@ -406,11 +406,7 @@ fn errors_hide_what_the_baseline_knows() {
             assert!(!text.contains("prune"), "{text}");
             let written = mhlint(root, &["--baseline", "known.json", "--write-baseline"]);
             let said = stderr(&written);
-            assert!(
-                said.contains("1 new (1 error), ") && said.contains("mend what is new and write it again"),
-                "{said}"
-            );
-            assert!(said.contains(&format!("{gone} gone")) || file == MESH, "{said}");
+            assert!(said.contains(": 1 new (1 error), ") && said.contains(" gone; errors can hide findings"), "{said}");
             fs::write(root.join("known.json"), &known).unwrap();
         }
         fs::write(root.join(file), whole).unwrap();

@@ -4,7 +4,7 @@ use super::super::archived::when_read;
 use super::super::{Check, Rule, RuleCx};
 use super::unreadable_fields::finding;
 use super::{targets, usage};
-use crate::diag::{Application, Level, RuleInfo};
+use crate::diag::{Application, Finding, Level, RuleInfo};
 use crate::repo::Repository;
 
 pub(in crate::rules) static RULE: Rule = Rule {

@@ -39,7 +39,7 @@ pub(super) fn target_of<'a>(resolution: &Resolution<'a>) -> Option<&'a FileFacts
 }
 
 /// Paths of all unused targets of all bases.
-pub(super) fn unused_paths<'a>(repository: &Repository<'a>) -> BTreeSet<&'a str> {
+pub(in crate::rules) fn unused_paths<'a>(repository: &Repository<'a>) -> BTreeSet<&'a str> {
     let files = repository.bases.iter().flat_map(|base| unused(repository, base));
     files.map(|file| file.path.as_str()).collect()
 }
