@@ -23,8 +23,9 @@ archive_suffix() {
     esac
 }
 
+# From standard input: of a file whose path has a backslash (RUNNER_TEMP of Windows) sha256sum writes `\` before the sum.
 sha256() {
-    if command -v sha256sum >/dev/null; then sha256sum "$1"; else shasum -a 256 "$1"; fi | cut -d' ' -f1
+    if command -v sha256sum >/dev/null; then sha256sum; else shasum -a 256; fi <"$1" | cut -d' ' -f1
 }
 
 download() { # name

@@ -2,13 +2,13 @@
 # Judges, shows the findings in the log and as annotations, writes SARIF and the summary, and leaves the exit code as an output:
 # the verdict is a later step of action.yml, so that SARIF is uploaded before it.
 #
-# MHLINT_PATHS, MHLINT_ARGS  separated by blanks
+# MHLINT_PATHS, MHLINT_ARGS  separated by blanks or line ends
 # RUNNER_TEMP, GITHUB_OUTPUT, GITHUB_STEP_SUMMARY  as GitHub sets them
 set -euo pipefail
 
-# Blanks separate, but nothing is expanded: `--skip macro-*` reaches mhlint as it is.
-read -r -a paths <<<"${MHLINT_PATHS:-.}"
-read -r -a args <<<"${MHLINT_ARGS:-}"
+# Blanks and line ends separate, but nothing is expanded: `--skip macro-*` reaches mhlint as it is.
+read -r -d '' -a paths <<<"${MHLINT_PATHS:-.}" || true # no delimiter comes: all is read
+read -r -d '' -a args <<<"${MHLINT_ARGS:-}" || true
 human=$RUNNER_TEMP/mhlint.txt
 sarif=$RUNNER_TEMP/mhlint.sarif
 rm -f "$human" "$sarif"

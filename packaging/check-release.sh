@@ -19,5 +19,5 @@ if [ -n "${GITHUB_REPOSITORY:-}" ]; then
     address=$GITHUB_SERVER_URL/$GITHUB_REPOSITORY
     grep -qF "repository = \"$address\"" Cargo.toml || fault "repository in Cargo.toml is not $address"
 fi
-if grep -rlF 'github.com/OWNER' README.md docs packaging/pre-commit-mirror; then fault "OWNER still stands in the files above"; fi
+if grep -rlw OWNER README.md docs packaging/pre-commit-mirror; then fault "OWNER still stands in the files above"; fi
 exit $faults

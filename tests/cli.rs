@@ -114,6 +114,21 @@ fn loose_assets_are_judged_alone_and_against_the_system_data() {
 }
 
 #[test]
+fn loose_assets_are_named_as_they_lie() {
+    let folder = tempfile::tempdir().unwrap();
+    let rows: String = (0..40).map(|row| format!("{row} 0.1 0.2 0.3\n")).collect();
+    for name in ["a", "b"] {
+        fs::write(folder.path().join(format!("{name}.target")), format!("# basemesh other\n{rows}")).unwrap();
+    }
+    let system = project("fixtures/makehuman2/data");
+    let args = [".", "--system", system.to_str().unwrap(), "--only", "file-*", "--only", "target-basemesh-mismatch"];
+    let output = stdout(&mhlint(folder.path(), &args));
+    assert!(output.contains("the same displacement as `b.target`"), "{output}");
+    assert!(output.contains("2 targets made for base mesh `other`"), "{output}");
+    assert!(!output.contains("loose/"), "a place that is only supposed is named: {output}");
+}
+
+#[test]
 fn system_data_given_to_be_judged_are_judged() {
     let output = mhlint(&project("fixtures/makehuman2"), &["data", "--system", "./data/"]);
     assert_eq!(code(&output), Some(0), "{}", stderr(&output));
@@ -249,6 +264,34 @@ fn a_report_that_cannot_be_written_is_refused_before_the_run() {
     );
     assert_refused(&mhlint(repository.path(), &["--report", "json=data"]), &["is a folder", "name a file in it"]);
     assert_refused(&mhlint(repository.path(), &["--report", "json="]), &["json=report.txt"]);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_report_goes_to_where_a_link_leads_even_if_nothing_is_there_yet() {
+    use std::os::unix::fs::symlink;
+    let repository = example();
+    let at = |name: &str| repository.path().join(name);
+    for (link, target) in
+        [("new.json", "user/report.json"), ("gone.json", "no/such/r.json"), ("round.json", "round.json")]
+    {
+        symlink(target, at(link)).unwrap();
+    }
+    assert_eq!(code(&mhlint(repository.path(), &["--report", "json=new.json"])), Some(0));
+    assert!(at("new.json").is_symlink() && at("user/report.json").is_file());
+    assert_refused(&mhlint(repository.path(), &["--report", "json=gone.json"]), &["which the link leads to"]);
+    assert!(at("gone.json").is_symlink());
+    assert_refused(&mhlint(repository.path(), &["--report", "json=round.json"]), &["in a circle"]);
+}
+
+#[test]
+fn bent_quotes_get_their_remedy() {
+    let repository = example();
+    let file = repository.path().join("data/base/figure/base.json");
+    let text = fs::read_to_string(&file).unwrap();
+    fs::write(&file, text.replace("\"numverts\"", "\u{201c}numverts\u{201d}")).unwrap();
+    let output = stdout(&mhlint(repository.path(), &["--only", "json-syntax"]));
+    assert!(output.contains("write straight quotes"), "{output}");
 }
 
 #[test]
@@ -429,12 +472,24 @@ fn completions_know_commands_and_options() {
 #[test]
 fn bash_completes_what_is_typed() {
     let script = stdout(&mhlint(&project("."), &["completions", "bash"]));
-    let ask = "\nCOMP_WORDS=(mhlint --max)\nCOMP_CWORD=1\n_mhlint mhlint --max mhlint\necho \"${COMPREPLY[@]}\"\n";
-    let Ok(output) = Command::new("bash").args(["-c", &(script + ask)]).output() else {
-        println!("left out: no bash");
-        return;
-    };
-    assert_eq!(stdout(&output).trim(), "--max-warnings", "{}", stderr(&output));
+    for (words, answer) in [
+        (["--max"].as_slice(), "--max-warnings"),
+        (&["explain", "base-mis"], "base-missing-file"),
+        (&["--only", "macro-steps-l"], "macro-steps-length"),
+        (&["check", "--skip", "json-sy"], "json-syntax"),
+    ] {
+        let (last, before) = (words.last().unwrap(), words.iter().rev().nth(1).unwrap_or(&"mhlint"));
+        let ask = format!(
+            "\nCOMP_WORDS=(mhlint {})\nCOMP_CWORD={}\n_mhlint mhlint {last} {before}\necho \"${{COMPREPLY[@]}}\"\n",
+            words.join(" "),
+            words.len()
+        );
+        let Ok(output) = Command::new("bash").args(["-c", &(script.clone() + &ask)]).output() else {
+            println!("left out: no bash");
+            return;
+        };
+        assert_eq!(stdout(&output).trim(), answer, "{}", stderr(&output));
+    }
 }
 
 #[test]

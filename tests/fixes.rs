@@ -76,13 +76,10 @@ fn every_fixable_case_is_mended_for_good() {
     assert_eq!(mended, rules.keys().map(String::as_str).collect(), "every rule that declares a fix has a case for it");
 }
 
-/// A fault that kept another rule from looking: what that one then says was there before.
-const HIDDEN: [(&str, &str); 4] = [
-    ("weights-duplicate-vertex", "weights-asymmetric"),
-    ("file-byte-order-mark", "json-schema"),
-    ("target-zero-delta", "target-asymmetric"),
-    ("overlay-broken-override", "overlay-targets-not-in-layer"),
-];
+/// Files that MakeHuman 2 refuses and takes for missing. What they hold has no effect while it does, and is not said;
+/// once the fault is mended it counts, and what is wrong with it is news.
+const HIDDEN: [(&str, &str); 2] =
+    [("file-byte-order-mark", "json-schema"), ("overlay-broken-override", "overlay-targets-not-in-layer")];
 
 /// Mends one case with all fixes. `false`: this case is one that only a person can mend.
 fn mend_case(rule: &str, declared: &str, folder: &Path) -> Result<bool, String> {
@@ -144,6 +141,33 @@ fn all_bytes_but_the_fault_stay() {
     assert_eq!(has(OVAL), had(OVAL).replace("339 0 .001 .001\n", "339 0 .001 .001\n# kept  as is\r\n"));
     assert_eq!(has(MACRO), had(MACRO).replace("\"t\": \"coastal-male\"", "\"t\" :\t\"coastal-male\""));
     assert_eq!(has(WEIGHTS), had(WEIGHTS));
+}
+
+#[test]
+fn several_faults_of_one_name_are_mended_one_after_the_other() {
+    const MODELLING: &str = "data/target/figure/modelling.json";
+    for (file, right, wrong, safely, whole) in [
+        (MODELLING, "head/head-oval", r"Head\\head-oval", "Head/head-oval", "head/head-oval"),
+        (MACRO, "coastal-male", r".\\coastal-male.target", "./coastal-male", "./coastal-male"),
+        (MACRO, "coastal-male", "Coastal-male.target.gz", "Coastal-male", "coastal-male"),
+        (MACRO, "coastal-male", r".\\\\COASTAL-male.target", ".//COASTAL-male", ".//coastal-male"),
+    ] {
+        let repository = example();
+        let root = repository.path();
+        let quoted = |name: &str| format!(": \"{name}\"");
+        let member = if file == MACRO { "\"t\"" } else { "" };
+        let written = |name: &str| format!("{member}{}", quoted(name));
+        let text = fs::read_to_string(root.join(file)).unwrap();
+        edit(root, file, &written(right), &written(wrong));
+        let rules: Vec<String> = reported(root).into_iter().map(|(rule, _)| rule).collect();
+        assert_eq!(rules.len(), if wrong.contains('O') { 3 } else { 2 }, "{wrong}: {rules:?}");
+        for (option, name) in [("--fix", safely), ("--unsafe-fixes", whole)] {
+            check(root, &["--fix", option][usize::from(option == "--fix")..]);
+            let expected = text.replacen(&written(right), &written(name), 1);
+            assert_eq!(fs::read_to_string(root.join(file)).unwrap(), expected, "{wrong} {option}");
+        }
+        assert!(reported(root).is_empty(), "{wrong}: {:?}", reported(root));
+    }
 }
 
 #[test]

@@ -151,3 +151,38 @@ fn a_folder_is_muted_by_its_files() {
     assert_eq!(told(ignore, [""; 3]), [""; 0]);
     assert_eq!(told("", [comment; 3]), [""; 0]);
 }
+
+/// What is said of a text asset that is no UTF-8, with a comment before it.
+fn told_of_text(name: &str, comment: &str) -> Vec<String> {
+    let repository = example();
+    let folder = repository.path().join("data/clothes/figure/hat");
+    fs::create_dir_all(&folder).unwrap();
+    let mut text = format!("{comment}\n").into_bytes();
+    text.extend(b"name J\xf6rg\n");
+    fs::write(folder.join(name), text).unwrap();
+    let found = findings(&mhlint(repository.path(), &["data", "--report", "concise"]));
+    found.into_iter().filter(|line| line.contains("[file-not-utf8]") || line.contains("[config-")).collect()
+}
+
+#[test]
+fn every_format_with_comments_holds_mutes_of_its_own() {
+    for name in ["hat.mhclo", "hat.proxy", "hat.mhmat", "hat.mhm"] {
+        let told = |comment: &str| told_of_text(name, comment);
+        assert_eq!(told("# mhlint: ignore file-not-utf8 an old name"), [""; 0], "{name}");
+        assert!(matches!(told("# a hat").as_slice(), [line] if line.contains("[file-not-utf8]")), "{name}");
+        for (comment, said) in [
+            ("# mhlint: ignore file-empty not so", "[config-unused-ignore] the mute of `file-empty` hides nothing"),
+            ("# mhlint: ignore file-not-utf8", "[config-missing-reason]"),
+            ("# mhlint: ignore file-not-utf9 why", "[config-unknown-rule]"),
+            ("# mhlint: ignore", "[config-unused-ignore] the comment `mhlint: ignore` is no mute"),
+        ] {
+            let told = told(comment);
+            let [upkeep, fault] = told.as_slice() else { panic!("{name} {comment}: {told:#?}") };
+            assert!(upkeep.contains(&format!("{name}:1:1: ")) && upkeep.contains(said), "{upkeep}");
+            assert!(fault.contains("[file-not-utf8]"), "{fault}");
+        }
+    }
+    assert_eq!(told_of_text("hat.mhmat", "// mhlint: ignore file-not-utf8 an old name"), [""; 0]);
+    let told = told_of_text("hat.mhclo", "// mhlint: ignore file-not-utf8 no comment here");
+    assert!(matches!(told.as_slice(), [line] if line.contains("[file-not-utf8]")), "{told:#?}");
+}

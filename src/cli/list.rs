@@ -1,4 +1,4 @@
-//! `mhlint rules`: the rule table, for people, programs and the README.
+//! `mhlint rules`: the rule table, for people, programs and the documents.
 
 use std::io::Write;
 

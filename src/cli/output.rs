@@ -8,7 +8,7 @@ use super::exit::Failure;
 use crate::config::Config;
 use crate::fix::replace;
 use crate::report::Format;
-use crate::source::{folder_of, resolved};
+use crate::source::{folder_of, link_targets, resolved};
 
 /// `FORMAT[=FILE]`.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -80,11 +80,18 @@ pub(super) fn refuse_unwritable(what: &str, file: &Path) -> Result<(), Failure> 
     if file.is_dir() {
         return Err(Failure::Usage(format!("cannot write {what} to `{shown}`: it is a folder; name a file in it")));
     }
-    let parent = folder_of(file);
+    let behind = link_targets(file).pop();
+    if behind.as_ref().is_some_and(|end| end.is_symlink()) {
+        return Err(Failure::Usage(format!(
+            "cannot write {what} to `{shown}`: the link leads in a circle; name another file"
+        )));
+    }
+    let parent = folder_of(behind.as_deref().unwrap_or(file));
     if !parent.is_dir() {
         let folder = parent.display();
+        let whose = if behind.is_some() { ", which the link leads to" } else { "" };
         return Err(Failure::Usage(format!(
-            "cannot write {what} to `{shown}`: there is no folder `{folder}`; make it first"
+            "cannot write {what} to `{shown}`: there is no folder `{folder}`{whose}; make it first"
         )));
     }
     Ok(())

@@ -121,7 +121,7 @@ impl Reader<'_> {
     }
 
     fn glob(&mut self, text: &str, span: Range<usize>) -> Option<PathGlob> {
-        let glob = PathGlob::new(text);
+        let glob = PathGlob::new(text, span.clone());
         let help = "`*` is any part of a name, `**/` any folders; a bracket or brace must be closed";
         self.take(glob.map_err(|reason| (span, format!("`{text}` is no glob: {reason}"), help.to_owned())))
     }

@@ -1,5 +1,7 @@
 //! Suggestions for misspelt names.
 
+use std::cell::Cell;
+
 /// The candidate most like `name`, if it is near enough to be a slip of the pen.
 ///
 /// Case and separators are forgiven first; then edit distance up to a third of the length counts.
@@ -19,6 +21,26 @@ pub fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) ->
         }
     }
     best.map(|(_, candidate)| candidate)
+}
+
+/// Comparisons for the suggestions of one rule. Thousands of names that are looked for among thousands are no slips
+/// of the pen, and nobody reads that many suggestions.
+const COMPARED: usize = 1 << 23;
+
+/// The [`nearest`] of many names in turn, until too many were compared.
+#[derive(Debug, Default)]
+pub struct Suggestions {
+    compared: Cell<usize>,
+}
+
+impl Suggestions {
+    /// As [`nearest`]; nothing when too many names were compared before.
+    pub fn nearest<'a>(&self, name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+        if self.compared.get() > COMPARED {
+            return None;
+        }
+        nearest(name, candidates.into_iter().inspect(|_| self.compared.set(self.compared.get() + 1)))
+    }
 }
 
 /// A name that many others are compared with.
@@ -163,6 +185,14 @@ mod tests {
             let (one, other) = without_common_ends(&name, &candidate);
             proptest::prop_assert_eq!(strsim::damerau_levenshtein(one, other), whole);
         }
+    }
+
+    #[test]
+    fn suggestions_have_an_end() {
+        let suggestions = Suggestions::default();
+        assert_eq!(suggestions.nearest("l-kne", ["l-knee"]), Some("l-knee"));
+        suggestions.compared.set(COMPARED + 1);
+        assert_eq!(suggestions.nearest("l-kne", ["l-knee"]), None);
     }
 
     #[test]

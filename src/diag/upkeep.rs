@@ -9,6 +9,8 @@ pub struct Upkeep {
     pub mutes: Vec<Mute>,
     /// Settings for rules that do not exist.
     pub unknown: Vec<UnknownRule>,
+    /// Globs of the configuration that fit nothing.
+    pub idle: Vec<IdleGlob>,
     /// The baseline, if there is one.
     pub baseline: Option<BaselineUse>,
     /// Whether errors were found that neither a mute nor the baseline hides. A file that cannot be read hides what
@@ -47,6 +49,11 @@ pub enum MuteState {
         /// That day.
         until: String,
     },
+    /// The comment is not written as a mute has to be.
+    Malformed {
+        /// What it says.
+        words: String,
+    },
     /// The rule is a matter of safety.
     Unmutable,
     /// There is no such rule.
@@ -69,6 +76,21 @@ pub struct UnknownRule {
     pub rule: String,
     /// One that may be meant.
     pub nearest: Option<&'static str>,
+}
+
+/// A glob of the configuration that fits no file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct IdleGlob {
+    /// The configuration file.
+    pub path: String,
+    /// Where in it.
+    pub place: Place,
+    /// What the glob stands in: `exclude`, `[[path]]`.
+    pub setting: &'static str,
+    /// As written.
+    pub glob: String,
+    /// A glob that fits something and may be meant.
+    pub meant: Option<String>,
 }
 
 /// What became of the entries of a baseline.

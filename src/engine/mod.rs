@@ -11,6 +11,7 @@ mod data;
 pub mod evaluate;
 mod gauge;
 mod heard;
+mod idle;
 mod input;
 mod judge;
 mod known;

@@ -60,6 +60,7 @@ impl<'c> Muting<'c> {
     pub(super) fn note(&mut self, file: &FileFacts, selection: &Selection<'_>, scope: &Scope<'_>) {
         for comment in &file.ignores {
             let state = match standing(&comment.rule) {
+                _ if comment.rule.is_empty() => MuteState::Malformed { words: comment.reason.clone() },
                 Some(state) => state,
                 None if comment.reason.is_empty() => MuteState::NoReason,
                 None if scope.is_whole() && !is_silenced(&comment.rule, selection) => MuteState::Unused,

@@ -5,7 +5,9 @@ use xxhash_rust::xxh3::xxh3_64;
 use crate::discover::{Kind, kind_of};
 use crate::formats::json_file::{self, JsonFacts, JsonFault};
 use crate::formats::target::{MeshSize, Row};
-use crate::formats::{base_json, geometry, macro_json, mhskel, mhw, modelling, npz, obj, target, target_cat};
+use crate::formats::{
+    base_json, geometry, inline_ignore, macro_json, mhskel, mhw, modelling, npz, obj, target, target_cat,
+};
 use crate::json::{self, Document, SchemaFaults};
 use crate::repo::{Content, FileFacts};
 use crate::source::{Encoding, Entry, Limits, Tree, try_gunzip, zip_bomb};
@@ -95,8 +97,21 @@ impl Reading {
                 facts.content = Content::Archive(Box::new(npz::parse(bytes, limits)));
             }
             _ if is_zip(&facts.rel) => facts.gzip_fault = zip_bomb(bytes, limits),
+            Kind::Text => {
+                facts.content_hash = Some(xxh3_64(bytes));
+                facts.ignores = inline_ignore::of_lines(bytes, comment_marks(&facts.rel));
+            }
             _ => facts.content_hash = Some(xxh3_64(bytes)),
         }
+    }
+}
+
+/// What comments begin with, in formats of text that have them.
+fn comment_marks(rel: &str) -> &'static [&'static str] {
+    match rel.rsplit_once('.').map(|(_, extension)| extension) {
+        Some("mhclo" | "proxy" | "mhm") => &["#"],
+        Some("mhmat") => &["#", "//"],
+        _ => &[],
     }
 }
 
@@ -113,7 +128,7 @@ fn fill_target(facts: &mut FileFacts, bytes: &[u8], mesh: Option<MeshSize>) -> V
     } else {
         target::parse(bytes, mesh)
     };
-    facts.content_hash = Some(parsed.facts.content);
+    facts.content_hash = Some(parsed.facts.displacement);
     facts.ignores = parsed.ignores;
     facts.content = Content::Target(Box::new(parsed.facts));
     parsed.rows

@@ -8,6 +8,7 @@ use super::caught::caught;
 use super::changed::{Change, explain, narrow};
 use super::data::{Data, Loaded};
 use super::heard::{Filter, Heard};
+use super::idle::idle;
 use super::input::{Input, open};
 use super::judge::{judge, look_after};
 use super::known::{Known, Placed};
@@ -20,7 +21,7 @@ use super::roots::{Roots, check_bases, summarise};
 use super::scope::Scope;
 use super::select::Selection;
 use crate::config::Config;
-use crate::diag::{Application, Finding, Level, Over, Upkeep, fingerprint};
+use crate::diag::{Application, Finding, IdleGlob, Level, Over, Upkeep, fingerprint};
 use crate::eval::measures::Measures;
 use crate::repo::{Layer, Repository};
 use crate::source::{Limits, Tree};
@@ -50,14 +51,17 @@ struct Asked<'c> {
     selection: Selection<'c>,
     scope: Scope<'c>,
     change: Option<Change>,
+    idle: Vec<IdleGlob>,
 }
 
 /// Judges what the inputs hold.
 pub(super) fn lint_inputs(inputs: &[Input], system: Option<&Tree>, options: &Config) -> Result<Outcome, Error> {
+    let scope = Scope::new(inputs, options);
     let asked = Asked {
         options,
         selection: Selection::new(options)?,
-        scope: Scope::new(inputs, options),
+        idle: idle(options, inputs, system, &scope),
+        scope,
         change: options.changed.as_deref().map(Change::new),
     };
     let known = Known::open(options)?;
@@ -100,7 +104,7 @@ fn judge_all(
     muting: &mut Muting<'_>,
     outcome: &mut Outcome,
 ) -> Vec<Placed> {
-    let Asked { options, selection, scope, change } = asked;
+    let Asked { options, selection, scope, change, .. } = asked;
     let mut found = Vec::new();
     for (number, (system, user, judged)) in data.stacks().into_iter().enumerate() {
         outcome.summary.files += judged.layer.files.len();
@@ -126,8 +130,9 @@ fn settle(
     muting: &Muting<'_>,
     outcome: &mut Outcome,
 ) -> Result<(), Error> {
-    let Asked { options, selection, scope, change } = asked;
-    let mut upkeep = Upkeep { mutes: muting.mutes(selection, scope), unknown: muting.unknown(), ..Upkeep::default() };
+    let Asked { options, selection, scope, change, idle } = asked;
+    let mutes = muting.mutes(selection, scope);
+    let mut upkeep = Upkeep { mutes, unknown: muting.unknown(), idle: idle.clone(), ..Upkeep::default() };
     if let Some(known) = known {
         let roots = data.roots.iter().map(|root| root.layer.path.as_str());
         let compared = known.compare(found, roots, selection, scope)?;

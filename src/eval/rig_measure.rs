@@ -7,7 +7,7 @@ use super::skeleton::{DEFAULT_NORMAL, plane_normal, plane_sine, rest_bones, roll
 use super::skin::{pose_bones, skin};
 use super::symmetry::{Mirror, MirrorMap};
 use super::vector::{Point, distance};
-use super::weights::LoadedWeights;
+use super::weights::{LoadedWeights, merge_duplicates};
 
 /// Influences that real-time engines take.
 pub const ENGINE_INFLUENCES: usize = 4;
@@ -95,7 +95,8 @@ pub fn weights(
     })
 }
 
-/// Vertices whose sums in the file differ from those of their mirror are left out: the sum is what is wrong there.
+/// Entries of one vertex are added, and all are scaled to a sum of 1, so that mending either changes nothing here.
+/// Vertices without weights on one side are left out: that is what is wrong there.
 fn asymmetry(
     loaded: &LoadedWeights,
     (left, right): (usize, usize),
@@ -113,13 +114,12 @@ fn asymmetry(
         weights
     };
     let (ours, theirs) = (dense(entries(left)?), dense(entries(right)?));
-    let sum = |vertex: u32| loaded.raw_sums.get(vertex as usize).copied().unwrap_or(0.0);
-    let same_sums = |a: u32, b: u32| (sum(a) - sum(b)).abs() <= tolerance;
+    let is_weighted = |vertex: u32| loaded.raw_sums.get(vertex as usize).is_some_and(|sum| *sum != 0.0);
     let mut pair = AsymmetricPair { left, right, vertices: 0, worst: (0, 0.0) };
     for (vertex, (weight, partner)) in (0..).zip(ours.iter().zip(mirror.partners())) {
         let Mirror::Partner(partner) = partner else { continue };
         let difference = (weight - theirs.get(*partner as usize).copied().unwrap_or(0.0)).abs();
-        if difference > tolerance && same_sums(vertex, *partner) {
+        if difference > tolerance && is_weighted(vertex) && is_weighted(*partner) {
             pair.vertices += 1;
             if difference > pair.worst.1 {
                 pair.worst = (vertex, difference);
@@ -130,15 +130,18 @@ fn asymmetry(
 }
 
 /// Vertices whose weights do not add up (lost at the threshold) are pulled to the origin even at rest; they are
-/// measured by their loss, so the sum is made whole here: what is left is the fault of the matrices.
+/// measured by their loss, so the sum is made whole here, and entries of one vertex, of which skinning uses one, are
+/// added: what is left is the fault of the matrices.
 fn rest_distance(loaded: &LoadedWeights, skeleton: &SceneSkeleton, positions: &[Point]) -> Option<(u32, f64)> {
     let joints = joint_positions(positions, skeleton.joints.iter().map(Vec::as_slice)).ok()?;
     let rest = rest_bones(&joints, &skeleton.bones).ok()?;
     let posed = pose_bones(&skeleton.bones, &rest, &vec![None; skeleton.bones.len()]).ok()?;
     let moved: Vec<_> = posed.iter().map(|bone| bone.moved).collect();
-    let skinned = skin(positions, &loaded.bones, &moved).ok()?;
+    let mut bones = loaded.bones.clone();
+    bones.iter_mut().for_each(|list| merge_duplicates(&mut list.entries));
+    let skinned = skin(positions, &bones, &moved).ok()?;
     let mut sums = vec![0.0_f32; positions.len()];
-    for (vertex, weight) in loaded.bones.iter().flat_map(|list| &list.entries) {
+    for (vertex, weight) in bones.iter().flat_map(|list| &list.entries) {
         if let Some(sum) = sums.get_mut(*vertex as usize) {
             *sum += weight;
         }
@@ -206,9 +209,13 @@ mod tests {
     }
 
     #[test]
-    fn a_wrong_sum_is_no_asymmetry() {
-        let found = measure(&[(0, &[(0, 1.0), (1, 1.0), (3, 0.5)]), (1, &[(2, 1.0)]), (2, &[(3, 1.0)])]);
-        assert_eq!(found.asymmetric, []);
+    fn sums_and_repeats_are_looked_through() {
+        let scaled = measure(&[(0, &[(0, 1.0), (1, 1.0)]), (1, &[(2, 1.0)]), (2, &[(3, 0.25)])]);
+        assert_eq!(scaled.asymmetric, []);
+        let repeated = measure(&[(0, &[(0, 1.0), (1, 1.0)]), (1, &[(2, 1.0)]), (2, &[(3, 0.5), (3, 0.5)])]);
+        assert_eq!((repeated.asymmetric, repeated.rest_distance.map(|rest| rest.1 < 1e-6)), (vec![], Some(true)));
+        let shared = measure(&[(0, &[(0, 1.0), (1, 1.0), (3, 0.5)]), (1, &[(2, 1.0)]), (2, &[(3, 1.0)])]);
+        assert_eq!(shared.asymmetric.first().map(|pair| pair.vertices), Some(1));
         let unweighted = measure(&[(0, &[(0, 1.0), (1, 1.0)]), (1, &[(2, 1.0)]), (2, &[(1, 0.0)])]);
         assert_eq!(unweighted.asymmetric, []);
     }

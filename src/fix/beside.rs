@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 use tempfile::{Builder, TempPath};
 
-use crate::source::folder_of;
+use crate::source::{folder_of, link_targets};
 
 /// A content that waits beside its file; goes away if it is not used.
 #[derive(Debug)]
@@ -40,8 +40,8 @@ impl Beside {
     }
 }
 
-/// Replaces a file as a whole, or makes it. A link is followed; a device or pipe has no place to take and is written
-/// to as it is.
+/// Replaces a file as a whole, or makes it. A link is followed, also to where nothing is yet; a device or pipe has no
+/// place to take and is written to as it is.
 ///
 /// # Errors
 /// What the operating system says. Then the file is as it was.
@@ -49,7 +49,12 @@ pub fn replace(file: &Path, bytes: &[u8]) -> io::Result<()> {
     match fs::metadata(file) {
         Ok(before) if !before.is_file() => fs::OpenOptions::new().write(true).open(file)?.write_all(bytes),
         Ok(_) => Beside::write(fs::canonicalize(file)?, bytes)?.take_place(),
-        Err(_) => Beside::write(file.to_owned(), bytes)?.take_place(),
+        // What a link leads to may not be there yet.
+        Err(error) => match link_targets(file).pop() {
+            Some(end) if end.is_symlink() => Err(error),
+            Some(end) => Beside::write(end, bytes)?.take_place(),
+            None => Beside::write(file.to_owned(), bytes)?.take_place(),
+        },
     }
 }
 

@@ -2,6 +2,8 @@
 
 use xxhash_rust::xxh3::Xxh3;
 
+use super::target::Row;
+
 /// Hash over rows in their order: equal displacement, equal hash. Zeros of either sign are equal.
 #[derive(Default)]
 pub(super) struct ContentHash(Xxh3);
@@ -14,6 +16,13 @@ impl ContentHash {
             to.copy_from_slice(&from);
         }
         self.0.update(&row);
+    }
+
+    /// Over all of these rows.
+    pub(super) fn of<'r>(rows: impl IntoIterator<Item = &'r Row>) -> u64 {
+        let mut hash = Self::default();
+        rows.into_iter().for_each(|row| hash.add(row.index, row.delta));
+        hash.finish()
     }
 
     pub(super) fn finish(&self) -> u64 {

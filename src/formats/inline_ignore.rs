@@ -8,28 +8,44 @@ const MOST: usize = 64;
 pub struct InlineIgnore {
     /// Line of the comment, counted from 1.
     pub line: u32,
-    /// The rule, or a glob of rules.
+    /// The rule, or a glob of rules; empty where the comment is not written as a mute has to be.
     pub rule: String,
-    /// Why; empty where nothing is said.
+    /// Why; empty where nothing is said. The whole comment where no rule is named.
     pub reason: String,
 }
 
 /// Notes the mute in a comment, `#` included, if it is one.
 pub fn note(line: u32, comment: &[u8], ignores: &mut Vec<InlineIgnore>) {
     if ignores.len() < MOST {
-        ignores.extend(parse(line, comment));
+        ignores.extend(comment.trim_ascii().strip_prefix(b"#").and_then(|text| parse(line, text)));
     }
 }
 
+/// The mutes in a text whose comments are lines that begin with one of `marks`.
+pub fn of_lines(text: &[u8], marks: &[&str]) -> Vec<InlineIgnore> {
+    let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
+    let end = if text.contains(&b'\n') { b'\n' } else { b'\r' };
+    let lines = (1..).zip(text.split(|byte| *byte == end));
+    let comments = lines.filter_map(|(line, text)| {
+        let text = text.trim_ascii();
+        let comment = marks.iter().find_map(|mark| text.strip_prefix(mark.as_bytes()))?;
+        parse(line, comment)
+    });
+    comments.take(MOST).collect()
+}
+
+/// What speaks to mhlint and is no mute is kept as well, so that somebody can say so.
 fn parse(line: u32, comment: &[u8]) -> Option<InlineIgnore> {
-    let text = comment.trim_ascii().strip_prefix(b"#")?.trim_ascii().strip_prefix(b"mhlint:")?;
+    let text = comment.trim_ascii().strip_prefix(b"mhlint")?;
     let text = String::from_utf8_lossy(text);
-    let mut words = text.split_whitespace();
-    if words.next() != Some("ignore") {
-        return None;
+    let mut words = text.strip_prefix(':').unwrap_or_default().split_whitespace();
+    if let (Some("ignore"), Some(rule)) = (words.next(), words.next()) {
+        let reason = words.collect::<Vec<_>>().join(" ");
+        return Some(InlineIgnore { line, rule: rule.to_owned(), reason });
     }
-    let rule = words.next()?.to_owned();
-    Some(InlineIgnore { line, rule, reason: words.collect::<Vec<_>>().join(" ") })
+    let speaks_to_us = text.starts_with(':') || text.trim_start_matches([' ', '\t', '-']).starts_with("ignore");
+    let words = String::from_utf8_lossy(comment).split_whitespace().collect::<Vec<_>>().join(" ");
+    speaks_to_us.then(|| InlineIgnore { line, rule: String::new(), reason: words })
 }
 
 #[cfg(test)]
@@ -37,7 +53,9 @@ mod tests {
     use super::*;
 
     fn rule_and_reason(comment: &str) -> Option<(String, String)> {
-        parse(1, comment.as_bytes()).map(|found| (found.rule, found.reason))
+        let mut found = Vec::new();
+        note(1, comment.as_bytes(), &mut found);
+        found.pop().map(|found| (found.rule, found.reason))
     }
 
     #[test]
@@ -48,8 +66,31 @@ mod tests {
             pair("target-zero-delta", "as painted")
         );
         assert_eq!(rule_and_reason("#mhlint:ignore a-*"), pair("a-*", ""));
-        assert_eq!(rule_and_reason("# mhlint: ignore"), None);
         assert_eq!(rule_and_reason("# basemesh hm08"), None);
         assert_eq!(rule_and_reason("# about mhlint: ignore a b"), None);
+    }
+
+    #[test]
+    fn what_speaks_to_us_and_is_no_mute_is_kept_without_a_rule() {
+        let malformed = |said: &str| Some((String::new(), said.to_owned()));
+        assert_eq!(rule_and_reason("# mhlint: ignore"), malformed("mhlint: ignore"));
+        assert_eq!(rule_and_reason("# mhlint: disable  a-b"), malformed("mhlint: disable a-b"));
+        assert_eq!(rule_and_reason("# mhlint ignore a-b why"), malformed("mhlint ignore a-b why"));
+        assert_eq!(rule_and_reason("# mhlint-ignore a-b"), malformed("mhlint-ignore a-b"));
+        assert_eq!(rule_and_reason("# mhlint finds nothing here"), None);
+    }
+
+    #[test]
+    fn each_format_has_its_marks_and_lines_end_as_python_ends_them() {
+        let lines = |text: &str, marks: &[&str]| {
+            let found = of_lines(text.as_bytes(), marks);
+            found.into_iter().map(|found| (found.line, found.rule)).collect::<Vec<_>>()
+        };
+        let text = "\u{feff}# mhlint: ignore a x\nname n # mhlint: ignore b x\n // mhlint: ignore c x\n";
+        assert_eq!(lines(text, &["#"]), [(1, "a".to_owned())]);
+        assert_eq!(lines(text, &["#", "//"]), [(1, "a".to_owned()), (3, "c".to_owned())]);
+        assert_eq!(lines(&text.replace('\n', "\r\n"), &["#"]), [(1, "a".to_owned())]);
+        assert_eq!(lines("x\r# mhlint: ignore a x\r", &["#"]), [(2, "a".to_owned())]);
+        assert!(lines(text, &[]).is_empty());
     }
 }

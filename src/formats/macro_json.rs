@@ -159,6 +159,11 @@ pub(super) fn numbers(node: &Node) -> Vec<f64> {
     node.elements().iter().filter_map(Node::as_f64).collect()
 }
 
+/// A `t` without the suffix that the loader adds itself, or never reads.
+pub fn without_suffix(name: &str) -> &str {
+    name.trim_end_matches(".gz").trim_end_matches(".target")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -84,7 +84,9 @@ pub fn merge_weights(text: &[u8]) -> Vec<Edit> {
             gone.extend(entries.iter().map(|entry| (entry.bone, entry.at)).filter(|place| !kept.contains(place)));
             #[expect(clippy::cast_possible_truncation, reason = "stored as float32, as the application does")]
             let weights: Vec<f32> = merged.iter().map(|(_, weight, _)| *weight as f32).collect();
-            if is_off(&weights) || weights.iter().any(|weight| *weight > 1.0) {
+            // A weight that was too large before it was merged has a rule of its own, and stays for it.
+            let was_too_large = entries.iter().any(|entry| entry.loaded() > 1.0 + SUM_TOLERANCE);
+            if !was_too_large && (is_off(&weights) || weights.iter().any(|weight| *weight > 1.0)) {
                 let written = merged.iter().zip(normalized(&weights));
                 edits.extend(written.map(|((entry, ..), weight)| entry.written(text, weight)));
             } else {
@@ -264,6 +266,8 @@ mod tests {
         assert_eq!(by(merge_weights, exponent), r#"{"weights": {"a": [[0, 1.0]]}}"#);
         let beyond = r#"{"weights": {"a": [[0, 0.75], [0, 0.75]], "b": [[0, 0.5]]}}"#;
         assert_eq!(by(merge_weights, beyond), r#"{"weights": {"a": [[0, 0.75]], "b": [[0, 0.25]]}}"#);
+        let too_large = r#"{"weights": {"a": [[0, 0.5], [0, 1.5]], "b": [[0, 0.5]]}}"#;
+        assert_eq!(by(merge_weights, too_large), r#"{"weights": {"a": [[0, 2.0]], "b": [[0, 0.5]]}}"#);
     }
 
     proptest! {

@@ -30,6 +30,7 @@ pub mod target;
 pub mod target_cat;
 pub mod target_edit;
 mod target_facts;
+mod target_repeats;
 mod target_row;
 
 pub use number::{python_float, python_int};

@@ -9,6 +9,7 @@ use super::faulty_rows::row_name;
 use super::fields::fields;
 use super::inline_ignore::{self, InlineIgnore};
 pub use super::target_facts::{Largest, TargetFacts, UnreadableField};
+use super::target_repeats::{moves, repeats};
 use super::target_row::fast_row;
 use super::{python_float, python_int};
 
@@ -53,7 +54,8 @@ pub fn parse(text: &[u8], mesh: Option<MeshSize>) -> Target {
 
 /// `fast` reads the lines it knows; tests take it away.
 fn parse_by(fast: impl Fn(&[u8]) -> (Option<Row>, usize), text: &[u8], mesh: Option<MeshSize>) -> Target {
-    let mut parser = Parser { target: Target::default(), mesh, lengths: Vec::new(), line_offsets: Vec::new() };
+    let mut parser =
+        Parser { target: Target::default(), mesh, lengths: Vec::new(), zeros: Vec::new(), line_offsets: Vec::new() };
     parser.target.rows.reserve(text.len() / 20);
     let mut line = 1;
     let mut start = 0;
@@ -75,6 +77,8 @@ struct Parser {
     target: Target,
     mesh: Option<MeshSize>,
     lengths: Vec<f32>,
+    /// Line and index of the rows that move nothing.
+    zeros: Vec<(u32, i64)>,
     /// Line minus position of the row, wherever it changes: position and difference.
     line_offsets: Vec<(usize, usize)>,
 }
@@ -185,7 +189,7 @@ impl Parser {
         let length = if square.is_finite() && square > 0.0 {
             square.sqrt()
         } else if x == 0.0 && y == 0.0 && z == 0.0 {
-            facts.zero.add(line, index);
+            self.zeros.push((line, index));
             return;
         } else if !(x.is_finite() && y.is_finite() && z.is_finite()) {
             facts.non_finite.add(line, index);
@@ -202,13 +206,9 @@ impl Parser {
     }
 
     fn finish(mut self) -> Target {
-        self.count_duplicates();
+        self.count_repeats();
         self.measure_lengths();
-        let mut hash = ContentHash::default();
-        for row in &self.target.rows {
-            hash.add(row.index, row.delta);
-        }
-        self.target.facts.content = hash.finish();
+        self.target.facts.content = ContentHash::of(&self.target.rows);
         self.target
     }
 
@@ -226,27 +226,20 @@ impl Parser {
         facts.tail_length = tail.map_or(*median, |tail| *above.select_nth_unstable_by(tail, f32::total_cmp).1);
     }
 
-    /// Shipped targets are sorted, which needs no table.
-    fn count_duplicates(&mut self) {
-        let rows = &self.target.rows;
-        if rows.is_sorted_by(|a, b| a.index < b.index) {
-            return;
+    fn count_repeats(&mut self) {
+        let repeats = repeats(&self.target.rows);
+        for at in &repeats.rows {
+            let Some(index) = self.target.rows.get(*at).map(|row| i64::from(row.index)) else { continue };
+            let line = self.line_of(*at);
+            self.target.facts.duplicate.add(line, index);
         }
-        let mut places: Vec<(u32, usize)> = rows.iter().enumerate().map(|(at, row)| (row.index, at)).collect();
-        places.sort_unstable();
-        let mut repeated: Vec<(usize, u32)> = Vec::new();
-        for pair in places.windows(2) {
-            if let [(first, _), (index, at)] = pair
-                && first == index
-            {
-                repeated.push((*at, *index));
-            }
-        }
-        repeated.sort_unstable();
-        for (at, index) in repeated {
-            let line = self.line_of(at);
-            self.target.facts.duplicate.add(line, i64::from(index));
-        }
+        let facts = &mut self.target.facts;
+        let replaced = repeats.replaced.iter().filter_map(|at| self.target.rows.get(*at));
+        let is_counted = |row: &&Row| moves(row) && row.delta.iter().all(|part| part.is_finite());
+        facts.moving -= replaced.filter(is_counted).count();
+        facts.displacement = repeats.displacement(&self.target.rows);
+        let zeros = self.zeros.iter().filter(|(_, index)| repeats.vertices.binary_search(index).is_err());
+        zeros.for_each(|(line, index)| facts.zero.add(*line, *index));
     }
 
     /// Line of a kept row.
@@ -314,6 +307,21 @@ mod tests {
     }
 
     #[test]
+    fn zeros_of_a_vertex_that_moves_are_repeats_and_repeated_zeros_are_zeros() {
+        let facts = facts("1 0 .1 0\n1 0 0 0\n2 0 0 0\n3 0 0 0\n3 0 0 0\n4 0 0 0\n4 0 .1 0\n");
+        assert_eq!(facts.zero.first, [(3, 2), (4, 3), (5, 3)]);
+        assert_eq!(facts.duplicate.first, [(2, 1), (7, 4)]);
+        assert_eq!((facts.rows, facts.moving, facts.moves_nothing()), (7, 1, false));
+    }
+
+    #[test]
+    fn a_target_whose_rows_are_all_undone_moves_nothing() {
+        let undone = facts("1 0 .1 0\n1 0 0 0\n");
+        assert_eq!((undone.zero.count, undone.moving, undone.moves_nothing()), (0, 0, true));
+        assert!(!facts("1 nan 0 0\n").moves_nothing() && !facts("# a\n").moves_nothing());
+    }
+
+    #[test]
     fn repeats_are_named_in_the_order_of_the_file() {
         let facts = facts("# c\n5 0 0 1\n\n3 0 0 1\nword\n5 0 0 1\n# c\n3 0 0 1\n5 0 0 1\n");
         assert_eq!(facts.duplicate.first, [(6, 5), (8, 3), (9, 5)]);
@@ -333,6 +341,8 @@ mod tests {
     fn zeros_of_either_sign_are_one_content() {
         assert_eq!(facts("1 -0 0 1\n").content, facts("1 0 0 1\n").content);
         assert_ne!(facts("1 0 0 1\n").content, facts("2 0 0 1\n").content);
+        let written = facts("1 0 0 2\n3 0 0 0\n2 0 0 1\n1 0 0 0\n");
+        assert_eq!(written.displacement, facts("2 0 0 1\n").displacement);
     }
 
     #[test]

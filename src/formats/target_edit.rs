@@ -1,6 +1,6 @@
 //! Rows taken out of a `.target`, whole lines with their line ends; every other byte stays as it is.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
 use super::fields::fields;
@@ -10,25 +10,27 @@ use crate::diag::Edit;
 /// A row that the loader takes for data, and the bytes of its line.
 struct Row {
     line: Range<usize>,
-    index: i64,
+    /// Nothing where it is no index that the loader takes: such a row is nobody's repetition.
+    index: Option<u32>,
     is_zero: bool,
 }
 
-/// Takes out rows that move nothing. Rows of a vertex that is named again stay: the last one counts.
+/// Takes out rows that move nothing. Those of a vertex that another row moves stay: the last one counts.
 pub fn drop_zero_rows(text: &[u8]) -> Vec<Edit> {
     let rows = rows(text);
-    let mut seen: BTreeMap<i64, u32> = BTreeMap::new();
-    rows.iter().for_each(|row| *seen.entry(row.index).or_default() += 1);
-    let gone = rows.into_iter().filter(|row| row.is_zero && seen.get(&row.index) == Some(&1));
-    gone.map(|row| Edit::removal(row.line)).collect()
+    let moved: BTreeSet<u32> = rows.iter().filter(|row| !row.is_zero).filter_map(|row| row.index).collect();
+    let gone = rows.iter().filter(|row| row.is_zero && row.index.is_none_or(|index| !moved.contains(&index)));
+    gone.map(|row| Edit::removal(row.line.clone())).collect()
 }
 
 /// Takes out all rows of a vertex but the last, which is the one that counts.
 pub fn keep_last_rows(text: &[u8]) -> Vec<Edit> {
     let rows = rows(text);
-    let last: BTreeMap<i64, usize> = rows.iter().enumerate().map(|(at, row)| (row.index, at)).collect();
-    let gone = rows.into_iter().enumerate().filter(|(at, row)| last.get(&row.index) != Some(at));
-    gone.map(|(_, row)| Edit::removal(row.line)).collect()
+    let numbered = rows.iter().enumerate();
+    let last: BTreeMap<u32, usize> = numbered.filter_map(|(at, row)| Some((row.index?, at))).collect();
+    let is_replaced = |at: usize, row: &Row| row.index.is_some_and(|index| last.get(&index) != Some(&at));
+    let gone = rows.iter().enumerate().filter(|(at, row)| is_replaced(*at, row));
+    gone.map(|(_, row)| Edit::removal(row.line.clone())).collect()
 }
 
 fn rows(text: &[u8]) -> Vec<Row> {
@@ -48,7 +50,7 @@ fn rows(text: &[u8]) -> Vec<Row> {
 }
 
 /// Index of a row, and whether it moves nothing. As float32: what is too small for the application is zero, too.
-fn row(line: &[u8]) -> Option<(i64, bool)> {
+fn row(line: &[u8]) -> Option<(Option<u32>, bool)> {
     let fields = fields(line);
     let [(_, index), deltas @ ..] = fields.as_slice() else { return None };
     if deltas.len() != 3 || index.starts_with(b"#") {
@@ -61,7 +63,7 @@ fn row(line: &[u8]) -> Option<(i64, bool)> {
         let delta = python_float(delta)? as f32;
         is_zero &= delta == 0.0;
     }
-    Some((index, is_zero))
+    Some((u32::try_from(index).ok(), is_zero))
 }
 
 #[cfg(test)]
@@ -91,6 +93,12 @@ mod tests {
     }
 
     #[test]
+    fn repeated_zeros_go() {
+        let text = "1 0 0 0\n2 0 .1 0\n-1 0 .1 0\n1 0 0 0\n-1 0 0 0\n";
+        assert_eq!(edited(text, drop_zero_rows(text.as_bytes())), "2 0 .1 0\n-1 0 .1 0\n");
+    }
+
+    #[test]
     fn the_last_row_of_a_vertex_stays() {
         let text = "1 0 .1 0\n2 0 .1 0\n+1 0 .2 0\n1 0 .3 0";
         assert_eq!(edited(text, keep_last_rows(text.as_bytes())), "2 0 .1 0\n1 0 .3 0");
@@ -106,6 +114,10 @@ mod tests {
                 parsed(text).rows.iter().map(|row| (row.index, format!("{:?}", row.delta))).collect()
             };
             prop_assert_eq!(last(&single), last(&text));
+            let still = edited(&text, drop_zero_rows(text.as_bytes()));
+            prop_assert_eq!(parsed(&still).facts.zero.count, 0);
+            prop_assert_eq!(parsed(&still).facts.duplicate.count, parsed(&text).facts.duplicate.count);
+            prop_assert_eq!(parsed(&still).facts.moving, parsed(&text).facts.moving);
             let moving = edited(&single, drop_zero_rows(single.as_bytes()));
             prop_assert_eq!(parsed(&moving).facts.zero.count, 0);
             prop_assert_eq!(parsed(&moving).facts.moving, parsed(&single).facts.moving);

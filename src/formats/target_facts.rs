@@ -31,13 +31,14 @@ pub struct TargetFacts {
     pub overflow: Tally,
     /// Indices that name a seam duplicate: accepted and without effect.
     pub seam: Tally,
-    /// Indices that occurred before in the file.
+    /// Indices that occurred before in the file, of vertices that a row moves.
     pub duplicate: Tally,
     /// Rows with NaN or infinity.
     pub non_finite: Tally,
-    /// Rows that move nothing.
+    /// Rows that move nothing, of vertices that no row moves: a zero beside another row of its vertex undoes that or
+    /// is replaced by it.
     pub zero: Tally,
-    /// Rows that move something.
+    /// Rows that move something and are not replaced by a later row of their vertex.
     pub moving: usize,
     /// Largest displacement: length in decimetres, line, index.
     pub largest: Option<Largest>,
@@ -49,8 +50,18 @@ pub struct TargetFacts {
     pub max_index: Option<i64>,
     /// Base mesh that the header names (`# basemesh NAME`), with its line.
     pub basemesh: Option<(u32, String)>,
-    /// Hash over the decoded rows: equal displacement, equal hash.
+    /// Hash over the decoded rows: equal rows, equal hash.
     pub content: u64,
+    /// Hash over what comes of the rows: without those that move nothing or are replaced.
+    #[serde(skip)]
+    pub displacement: u64,
+}
+
+impl TargetFacts {
+    /// Whether there are rows and the vertices stay where they are all the same.
+    pub fn moves_nothing(&self) -> bool {
+        self.rows > 0 && self.moving == 0 && self.unreadable_rows == 0 && self.non_finite.count == 0
+    }
 }
 
 /// A field that is no number.

@@ -242,9 +242,8 @@ impl<'a> Base<'a> {
     pub fn is_in_macro_folder(&self, file: &FileFacts) -> bool {
         let Some(name) = self.targets.as_ref().and_then(|folder| folder.name_of(file)) else { return false };
         let macrodefs = self.macro_file().map(|(_, macros)| macros.macrodefs.as_slice()).unwrap_or_default();
-        let folders = macrodefs.iter().filter_map(|macrodef| macrodef.effective_folder.as_deref());
-        let mut folders = folders.map(|folder| folder.trim_matches('/')).filter(|folder| !folder.is_empty());
-        folders.any(|folder| name.strip_prefix(folder).is_some_and(|rest| rest.starts_with('/')))
+        let mut folders = macrodefs.iter().filter_map(|macrodef| macrodef.effective_folder.as_deref());
+        folders.any(|folder| is_beneath(folder, name))
     }
 
     /// The macro file in use.
@@ -255,5 +254,30 @@ impl<'a> Base<'a> {
     /// `base.json`, if it could be read.
     pub fn settings(&self) -> Option<(&'a FileFacts, &'a BaseJson)> {
         self.base_json.and_then(|(file, model)| Some((file, model?)))
+    }
+}
+
+/// Whether the target `name` lies beneath `folder` as a macro definition writes it. Backslashes and other capitals are
+/// looked through: they have findings of their own, and which files are meant is clear.
+pub fn is_beneath(folder: &str, name: &str) -> bool {
+    let mut names = name.split('/').map(str::to_lowercase);
+    let mut parts = folder.split(['/', '\\']).filter(|part| !matches!(*part, "" | ".")).peekable();
+    parts.peek().is_some()
+        && parts.all(|part| names.next().is_some_and(|name| name == part.to_lowercase()))
+        && names.next().is_some()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::is_beneath;
+
+    #[test]
+    fn a_folder_holds_what_lies_beneath_it() {
+        for folder in ["macro/age", "/macro/age/", ".\\Macro\\age", "macro"] {
+            assert!(is_beneath(folder, "macro/age/old"), "{folder}");
+        }
+        for folder in ["", "/", "macro/age/old", "macro/ag", "age"] {
+            assert!(!is_beneath(folder, "macro/age/old"), "{folder}");
+        }
     }
 }

@@ -88,6 +88,17 @@ impl FileFacts {
         self.path.strip_suffix(self.rel.as_str()).unwrap_or_default().trim_end_matches('/')
     }
 
+    /// The path to show where one below the data root is wanted. A loose file has only a supposed place there, so it is
+    /// shown where it lies.
+    pub fn shown(&self) -> &str {
+        if self.is_loose() { &self.path } else { &self.rel }
+    }
+
+    /// Whether the file lies elsewhere than the application would keep it.
+    pub fn is_loose(&self) -> bool {
+        !self.path.ends_with(self.rel.as_str())
+    }
+
     /// Path of the folder as reports print it.
     pub fn folder(&self) -> &str {
         self.path.rsplit_once('/').map_or("", |(folder, _)| folder)

@@ -7,6 +7,9 @@ use super::{Base, BoundSlider, Pattern};
 use crate::diag::Sought;
 use crate::formats::modelling::Modelling;
 
+/// Names of missing targets that are compared with others.
+const COMPARED: usize = 4096;
+
 /// What faulty sliders of a base hide.
 #[derive(Debug, Default)]
 pub(super) struct Intent<'a> {
@@ -118,7 +121,8 @@ impl<'a> Base<'a> {
     fn misspells_target(&self, pattern: &str) -> bool {
         let wanted = pattern.split('|').next().unwrap_or_default();
         let lacking = &self.intent.lacking;
-        lacking.contains_key(wanted) || lacking.values().any(|own| own.may_mean(wanted))
+        // Where thousands are missing, none of them is a slip of the pen.
+        lacking.contains_key(wanted) || lacking.len() <= COMPARED && lacking.values().any(|own| own.may_mean(wanted))
     }
 
     /// Whether a target of a slider is not where the application looks for it.

@@ -1,12 +1,25 @@
 //! Layers of a data tree, weakest first, and the lookups over them.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
+
+use unicode_normalization::{UnicodeNormalization, is_nfc};
 
 use super::{Base, FileFacts, Reference};
 use crate::diag::Application;
 use crate::discover::{Kind, kind_of};
 use crate::source::WalkFault;
+
+/// A path as a system compares it that regards neither capitals nor the form of accented letters.
+pub fn fold(path: &str) -> String {
+    composed(path).to_lowercase()
+}
+
+/// A path with whole letters where it has separate accent marks (Unicode normalization form C).
+pub fn composed(path: &str) -> Cow<'_, str> {
+    if path.is_ascii() || is_nfc(path) { Cow::Borrowed(path) } else { path.nfc().collect() }
+}
 
 /// One data root with the facts of its files.
 #[derive(Debug)]
@@ -19,7 +32,7 @@ pub struct Layer {
     pub folders: Vec<String>,
     /// What the walk could not list, relative to the root.
     pub walk_faults: Vec<WalkFault>,
-    /// Lower-case paths to paths, made when first asked for; with the number of files it was made for.
+    /// Folded paths to paths, made when first asked for; with the number of files it was made for.
     folded: OnceLock<(usize, BTreeMap<String, String>)>,
 }
 
@@ -74,28 +87,34 @@ impl Layer {
         from.take_while(move |(rel, _)| rel.starts_with(&prefix)).map(|(_, file)| file)
     }
 
-    /// The file whose path differs from `rel` in nothing but case.
+    /// The file whose path differs from `rel` in nothing but case, or the form of its accented letters.
     pub fn file_ignoring_case(&self, rel: &str) -> Option<&FileFacts> {
-        let wanted = rel.to_lowercase();
+        let wanted = fold(rel);
         let (files, folded) = self.folded.get_or_init(|| (self.files.len(), self.folded()));
         if *files == self.files.len() {
             return self.files.get(folded.get(&wanted)?);
         }
         // Files were added since.
-        self.files.values().find(|file| file.rel.to_lowercase() == wanted)
+        self.files.values().find(|file| fold(&file.rel) == wanted)
     }
 
     /// Of paths that differ in case only, the first.
     fn folded(&self) -> BTreeMap<String, String> {
         let mut folded = BTreeMap::new();
         for rel in self.files.keys() {
-            folded.entry(rel.to_lowercase()).or_insert_with(|| rel.clone());
+            folded.entry(fold(rel)).or_insert_with(|| rel.clone());
         }
         folded
     }
 
     /// Path of something in this layer as reports print it.
     pub fn display(&self, rel: &str) -> String {
+        if let Some(file) = self.file(rel) {
+            return file.path.clone();
+        }
+        if let Some(folder) = self.below(rel).next().filter(|file| file.is_loose()).map(FileFacts::folder) {
+            return if folder.is_empty() { ".".to_owned() } else { folder.to_owned() };
+        }
         if self.path.is_empty() { rel.to_owned() } else { format!("{}/{rel}", self.path) }
     }
 

@@ -11,9 +11,9 @@ mod overlay;
 mod reference;
 mod slider;
 
-pub use base::Base;
+pub use base::{Base, is_beneath};
 pub use facts::{Content, FileFacts};
-pub use layer::{Layer, Repository, TargetFolder};
+pub use layer::{Layer, Repository, TargetFolder, composed, fold};
 pub use overlay::{Candidate, Overlaid};
 pub use reference::{Reference, ReferenceKind, Resolution};
 pub use slider::{BoundSlider, Pattern};

@@ -2,7 +2,7 @@
 
 use super::{Base, BoundSlider, FileFacts, Layer, Repository, TargetFolder};
 use crate::diag::Place;
-use crate::formats::macro_json::MacroFile;
+use crate::formats::macro_json::{MacroFile, without_suffix};
 
 /// A name of a file in a file.
 #[derive(Debug)]
@@ -51,7 +51,7 @@ pub enum ReferenceKind {
 pub enum Resolution<'a> {
     /// The file; the archive for a target that only the archive holds.
     Found(&'a FileFacts),
-    /// A file whose path differs in case only.
+    /// A file whose path differs in case only, or in the form of its accented letters.
     CaseOnly(&'a FileFacts),
     /// A file that only a system which takes `\` for a separator finds.
     Backslash(Option<&'a FileFacts>),
@@ -76,6 +76,16 @@ impl ReferenceKind {
     }
 }
 
+impl<'a> Reference<'a> {
+    /// The file that is meant, also where the name is not quite right: that has a finding of its own.
+    pub fn meant(&self) -> Option<&'a FileFacts> {
+        match self.resolution {
+            Resolution::Found(file) | Resolution::CaseOnly(file) | Resolution::Backslash(Some(file)) => Some(file),
+            _ => None,
+        }
+    }
+}
+
 /// All references of a base.
 pub(super) fn collect<'a>(repository: &Repository<'a>, base: &Base<'a>) -> Vec<Reference<'a>> {
     let mut references = Vec::new();
@@ -96,7 +106,7 @@ fn macro_references<'a>(base: &Base<'a>, out: &mut Vec<Reference<'a>>) {
             // An empty name is a finding of its own, not a missing file.
             let Some(text) = link.target.as_deref().filter(|text| !text.is_empty()) else { continue };
             let name = folder.map_or_else(|| text.to_owned(), |folder| format!("{folder}/{text}"));
-            let (rel, resolution) = resolve_target(base, base.targets, &name);
+            let (rel, resolution) = resolve_macro_target(base, &name);
             // Behind a folder the beginning of the name would be hidden.
             let resolution = if is_absolute(text) { Resolution::Absolute } else { resolution };
             let folder_at_fault = folder.filter(|folder| is_fault_of_folder(folder, text, &resolution));
@@ -113,6 +123,19 @@ fn macro_references<'a>(base: &Base<'a>, out: &mut Vec<Reference<'a>>) {
                 resolution,
             });
         }
+    }
+}
+
+/// A suffix too much is a finding of its own; what else is wrong with such a name is not hidden by it.
+fn resolve_macro_target<'a>(base: &Base<'a>, name: &str) -> (String, Resolution<'a>) {
+    let (rel, resolution) = resolve_target(base, base.targets, name);
+    let stem = without_suffix(name);
+    if stem.len() == name.len() || !matches!(resolution, Resolution::Missing | Resolution::Backslash(None)) {
+        return (rel, resolution);
+    }
+    match resolve_target(base, base.targets, stem) {
+        found @ (_, Resolution::CaseOnly(_) | Resolution::Backslash(Some(_))) => found,
+        _ => (rel, resolution),
     }
 }
 
@@ -268,7 +291,10 @@ fn resolve<'a>(layers: &[&'a Layer], text: &str, rel: &str) -> Resolution<'a> {
         let Some(slashed) = normalized(&rel.replace('\\', "/")) else {
             return Resolution::Escapes;
         };
-        return Resolution::Backslash(layers.iter().find_map(|layer| layer.file(&slashed)));
+        let exact = layers.iter().find_map(|layer| layer.file(&slashed));
+        // Where `\` separates folders, capitals make no difference either.
+        let found = exact.or_else(|| layers.iter().find_map(|layer| layer.file_ignoring_case(&slashed)));
+        return Resolution::Backslash(found);
     }
     match layers.iter().find_map(|layer| layer.file_ignoring_case(&normal)) {
         Some(file) => Resolution::CaseOnly(file),
@@ -289,6 +315,13 @@ fn normalized(rel: &str) -> Option<String> {
         }
     }
     Some(parts.join("/"))
+}
+
+impl<'a> Base<'a> {
+    /// What a target would be found by this name, which is written without suffix, in the folder in use.
+    pub fn target_named(&self, name: &str) -> Resolution<'a> {
+        resolve_target(self, self.targets, name).1
+    }
 }
 
 impl<'a> Repository<'a> {

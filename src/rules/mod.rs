@@ -34,6 +34,7 @@ pub(crate) static RULES: &[&Rule] = &[
     &config::expired_ignore::RULE,
     &config::missing_reason::RULE,
     &config::unknown_rule::RULE,
+    &config::unused_glob::RULE,
     &config::unused_ignore::RULE,
     &file::absolute_path::RULE,
     &file::backslash_path::RULE,

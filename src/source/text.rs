@@ -16,9 +16,9 @@ pub struct Encoding {
     pub invalid_utf8_at: Option<usize>,
     /// The content is a Git LFS pointer.
     pub lfs_pointer: bool,
-    /// Nothing but white space.
+    /// Nothing but white space, byte order mark aside.
     pub blank: bool,
-    /// Nothing but lines that begin with `#`, at least one of them.
+    /// Nothing but lines that begin with `#`, at least one of them, byte order mark aside.
     pub only_comments: bool,
     /// What the bytes probably are, where they are no UTF-8.
     pub guess: Option<&'static str>,
@@ -34,13 +34,14 @@ impl Encoding {
     pub fn of(bytes: &[u8]) -> Self {
         let byte_order_mark = bytes.starts_with(BYTE_ORDER_MARK);
         let invalid_utf8_at = std::str::from_utf8(bytes).err().map(|error| error.valid_up_to());
-        let blank = bytes.iter().all(u8::is_ascii_whitespace);
+        let content = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes);
+        let blank = content.iter().all(u8::is_ascii_whitespace);
         Self {
             byte_order_mark,
             invalid_utf8_at,
             lfs_pointer: bytes.starts_with(LFS_POINTER),
             blank,
-            only_comments: !blank && lines(bytes).all(|line| line.is_empty() || line.starts_with(b"#")),
+            only_comments: !blank && lines(content).all(|line| line.is_empty() || line.starts_with(b"#")),
             guess: invalid_utf8_at.map(|_| guess(bytes)),
             marked_words: if byte_order_mark { marked_words(bytes) } else { Vec::new() },
         }
@@ -93,6 +94,7 @@ mod tests {
         assert_eq!(seen(" \r\n"), (true, false));
         assert_eq!(seen("# a\r\n\n  # b"), (false, true));
         assert_eq!(seen("# a\n1 0 0 1"), (false, false));
+        assert_eq!((seen("\u{feff}"), seen("\u{feff}# a")), ((true, false), (false, true)));
     }
 
     #[test]

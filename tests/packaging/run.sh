@@ -24,7 +24,7 @@ prepare() { # everything that is not on this machine, so that nothing after it n
         cp "$here/requirements.txt" "$venv/ready"
 }
 
-bash -n "$here"/*.sh "$project"/action/*.sh "$project"/packaging/*.sh "$project"/packaging/pre-commit-mirror/*.sh
+for script in "$here"/*.sh "$project"/{action,packaging,packaging/pre-commit-mirror}/*.sh; do bash -n "$script"; done
 if ! prepare >"$work/prepare.log" 2>&1; then
     tail -n 3 "$work/prepare.log"
     echo "left out, for want of Python's venv or of PyPI: workflows against their schemas, the wheel, the hook with pre-commit, the action"
@@ -32,8 +32,12 @@ if ! prepare >"$work/prepare.log" 2>&1; then
 fi
 export PATH=$venv/bin:$PATH
 
+# shellcheck source=tests/packaging/texts.sh
 source "$here/texts.sh"
+# shellcheck source=tests/packaging/wheel.sh
 source "$here/wheel.sh"
+# shellcheck source=tests/packaging/action.sh
 source "$here/action.sh"
+# shellcheck source=tests/packaging/hook.sh
 source "$here/hook.sh"
 verdict

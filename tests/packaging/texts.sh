@@ -28,11 +28,20 @@ done
 expect "the hooks of the documents start on the same files" [ "$(cat .pre-commit-hooks.yaml "$blocks"/* | grep -oF "files: '(?i)" | wc -l)" = \
     "$(cat .pre-commit-hooks.yaml "$blocks"/* | grep -cF "$(grep -m 1 -o 'files: .*' .pre-commit-hooks.yaml)")" ]
 
+# The placeholder of the account stops a release until it is replaced as packaging/README.md says.
+copy=$work/release
+rm -rf "$copy" && mkdir "$copy"
+cp -r Cargo.toml README.md CHANGELOG.md docs packaging "$copy"
+run env -u GITHUB_REPOSITORY "$copy/packaging/check-release.sh"
+expect "a release with the placeholder is stopped" says "OWNER still stands"
+grep -rlw OWNER "$copy/docs" "$copy/packaging/pre-commit-mirror" | xargs sed -i 's/\bOWNER\b/somebody/g'
+run env -u GITHUB_REPOSITORY "$copy/packaging/check-release.sh"
+expect "the placeholder is found nowhere once it is replaced" does_not_say "OWNER still stands"
+
 expect "the mirror pins this version" grep -qF "\"mhlint==$version\"" packaging/pre-commit-mirror/pyproject.toml
-for line in $(grep -hoE 'OWNER/mhlint@v[^ ]*|key: mhlint-[0-9.]*|mhlint==[0-9.]*' README.md docs/*.md packaging/README.md | tr -d ' '); do
+for line in $(grep -hoE '[A-Za-z-]+/mhlint@v[^ ]*|key: mhlint-[0-9.]*|mhlint==[0-9.]*|mhlint --tag v[0-9.]*' README.md docs/*.md packaging/README.md | tr -d ' '); do
     expect "$line in the documents is this version" grep -qF "$version" <<<"$line"
 done
 expect "the mirror's README names this version" grep -qF "rev: v$version" packaging/pre-commit-mirror/README.md
-if command -v shellcheck >/dev/null; then
-    expect "shellcheck has nothing to say" shellcheck -x action/*.sh packaging/*.sh packaging/pre-commit-mirror/*.sh tests/packaging/*.sh
-fi
+expect "shellcheck has nothing to say" \
+    shellcheck -x --severity=warning action/*.sh packaging/*.sh packaging/pre-commit-mirror/*.sh tests/browser/run.sh tests/packaging/run.sh .ci/run

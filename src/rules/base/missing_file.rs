@@ -2,7 +2,8 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::absent_keys;
-use crate::diag::{Application, Finding, Level, RuleInfo, Sight, nearest};
+use super::sliders::{self, Gap};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo, Sight, nearest};
 use crate::repo::{Base, FileFacts, Layer, Reference, ReferenceKind, Repository, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -12,7 +13,11 @@ pub(in crate::rules) static RULE: Rule = Rule {
         docs: "A base mesh consists of `base/<base>/base.json` and `base.obj` (or `base.mhbin`) beside it; `base.json` names a start model (`mhm`) in \
             the same folder and a skeleton (`pose-skeleton`) in `rigs/<base>/`.\n\nWithout `base.json`, without the mesh, or with a start model \
             that does not exist, loading the base ends in an exception. A skeleton that does not exist means no pose mode and no bone \
-            weights for assets, without a message (a warning). Targets for a base that exists nowhere are never loaded (a warning). A base with targets and without modelling.json has no sliders, and macro sliders without macro.json move nothing (warnings). \
+            weights for assets, without a message (a warning). Targets for a base that exists nowhere are never loaded (a warning).\n\n\
+            The sliders of a base come from `modelling.json` in `target/<base>/`, their macros from `macro.json` beside it. Without the first \
+            all targets are lost, without the second those of the macros: errors, as when the file cannot be read, since MakeHuman 2 does \
+            the same in both cases and says nothing but a line in its log. A base whose macros no slider needs may do without macro.json. It is a \
+            warning where the folder could be a user's, whose system has the file, and an info where `base.json` pairs targets that there are none of.\n\n\
             Without the key `mhm` no target is applied to the base, and without `pose-skeleton` the skeletons in `rigs/<base>/` are not used for poses: both \
             load without a message (warnings).\n\n\
             Add the file, correct its name, or remove the key.",
@@ -91,37 +96,12 @@ fn unnamed(repository: &Repository<'_>, base: &Base<'_>) -> Option<Finding> {
     }
 }
 
-/// `modelling.json` or `macro.json` of a system's base, whose targets and sliders need it. Overrides have rules of
-/// their own.
+/// What the sliders of a system's base need.
 fn of_sliders(repository: &Repository<'_>, base: &Base<'_>) -> Option<Finding> {
-    let judged = repository.judged;
-    let is_system = repository.system.is_some_and(|system| std::ptr::eq(system, judged)) && base.has_system;
-    let folder = format!("target/{}", base.name);
-    if !is_system || base.base_json.is_none() || judged.below(&format!("contarget/{}", base.name)).next().is_some() {
-        return None;
-    }
-    let missing = |name: &str| {
-        let rel = format!("{folder}/{name}");
-        judged.file_ignoring_case(&rel).is_none() && !judged.has_unusable(&rel)
-    };
-    let targets = || judged.below(&folder).filter(|file| file.target().is_some());
-    let finding = |name: &str, message: String, effect: &'static str| {
-        let finding = RULE.in_layer(judged, &format!("{folder}/{name}"), message).key(name).level(Level::Warning);
-        finding.breaks(Application::Makehuman2, effect).help(format!("add `{folder}/{name}`"))
-    };
-    if missing("modelling.json") {
-        let count = targets().count();
-        let message = format!("the base `{}` has {count} targets and no modelling.json", base.name);
-        return (count > 0).then(|| finding("modelling.json", message, "offers no sliders for the base"));
-    }
-    let sliders = base.sliders.iter().filter(|bound| bound.slider.is_macro()).count();
-    let waiting = targets().any(|file| file.rel.starts_with(&format!("{folder}/macro")));
-    let message = match sliders {
-        0 => format!("the base `{}` has targets of macros and no macro.json", base.name),
-        count => format!("the base `{}` has {count} macro sliders and no macro.json", base.name),
-    };
-    let effect = "has no macros for the base: their sliders move nothing, without a word";
-    (missing("macro.json") && (sliders > 0 || waiting)).then(|| finding("macro.json", message, effect))
+    let Gap { name, level, message, effect, help } = sliders::gap(repository, base)?;
+    let rel = format!("target/{}/{name}", base.name);
+    let finding = RULE.in_layer(repository.judged, &rel, message).key(name).level(level);
+    Some(finding.breaks(Application::Makehuman2, effect).help(help))
 }
 
 /// Targets of a base that no layer has.

@@ -5,6 +5,7 @@ pub(super) mod barycentric_presets;
 pub(super) mod geometry_range;
 pub(super) mod missing_file;
 mod names;
+mod sliders;
 pub(super) mod unknown_equipment;
 pub(super) mod unknown_preset;
 pub(super) mod unsafe_rule;

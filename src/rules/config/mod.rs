@@ -4,6 +4,7 @@ pub(super) mod baseline_stale;
 pub(super) mod expired_ignore;
 pub(super) mod missing_reason;
 pub(super) mod unknown_rule;
+pub(super) mod unused_glob;
 pub(super) mod unused_ignore;
 
 use super::Rule;

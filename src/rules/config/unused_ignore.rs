@@ -10,9 +10,9 @@ pub(in crate::rules) static RULE: Rule = Rule {
                nothing: the fault is mended, the file is gone, or the rule is off. Left where it is, it will hide \
                the next fault of the kind without a word.\n\nRemove it. It is reported only where the run looked at \
                everything that the mute is for: not with `--only`, `--skip` or `--base`, and not when PATH is \
-               narrower than the mute. Where errors are found, mend them first: a file that \
-               cannot be read hides what else was found in it. A rule that is a matter of safety cannot be muted, so a mute for it has no \
-               effect either.",
+            narrower than the mute. Where errors are found, mend them first: a file that cannot be read hides what else was found in \
+            it. A rule that is a matter of safety cannot be muted, so a mute for it has no effect either, nor has a comment that \
+            speaks to mhlint in other words.",
         ..RuleInfo::new("config-unused-ignore", Level::Warning, "a mute that hides nothing")
     },
     check: Check::Upkeep(run),
@@ -20,6 +20,11 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(upkeep: &Upkeep, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for mute in &upkeep.mutes {
+        if let MuteState::Malformed { words } = &mute.state {
+            let message = format!("the comment `{words}` is no mute");
+            out.push(on(&RULE, mute, message).key(words).help("write `mhlint: ignore RULE reason` behind the `#`"));
+            continue;
+        }
         let (message, help) = match mute.state {
             MuteState::Unused => (
                 format!("the mute of `{}` hides nothing: nothing of the kind is found{}", mute.rule, where_of(mute)),

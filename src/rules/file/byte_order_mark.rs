@@ -25,7 +25,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
 const ROW_FIELDS: usize = 4;
 
 fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let marked = |file: &&FileFacts| file.encoding.byte_order_mark && file.encoding.invalid_utf8_at.is_none();
+    // Behind a mark alone there is nothing to lose: the file is empty.
+    let marked = |file: &&FileFacts| {
+        file.encoding.byte_order_mark && file.encoding.invalid_utf8_at.is_none() && !file.encoding.blank
+    };
     let texts = repository.judged.files.values().filter(|file| file.kind.is_text() && !is_override(file));
     for file in texts.filter(|file| is_met(repository, file)).filter(marked) {
         let (level, effect) = consequence(repository, file);

@@ -4,8 +4,9 @@ use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
 use super::loader::{is_generated, misnamed};
-use super::named::{Cause, alike, causes, effect, is_known_by, written};
+use super::named::{Cause, alike, causes, differing, differs_in_form, effect, is_known_by, written};
 use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Place, RuleInfo};
+use crate::formats::macro_json::without_suffix;
 use crate::repo::{Reference, Repository, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -14,7 +15,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
         breaks: &[(Application::Makehuman2, "finds it on Windows and macOS, on Linux it does not exist")],
         docs: "The name is written with other capitals than the file has. On Windows and on most Macs that makes no difference, on Linux it \
             does, and inside `compressedtargets.npz` everywhere.\n\nWhat follows is what follows from a missing file: an exception when \
-            the slider moves, a refused skeleton, an empty button.\n\nThe same goes for base.json, base.obj, macro.json, modelling.json and target_cat.json, which are looked for by these names alone.\n\nWrite the name exactly as the file is called, or rename \
+            the slider moves, a refused skeleton, an empty button.\n\nThe same goes for base.json, base.obj, macro.json, modelling.json and target_cat.json, which are looked for by these names alone.\n\nAccented letters can be written in two forms that \
+            look alike, as one letter or as a letter and a mark (Unicode normalisation). macOS finds either, other systems only what is written.\n\nWrite the name exactly as the file is called, or rename \
             the file. A folder whose name differs is reported once for the file that refers into it.",
         ..RuleInfo::new("file-case-mismatch", Level::Error, "a reference that differs from its file in case")
     },
@@ -23,21 +25,41 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     fixed_names(repository, out);
-    for cause in causes(repository, |reference| found(reference).map(|found| differing(&reference.rel, found).0)) {
+    for cause in
+        causes(repository, |reference| found(reference).map(|found| differing(&plain(&reference.rel), found).0))
+    {
         let Some(first) = cause.references.first() else { continue };
         let Some(target) = found(first) else { continue };
-        let (name, on_disk) = differing(&first.rel, target);
+        let written = plain(&first.rel);
+        let (name, on_disk) = differing(&written, target);
         let holder = repository.strongest_first().find(|layer| layer.file(target).is_some());
-        let finding = cause.finding(&RULE, |_| format!("`{name}` is called `{on_disk}` on disk"));
+        let in_form = differs_in_form(first);
+        let finding = cause.finding(&RULE, |_| {
+            if in_form {
+                return format!("`{name}` and the name on disk differ only in Unicode normalisation");
+            }
+            format!("`{name}` is called `{on_disk}` on disk")
+        });
         let Some(finding) = finding else { continue };
-        let mut finding = finding.breaks(Application::Makehuman2, format!("on Linux: {}", effect(first.kind)));
+        let systems = if in_form { "on Linux and Windows" } else { "on Linux" };
+        let mut finding = finding.breaks(Application::Makehuman2, format!("{systems}: {}", effect(first.kind)));
+        if matches!(first.resolution, Resolution::Backslash(_)) && folder_on_disk(first).is_none() {
+            // The folder in front is at fault for its backslashes only.
+            finding.place = first.place.clone();
+        }
         if let Some(layer) = holder {
             finding = finding.related(layer.display(target), Place::File, "the file that is meant");
         }
         let what = if on_disk == target { "file" } else { "folder" };
+        if in_form {
+            let help =
+                format!("the {what} and its name here look alike: give both plain letters, or copy one to the other");
+            out.push(finding.help(help));
+            continue;
+        }
         let meant = meant(first, &name, &on_disk);
-        if differs_in_extension(&first.rel, target) {
-            let right = first.rel.rsplit('/').next().unwrap_or_default();
+        if differs_in_extension(&written, target) {
+            let right = written.rsplit('/').next().unwrap_or_default();
             out.push(finding.help(format!("rename the file to `{right}`: extensions count with their capitals")));
             continue;
         }
@@ -106,42 +128,73 @@ fn fixed_names(repository: &Repository<'_>, out: &mut Vec<Finding>) {
 }
 
 fn found<'a>(reference: &Reference<'a>) -> Option<&'a str> {
-    if let Resolution::CaseOnly(file) = reference.resolution { Some(&file.rel) } else { None }
+    match reference.resolution {
+        Resolution::CaseOnly(file) => Some(&file.rel),
+        // The backslash is a fault of its own.
+        Resolution::Backslash(Some(file)) if plain(&reference.rel) != file.rel => Some(&file.rel),
+        _ => None,
+    }
+}
+
+/// Folders and name of a path with the places where they begin, without those that lead nowhere.
+fn parts(rel: &str) -> Vec<(usize, &str)> {
+    let mut parts = Vec::new();
+    let mut at = 0;
+    for part in rel.split(['/', '\\']) {
+        match part {
+            "" | "." => {}
+            ".." => drop(parts.pop()),
+            name => parts.push((at, name)),
+        }
+        at += part.len() + 1;
+    }
+    parts
+}
+
+fn plain(rel: &str) -> String {
+    parts(rel).into_iter().map(|(_, part)| part).collect::<Vec<_>>().join("/")
 }
 
 /// The name as it has to be written; nothing where the difference is not in the name itself but around it.
 fn as_on_disk(reference: &Reference<'_>) -> Option<String> {
-    let found = found(reference)?;
-    // Targets are named without their suffix.
-    let stems = [Some(reference.rel.as_str()), reference.rel.strip_suffix(".target")];
-    let start = stems.into_iter().flatten().find_map(|stem| stem.strip_suffix(reference.text))?.len();
-    let end = start + reference.text.len();
-    let around = |rel: &str| Some((rel.get(..start)?.to_owned(), rel.get(end..)?.to_owned()));
-    (around(&reference.rel)? == around(found)?).then(|| found.get(start..end).map(str::to_owned))?
+    spelled(&reference.rel, found(reference)?, begin(reference)?, reference.text)
+}
+
+/// Where the name begins in the whole path. Targets are named without their suffix.
+fn begin(reference: &Reference<'_>) -> Option<usize> {
+    let (rel, text) = (reference.rel.as_str(), reference.text);
+    let stem = rel.strip_suffix(".target");
+    let of_target = |text: &str| stem.and_then(|stem| stem.strip_suffix(text));
+    let above = rel.strip_suffix(text).or_else(|| of_target(text)).or_else(|| of_target(without_suffix(text)));
+    above.map(str::len)
 }
 
 /// Where a folder that is at fault is written, and as what it has to be.
 fn folder_on_disk(reference: &Reference<'_>) -> Option<(String, String)> {
     let (Place::Pointer(pointer), folder) = reference.folder_at_fault.as_ref()? else { return None };
-    let above = found(reference)?.strip_suffix(".target")?.strip_suffix(reference.text)?.strip_suffix('/')?;
-    let text = above.get(above.len().checked_sub(folder.len())?..)?;
-    text.eq_ignore_ascii_case(folder).then(|| (pointer.clone(), text.to_owned()))
+    let start = begin(reference)?.checked_sub(folder.len() + 1)?;
+    Some((pointer.clone(), spelled(&reference.rel, found(reference)?, start, folder)?))
 }
 
-/// The shortest beginnings of both paths that hold the whole difference: a folder, where one differs.
-fn differing(written: &str, real: &str) -> (String, String) {
-    let (mut a, mut b) = (Vec::new(), Vec::new());
-    let mut differ = 0;
-    for (index, (left, right)) in written.split('/').zip(real.split('/')).enumerate() {
-        a.push(left);
-        b.push(right);
-        if left != right {
-            differ = index + 1;
-        }
+/// A part of the path `rel`, `text` from `start` on, as `found` has it; nothing where they differ elsewhere, too.
+fn spelled(rel: &str, found: &str, start: usize, text: &str) -> Option<String> {
+    let parts = parts(rel);
+    let names: Vec<&str> = found.split('/').collect();
+    if parts.len() != names.len() {
+        return None;
     }
-    a.truncate(differ);
-    b.truncate(differ);
-    (a.join("/"), b.join("/"))
+    let mut right = text.replace('\\', "/");
+    for ((at, part), name) in parts.into_iter().zip(names).filter(|((_, part), name)| part != name) {
+        let at = at.checked_sub(start)?;
+        // What the loader adds to the last part has to be the same.
+        let length = part.len().min(text.len().checked_sub(at)?);
+        let is_written = text.get(at..at + length) == part.get(..length);
+        if !is_written || part.get(length..) != name.get(length..) {
+            return None;
+        }
+        right.replace_range(at..at + length, name.get(..length)?);
+    }
+    Some(right)
 }
 
 #[cfg(test)]
@@ -149,9 +202,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_folder_is_named_without_what_is_in_it() {
-        let both = |a: &str, b: &str| (a.to_owned(), b.to_owned());
-        assert_eq!(differing("t/Head/a.target", "t/head/a.target"), both("t/Head", "t/head"));
-        assert_eq!(differing("t/Head/A.target", "t/head/a.target"), both("t/Head/A.target", "t/head/a.target"));
+    fn a_name_is_written_as_the_file_is_called() {
+        let of = |rel: &str, text: &str| spelled(rel, "t/head/a.target", 2, text);
+        assert_eq!(of("t/Head/A.target", "Head/A").as_deref(), Some("head/a"));
+        assert_eq!(of("t/.\\Head\\A.target", ".\\Head\\A").as_deref(), Some("./head/a"));
+        assert_eq!(of("t/x/..//HEAD/a.target", "x/..//HEAD/a").as_deref(), Some("x/..//head/a"));
+        assert_eq!(of("t/head/A.target", "head/A.target.gz").as_deref(), Some("head/a.target.gz"));
+        assert_eq!(of("T/head/A.target", "head/A"), None, "the folder above is at fault as well");
+        assert_eq!(of("t/head/a.TARGET", "head/a"), None, "what the loader adds is at fault");
     }
 }

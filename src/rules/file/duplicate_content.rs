@@ -36,14 +36,14 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         if others.is_empty() {
             continue;
         }
-        let names: Vec<String> = others.iter().map(|file| format!("`{}`", file.rel)).collect();
+        let names: Vec<String> = others.iter().map(|file| format!("`{}`", file.shown())).collect();
         let message = format!("the same {class} as {}", names.join(", "));
         let mut finding = RULE.at(first, Place::File, message).help(advice(repository, first, others));
         for other in others {
             finding = finding.related(other.path.clone(), Place::File, "the same content");
         }
         let finding = finding.between(files.iter().map(|file| &file.path));
-        out.push(finding.evidence(Evidence::of_cases(files.iter().map(|file| &file.rel))));
+        out.push(finding.evidence(Evidence::of_cases(files.iter().map(|file| file.shown()))));
     }
 }
 

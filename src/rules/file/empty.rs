@@ -78,6 +78,7 @@ fn emptiness(file: &FileFacts) -> Option<&'static str> {
     match file.kind {
         _ if file.size == 0 => Some(" (0 bytes)"),
         kind if !kind.is_text() => None,
+        _ if encoding.blank && encoding.byte_order_mark => Some(" (nothing but a byte order mark)"),
         _ if encoding.blank => Some(" (nothing but blanks)"),
         // A comment is no JSON: that is a matter of syntax.
         kind if !kind.is_json() && encoding.only_comments => Some(" (nothing but comments)"),

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::super::Rule;
 use crate::diag::{Change, Evidence, Finding, Fix, Level, Place};
-use crate::repo::{Reference, ReferenceKind, Repository};
+use crate::repo::{Reference, ReferenceKind, Repository, Resolution, composed, fold};
 
 /// References of one cause in one file, in the order of the file.
 pub(super) struct Cause<'r, 'a> {
@@ -54,17 +54,38 @@ impl Cause<'_, '_> {
     }
 }
 
-/// Whether the name is part of a pattern by which something else knows the slider: written otherwise, it would be lost.
+/// Whether a slider must keep its name: it is part of a pattern by which something else knows the slider, or would,
+/// rightly written, give the pattern of another one.
 pub(super) fn is_known_by(repository: &Repository<'_>, reference: &Reference<'_>) -> bool {
+    is_slider(reference.kind) && (is_part_of_pattern(repository, reference) || has_double(repository, reference))
+}
+
+fn is_slider(kind: ReferenceKind) -> bool {
+    matches!(kind, ReferenceKind::Incr | ReferenceKind::Decr)
+}
+
+fn is_part_of_pattern(repository: &Repository<'_>, reference: &Reference<'_>) -> bool {
     let names_it = |pattern: &str| pattern.starts_with(reference.text);
     let mut bases = repository.bases.iter().filter(|base| base.name == reference.base);
-    matches!(reference.kind, ReferenceKind::Incr | ReferenceKind::Decr)
-        && bases.any(|base| {
-            let mut partners = base.sliders.iter().flat_map(|bound| [&bound.slider.lsym, &bound.slider.rsym]);
-            let presets = base.settings().map(|(_, settings)| settings.presets.as_slice()).unwrap_or_default();
-            partners.any(|partner| partner.as_deref().is_some_and(names_it))
-                || presets.iter().any(|(pattern, _)| names_it(pattern))
-        })
+    bases.any(|base| {
+        let mut partners = base.sliders.iter().flat_map(|bound| [&bound.slider.lsym, &bound.slider.rsym]);
+        let presets = base.settings().map(|(_, settings)| settings.presets.as_slice()).unwrap_or_default();
+        partners.any(|partner| partner.as_deref().is_some_and(names_it))
+            || presets.iter().any(|(pattern, _)| names_it(pattern))
+    })
+}
+
+/// Whether another slider moves the same targets.
+fn has_double(repository: &Repository<'_>, reference: &Reference<'_>) -> bool {
+    let mut by_slider: BTreeMap<&str, BTreeMap<ReferenceKind, &str>> = BTreeMap::new();
+    let of_base = repository.references.iter().filter(|other| other.base == reference.base && is_slider(other.kind));
+    for other in of_base {
+        if let Some(file) = other.meant() {
+            by_slider.entry(other.owner).or_default().insert(other.kind, &file.path);
+        }
+    }
+    let own = by_slider.remove(reference.owner);
+    own.is_some_and(|own| by_slider.values().any(|other| *other == own))
 }
 
 /// A fix that also writes `text` for a name.
@@ -94,10 +115,43 @@ pub(super) fn effect(kind: ReferenceKind) -> &'static str {
     }
 }
 
+/// Whether a reference names its file in another form of accented letters, and not just with other capitals.
+pub(super) fn differs_in_form(reference: &Reference<'_>) -> bool {
+    matches!(reference.resolution, Resolution::CaseOnly(file) if composed(&reference.rel) == composed(&file.rel))
+}
+
 /// Other files of the layer that the name fits as well, but for capitals.
 pub(super) fn alike<'r>(repository: &'r Repository<'_>, target: &str) -> Vec<&'r str> {
     let layer = repository.strongest_first().find(|layer| layer.file(target).is_some());
-    let lower = target.to_lowercase();
-    let is_alike = |rel: &&str| *rel != target && rel.to_lowercase() == lower;
+    let wanted = fold(target);
+    let is_alike = |rel: &&str| *rel != target && fold(rel) == wanted;
     layer.into_iter().flat_map(|layer| layer.files.values().map(|file| file.rel.as_str())).filter(is_alike).collect()
+}
+
+/// The shortest beginnings of both paths that hold the whole difference: a folder, where one differs.
+pub(super) fn differing(written: &str, real: &str) -> (String, String) {
+    let (mut a, mut b) = (Vec::new(), Vec::new());
+    let mut differ = 0;
+    for (index, (left, right)) in written.split('/').zip(real.split('/')).enumerate() {
+        a.push(left);
+        b.push(right);
+        if left != right {
+            differ = index + 1;
+        }
+    }
+    a.truncate(differ);
+    b.truncate(differ);
+    (a.join("/"), b.join("/"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_folder_is_named_without_what_is_in_it() {
+        let both = |a: &str, b: &str| (a.to_owned(), b.to_owned());
+        assert_eq!(differing("t/Head/a.target", "t/head/a.target"), both("t/Head", "t/head"));
+        assert_eq!(differing("t/Head/A.target", "t/head/a.target"), both("t/Head/A.target", "t/head/a.target"));
+    }
 }

@@ -1,8 +1,10 @@
 //! Names that some system cannot hold, or holds differently.
 
 use super::super::{Check, Rule, RuleCx};
+use super::named::differs_in_form;
 use crate::diag::{Application, Finding, Level, RuleInfo};
-use crate::repo::Layer;
+use crate::repo::{Repository, Resolution};
+use crate::source::is_below;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -17,22 +19,40 @@ pub(in crate::rules) static RULE: Rule = Rule {
             chance.\n\nRename the file, and what refers to it, with plain letters.",
         ..RuleInfo::new("file-unportable-name", Level::Warning, "a name that not every system can hold")
     },
-    check: Check::Layer(run),
+    check: Check::Repository(run),
 };
 
 const RESERVED: [&str; 4] = ["con", "prn", "aux", "nul"];
 const RESERVED_WITH_NUMBER: [&str; 2] = ["com", "lpt"];
 const FORBIDDEN: [char; 8] = ['<', '>', ':', '"', '|', '?', '*', '\\'];
 
-fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+const DECOMPOSED: &str = "is written with separate accent marks";
+
+fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let layer = repository.judged;
+    let not_found = named_in_another_form(repository);
     let faults = layer.walk_faults.iter().map(|fault| &fault.path);
     for path in layer.files.keys().chain(&layer.folders).chain(faults) {
         let name = path.rsplit('/').next().unwrap_or(path);
         if let Some(fault) = fault(name) {
+            // That something names it in another form and does not find it is the worse news.
+            if fault == DECOMPOSED && not_found.iter().any(|file| is_below(file, path)) {
+                continue;
+            }
             let finding = RULE.in_layer(layer, path, format!("`{name}` {fault}"));
             out.push(finding.help("rename it, and what refers to it, with plain letters"));
         }
     }
+}
+
+/// Files whose names a reference of the judged layer writes in another form of accented letters.
+fn named_in_another_form<'a>(repository: &Repository<'a>) -> Vec<&'a str> {
+    let own = repository.references.iter().filter(|reference| repository.is_judged(reference.from));
+    let files = own.filter(|reference| differs_in_form(reference)).filter_map(|reference| match reference.resolution {
+        Resolution::CaseOnly(file) => Some(file.rel.as_str()),
+        _ => None,
+    });
+    files.collect()
 }
 
 /// What is wrong with a name, if anything.
@@ -52,7 +72,7 @@ fn fault(name: &str) -> Option<String> {
     if is_reserved(name) {
         return Some("is a reserved name on Windows".to_owned());
     }
-    is_decomposed(name).then(|| "is written with separate accent marks".to_owned())
+    is_decomposed(name).then(|| DECOMPOSED.to_owned())
 }
 
 fn is_reserved(name: &str) -> bool {

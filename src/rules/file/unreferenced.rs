@@ -120,6 +120,18 @@ fn reason(repository: &Repository<'_>, file: &FileFacts, references: &References
     })
 }
 
+<<<<<<< HEAD
+=======
+/// Whether something names the file but for capitals or the packing: the finding on that reference names the file.
+fn is_meant(repository: &Repository<'_>, file: &FileFacts) -> bool {
+    repository.references.iter().any(|reference| match reference.resolution {
+        Resolution::CaseOnly(found) | Resolution::Backslash(Some(found)) => std::ptr::eq(found, file),
+        Resolution::Missing => file.rel.strip_suffix(".gz") == Some(reference.rel.as_str()),
+        _ => false,
+    })
+}
+
+>>>>>>> ab16d4314f7a92488c108424c1a357aafa6ffbbe
 fn folder_of(rel: &str) -> &str {
     rel.rfind('/').and_then(|at| rel.get(..=at)).unwrap_or_default()
 }

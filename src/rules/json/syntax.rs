@@ -65,6 +65,11 @@ fn is_stray(file: &FileFacts) -> bool {
     }
 }
 
+/// Quotes that word processors and chat programs make of straight ones.
+const TYPOGRAPHIC: [char; 10] = [
+    '\u{201c}', '\u{201d}', '\u{201e}', '\u{201f}', '\u{2018}', '\u{2019}', '\u{201a}', '\u{ab}', '\u{bb}', '\u{2033}',
+];
+
 fn help(fault: &SyntaxFault) -> &'static str {
     match &fault.kind {
         SyntaxKind::TrailingComma => "remove the comma; Python refuses it, too",
@@ -81,6 +86,9 @@ fn help(fault: &SyntaxFault) -> &'static str {
         SyntaxKind::TrailingText => "remove what follows, or a bracket was closed too early",
         SyntaxKind::Expected { found, .. } if found.starts_with('\'') => {
             "use double quotes; Python refuses others, too"
+        }
+        SyntaxKind::Expected { found, .. } if found.starts_with(TYPOGRAPHIC) => {
+            "write straight quotes (`\"`): a word processor has bent these, and Python refuses them, too"
         }
         SyntaxKind::Expected { .. } | SyntaxKind::TooDeep => "look for a missing comma, quote or bracket just before",
     }

@@ -3,6 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use super::links::{MacroLink, links};
 use crate::diag::{Application, Change, Evidence, Finding, Fix, FixKind, Level, Place, RuleInfo};
+use crate::formats::macro_json::without_suffix;
 use crate::formats::target::TargetFacts;
 use crate::repo::{Base, FileFacts, Reference, ReferenceKind, Repository, Resolution};
 use std::collections::BTreeMap;
@@ -26,12 +27,12 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
     let mut by_file: BTreeMap<&str, Vec<MacroLink<'_>>> = BTreeMap::new();
     let all = links(repository, base);
     for link in &all {
-        if let Some(target) = link.found().filter(|target| moves_nothing(target)) {
+        if let Some(target) = link.reference.meant().filter(|target| moves_nothing(target)) {
             by_file.entry(&target.rel).or_default().push(*link);
         }
     }
     for (rel, links) in by_file {
-        let Some((first, target)) = links.first().and_then(|link| Some((link, link.found()?))) else { continue };
+        let Some((first, target)) = links.first().and_then(|link| Some((link, link.reference.meant()?))) else { continue };
         let more = if links.len() > 1 { format!(" ({} combinations)", links.len()) } else { String::new() };
         let what = if target.size == 0 { "is an empty file and moves nothing" } else { "moves nothing" };
         let text = &first.reference.text;
@@ -75,7 +76,12 @@ fn fix(
     links: &[MacroLink<'_>],
     target: &FileFacts,
 ) -> Fix {
-    let names_it = |reference: &&Reference<'_>| matches!(reference.resolution, Resolution::Found(found) if found.path == target.path);
+    // Also names that are not quite right: they may be mended next.
+    let stem = |rel: &str| without_suffix(rel).to_owned();
+    let names_it = |reference: &&Reference<'_>| match reference.meant() {
+        Some(meant) => meant.path == target.path,
+        None => reference.rel.strip_suffix(".target").map(stem) == target.rel.strip_suffix(".target").map(stem),
+    };
     let users = repository.references.iter().filter(names_it).count();
     let archived = base.targets.is_some_and(|folder| folder.archive().is_some());
     let fix = Fix::new(RULE.info.fix, "write `null` and remove the file");

@@ -3,9 +3,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::fit::{fits, values_of};
-use crate::diag::Place;
+use crate::diag::{Place, Suggestions};
 use crate::formats::macro_json::{Link, Macrodef};
-use crate::repo::{Base, FileFacts, Reference, ReferenceKind, Repository, Resolution};
+use crate::repo::{Base, FileFacts, Reference, ReferenceKind, Repository, Resolution, is_beneath};
 
 /// An entry with a file name.
 #[derive(Clone, Copy)]
@@ -68,6 +68,7 @@ pub(super) fn unreferenced<'s>(repository: &'s Repository<'_>, base: &'s Base<'_
     for file in folder.targets() {
         by_stem.entry(file.rel.trim_end_matches(".target")).or_insert(&file.rel);
     }
+    let suggestions = Suggestions::default();
     for reference in repository.references_of(base).filter(|reference| reference.kind.is_target()) {
         match reference.resolution {
             Resolution::Found(file) | Resolution::CaseOnly(file) | Resolution::Backslash(Some(file)) => {
@@ -77,7 +78,7 @@ pub(super) fn unreferenced<'s>(repository: &'s Repository<'_>, base: &'s Base<'_
                 // `x.target` written for `x`, or a slip of the pen: those findings name the file.
                 let stem = reference.rel.trim_end_matches(".target").trim_end_matches(".target.gz");
                 named.extend(by_stem.get(stem));
-                named.extend(nearest_file(base, reference).map(|file| file.rel.as_str()));
+                named.extend(nearest_file(base, reference, &suggestions).map(|file| file.rel.as_str()));
             }
         }
     }
@@ -130,17 +131,20 @@ fn last_part(text: &str) -> Option<&str> {
 /// Whether a target lies in the folder that a definition uses, or below it.
 pub(super) fn is_in_folder(base: &Base<'_>, macrodef: &Macrodef, file: &FileFacts) -> bool {
     let name = base.targets.and_then(|folder| folder.name_of(file)).unwrap_or_default();
-    let folder = macrodef.effective_folder.as_deref().map_or("", |folder| folder.trim_matches('/'));
-    !folder.is_empty() && name.strip_prefix(folder).is_some_and(|rest| rest.starts_with('/'))
+    macrodef.effective_folder.as_deref().is_some_and(|folder| is_beneath(folder, name))
 }
 
 /// The file whose name is most like that of a missing one, in the same folder.
-pub(super) fn nearest_file<'s>(base: &'s Base<'_>, reference: &Reference<'_>) -> Option<&'s FileFacts> {
+pub(super) fn nearest_file<'s>(
+    base: &'s Base<'_>,
+    reference: &Reference<'_>,
+    suggestions: &Suggestions,
+) -> Option<&'s FileFacts> {
     let folder = base.targets?;
     let (parent, _) = reference.rel.rsplit_once('/')?;
     let beside = folder.layer.below(parent).filter(|file| file.rel.ends_with(".target"));
     // The limit of the slip grows with the length of what is compared: the folder must not help.
     let own = reference.rel.strip_prefix(parent)?;
-    let near = crate::diag::nearest(own, beside.filter_map(|file| file.rel.strip_prefix(parent)))?;
+    let near = suggestions.nearest(own, beside.filter_map(|file| file.rel.strip_prefix(parent)))?;
     folder.layer.file(&format!("{parent}{near}"))
 }

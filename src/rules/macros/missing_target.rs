@@ -2,9 +2,9 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::links::{MacroLink, has_suffix, links, nearest_file};
-use crate::diag::{Application, Evidence, Finding, Level, RuleInfo, Sight};
-use crate::repo::{Base, FileFacts, Repository, Resolution};
-use std::collections::BTreeMap;
+use crate::diag::{Application, Evidence, Finding, Level, RuleInfo, Sight, Suggestions};
+use crate::repo::{Base, FileFacts, Repository};
+use std::collections::{BTreeMap, BTreeSet};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -26,30 +26,39 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
     let Some((file, _)) = base.macro_file() else { return };
     let mut by_file: BTreeMap<&str, Vec<MacroLink<'_>>> = BTreeMap::new();
     let all = links(repository, base);
+    let spoken_of: BTreeSet<usize> = all
+        .chunk_by(|one, next| one.macrodef.index == next.macrodef.index)
+        .filter_map(|own| own.first())
+        .filter(|first| super::lost_folder::is_lost(base, first.macrodef, &all))
+        .map(|first| first.macrodef.index)
+        .collect();
     for link in all.iter().filter(|link| link.is_missing() && !has_suffix(link.reference.text)) {
-        if !super::lost_folder::is_lost(base, link.macrodef, &all) {
+        if !spoken_of.contains(&link.macrodef.index) {
             by_file.entry(&link.reference.rel).or_default().push(*link);
         }
     }
+    // A file that the combination of its own name uses is not meant.
+    let own: BTreeSet<&str> = all.iter().filter_map(own_file).map(|file| file.path.as_str()).collect();
+    let suggestions = Suggestions::default();
     for (rel, links) in by_file {
         let Some(first) = links.first() else { continue };
         let more = if links.len() > 1 { format!(", which {} combinations use", links.len()) } else { String::new() };
-        // A file that the combination of its own name uses is not meant.
-        let own = |near: &FileFacts| all.iter().any(|link| link.link.name == near.stem() && leads_to(link, near));
         let packed = format!("{rel}.gz");
         let packed = repository.strongest_first().find_map(|layer| layer.file(&packed));
-        let help = match nearest_file(base, first.reference).filter(|near| !own(near)) {
-            _ if let Some(packed) = packed => {
-                format!("MakeHuman 2 does not read packed targets: unpack `{}`", packed.file_name())
-            }
-            Some(near) => format!("did you mean `{}`?", near.stem()),
-            None => "correct the name, add the file, or write `null` where nothing should change".to_owned(),
-        };
+        let help =
+            match nearest_file(base, first.reference, &suggestions).filter(|near| !own.contains(near.path.as_str())) {
+                _ if let Some(packed) = packed => {
+                    format!("MakeHuman 2 does not read packed targets: unpack `{}`", packed.file_name())
+                }
+                Some(near) => format!("did you mean `{}`?", near.stem()),
+                None => "correct the name, add the file, or write `null` where nothing should change".to_owned(),
+            };
         let finding = RULE.at(file, first.place(), format!("there is no `{rel}`{more}")).key(rel).help(help);
         out.push(finding.evidence(Evidence::of_cases(links.iter().map(|link| &link.link.name))));
     }
 }
 
-fn leads_to(link: &MacroLink<'_>, file: &FileFacts) -> bool {
-    matches!(link.reference.resolution, Resolution::Found(found) if std::ptr::eq(found, file))
+/// The file of a combination that bears its name.
+fn own_file<'s>(link: &MacroLink<'s>) -> Option<&'s FileFacts> {
+    link.found().filter(|file| file.stem() == link.link.name)
 }

@@ -5,7 +5,7 @@ use super::fit::{fits, values_of};
 use super::links::{has_suffix, is_in_folder, links};
 use super::titles;
 use crate::diag::{Application, Change, Evidence, Finding, Fix, FixKind, Level, Place, RuleInfo};
-use crate::formats::macro_json::{Link, Macrodef};
+use crate::formats::macro_json::{Link, Macrodef, without_suffix};
 use crate::repo::{Base, FileFacts, Reference, Repository, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -78,7 +78,8 @@ fn fix(repository: &Repository<'_>, base: &Base<'_>, file: &FileFacts, macrodef:
 fn exists(base: &Base<'_>, macrodef: &Macrodef, name: &str) -> bool {
     let folder = macrodef.effective_folder.as_deref();
     let name = folder.map_or_else(|| name.to_owned(), |folder| format!("{folder}/{name}"));
-    base.targets.is_some_and(|targets| targets.target(&name).is_some())
+    // Other faults of the name have findings of their own, and are mended afterwards.
+    matches!(base.target_named(&name), Resolution::Found(_) | Resolution::CaseOnly(_) | Resolution::Backslash(Some(_)))
 }
 
 /// The name of the combination, if the folder has a target of that name.
@@ -89,14 +90,9 @@ fn own_target<'a>(base: &Base<'_>, macrodef: &Macrodef, link: &'a Link) -> Optio
 /// Whether the folder has a target for the combination that nothing uses.
 fn has_candidate(repository: &Repository<'_>, base: &Base<'_>, macrodef: &Macrodef, link: &Link) -> bool {
     let is_used = |file: &FileFacts| {
-        let found = |reference: &Reference<'_>| matches!(reference.resolution, Resolution::Found(found) if found.rel == file.rel);
-        repository.references_of(base).any(found)
+        repository.references_of(base).filter_map(Reference::meant).any(|meant| meant.rel == file.rel)
     };
     let name = values_of(&link.name);
     let fitting = |file: &&FileFacts| is_in_folder(base, macrodef, file) && fits(&values_of(file.stem()), &name);
     base.targets.is_some_and(|targets| targets.targets().filter(fitting).any(|file| !is_used(file)))
-}
-
-fn without_suffix(text: &str) -> &str {
-    text.trim_end_matches(".gz").trim_end_matches(".target")
 }

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::diag::nearest;
+use crate::diag::Suggestions;
 use crate::repo::{Base, FileFacts, Reference, ReferenceKind, Repository, Resolution};
 
 /// Missing files that have one cause.
@@ -65,25 +65,29 @@ fn is_empty(repository: &Repository<'_>, folder: &str) -> bool {
     repository.strongest_first().all(|layer| layer.below(folder).next().is_none())
 }
 
-/// The file beside the missing one that is most like it, by name without folder. A target that something else uses
-/// already is not meant: the other side or the other direction often has nearly the same name.
-pub(super) fn neighbour(
-    repository: &Repository<'_>,
-    reference: &Reference<'_>,
-    used: &BTreeSet<&str>,
-) -> Option<String> {
-    let folder = folder_of(&reference.rel);
-    let wanted = reference.rel.rsplit('/').next().unwrap_or_default();
-    let layers: Vec<_> = repository.strongest_first().collect();
-    let files = layers.iter().flat_map(|layer| layer.below(&folder));
-    let free = files.filter(|file| !file.kind.is_json() && !used.contains(file.path.as_str()));
-    let names = free.map(FileFacts::file_name);
-    nearest(wanted, names).map(str::to_owned)
+/// Files that a missing one may be meant to be.
+pub(super) struct Neighbours<'r, 'a> {
+    repository: &'r Repository<'a>,
+    /// Paths of the targets that something uses already. They are not meant: the other side or the other direction
+    /// often has nearly the same name.
+    used: BTreeSet<&'a str>,
+    suggestions: Suggestions,
 }
 
-/// Paths of the targets that something uses.
-pub(super) fn used_targets<'a>(repository: &Repository<'a>) -> BTreeSet<&'a str> {
-    repository.references.iter().filter_map(used_target).collect()
+impl<'r, 'a> Neighbours<'r, 'a> {
+    pub(super) fn of(repository: &'r Repository<'a>) -> Self {
+        let used = repository.references.iter().filter_map(used_target).collect();
+        Self { repository, used, suggestions: Suggestions::default() }
+    }
+
+    /// The file beside the missing one that is most like it, by name without folder.
+    pub(super) fn nearest(&self, reference: &Reference<'_>) -> Option<&'a str> {
+        let folder = folder_of(&reference.rel);
+        let wanted = reference.rel.rsplit('/').next().unwrap_or_default();
+        let files = self.repository.strongest_first().flat_map(|layer| layer.below(&folder));
+        let free = files.filter(|file| !file.kind.is_json() && !self.used.contains(file.path.as_str()));
+        self.suggestions.nearest(wanted, free.map(FileFacts::file_name))
+    }
 }
 
 fn used_target<'a>(reference: &Reference<'a>) -> Option<&'a str> {

@@ -1,7 +1,7 @@
 //! `icon` must name a picture that exists.
 
 use super::super::{Check, Rule, RuleCx};
-use super::missing;
+use super::missing::{self, Neighbours};
 use crate::diag::{Application, Evidence, Finding, Level, RuleInfo};
 use crate::repo::{Base, ReferenceKind, Repository};
 
@@ -18,7 +18,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let used = missing::used_targets(repository);
+    let neighbours = Neighbours::of(repository);
     for group in missing::groups(repository, base, |kind| kind == ReferenceKind::Icon) {
         let Some(first) = group.references.first() else { continue };
         // Written anew by MakeHuman 2 whenever a target or a picture changes.
@@ -31,7 +31,7 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
             }
             None => (format!("the icon `{}` of `{}` does not exist", first.text, first.owner), first.owner),
         };
-        let help = match missing::neighbour(repository, first, &used) {
+        let help = match neighbours.nearest(first) {
             Some(near) => format!("did you mean `{near}`?"),
             None => "add the picture, or remove the key to get the neutral one".to_owned(),
         };

@@ -1,9 +1,7 @@
 //! `incr` and `decr` must name targets that exist.
 
-use std::collections::BTreeSet;
-
 use super::super::{Check, Rule, RuleCx};
-use super::missing::{self, Group};
+use super::missing::{self, Group, Neighbours};
 use crate::diag::{Application, Evidence, Finding, Level, RuleInfo};
 use crate::repo::{Base, FileFacts, Reference, ReferenceKind, Repository};
 
@@ -26,9 +24,9 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let is_target = |kind| matches!(kind, ReferenceKind::Incr | ReferenceKind::Decr);
-    let used = missing::used_targets(repository);
+    let neighbours = Neighbours::of(repository);
     for group in missing::groups(repository, base, is_target) {
-        out.extend(finding(repository, base, &group, &used));
+        out.extend(finding(repository, base, &group, &neighbours));
     }
 }
 
@@ -36,7 +34,7 @@ fn finding(
     repository: &Repository<'_>,
     base: &Base<'_>,
     group: &Group<'_, '_>,
-    used: &BTreeSet<&str>,
+    neighbours: &Neighbours<'_, '_>,
 ) -> Option<Finding> {
     let first = group.references.first()?;
     let count = group.references.len();
@@ -48,7 +46,7 @@ fn finding(
         .at(first.from, first.place.clone(), message)
         .key(format!("{key} {}", if group.folder.is_some() { "" } else { side(first) }).trim_end())
         .evidence(Evidence::of_cases(group.references.iter().map(|reference| reference.text)));
-    finding = finding.help(help(repository, first, used));
+    finding = finding.help(help(repository, first, neighbours));
     if is_generated(base, first) {
         finding = finding.level(Level::Warning).help(
             "this file is generated: delete both generated JSON files, MakeHuman 2 writes them anew from the targets",
@@ -66,16 +64,16 @@ fn side(reference: &Reference<'_>) -> &'static str {
     if reference.kind == ReferenceKind::Incr { "incr" } else { "decr" }
 }
 
-fn help(repository: &Repository<'_>, reference: &Reference<'_>, used: &BTreeSet<&str>) -> String {
+fn help(repository: &Repository<'_>, reference: &Reference<'_>, neighbours: &Neighbours<'_, '_>) -> String {
     if reference.text.is_empty() {
         "the name is empty: name a target or remove the key".to_owned()
     } else if let Some(stem) = reference.text.strip_suffix(".target") {
         format!("write it without the suffix: `{stem}`")
     } else if let Some(packed) = packed(repository, reference) {
         format!("MakeHuman 2 does not read packed targets: unpack `{packed}`")
-    } else if let Some(near) = missing::neighbour(repository, reference, used) {
+    } else if let Some(near) = neighbours.nearest(reference) {
         let (folder, _) = reference.text.rsplit_once('/').unwrap_or_default();
-        let near = near.strip_suffix(".target").unwrap_or(&near);
+        let near = near.strip_suffix(".target").unwrap_or(near);
         let slash = if folder.is_empty() { "" } else { "/" };
         format!("did you mean `{folder}{slash}{near}`?")
     } else {

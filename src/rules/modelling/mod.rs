@@ -25,7 +25,7 @@ pub(super) mod unsafe_formula;
 pub(super) mod user_key_collision;
 mod user_scan;
 
-use crate::diag::nearest;
+use crate::diag::Suggestions;
 use crate::repo::{Base, BoundSlider, Overlaid};
 
 /// Whether one of the files is refused. What is then in use is not what the author meant, and everything
@@ -40,14 +40,14 @@ fn with_patterns<'b, 'a>(base: &'b Base<'a>) -> Option<&'b [BoundSlider<'a>]> {
 }
 
 /// What could be meant by an unknown pattern.
-fn advice(base: &Base<'_>, name: &str) -> String {
+fn advice(base: &Base<'_>, name: &str, suggestions: &Suggestions) -> String {
     if let Some(slider) = base.entry(name)
         && let [pattern, ..] = slider.pattern.names()
     {
         return format!("`{name}` is the key of an entry; write its pattern `{pattern}`");
     }
     let patterns = base.sliders.iter().flat_map(|slider| slider.pattern.names()).map(String::as_str);
-    match nearest(name, patterns) {
+    match suggestions.nearest(name, patterns) {
         Some(near) => format!("did you mean `{near}`?"),
         None => "a pattern is the `macro` of an entry, its `incr`, or `<decr>|<ending of incr>` for a pair".to_owned(),
     }

@@ -12,7 +12,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
         breaks: &[(Application::Makehuman2, "never shows the slider; only saved models can still set it")],
         docs: "A slider is shown under the item of `target_cat.json` whose `group|cat` equals the slider's `group`, \
             letter by letter.\n\nA group that no item has, or none at all, hides the slider without a word. Without any \
-            `target_cat.json` no slider is shown. A group with two `|` also stops the random character view with a ValueError \
+            `target_cat.json` no slider is shown: an error, as when it cannot be read. A group with two `|` also stops the random character view with a ValueError \
             (an error here, although shown sliders otherwise work).\n\nCorrect the group, or add an item for it.",
         ..RuleInfo::new("modelling-unknown-group", Level::Warning, "`group` of a slider is in no category")
     },
@@ -135,16 +135,16 @@ fn two_bars(base: &Base<'_>, out: &mut Vec<Finding>) {
 fn no_categories(repository: &Repository<'_>, base: &Base<'_>, out: &mut Vec<Finding>) {
     let absent = [base.categories.contarget.file(), base.categories.system.file()].iter().all(Option::is_none);
     let Some((file, modelling)) = base.modelling.winner() else { return };
-    // Only system data can prove that there is none.
-    if !absent || repository.system.is_none() || repository.is_one_root() || modelling.sliders.is_empty() {
-        return;
-    }
     let rel = format!("target/{}/target_cat.json", base.name);
     // Written with other capitals it is a finding of its own.
-    if repository.strongest_first().any(|layer| layer.file_ignoring_case(&rel).is_some()) {
+    let misnamed = repository.strongest_first().any(|layer| layer.file_ignoring_case(&rel).is_some());
+    // Only system data can prove that there is none.
+    if !absent || misnamed || repository.system.is_none() || repository.is_one_root() || modelling.sliders.is_empty() {
         return;
     }
     let message = format!("there is no target_cat.json: none of {} sliders is shown", modelling.sliders.len());
     let help = "add a target_cat.json with an item for every group of the sliders";
-    out.push(RULE.at(file, Place::File, message).help(help));
+    // Generated sliders go with generated categories, which are written anew.
+    let level = if modelling.sliders.iter().all(|slider| slider.user) { Level::Warning } else { Level::Error };
+    out.push(RULE.at(file, Place::File, message).level(level).help(help));
 }

@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::{advice, with_patterns};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo, Suggestions};
 use crate::repo::{Base, Repository};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -18,6 +18,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let suggestions = Suggestions::default();
     for bound in with_patterns(base).unwrap_or_default() {
         let slider = bound.slider;
         let (member, partner) = match (&slider.rsym, &slider.lsym) {
@@ -30,7 +31,7 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
         }
         let message = format!("`{member}` of `{}` names the unknown pattern `{partner}`", slider.key);
         let place = Place::pointer([&slider.key, member]);
-        let finding = RULE.at(bound.file, place, message).key(&slider.key).help(advice(base, partner));
+        let finding = RULE.at(bound.file, place, message).key(&slider.key).help(advice(base, partner, &suggestions));
         out.push(if member == "lsym" {
             finding.breaks(Application::Makehuman2, "stops with a KeyError when a random character is made")
         } else {

@@ -30,10 +30,8 @@ const TOLERANCE: f64 = 1e-4;
 
 fn run(_: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((vertex, moved)) = measures.weights.as_ref().and_then(|weights| weights.rest_distance) else { return };
-    // A default character that is not finite, and duplicates in weights, are the causes then, and told as such.
-    let is_told =
-        base.weights.iter().filter_map(|file| file.weights()).any(|weights| weights.facts.duplicate.count > 0);
-    if measures.space.is_none() || is_told {
+    // A default character that is not finite is the cause then, and told as such.
+    if measures.space.is_none() {
         return;
     }
     let pose = base.settings().and_then(|(_, settings)| settings.pose_skeleton.as_deref());

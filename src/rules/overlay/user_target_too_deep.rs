@@ -40,6 +40,6 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
     let finding = RULE.at(first, Place::File, message).key(base.name).asset(first.root());
     let finding = finding.over_each(deep.iter().map(|file| &file.path));
     let help = format!("move them to `{}/<group>/`", folder.rel());
-    let evidence = Evidence::of_cases(deep.iter().map(|file| &file.rel)).out_of(folder.targets().count());
+    let evidence = Evidence::of_cases(deep.iter().map(|file| file.shown())).out_of(folder.targets().count());
     out.push(finding.help(help).evidence(evidence));
 }

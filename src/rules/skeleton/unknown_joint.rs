@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx};
 use super::{Rig, rigs};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, nearest};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, Suggestions};
 use crate::formats::mhskel::Section;
 use crate::repo::{Base, Repository};
 
@@ -24,6 +24,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let suggestions = Suggestions::default();
     for rig in rigs(repository, base).iter().filter(|rig| rig.skeleton.joints_section == Section::Present) {
         let known: BTreeSet<&str> = rig.skeleton.joints.iter().map(|joint| joint.name.as_str()).collect();
         if known.is_empty() && uses(rig).len() > 1 {
@@ -36,7 +37,7 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
                 1 => format!("{owner} names joint `{joint}`, which does not exist"),
                 count => format!("{owner} names joint `{joint}`, which does not exist ({count} uses)"),
             };
-            let help = match nearest(joint, known.iter().copied()) {
+            let help = match suggestions.nearest(joint, known.iter().copied()) {
                 Some(name) => format!("did you mean `{name}`?"),
                 None => "add it to `joints`, or name one of the joints there".to_owned(),
             };

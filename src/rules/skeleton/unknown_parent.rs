@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use super::hierarchy::hierarchy;
 use super::rigs;
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, nearest};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, Suggestions};
 use crate::repo::{Base, Repository};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -18,6 +18,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let suggestions = Suggestions::default();
     for rig in rigs(repository, base) {
         let names = || rig.skeleton.bones.iter().map(|bone| bone.name.as_str());
         for (parent, bones) in hierarchy(rig.skeleton).unknown_parents {
@@ -26,7 +27,7 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
                 1 => format!("parent `{parent}` of bone `{first}` does not exist"),
                 count => format!("`{parent}`, the parent of {count} bones, does not exist"),
             };
-            let help = match nearest(parent, names()) {
+            let help = match suggestions.nearest(parent, names()) {
                 Some(name) => format!("did you mean `{name}`?"),
                 None => "name a bone of this skeleton, or null for the root".to_owned(),
             };

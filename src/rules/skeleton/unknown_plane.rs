@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx};
 use super::{Rig, rigs};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, nearest};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, Suggestions};
 use crate::formats::mhskel::{Bone, RotationPlane};
 use crate::json::UnknownKey;
 use crate::repo::{Base, Repository};
@@ -22,6 +22,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let suggestions = Suggestions::default();
     for rig in rigs(repository, base) {
         let known: BTreeSet<&str> = rig.skeleton.planes.iter().map(|plane| plane.name.as_str()).collect();
         if known.is_empty() && rig.asked_planes().len() > 1 {
@@ -36,7 +37,7 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
                 1 => format!("bone `{first}` names plane `{plane}`, which does not exist"),
                 count => format!("{count} bones name plane `{plane}`, which does not exist"),
             };
-            let help = match (nearest(plane, known.iter().copied()), misspelt_planes(&rig)) {
+            let help = match (suggestions.nearest(plane, known.iter().copied()), misspelt_planes(&rig)) {
                 (_, Some(help)) => help,
                 (Some(name), None) => format!("did you mean `{name}`?"),
                 (None, None) => "add it to `planes`, or remove `rotation_plane` to use the vertical".to_owned(),

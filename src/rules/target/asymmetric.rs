@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::shown::shown_by;
-use super::{ZeroRows, target_folder, with_zero_rows};
+use super::target_folder;
 use crate::diag::{Application, Evidence, Finding, Level, OptionInfo, Place, RuleInfo, Sight};
 use crate::eval::measures::Measures;
 use crate::eval::target_measure::TargetMeasure;
@@ -36,7 +36,6 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, measures: &Measures, cx: &R
         return;
     }
     let share = cx.option(&RULE, "share");
-    let zeros = with_zero_rows(repository.judged);
     let mut slight: Vec<(&FileFacts, &TargetMeasure)> = Vec::new();
     let mut judged = 0;
     for target in measures.targets.iter().filter(|target| !is_meant(base, &target.name)) {
@@ -44,7 +43,7 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, measures: &Measures, cx: &R
         judged += 1;
         let mirror = &target.own_mirror;
         let different = mirror.different.len();
-        if different == 0 || is_told_by_zeros(&zeros, file, different) || is_told_by_cubes(target) {
+        if different == 0 || is_told_by_cubes(target) {
             continue;
         }
         if different as f64 > share * mirror.compared as f64 {
@@ -62,12 +61,6 @@ fn is_meant(base: &Base<'_>, name: &str) -> bool {
     let mut nonsym = random.map(|random| random.nonsym.as_slice()).unwrap_or_default().iter();
     nonsym.any(|ending| name.ends_with(ending.as_str()))
         || name.split(['/', '-', '_']).any(|word| SIDES.contains(&word))
-}
-
-/// Whether rows that move nothing are why the sides differ: `target-zero-delta` names the target.
-fn is_told_by_zeros(zeros: &ZeroRows<'_>, file: &FileFacts, different: usize) -> bool {
-    let mut with_zeros = zeros.get(target_folder(file)).into_iter().flatten();
-    with_zeros.any(|(other, facts)| std::ptr::eq(*other, file) && different as u64 <= 2 * facts.zero.count)
 }
 
 /// Whether the vertices that differ can be those of torn joint cubes: `target-splits-joint-cube` names the target.

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::{parent, usage};
-use crate::diag::nearest;
+use crate::diag::Suggestions;
 use crate::repo::{Base, FileFacts, Repository};
 
 /// Paths of files by a part of them.
@@ -22,6 +22,7 @@ pub(super) fn meant_by_missing<'a>(
         by_stem.entry(file.stem()).or_default().push(&file.rel);
         by_folder.entry(parent(&file.rel)).or_default().push(&file.rel);
     }
+    let suggestions = Suggestions::default();
     for reference in repository.references_of(base).filter(|reference| reference.kind.is_target()) {
         if usage::target_of(&reference.resolution).is_some() {
             continue;
@@ -29,7 +30,7 @@ pub(super) fn meant_by_missing<'a>(
         let stem = reference.text.rsplit(['/', '\\']).next();
         meant.extend(stem.and_then(|stem| by_stem.get(stem)).into_iter().flatten());
         let rel = reference.rel.replace('\\', "/");
-        meant.extend(by_folder.get(parent(&rel)).and_then(|beside| nearest(&rel, beside.iter().copied())));
+        meant.extend(by_folder.get(parent(&rel)).and_then(|beside| suggestions.nearest(&rel, beside.iter().copied())));
     }
     let lost = lost_partners(base);
     meant.extend(unused.iter().filter(|file| is_of_one(&lost, base, file)).map(|file| file.rel.as_str()));

@@ -2,7 +2,8 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::{parent, usage};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo, Sight};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo, Sight, nearest};
+use crate::discover::Kind;
 use crate::repo::{Base, FileFacts, Repository, TargetFolder};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -13,7 +14,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
             "makes a slider of one side; of a single `-decr` target it makes one that grows where it should shrink",
         )],
         docs: "Targets come in pairs such as `-decr` and `-incr` (`target-opposites` of base.json says which), one for each \
-            half of a slider. Here one of them is missing, in a folder that has complete pairs of the same kind.\n\n\
+            half of a slider. Here one of them is missing, in a folder that has complete pairs of the same kind, or it is there under a \
+            name that makes no pair: without its ending, with a misspelt one, or with other capitals.\n\n\
             MakeHuman 2 makes the sliders of user targets from the file names: a pair becomes one slider with two halves, a \
             single file becomes a slider with one half.\n\nMake the other direction, or give the file a name without the \
             ending. Where modelling.json lists a target as single, it is meant to be single and nothing is reported.",
@@ -30,9 +32,18 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
         for file in folder.targets() {
             let Some((opposite, pair)) = opposite_of(file, &pairs) else { continue };
             let rel = format!("{}/{opposite}.target", parent(&file.rel));
-            let exists = folder.layer.file(&rel).is_some() || folder.layer.file_ignoring_case(&rel).is_some();
-            if !exists && has_pair(folder, parent(&file.rel), pair) && !usage::is_missed(repository, base, &rel) {
-                out.push(finding(file, &opposite));
+            if folder.layer.file(&rel).is_some() || usage::is_missed(repository, base, &rel) {
+                continue;
+            }
+            let other_case = folder.layer.file_ignoring_case(&rel);
+            match other_case.or_else(|| misnamed(folder, file, &rel, pair)) {
+                // A folder of other capitals is another matter.
+                Some(other) if parent(&other.rel) != parent(&rel) => {}
+                // Each lacks the other: once is enough.
+                Some(other) if opposite_of(other, &pairs).is_some() && file.stem().ends_with(pair.0) => {}
+                Some(other) => out.push(renamed(file, &opposite, other)),
+                None if has_pair(folder, parent(&file.rel), pair) => out.push(finding(file, &opposite)),
+                None => {}
             }
         }
     }
@@ -43,6 +54,28 @@ fn finding(file: &FileFacts, opposite: &str) -> Finding {
     RULE.at(file, Place::File, message).help(format!(
         "add `{opposite}.target`, or give the file a name without the ending if it has only one direction"
     ))
+}
+
+/// The opposite is there and is not called so.
+fn renamed(file: &FileFacts, opposite: &str, other: &FileFacts) -> Finding {
+    let name = other.file_name();
+    let help = format!("rename `{name}` to `{opposite}.target` if it is the other direction");
+    let related = format!("`{name}` makes a slider of its own");
+    finding(file, opposite).help(help).related(other.path.clone(), Place::File, related)
+}
+
+/// A target beside `file` that looks like its opposite `rel` and has lost its ending, or has a misspelt one. Only of
+/// `decr` and `incr`: the scan makes pairs of no others, and a plain name beside other endings may be meant.
+fn misnamed<'a>(folder: TargetFolder<'a>, file: &FileFacts, rel: &str, pair: (&str, &str)) -> Option<&'a FileFacts> {
+    let (stem, ending) = rel.strip_suffix(".target")?.rsplit_once('-').filter(|_| pair == ("decr", "incr"))?;
+    let plain = folder.layer.file(&format!("{stem}.target"));
+    let path = parent(&file.rel);
+    let beside = folder.layer.below(path).filter(|other| other.kind == Kind::Target && parent(&other.rel) == path);
+    let mut misspelt = beside.filter(|other| {
+        let word = other.rel.strip_prefix(stem).and_then(|rest| rest.strip_prefix('-')?.strip_suffix(".target"));
+        word.is_some_and(|word| word != pair.0 && word != pair.1 && nearest(word, [ending]).is_some())
+    });
+    plain.or_else(|| misspelt.next())
 }
 
 /// Pairs of endings, negative first. The scan of user targets knows decr and incr without being told.

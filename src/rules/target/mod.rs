@@ -33,14 +33,15 @@ pub(super) mod vertex_out_of_range;
 pub(super) mod without_effect;
 pub(super) mod zero_delta;
 
-/// Targets of a layer that the loader can decode. For others the encoding is the one fault to name.
+/// Targets of a layer that the loader can decode. For others the encoding is the one fault to name. A byte order mark
+/// is a fault of the first line only; all are judged as they are without it.
 fn targets(layer: &Layer) -> impl Iterator<Item = (&FileFacts, &TargetFacts)> {
     layer.files.values().filter_map(decoded)
 }
 
 /// Facts of a target that the loader can decode.
 fn decoded(file: &FileFacts) -> Option<(&FileFacts, &TargetFacts)> {
-    let is_text = !file.encoding.byte_order_mark && file.encoding.invalid_utf8_at.is_none();
+    let is_text = file.encoding.invalid_utf8_at.is_none();
     file.target().filter(|_| is_text).map(|facts| (file, facts))
 }
 
@@ -51,8 +52,8 @@ type ZeroRows<'a> = BTreeMap<&'a str, Vec<(&'a FileFacts, &'a TargetFacts)>>;
 fn with_zero_rows(layer: &Layer) -> ZeroRows<'_> {
     let mut folders = ZeroRows::new();
     for (file, facts) in targets(layer) {
-        // A target of nothing but zeros is a finding of its own.
-        if facts.zero.count > 0 && facts.zero.count < facts.rows as u64 {
+        // A target that moves nothing is a finding of its own.
+        if facts.zero.count > 0 && !facts.moves_nothing() {
             folders.entry(target_folder(file)).or_default().push((file, facts));
         }
     }

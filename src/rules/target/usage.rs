@@ -5,7 +5,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::repo::{Base, FileFacts, ReferenceKind, Repository, Resolution, TargetFolder};
+use crate::repo::{Base, FileFacts, ReferenceKind, Repository, Resolution, TargetFolder, is_beneath};
 
 /// How a target is used, by printed path; a macro outweighs a slider because it is applied at start.
 pub(super) fn users<'a>(repository: &'a Repository<'_>) -> BTreeMap<&'a str, ReferenceKind> {
@@ -89,7 +89,7 @@ fn can_tell(base: &Base<'_>, folder: TargetFolder<'_>) -> bool {
 pub(super) fn is_in_macro_folder(base: &Base<'_>, name: &str) -> bool {
     let macrodefs = base.macro_file().map(|(_, file)| file.macrodefs.as_slice()).unwrap_or_default();
     let mut folders = macrodefs.iter().filter_map(|macrodef| macrodef.effective_folder.as_deref());
-    folders.any(|folder| folder.trim_matches('/') == super::parent(name))
+    folders.any(|folder| is_beneath(folder, name) && !is_beneath(folder, super::parent(name)))
 }
 
 /// Whether something refers to `rel` and does not find it: then the missing file is the fault to name.

@@ -8,7 +8,7 @@ use crate::repo::{ReferenceKind, Repository};
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(Application::Makehuman2, "loads it and changes nothing: the slider seems dead")],
-        docs: "Every row of the target is zero.\n\nMakeHuman 2 loads it, and moving its slider does nothing. Often the shape was \
+        docs: "Every row of the target is zero, or is undone by a later row of its vertex that is.\n\nMakeHuman 2 loads it, and moving its slider does nothing. Often the shape was \
             exported before it was made, or against itself.\n\nExport it again, or remove the target and its slider. A file \
             without rows is `file-empty`; a target of a macro is `macro-empty-target`.",
         ..RuleInfo::new("target-without-effect", Level::Warning, "a target without any displacement")
@@ -20,10 +20,13 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let users = usage::users(repository);
     for (file, facts) in targets(repository.judged) {
         let is_macro = users.get(file.path.as_str()) == Some(&ReferenceKind::MacroTarget);
-        if is_macro || facts.zero.count == 0 || facts.zero.count != facts.rows as u64 {
+        if is_macro || !facts.moves_nothing() {
             continue;
         }
         let message = match facts.rows {
+            _ if facts.duplicate.count > 0 => {
+                "the last row of every vertex is zero, and only that one counts: the target moves nothing".to_owned()
+            }
             1 => "its only row is zero: the target moves nothing".to_owned(),
             rows => format!("all {rows} rows are zero: the target moves nothing"),
         };

@@ -11,8 +11,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
         fix: FixKind::Safe,
         breaks: &[(Application::Makehuman2, "loads and adds the zeros; they cost a little time and room")],
         docs: "Rows whose three numbers are zero.\n\nThey change nothing. Exporters write them for vertices that were touched and \
-            put back, or whose movement was rounded away. A whole side without movement was mostly lost.\n\nThe rows can be removed. All such rows of a target folder are \
-            one finding, at the first of them.",
+            put back, or whose movement was rounded away. A whole side without movement was mostly lost: `target-asymmetric` \
+            and `target-asymmetric-pair` tell that. A zero beside a row that moves the same vertex is not meant here: as the last of \
+            them it undoes the other, and `target-duplicate-vertex` names it.\n\nThe rows can be removed. All such rows of a \
+            target folder are one finding, at the first of them.",
         ..RuleInfo::new("target-zero-delta", Level::Info, "rows of a target that move nothing")
     },
     check: Check::Layer(run),
@@ -39,11 +41,10 @@ fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
 }
 
-/// A zero may be the last row of a vertex that is named twice; those targets wait until that is mended.
 fn fix(layer: &Layer, found: &[(&FileFacts, &TargetFacts)]) -> Fix {
-    let plain = found.iter().filter(|(file, facts)| facts.duplicate.count == 0 && !is_archived(layer, file));
+    let read = found.iter().filter(|(file, _)| !is_archived(layer, file));
     let fix = Fix::new(RULE.info.fix, "remove the rows");
-    plain.fold(fix, |fix, (file, _)| fix.step(&file.path, Change::Rewrite(Rewrite::DropZeroRows)))
+    read.fold(fix, |fix, (file, _)| fix.step(&file.path, Change::Rewrite(Rewrite::DropZeroRows)))
 }
 
 fn one_file(layer: &Layer, file: &FileFacts, facts: &TargetFacts) -> Finding {

@@ -13,7 +13,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
         breaks: &[(Application::Makehuman2, "bends the two sides differently in mirrored poses")],
         docs: "Bones that are named alike but for their side (`.L` and `.R`, `_l` and `_r`, `Left` and `Right` …) move mirrored \
             vertices with different weights.\n\nWhich vertices mirror each other is found from the base mesh. Weights are \
-            compared as MakeHuman 2 holds them after loading (scaled to a sum of 1) and may differ by 0.01.\n\nMirror the \
+            compared as MakeHuman 2 holds them after loading (scaled to a sum of 1), entries of a vertex that a bone lists twice added, and may differ by 0.01.\n\nMirror the \
             weights of one side. A figure that is meant to be uneven can leave it so.",
         ..RuleInfo::new("weights-asymmetric", Level::Info, "left and right bones weighted unlike their mirror")
     },
@@ -22,12 +22,12 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(repository: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((weights, file)) = measures.weights.as_ref().zip(pose_weights(repository, base)) else { return };
-    // Weights with faulty entries, a vertex twice in a bone, or bones the skeleton drops are uneven for that reason.
+    // Weights with faulty entries, or of bones that the skeleton drops, are uneven for that reason.
     let is_whole = |weights: &Weights| {
         let facts = &weights.facts;
-        let faults = [facts.duplicate.count, facts.negative.count, facts.above_one.count];
+        let faults = [facts.negative.count, facts.above_one.count];
         let known = |name: &String| measures.bones.contains(name);
-        !has_unusable_entries(weights) && faults == [0; 3] && weights.bones.iter().all(|bone| known(&bone.name))
+        !has_unusable_entries(weights) && faults == [0; 2] && weights.bones.iter().all(|bone| known(&bone.name))
     };
     if !file.weights().is_some_and(is_whole) {
         return;

@@ -17,7 +17,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
             the sum that it divides by, but posing uses one of them. The missing share pulls the vertex towards \
             the origin. (MakeHuman 1, and the transfer of weights to clothes, add the entries.)\n\nReplace the \
             entries by one with their sum. Where the weights of the vertex then do not add up to 1, the fix divides \
-            them by their sum, as the loader does.",
+            them by their sum, as the loader does; not where one of them is above 1, which has a rule of its own.",
         ..RuleInfo::new("weights-duplicate-vertex", Level::Warning, "a bone lists a vertex twice")
     },
     check: Check::Layer(run),

@@ -1,0 +1,112 @@
+//! What a system's base lacks so that its targets are of no use: `modelling.json`, `macro.json`, or all of its target
+//! folder (formats/makehuman2.md §1.2). Overrides have rules of their own.
+
+use std::collections::BTreeSet;
+
+use crate::diag::Level;
+use crate::discover::Kind;
+use crate::formats::base_json::BaseJson;
+use crate::repo::{Base, FileFacts, Layer, Repository};
+
+/// A file that is not there and what comes of it.
+pub(super) struct Gap {
+    /// Its name in `target/<base>/`.
+    pub(super) name: &'static str,
+    pub(super) level: Level,
+    pub(super) message: String,
+    pub(super) effect: &'static str,
+    pub(super) help: String,
+}
+
+/// Stands in the program's own data and nowhere else (formats/makehuman2.md §21).
+const VERSION_FILE: &str = "makehuman2_version.json";
+
+/// The way to leave a measure out.
+const NO_MEASURE: &str = "none";
+
+/// What is missing of the sliders of a base, if its data are the system's and nothing overrides them.
+pub(super) fn gap(repository: &Repository<'_>, base: &Base<'_>) -> Option<Gap> {
+    let judged = repository.judged;
+    let is_system = repository.system.is_some_and(|system| std::ptr::eq(system, judged)) && base.has_system;
+    if !is_system || base.base_json.is_none() || judged.below(&format!("contarget/{}", base.name)).next().is_some() {
+        return None;
+    }
+    let folder = format!("target/{}", base.name);
+    let is_missing = |name: &str| {
+        let rel = format!("{folder}/{name}");
+        judged.file_ignoring_case(&rel).is_none() && !judged.has_unusable(&rel)
+    };
+    if is_missing("modelling.json") {
+        without_sliders(judged, base, &folder)
+    } else if is_missing("macro.json") {
+        without_macros(judged, base, &folder)
+    } else {
+        None
+    }
+}
+
+fn without_sliders(judged: &Layer, base: &Base<'_>, folder: &str) -> Option<Gap> {
+    let count = targets(judged, folder).count();
+    let named = base.settings().map_or(0, |(_, settings)| named_sliders(settings).len());
+    let pairs = base.settings().map_or(0, |(_, settings)| settings.opposites.len());
+    let sure = is_surely_system(judged, folder);
+    let lost = if sure { Level::Error } else { Level::Warning };
+    let (level, message) = match (count, named, pairs) {
+        (0, 0, 0) => return None,
+        (0, 0, _) => {
+            let message = format!("base.json of `{}` has `target-opposites`, and there are no targets", base.name);
+            (Level::Info, message)
+        }
+        (0, ..) => {
+            let message = format!("base.json of `{}` names {named} sliders, and there is no modelling.json", base.name);
+            (lost, message)
+        }
+        _ => (lost, format!("the base `{}` has {count} targets and no modelling.json", base.name)),
+    };
+    let file = format!("{folder}/modelling.json");
+    let help = if sure {
+        format!("add `{file}`")
+    } else {
+        format!("add `{file}`; if the program's own data have it, give them with `--system`")
+    };
+    let effect = "offers no sliders for the base and applies none of its targets, with no more than a line in its log";
+    Some(Gap { name: "modelling.json", level, message, effect, help })
+}
+
+fn without_macros(judged: &Layer, base: &Base<'_>, folder: &str) -> Option<Gap> {
+    let sliders = base.sliders.iter().filter(|bound| bound.slider.is_macro()).count();
+    let waiting = targets(judged, folder).filter(|file| file.rel.starts_with(&format!("{folder}/macro"))).count();
+    let name = base.name;
+    let (level, message) = match (sliders, waiting) {
+        (0, 0) => return None,
+        // Only the name of their folder says so.
+        (0, _) => (Level::Warning, format!("the base `{name}` has targets of macros and no macro.json")),
+        (1, _) => (Level::Error, format!("the base `{name}` has 1 macro slider and no macro.json")),
+        (count, _) => (Level::Error, format!("the base `{name}` has {count} macro sliders and no macro.json")),
+    };
+    let effect = "has no macros for the base: their sliders move nothing, and their targets are never loaded";
+    Some(Gap { name: "macro.json", level, message, effect, help: format!("add `{folder}/macro.json`") })
+}
+
+fn targets<'a>(judged: &'a Layer, folder: &str) -> impl Iterator<Item = &'a FileFacts> + use<'a> {
+    judged.below(folder).filter(|file| file.kind == Kind::Target)
+}
+
+/// Patterns and keys of sliders that the settings of a base name.
+fn named_sliders(settings: &BaseJson) -> BTreeSet<&str> {
+    let presets = settings.presets.iter().map(|(pattern, _)| pattern.as_str());
+    let measures = settings.measure.iter().map(|(_, pattern)| pattern.as_str()).filter(|name| *name != NO_MEASURE);
+    let random = settings.random.iter();
+    let keys = random.flat_map(|random| {
+        let rules = random.rules.iter().map(|(key, _)| key);
+        random.gender.iter().chain(&random.ideal).chain(rules).map(String::as_str)
+    });
+    presets.chain(measures).chain(keys).collect()
+}
+
+/// A user's folder may hold another `base.json` for a base whose sliders the system has. It has neither the file that
+/// only the program's own data have, nor what else belongs to hand-made sliders.
+fn is_surely_system(judged: &Layer, folder: &str) -> bool {
+    let beside = ["macro.json", "target_cat.json"].map(|name| format!("{folder}/{name}"));
+    judged.file(VERSION_FILE).is_some() || beside.iter().any(|rel| judged.file(rel).is_some())
+}
