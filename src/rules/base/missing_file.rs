@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use super::absent_keys;
 use super::sliders::{self, Gap};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo, Sight, nearest};
+use crate::diag::{Application, Finding, Level, RuleInfo, Sight, nearest};
 use crate::repo::{Base, FileFacts, Layer, Reference, ReferenceKind, Repository, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Rule {

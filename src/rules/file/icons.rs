@@ -37,7 +37,6 @@ pub(super) struct Icons<'r> {
     unused_pairs: BTreeSet<&'r str>,
 }
 
-<<<<<<< HEAD
 impl<'r> Icons<'r> {
     pub(super) fn of(repository: &'r Repository<'_>) -> Self {
         let icons = repository.references.iter().filter(|reference| reference.kind == ReferenceKind::Icon);
@@ -46,7 +45,7 @@ impl<'r> Icons<'r> {
         let names = lost.map(|reference| reference.text.rsplit(['/', '\\']).next().unwrap_or_default());
         let sliders = repository.bases.iter().flat_map(|base| &base.sliders);
         let targets = repository.references.iter().filter(|reference| reference.kind.is_target());
-        let used: BTreeSet<&str> = targets.filter_map(found).map(|file| file.path.as_str()).collect();
+        let used: BTreeSet<&str> = targets.filter_map(Reference::meant).map(|file| file.path.as_str()).collect();
         let folders = repository.bases.iter().filter_map(|base| base.targets);
         let files = folders.flat_map(|folder| folder.layer.below(&folder.rel())).filter(|file| file.target().is_some());
         let unused_targets: BTreeSet<&str> =
@@ -72,26 +71,6 @@ impl<'r> Icons<'r> {
         let words = icon.match_indices('-').filter_map(|(end, _)| icon.get(..end));
         self.unused_pairs.contains(icon) || words.chain([icon]).any(|stem| self.unused_targets.contains(stem))
     }
-}
-
-fn found<'r>(reference: &Reference<'r>) -> Option<&'r FileFacts> {
-    if let Resolution::Found(file) = reference.resolution { Some(file) } else { None }
-=======
-/// Whether the picture is called after a target of a slider that is gone: that nothing uses the target is the news.
-pub(super) fn is_of_unused_target(repository: &Repository<'_>, icon: &str) -> bool {
-    let is_used = |file: &FileFacts| {
-        let mut targets = repository.references.iter().filter(|reference| reference.kind.is_target());
-        targets.any(|reference| reference.meant().is_some_and(|meant| std::ptr::eq(meant, file)))
-    };
-    let folders = repository.bases.iter().filter_map(|base| base.targets);
-    let mut targets = folders.flat_map(|folder| folder.layer.below(&folder.rel()));
-    targets.any(|file| {
-        let (stem, pair) = (file.stem(), file.stem().rsplit_once('-').map(|(pair, _)| pair));
-        let rest = icon.strip_prefix(stem);
-        let is_called_after = pair == Some(icon) || rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('-'));
-        is_called_after && file.target().is_some() && !is_used(file)
-    })
->>>>>>> ab16d4314f7a92488c108424c1a357aafa6ffbbe
 }
 
 /// Paths of the icons that some slider asks for, relative to the root.

@@ -71,7 +71,7 @@ impl<'r> References<'r> {
         let (mut meant, mut missing) = (BTreeSet::new(), BTreeSet::new());
         for reference in &repository.references {
             match reference.resolution {
-                Resolution::CaseOnly(found) => meant.insert(found.path.as_str()),
+                Resolution::CaseOnly(found) | Resolution::Backslash(Some(found)) => meant.insert(found.path.as_str()),
                 Resolution::Missing => missing.insert(reference.rel.as_str()),
                 _ => false,
             };
@@ -120,18 +120,6 @@ fn reason(repository: &Repository<'_>, file: &FileFacts, references: &References
     })
 }
 
-<<<<<<< HEAD
-=======
-/// Whether something names the file but for capitals or the packing: the finding on that reference names the file.
-fn is_meant(repository: &Repository<'_>, file: &FileFacts) -> bool {
-    repository.references.iter().any(|reference| match reference.resolution {
-        Resolution::CaseOnly(found) | Resolution::Backslash(Some(found)) => std::ptr::eq(found, file),
-        Resolution::Missing => file.rel.strip_suffix(".gz") == Some(reference.rel.as_str()),
-        _ => false,
-    })
-}
-
->>>>>>> ab16d4314f7a92488c108424c1a357aafa6ffbbe
 fn folder_of(rel: &str) -> &str {
     rel.rfind('/').and_then(|at| rel.get(..=at)).unwrap_or_default()
 }
