@@ -389,7 +389,7 @@ fn errors_hide_what_the_baseline_knows() {
     let root = repository.path();
     let all = write(root, &[]).len();
     let known = fs::read_to_string(root.join("known.json")).unwrap();
-    for (file, gone) in [(MACROS, 1), (MESH, 1)] {
+    for file in [MACROS, MESH] {
         let whole = fs::read(root.join(file)).unwrap();
         let broken: &[&dyn Fn()] = &[
             &|| fs::write(root.join(file), &whole[..whole.len() / 2]).unwrap(),
@@ -401,16 +401,15 @@ fn errors_hide_what_the_baseline_knows() {
         for damage in broken {
             damage();
             let text = stdout(&mhlint(root, &["--baseline", "known.json"]));
-            assert!(text.contains(&format!(" of {all} entries of the baseline were not found again")), "{text}");
+            assert!(
+                text.contains(&format!(" of {all} entries of the baseline w")) && text.contains(" not found again"),
+                "{text}"
+            );
             assert!(text.contains("help: mend the errors first: what they hide may still be there"), "{text}");
             assert!(!text.contains("prune"), "{text}");
             let written = mhlint(root, &["--baseline", "known.json", "--write-baseline"]);
             let said = stderr(&written);
-            assert!(
-                said.contains("1 new (1 error), ") && said.contains("mend what is new and write it again"),
-                "{said}"
-            );
-            assert!(said.contains(&format!("{gone} gone")) || file == MESH, "{said}");
+            assert!(said.contains(": 1 new (1 error), ") && said.contains(" gone; errors can hide findings"), "{said}");
             fs::write(root.join("known.json"), &known).unwrap();
         }
         fs::write(root.join(file), whole).unwrap();

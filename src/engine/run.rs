@@ -171,7 +171,8 @@ fn settle(
         outcome.findings = found.into_iter().map(|placed| placed.finding).collect();
     }
     // Known and muted errors hid what they hide when the baseline and the mutes were written, too.
-    upkeep.errors = outcome.has_at_least(Level::Error);
+    let taken_over = outcome.taken_over.is_some_and(|taken_over| taken_over.errors > 0);
+    upkeep.errors = taken_over || outcome.has_at_least(Level::Error);
     outcome.findings.extend(look_after(&upkeep, selection, muting, options, &mut outcome.failed_rules));
     if let Some(change) = change {
         narrow(outcome, change);

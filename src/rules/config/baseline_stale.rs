@@ -22,7 +22,8 @@ fn run(upkeep: &Upkeep, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let (stale, judged) = (baseline.stale.len(), baseline.judged);
     let (message, help) = match (stale, judged) {
         (stale, judged) if upkeep.errors => {
-            (format!("{stale} of {judged} entries of the baseline were not found again"), MEND_FIRST)
+            let verb = if stale == 1 { "was" } else { "were" };
+            (format!("{stale} of {judged} entries of the baseline {verb} not found again"), MEND_FIRST)
         }
         (1, 1) => ("the only entry of the baseline no longer occurs".to_owned(), PRUNE),
         (stale, judged) if stale == judged => (
