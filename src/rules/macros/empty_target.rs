@@ -32,7 +32,9 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
         }
     }
     for (rel, links) in by_file {
-        let Some((first, target)) = links.first().and_then(|link| Some((link, link.reference.meant()?))) else { continue };
+        let Some((first, target)) = links.first().and_then(|link| Some((link, link.reference.meant()?))) else {
+            continue;
+        };
         let more = if links.len() > 1 { format!(" ({} combinations)", links.len()) } else { String::new() };
         let what = if target.size == 0 { "is an empty file and moves nothing" } else { "moves nothing" };
         let text = &first.reference.text;
