@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
 use super::loader::{is_generated, misnamed};
-use super::named::{Cause, alike, causes, differing, differs_in_form, effect, is_known_by, written};
+use super::named::{Cause, alike, causes, differs_in_form, effect, is_known_by, written};
+use super::spelling::{as_on_disk, differing, folder_on_disk, found, plain};
 use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Place, RuleInfo};
-use crate::formats::macro_json::without_suffix;
 use crate::repo::{Reference, Repository, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -124,91 +124,5 @@ fn fixed_names(repository: &Repository<'_>, out: &mut Vec<Finding>) {
         };
         let finding = RULE.at(file, Place::File, message).key("name").help(format!("rename it to `{wanted}`"));
         out.push(finding.breaks(Application::Makehuman2, effect));
-    }
-}
-
-fn found<'a>(reference: &Reference<'a>) -> Option<&'a str> {
-    match reference.resolution {
-        Resolution::CaseOnly(file) => Some(&file.rel),
-        // The backslash is a fault of its own.
-        Resolution::Backslash(Some(file)) if plain(&reference.rel) != file.rel => Some(&file.rel),
-        _ => None,
-    }
-}
-
-/// Folders and name of a path with the places where they begin, without those that lead nowhere.
-fn parts(rel: &str) -> Vec<(usize, &str)> {
-    let mut parts = Vec::new();
-    let mut at = 0;
-    for part in rel.split(['/', '\\']) {
-        match part {
-            "" | "." => {}
-            ".." => drop(parts.pop()),
-            name => parts.push((at, name)),
-        }
-        at += part.len() + 1;
-    }
-    parts
-}
-
-fn plain(rel: &str) -> String {
-    parts(rel).into_iter().map(|(_, part)| part).collect::<Vec<_>>().join("/")
-}
-
-/// The name as it has to be written; nothing where the difference is not in the name itself but around it.
-fn as_on_disk(reference: &Reference<'_>) -> Option<String> {
-    spelled(&reference.rel, found(reference)?, begin(reference)?, reference.text)
-}
-
-/// Where the name begins in the whole path. Targets are named without their suffix.
-fn begin(reference: &Reference<'_>) -> Option<usize> {
-    let (rel, text) = (reference.rel.as_str(), reference.text);
-    let stem = rel.strip_suffix(".target");
-    let of_target = |text: &str| stem.and_then(|stem| stem.strip_suffix(text));
-    let above = rel.strip_suffix(text).or_else(|| of_target(text)).or_else(|| of_target(without_suffix(text)));
-    above.map(str::len)
-}
-
-/// Where a folder that is at fault is written, and as what it has to be.
-fn folder_on_disk(reference: &Reference<'_>) -> Option<(String, String)> {
-    let (Place::Pointer(pointer), folder) = reference.folder_at_fault.as_ref()? else { return None };
-    let start = begin(reference)?.checked_sub(folder.len() + 1)?;
-    Some((pointer.clone(), spelled(&reference.rel, found(reference)?, start, folder)?))
-}
-
-/// A part of the path `rel`, `text` from `start` on, as `found` has it; nothing where they differ elsewhere, too.
-fn spelled(rel: &str, found: &str, start: usize, text: &str) -> Option<String> {
-    let parts = parts(rel);
-    let names: Vec<&str> = found.split('/').collect();
-    if parts.len() != names.len() {
-        return None;
-    }
-    let mut right = text.replace('\\', "/");
-    for ((at, part), name) in parts.into_iter().zip(names).filter(|((_, part), name)| part != name) {
-        let at = at.checked_sub(start)?;
-        // What the loader adds to the last part has to be the same.
-        let length = part.len().min(text.len().checked_sub(at)?);
-        let is_written = text.get(at..at + length) == part.get(..length);
-        if !is_written || part.get(length..) != name.get(length..) {
-            return None;
-        }
-        right.replace_range(at..at + length, name.get(..length)?);
-    }
-    Some(right)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_name_is_written_as_the_file_is_called() {
-        let of = |rel: &str, text: &str| spelled(rel, "t/head/a.target", 2, text);
-        assert_eq!(of("t/Head/A.target", "Head/A").as_deref(), Some("head/a"));
-        assert_eq!(of("t/.\\Head\\A.target", ".\\Head\\A").as_deref(), Some("./head/a"));
-        assert_eq!(of("t/x/..//HEAD/a.target", "x/..//HEAD/a").as_deref(), Some("x/..//head/a"));
-        assert_eq!(of("t/head/A.target", "head/A.target.gz").as_deref(), Some("head/a.target.gz"));
-        assert_eq!(of("T/head/A.target", "head/A"), None, "the folder above is at fault as well");
-        assert_eq!(of("t/head/a.TARGET", "head/a"), None, "what the loader adds is at fault");
     }
 }

@@ -21,3 +21,4 @@ pub(super) mod unreferenced;
 mod icons;
 mod loader;
 mod named;
+mod spelling;

@@ -1,0 +1,116 @@
+//! Names that differ in capitals from the file they mean: which file, what differs, and how they have to be written.
+
+use crate::diag::Place;
+use crate::formats::macro_json::without_suffix;
+use crate::repo::{Reference, Resolution};
+
+/// The file that a name leads to where capitals make no difference.
+pub(super) fn found<'a>(reference: &Reference<'a>) -> Option<&'a str> {
+    match reference.resolution {
+        Resolution::CaseOnly(file) => Some(&file.rel),
+        // The backslash is a fault of its own.
+        Resolution::Backslash(Some(file)) if plain(&reference.rel) != file.rel => Some(&file.rel),
+        _ => None,
+    }
+}
+
+/// Folders and name of a path with the places where they begin, without those that lead nowhere.
+fn parts(rel: &str) -> Vec<(usize, &str)> {
+    let mut parts = Vec::new();
+    let mut at = 0;
+    for part in rel.split(['/', '\\']) {
+        match part {
+            "" | "." => {}
+            ".." => drop(parts.pop()),
+            name => parts.push((at, name)),
+        }
+        at += part.len() + 1;
+    }
+    parts
+}
+
+/// The path without what leads nowhere, with `/`.
+pub(super) fn plain(rel: &str) -> String {
+    parts(rel).into_iter().map(|(_, part)| part).collect::<Vec<_>>().join("/")
+}
+
+/// The name as it has to be written; nothing where the difference is not in the name itself but around it.
+pub(super) fn as_on_disk(reference: &Reference<'_>) -> Option<String> {
+    spelled(&reference.rel, found(reference)?, begin(reference)?, reference.text)
+}
+
+/// Where the name begins in the whole path. Targets are named without their suffix.
+fn begin(reference: &Reference<'_>) -> Option<usize> {
+    let (rel, text) = (reference.rel.as_str(), reference.text);
+    let stem = rel.strip_suffix(".target");
+    let of_target = |text: &str| stem.and_then(|stem| stem.strip_suffix(text));
+    let above = rel.strip_suffix(text).or_else(|| of_target(text)).or_else(|| of_target(without_suffix(text)));
+    above.map(str::len)
+}
+
+/// Where a folder that is at fault is written, and as what it has to be.
+pub(super) fn folder_on_disk(reference: &Reference<'_>) -> Option<(String, String)> {
+    let (Place::Pointer(pointer), folder) = reference.folder_at_fault.as_ref()? else { return None };
+    let start = begin(reference)?.checked_sub(folder.len() + 1)?;
+    Some((pointer.clone(), spelled(&reference.rel, found(reference)?, start, folder)?))
+}
+
+/// A part of the path `rel`, `text` from `start` on, as `found` has it; nothing where they differ elsewhere, too.
+fn spelled(rel: &str, found: &str, start: usize, text: &str) -> Option<String> {
+    let parts = parts(rel);
+    let names: Vec<&str> = found.split('/').collect();
+    if parts.len() != names.len() {
+        return None;
+    }
+    let mut right = text.replace('\\', "/");
+    for ((at, part), name) in parts.into_iter().zip(names).filter(|((_, part), name)| part != name) {
+        let at = at.checked_sub(start)?;
+        // What the loader adds to the last part has to be the same.
+        let length = part.len().min(text.len().checked_sub(at)?);
+        let is_written = text.get(at..at + length) == part.get(..length);
+        if !is_written || part.get(length..) != name.get(length..) {
+            return None;
+        }
+        right.replace_range(at..at + length, name.get(..length)?);
+    }
+    Some(right)
+}
+
+/// The shortest beginnings of both paths that hold the whole difference: a folder, where one differs.
+pub(super) fn differing(written: &str, real: &str) -> (String, String) {
+    let (mut a, mut b) = (Vec::new(), Vec::new());
+    let mut differ = 0;
+    for (index, (left, right)) in written.split('/').zip(real.split('/')).enumerate() {
+        a.push(left);
+        b.push(right);
+        if left != right {
+            differ = index + 1;
+        }
+    }
+    a.truncate(differ);
+    b.truncate(differ);
+    (a.join("/"), b.join("/"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_folder_is_named_without_what_is_in_it() {
+        let both = |a: &str, b: &str| (a.to_owned(), b.to_owned());
+        assert_eq!(differing("t/Head/a.target", "t/head/a.target"), both("t/Head", "t/head"));
+        assert_eq!(differing("t/Head/A.target", "t/head/a.target"), both("t/Head/A.target", "t/head/a.target"));
+    }
+
+    #[test]
+    fn a_name_is_written_as_the_file_is_called() {
+        let of = |rel: &str, text: &str| spelled(rel, "t/head/a.target", 2, text);
+        assert_eq!(of("t/Head/A.target", "Head/A").as_deref(), Some("head/a"));
+        assert_eq!(of("t/.\\Head\\A.target", ".\\Head\\A").as_deref(), Some("./head/a"));
+        assert_eq!(of("t/x/..//HEAD/a.target", "x/..//HEAD/a").as_deref(), Some("x/..//head/a"));
+        assert_eq!(of("t/head/A.target", "head/A.target.gz").as_deref(), Some("head/a.target.gz"));
+        assert_eq!(of("T/head/A.target", "head/A"), None, "the folder above is at fault as well");
+        assert_eq!(of("t/head/a.TARGET", "head/a"), None, "what the loader adds is at fault");
+    }
+}
