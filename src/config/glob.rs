@@ -4,6 +4,8 @@ use std::ops::Range;
 
 use globset::{Glob, GlobBuilder, GlobMatcher};
 
+use crate::source::is_below;
+
 /// A rule or a glob of rules, as written.
 #[derive(Debug, Clone)]
 pub struct Selector {
@@ -63,8 +65,10 @@ impl PathGlob {
 
     /// Whether it fits a path. Without a wildcard it names a file, or a folder with everything in it.
     pub fn fits(&self, path: &str) -> bool {
-        let fits = self.glob.as_ref().map_or(self.text == path, |glob| glob.is_match(path));
-        fits || (!self.is_wild() && crate::source::is_below(path, &self.text))
+        match &self.glob {
+            None => self.text == path || is_below(path, &self.text),
+            Some(glob) => glob.is_match(path) || (!self.is_wild() && is_below(path, &self.text)),
+        }
     }
 
     /// The folders in front of the first wildcard: everything that fits lies there.

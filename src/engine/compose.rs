@@ -309,14 +309,16 @@ pub(super) fn skeleton_of(skeleton: &Skeleton, vertices: usize) -> Option<SceneS
     let places: BTreeMap<usize, usize> = order.iter().enumerate().map(|(place, old)| (*old, place)).collect();
     let joints = first_places(out.joint_names.iter().map(String::as_str));
     let joint = |name: &str| joints.get(name).copied();
-    let planes = first_places(skeleton.planes.iter().map(|plane| plane.name.as_str()));
+    let by_plane = first_places(skeleton.planes.iter().map(|plane| plane.name.as_str()));
     let mut bones = Vec::new();
     for old in &order {
         let bone = skeleton.bones.get(*old)?;
         let plane = match &bone.rotation_plane {
             RotationPlane::Absent => None,
             RotationPlane::Malformed => return None,
-            RotationPlane::Named(name) => Some(plane_joints(skeleton.planes.get(*planes.get(name.as_str())?)?, joint)?),
+            RotationPlane::Named(name) => {
+                Some(plane_joints(skeleton.planes.get(*by_plane.get(name.as_str())?)?, joint)?)
+            }
         };
         let parent = parents.get(*old).copied().flatten();
         bones.push(Bone {

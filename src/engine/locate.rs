@@ -11,10 +11,9 @@ use crate::source::{Limits, Lines, Tree};
 
 /// A file that findings point into.
 struct Text<'b> {
-    bytes: &'b [u8],
     lines: Lines<'b>,
-    /// Its JSON, when first asked for; none if it is no JSON.
-    finder: Option<Option<Finder>>,
+    /// Its JSON, if it is one and somebody asks for it.
+    finder: Option<Finder>,
 }
 
 /// Fills the locations of findings and their related places. `trees` are asked for each path in turn.
@@ -31,7 +30,9 @@ pub(super) fn locate(findings: &mut [Finding], trees: &[&Tree], limits: &Limits)
     by_path.into_par_iter().for_each(|(path, places)| {
         let is_in_text = places.iter().any(|(place, _)| !matches!(place, Place::File | Place::Element(_)));
         let bytes = if is_in_text { read(path, trees, limits) } else { None };
-        let mut text = bytes.as_ref().map(|bytes| Text { bytes, lines: Lines::of(bytes), finder: None });
+        let is_in_json = places.iter().any(|(place, _)| matches!(place, Place::Pointer(_) | Place::Key(_)));
+        let finder = bytes.as_ref().filter(|_| is_in_json).and_then(|bytes| json::parse(bytes).ok()).map(Finder::new);
+        let mut text = bytes.as_ref().map(|bytes| Text { lines: Lines::of(bytes), finder });
         for (place, location) in places {
             *location = symbolic(place);
             if let Some(text) = &mut text
@@ -71,13 +72,9 @@ impl Text<'_> {
         match place {
             Place::Span(span) => Some(span.clone()),
             Place::Line(line) | Place::Row(line, _) => self.lines.span(*line),
-            Place::Pointer(pointer) => self.finder()?.at(pointer).map(|node| node.span.clone()),
-            Place::Key(pointer) => self.finder()?.key_at(pointer),
+            Place::Pointer(pointer) => self.finder.as_mut()?.at(pointer).map(|node| node.span.clone()),
+            Place::Key(pointer) => self.finder.as_mut()?.key_at(pointer),
             Place::File | Place::Element(_) => None,
         }
-    }
-
-    fn finder(&mut self) -> Option<&mut Finder> {
-        self.finder.get_or_insert_with(|| json::parse(self.bytes).ok().map(Finder::new)).as_mut()
     }
 }
