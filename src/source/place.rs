@@ -42,12 +42,6 @@ pub fn resolved(path: &Path) -> PathBuf {
     place
 }
 
-/// A path with forward slashes. A backslash separates on Windows and is part of a name elsewhere.
-pub fn slashed(path: &Path) -> String {
-    let text = path.to_string_lossy();
-    if cfg!(windows) { text.replace('\\', "/") } else { text.into_owned() }
-}
-
 /// Links that are followed one after the other.
 const LONGEST_CHAIN: usize = 40;
 

@@ -6,7 +6,7 @@ use super::error::Error;
 use crate::eval::vector::Point;
 use crate::formats::json_file::{self, JsonFault};
 use crate::formats::obj;
-use crate::json::{Document, SyntaxFault, SyntaxKind};
+use crate::json::{Document, SyntaxFault};
 use crate::source::{Encoding, Limits, Lines, ReadFault, read_file, slashed};
 
 /// The bytes of a file.
