@@ -7,7 +7,9 @@ use std::fs;
 use std::io::Write;
 use std::path::Path;
 
-use scratch::{assert_refused, copy_folder, edit, example, findings, lose_a_step, mhlint, stderr, stdout};
+use scratch::{
+    Case, assert_refused, copy_folder, edit, example, findings, lose_a_step, mhlint, project, stderr, stdout,
+};
 
 const MACROS: &str = "data/target/figure/macro.json";
 const MODELLING: &str = "data/target/figure/modelling.json";
@@ -205,6 +207,43 @@ const ELSEWHERE: [(&str, &str, [&str; 2], [&str; 2]); 6] = [
         ["\"woodland-male\"", "\"woodland-male\", \"x\": 1"],
     ),
 ];
+
+/// Cases of one rule: the first is known, mended, and the second comes in its place.
+#[test]
+fn another_fault_of_a_rule_and_a_worse_one_are_not_known() {
+    let pairs = [
+        ("base-unknown-preset", "bad-measure-size", "bad-measure-age"),
+        ("macro-steps-range", "bad-wide", "bad"),
+        ("macro-folder-missing", "bad-inherited", "bad"),
+        ("macro-folder-missing", "bad-first", "bad-folder-of-another"),
+        ("modelling-duplicate-pattern", "bad-macro", "bad-renamed-macro"),
+        ("macro-steps-length", "bad-surplus", "bad"),
+        ("target-stale-binary", "bad-incomplete", "bad"),
+        ("file-byte-order-mark", "bad-target-comment", "bad-target-row"),
+    ];
+    for (rule, known, new) in pairs {
+        let with = |case: &str| {
+            let repository = example();
+            Case::read(&project("fixtures/rules").join(rule).join(case)).apply(repository.path());
+            repository
+        };
+        let (before, after) = (with(known), with(new));
+        assert!(write(before.path(), &[]).iter().any(|line| line.contains(rule)), "{rule}/{known}");
+        fs::copy(before.path().join("known.json"), after.path().join("known.json")).unwrap();
+        let found = run(after.path(), &[]);
+        assert!(found.iter().any(|line| line.contains(&format!("[{rule}]"))), "{rule}/{new}: {found:?}");
+    }
+}
+
+#[test]
+fn the_level_of_the_settings_does_not_make_it_worse() {
+    let repository = example();
+    let root = repository.path();
+    edit(root, WEIGHTS, "[158, 1.0]", "[158, 0.5]");
+    let lines = write(root, &[]);
+    assert!(lines.iter().any(|line| line.contains("weights-not-normalized") && line.contains("\"level\":\"info\"")));
+    assert_eq!(run(root, &["--level", "weights-not-normalized=error"]), Vec::<String>::new());
+}
 
 #[test]
 fn a_fault_elsewhere_in_the_file_does_not_cancel_out() {

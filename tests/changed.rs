@@ -452,3 +452,89 @@ fn a_backslash_in_the_name_of_a_folder_is_no_separator() {
     let skipped = mhlint(root, &[&["k\\b/data"], &report[..]].concat());
     assert_shown(&skipped, 0, &[], &["target-non-finite"]);
 }
+
+/// Of a submodule or a link git lists the folder alone.
+#[test]
+fn a_folder_that_changed_as_a_whole_counts_with_all_that_is_in_it() {
+    let repository = repository();
+    let root = repository.path();
+    for listed in ["data", ".", "data/", "data/target", "data/target/figure"] {
+        fs::write(root.join("list"), listed).unwrap();
+        let output = check(root, &["--changed-files", "list"]);
+        assert_shown(&output, 1, &["[macro-steps-length]"], &[]);
+    }
+    fs::write(root.join("list"), "data/target/figure/head").unwrap();
+    assert_shown(&check(root, &["--changed-files", "list"]), 0, &[], &["[macro-steps-length]"]);
+}
+
+#[test]
+fn a_submodule_counts_with_all_that_is_in_it() {
+    let above = tempfile::tempdir().unwrap();
+    let module = example();
+    commit_all(&module.path().join("data"));
+    let root = above.path();
+    git(root, &["init", "-q", "-b", "main"]);
+    let url = module.path().join("data");
+    git(root, &["-c", "protocol.file.allow=always", "submodule", "--quiet", "add", url.to_str().unwrap(), "data"]);
+    git(root, &["commit", "-q", "-m", "before the change"]);
+    lose_a_step(root);
+    git(&root.join("data"), &["commit", "-qam", "a step less"]);
+    git(root, &["add", "data"]);
+    assert_shown(&check(root, &["--staged"]), 1, &["[macro-steps-length]"], &[]);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_link_that_leads_elsewhere_counts_with_all_that_is_there() {
+    let repository = example();
+    let root = repository.path();
+    let lead = |to: &str| {
+        let link = root.join("data");
+        if link.is_symlink() {
+            fs::remove_file(&link).unwrap();
+        }
+        std::os::unix::fs::symlink(to, link).unwrap();
+    };
+    fs::rename(root.join("data"), root.join("v2")).unwrap();
+    scratch::copy_folder(&root.join("v2"), &root.join("v1"));
+    lead("v2");
+    lose_a_step(root);
+    lead("v1");
+    commit_all(root);
+    lead("v2");
+    let output = mhlint(root, &["check", "data", "--no-eval", "--report", "concise", "--since", "HEAD"]);
+    assert_shown(&output, 1, &["[macro-steps-length]"], &[]);
+}
+
+#[test]
+fn settings_in_a_folder_that_changed_as_a_whole_count() {
+    let repository = repository();
+    let root = repository.path();
+    fs::create_dir(root.join("shared")).unwrap();
+    fs::write(root.join("shared/mhlint.toml"), "").unwrap();
+    fs::write(root.join("list"), "shared").unwrap();
+    let output = check(root, &["--config", "shared/mhlint.toml", "--changed-files", "list"]);
+    assert_shown(&output, 1, &["[macro-steps-length]"], &[]);
+    assert!(stderr(&output).contains("the change touches the configuration"), "{}", stderr(&output));
+}
+
+#[test]
+fn what_decides_which_data_lie_over_which_affects_all() {
+    let repository = example();
+    let root = repository.path();
+    commit_all(root);
+    let all = || mhlint(root, &["check", ".", "--no-eval", "--report", "concise"]);
+    git(root, &["rm", "-rq", "user/contarget"]);
+    assert_eq!(stdout(&check(root, &["--staged"])), stdout(&all()));
+}
+
+#[test]
+fn a_list_in_utf_16_is_refused() {
+    let repository = repository();
+    let root = repository.path();
+    let wide = |text: &str| text.encode_utf16().flat_map(u16::to_le_bytes).collect::<Vec<u8>>();
+    fs::write(root.join("list"), [&[0xff, 0xfe][..], &wide("data/target/figure/macro.json\n")].concat()).unwrap();
+    assert_refused(&check(root, &["--changed-files", "list"]), &["is UTF-16; write it as UTF-8"]);
+    fs::write(root.join("list"), "\u{feff}data/target/figure/macro.json\n").unwrap();
+    assert_shown(&check(root, &["--changed-files", "list"]), 1, &["[macro-steps-length]"], &[]);
+}

@@ -7,7 +7,7 @@ use std::path::{Component, Path, PathBuf};
 use super::exit::Failure;
 use super::git::{Refusal, Repository};
 use crate::config::{Config, FILE_NAME};
-use crate::source::{canonical, folder_of, holds, resolved};
+use crate::source::{canonical, folder_of, holds, link_targets, resolved};
 
 /// Paths from a list: a line each, or separated by NUL as `git diff -z` writes them; `-` is standard input.
 /// Lines that git has put in quotes, as it does where a name is not ASCII, are read as git means them.
@@ -24,8 +24,16 @@ pub(super) fn listed(file: &Path) -> Result<Vec<PathBuf>, Failure> {
             "--changed-files: cannot read `{shown}`: {error}; give a file with a path a line, or `-`"
         ))
     })?;
-    Ok(split(&bytes).map(PathBuf::from).collect())
+    if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
+        let shown = file.display();
+        return Err(Failure::Usage(format!(
+            "--changed-files: `{shown}` is UTF-16; write it as UTF-8, in PowerShell with `Out-File -Encoding utf8`"
+        )));
+    }
+    Ok(split(bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(&bytes)).map(PathBuf::from).collect())
 }
+
+const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 
 fn split(bytes: &[u8]) -> impl Iterator<Item = String> {
     let separator = if bytes.contains(&0) { 0 } else { b'\n' };
@@ -144,7 +152,7 @@ pub(super) fn since(revision: &str, first: &Path) -> Result<Vec<PathBuf>, Failur
 /// configuration is looked for from a PATH upwards, one that is or was on this way.
 pub(super) fn setting_among(files: &[PathBuf], config: &Config, from: Option<&Path>) -> Option<String> {
     let in_use = |setting: &Path| {
-        let places = [in_its_folder(setting), resolved(setting)];
+        let places = places_of(setting);
         files.iter().any(|file| places.contains(&in_its_folder(file)))
     };
     let file = config.file.as_ref().map(|file| Path::new(&file.path)).filter(|file| in_use(file));
@@ -159,6 +167,20 @@ pub(super) fn setting_among(files: &[PathBuf], config: &Config, from: Option<&Pa
         file.file_name().is_some_and(|name| name == FILE_NAME) && from.starts_with(resolved(folder_of(file)))
     };
     files.iter().find(on_the_way).map(|file| format!("the configuration `{}`", file.display()))
+}
+
+/// Where a file is, link by link, with the folders on the way: a submodule or a link is listed by its own name alone.
+fn places_of(file: &Path) -> BTreeSet<PathBuf> {
+    let mut places = BTreeSet::new();
+    let mut open = vec![std::path::absolute(file).unwrap_or_else(|_| file.to_owned())];
+    while let Some(path) = open.pop() {
+        for step in path.ancestors() {
+            if places.insert(in_its_folder(step)) {
+                open.extend(link_targets(step));
+            }
+        }
+    }
+    places
 }
 
 /// The absolute path of a file that may be a link itself.

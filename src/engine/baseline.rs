@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::outcome::Error;
 use super::parts::{Names, packed};
+use crate::diag::Level;
 use crate::source::{Folder, Limits, ReadFault, read_file};
 
 const FORMAT: &str = "mhlint-baseline/1";
@@ -30,9 +31,16 @@ pub struct Entry {
     pub key: String,
     /// What it is recognised by.
     pub fingerprint: String,
+    /// How bad it was by its consequence, whatever the settings made of it. What has become worse is not known.
+    #[serde(default = "worst")]
+    pub level: Level,
     /// Everything it spoke for, by name, numbers in a row as `first-last`; empty where that is one thing.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub parts: Vec<String>,
+}
+
+fn worst() -> Level {
+    Level::Error
 }
 
 /// A finding as the baseline compares it.
@@ -116,11 +124,12 @@ impl Baseline {
                 let (path, rel) = (found.entry.path.as_str(), found.rel.as_str());
                 let numbers = alike.get(found.entry.fingerprint.as_str()).into_iter().flatten();
                 let fits = |entry: &Entry| {
-                    if exact {
+                    let is_of_it = if exact {
                         entry.path == path
                     } else {
                         !roots.contains(root_of(&entry.path, rel)) && !is_there(entry)
-                    }
+                    };
+                    is_of_it && entry.level >= found.entry.level
                 };
                 let entries = numbers.filter_map(|number| Some((*number, self.entries.get(*number)?)));
                 let entries: Vec<(usize, &Entry)> = entries.filter(|(_, entry)| fits(entry)).collect();
@@ -175,7 +184,8 @@ mod tests {
 
     fn entry(path: &str, parts: &[&str]) -> Entry {
         let parts = parts.iter().map(|part| (*part).to_owned()).collect();
-        Entry { path: path.to_owned(), rule: "r".to_owned(), key: String::new(), fingerprint: "f".to_owned(), parts }
+        let [rule, key, fingerprint] = ["r", "", "f"].map(str::to_owned);
+        Entry { path: path.to_owned(), rule, key, fingerprint, level: Level::Warning, parts }
     }
 
     fn known(baseline: &[Entry], found: &[Entry], roots: &[&str]) -> (Vec<bool>, usize) {
@@ -228,6 +238,14 @@ mod tests {
         let read: Vec<Entry> = serde_json::from_value(file["entries"].clone()).unwrap_or_default();
         assert_eq!(known(&read, &[entry("a", &["2000", "100"])], &[""]), (vec![true], 0));
         assert_eq!(known(&read, &[entry("a", &["2000", "99"])], &[""]).0, [false]);
+    }
+
+    #[test]
+    fn what_has_become_worse_is_not_hidden() {
+        let old = entry("a.target", &[]);
+        let as_bad_as = |level| known(from_ref(&old), &[Entry { level, ..old.clone() }], &[""]);
+        assert_eq!([Level::Info, Level::Warning].map(as_bad_as), [(vec![true], 0), (vec![true], 0)]);
+        assert_eq!(as_bad_as(Level::Error), (vec![false], 1));
     }
 
     #[test]

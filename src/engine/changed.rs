@@ -45,6 +45,27 @@ impl Change {
         })
     }
 
+    /// Whether a layer as a whole is another: a submodule or link that it is or lies in was changed.
+    fn replaces(&self, layer: &Layer) -> bool {
+        let path = Path::new(&layer.path);
+        [absolute(path), in_its_folder(path)].iter().any(|place| {
+            Path::new(place).ancestors().any(|above| above.to_str().is_some_and(|above| self.paths.contains(above)))
+        })
+    }
+
+    /// A changed path that can decide which data lie over which: a mesh or `base.json` that is not of these data alone,
+    /// an override that is gone.
+    fn restacking(&self, repository: &Repository<'_>) -> Option<&str> {
+        let roots: Vec<String> =
+            layers(repository).map(|layer| format!("{}/", absolute(Path::new(&layer.path)))).collect();
+        let is_alone = |path: &str| matches!(roots.as_slice(), [root] if path.starts_with(root.as_str()));
+        let decides = |path: &&String| match path.rsplit('/').take(3).collect::<Vec<_>>().as_slice() {
+            ["base.json" | "base.obj", _, "base"] => !is_alone(path),
+            _ => path.contains("/contarget/") && !Path::new(path.as_str()).exists(),
+        };
+        self.paths.iter().find(decides).map(String::as_str)
+    }
+
     /// The changed paths below a layer, relative to it.
     fn below<'s>(&'s self, layer: &Layer) -> impl Iterator<Item = &'s str> + use<'s> {
         let root = format!("{}/", absolute(Path::new(&layer.path)).trim_end_matches('/'));
@@ -81,6 +102,8 @@ pub(super) fn narrow(outcome: &mut Outcome, change: &Change) {
 
 /// What a change reaches in one repository.
 struct Reach<'a> {
+    /// Why everything can be a matter of the change.
+    whole: Option<String>,
     /// Changed files, by their path as reports print it, and links to them.
     changed: BTreeSet<String>,
     /// The same in lower case.
@@ -107,6 +130,7 @@ struct Changed {
 impl<'a> Reach<'a> {
     fn new(repository: &'a Repository<'a>, change: &Change) -> Self {
         let mut reach = Self {
+            whole: whole(repository, change),
             changed: BTreeSet::new(),
             folded: BTreeSet::new(),
             of_base: BTreeMap::new(),
@@ -121,11 +145,17 @@ impl<'a> Reach<'a> {
             let folders = layer.folders.iter().map(|folder| layer.display(folder));
             let entries = layer.files.values().map(|file| file.path.clone()).chain(folders).chain(faults);
             reach.changed.extend(entries.filter(|path| change.reaches(Path::new(path))));
+            // Of a submodule or a link to a folder only the folder is listed.
+            let files = layer.files.values().map(|file| &file.path);
+            let inside: Vec<String> = files.filter(|path| reach.holding(path).is_some()).cloned().collect();
+            reach.changed.extend(inside);
         }
         for path in &reach.changed {
             let rel = reach.rel(repository, path);
-            if let [folder, base, ..] = rel.split('/').collect::<Vec<_>>().as_slice() {
-                let decides = decides_over_base(rel);
+            if let [folder, base, rest @ ..] = rel.split('/').collect::<Vec<_>>().as_slice() {
+                // Nobody knows what was in a folder.
+                let is_folder = rest.is_empty() && !reach.rels.contains_key(path.as_str());
+                let decides = decides_over_base(rel) || is_folder;
                 let changed = Changed { path: path.clone(), folder: (*folder).to_owned(), decides };
                 reach.of_base.entry((*base).to_owned()).or_default().push(changed);
             }
@@ -176,6 +206,9 @@ impl<'a> Reach<'a> {
 
     /// Why a finding can be a matter of the change.
     fn reason(&self, repository: &Repository<'_>, finding: &Finding) -> Option<String> {
+        if let Some(whole) = &self.whole {
+            return Some(whole.clone());
+        }
         let path = finding.path.as_str();
         if self.changed.contains(path) {
             return Some("the file changed".to_owned());
@@ -239,6 +272,16 @@ impl<'a> Reach<'a> {
     }
 }
 
+/// Why everything in a repository can be a matter of the change, if so.
+fn whole(repository: &Repository<'_>, change: &Change) -> Option<String> {
+    if let Some(layer) = layers(repository).find(|layer| change.replaces(layer)) {
+        return Some(format!("the folder `{}`, or one that it lies in, changed as a whole", layer.path));
+    }
+    let path = change.restacking(repository)?;
+    let name = path.rsplit('/').next().unwrap_or_default();
+    Some(format!("a `{name}` changed that can decide which data lie over which"))
+}
+
 /// The first of the paths that lies below a folder.
 fn first_below<'s>(paths: &'s BTreeSet<String>, folder: &str) -> Option<&'s str> {
     let prefix = format!("{folder}/");
@@ -273,7 +316,7 @@ fn is_within(inner: &str, outer: &str) -> bool {
 fn decides_over_base(rel: &str) -> bool {
     matches!(
         rel.split('/').collect::<Vec<_>>().as_slice(),
-        ["base", _, "base.json" | "base.obj"]
+        ["base", _, "base.json" | "base.obj" | "base.mhbin"]
             | [
                 "target" | "contarget",
                 _,

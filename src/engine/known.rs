@@ -21,6 +21,8 @@ pub(super) struct Placed {
     pub(super) rel: String,
     /// Fingerprint that a baseline knows it by.
     pub(super) known_as: String,
+    /// How bad it is, whatever the settings make of it.
+    pub(super) consequence: Level,
 }
 
 /// The baseline of a run, read before it begins.
@@ -131,6 +133,7 @@ impl Known {
             rule: finding.rule.to_owned(),
             key: if finding.whole.is_some() { String::new() } else { finding.key.clone() },
             fingerprint: placed_at.known_as.clone(),
+            level: placed_at.consequence,
             parts: finding.parts.clone(),
         };
         Found { entry, rel: placed_at.rel.clone() }

@@ -198,12 +198,13 @@ impl Reporter<'_, '_> {
         let filter = self.filter();
         let mut kept = Vec::new();
         for mut finding in findings.into_iter().filter(|finding| self.is_wanted(finding)) {
+            let consequence = finding.level;
             match filter.of(&mut finding, muting) {
                 Heard::At(level) => {
                     let spared = self.spared(&filter.spared(&finding, muting), &finding);
                     finding.fix.iter_mut().for_each(|fix| fix.spared.clone_from(&spared));
                     finding.level = level;
-                    kept.push(finding);
+                    kept.push((finding, consequence));
                 }
                 Heard::Hidden => outcome.summary.suppressed += 1,
                 Heard::Off | Heard::Excluded => {}
@@ -242,24 +243,24 @@ impl Reporter<'_, '_> {
     }
 
     /// Fingerprints. Keys tell findings of one rule on one asset apart; the ordinal is for those that do not.
-    fn identify(&self, findings: Vec<Finding>) -> Vec<Placed> {
+    fn identify(&self, findings: Vec<(Finding, Level)>) -> Vec<Placed> {
         let mut ordinals: BTreeMap<(&str, String, String), u32> = BTreeMap::new();
         // What names the fault may be part of the system data, such as the mesh.
         let below = |asset: &str| {
             let system = || self.repository.system?.relative(asset);
             own_path(self.repository, asset).or_else(system).unwrap_or_default().to_owned()
         };
-        let identified = findings.into_iter().map(|mut finding| {
+        let identified = findings.into_iter().map(|(mut finding, consequence)| {
             let asset = finding.asset.clone().unwrap_or_else(|| finding.path.clone());
             let rel = below(&asset);
             let ordinal = ordinals.entry((finding.rule, rel.clone(), finding.key.clone())).or_default();
             finding.fingerprint = fingerprint(finding.rule, &rel, &finding.key, *ordinal);
             *ordinal += 1;
             let Some(whole) = finding.whole.clone() else {
-                return Placed { known_as: finding.fingerprint.clone(), finding, asset, rel };
+                return Placed { known_as: finding.fingerprint.clone(), finding, asset, rel, consequence };
             };
             let rel = below(&whole);
-            Placed { known_as: fingerprint(finding.rule, &rel, "", 0), finding, asset: whole, rel }
+            Placed { known_as: fingerprint(finding.rule, &rel, "", 0), finding, asset: whole, rel, consequence }
         });
         identified.collect()
     }

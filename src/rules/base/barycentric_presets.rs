@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::has_sliders;
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, Sight};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::{Base, Pattern, Repository};
 
 /// Rounding of decimals like 0.33 + 0.33 + 0.34 in double precision is far below this.
@@ -10,7 +10,6 @@ const TOLERANCE: f64 = 1e-6;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        sight: Some(Sight::Base),
         breaks: &[(Application::Makehuman2, "starts with a mixture that no position of the triangle slider gives")],
         docs: "The three values of a triangle slider are shares of a whole and sum to 1.\n\nMakeHuman 2 does not make presets sum \
             to 1: with 0.33 three times a hundredth of the shape is missing, and the next reset, which gives 0.33, 0.33 and \

@@ -1,7 +1,7 @@
 //! The ranges of `geometry.json` must be those of the mesh.
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo, Sight, nearest};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo, nearest};
 use crate::formats::geometry::Range;
 use crate::formats::obj::{Group, Mesh};
 use crate::repo::{Base, Content, FileFacts, Repository};
@@ -13,7 +13,6 @@ const PREFIX: &str = "joint-";
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        sight: Some(Sight::Base),
         breaks: &[(Application::Makehuman2, "aligns the wrong vertices, or none, with its scripts for joint cubes")],
         docs: "`geometry.json` repeats which vertices of the OBJ belong to a part (`geometry-ranges`) and to a joint cube (`joint-ranges`, \
             the group's name without `joint-`).\n\nMakeHuman 2 itself never reads it, but the scripts that align joint cubes move exactly \

@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use super::has_sliders;
 use super::names::{Names, Unknown};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo, Sight};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::formats::base_json::{BaseJson, Random};
 use crate::repo::{Base, FileFacts, Repository};
 
@@ -12,7 +12,6 @@ const NO_MEASURE: &str = "none";
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        sight: Some(Sight::Base),
         breaks: &[(Application::Makehuman2, "ignores the name; what it was for has no effect")],
         docs: "`modifier-presets` and `measure` name sliders by their pattern, `random.gender`, `random.ideal` and `random.rules` by their key, \
             `random.groups` and `head-pattern` name groups of sliders.\n\nA name that does not exist is ignored, mostly without a message; a rule of \
@@ -50,8 +49,12 @@ fn finding(file: &FileFacts, at: &[&str], message: String, name: &str) -> Findin
         let Place::Pointer(step) = Place::pointer([part]) else { return place };
         place + &step
     });
-    let purpose = at.first().copied().unwrap_or_default();
-    RULE.at(file, Place::Pointer(place), message).key(format!("{purpose} {name}"))
+    // Places in a list change with every entry before them.
+    let mut key: Vec<&str> = at.iter().copied().filter(|part| part.parse::<usize>().is_err()).collect();
+    if key.last() != Some(&name) {
+        key.push(name);
+    }
+    RULE.at(file, Place::Pointer(place), message).key(key.join(" "))
 }
 
 fn unknown_name(file: &FileFacts, at: &[&str], unknown: Unknown) -> Finding {

@@ -1,13 +1,12 @@
 //! `random.rules` is handed to Python: nothing but harmless arithmetic may be in it.
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo, Sight};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::formats::expression::FaultKind;
 use crate::repo::{Base, Repository};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        sight: Some(Sight::Base),
         unmutable: true,
         breaks: &[(
             Application::Makehuman2,

@@ -1,12 +1,11 @@
 //! `numverts` must be the vertex count of the base mesh.
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo, Sight};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::repo::{Base, Repository};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        sight: Some(Sight::Base),
         breaks: &[(
             Application::Makehuman2,
             "builds binary assets whose delete masks have the wrong length: wearing them with others ends in a ValueError",

@@ -69,7 +69,8 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
                 .breaks(Application::Makehuman2, "stops at start"),
         };
         let help = finding.help.clone().unwrap_or_else(|| "write the name of the folder".to_owned());
-        out.push(finding.help(help).key(macrodef.components.join("-")));
+        let folder = macrodef.folder.as_deref().unwrap_or("none");
+        out.push(finding.help(help).key(format!("{} {folder}", macrodef.components.join("-"))));
     }
 }
 

@@ -5,13 +5,12 @@ use super::absence::Absence;
 use super::absence_text::{Kind, message};
 use super::links::unreferenced;
 use super::survey::{Survey, survey};
-use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo, Sight};
+use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::macro_json::Macrodef;
 use crate::repo::{Base, FileFacts, Repository};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        sight: Some(Sight::Base),
         breaks: &[(
             Application::Makehuman2,
             "applies nothing for a combination that is not listed: at that corner of the sliders the shape snaps back",

@@ -33,10 +33,15 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
             continue;
         }
         let Some((fault, effect)) = fault(steps) else { continue };
+        // To mend one end and break the other is another fault.
+        let end = fault.split_whitespace().next().unwrap_or_default();
         let slider = component.pattern.as_deref().map(|pattern| format!(" (slider `{pattern}`)")).unwrap_or_default();
         let message = format!("`steps` of `{}`{slider} {fault}", component.name);
         let place = Place::pointer(["components", &component.name, "steps"]);
-        let finding = RULE.at(file, place, message).key(&component.name).help("let the first step be 0 and the last 1");
+        let finding = RULE
+            .at(file, place, message)
+            .key(format!("{} {end}", component.name))
+            .help("let the first step be 0 and the last 1");
         out.push(weigh(finding.breaks(Application::Makehuman2, effect), macros, component));
     }
 }

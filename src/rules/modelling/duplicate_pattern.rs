@@ -41,6 +41,7 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
         let mut finding = RULE
             .at(last.file, Place::key([winner]), message)
             .key(pattern)
+            .parts(sliders.iter().map(|slider| &slider.slider.key))
             .help("remove one of the entries, or give it targets of its own");
         for other in hidden.iter().filter(|other| !std::ptr::eq(**other, *last)) {
             let place = Place::key([&other.slider.key]);

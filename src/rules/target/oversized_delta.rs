@@ -61,6 +61,7 @@ fn finding(file: &FileFacts, facts: &TargetFacts, largest: &Largest, message: St
         .map_or(Place::Line(largest.line), |index| Place::Row(largest.line, Element { kind: "vertex", index }));
     let evidence = Evidence { count: 1, ..Evidence::default() };
     RULE.at(file, place, message)
+        .parts([largest.index])
         .help("look for a missing decimal point or another unit; lengths are decimetres")
         .evidence(
             evidence.out_of(facts.rows).with_worst(f64::from(largest.length), format!("vertex {}", largest.index)),
