@@ -124,12 +124,11 @@ impl Baseline {
                 let (path, rel) = (found.entry.path.as_str(), found.rel.as_str());
                 let numbers = alike.get(found.entry.fingerprint.as_str()).into_iter().flatten();
                 let fits = |entry: &Entry| {
-                    let is_of_it = if exact {
+                    if exact {
                         entry.path == path
                     } else {
                         !roots.contains(root_of(&entry.path, rel)) && !is_there(entry)
-                    };
-                    is_of_it && entry.level >= found.entry.level
+                    }
                 };
                 let entries = numbers.filter_map(|number| Some((*number, self.entries.get(*number)?)));
                 let entries: Vec<(usize, &Entry)> = entries.filter(|(_, entry)| fits(entry)).collect();
@@ -146,12 +145,14 @@ fn is_conflict(bytes: &[u8]) -> bool {
     bytes.split(|byte| *byte == b'\n').any(|line| line.starts_with(b"<<<<<<< "))
 }
 
-/// Whether everything that a finding speaks for was there before. `met` are the entries that were found again, and at
+/// Whether everything that a finding speaks for was there before, and as bad. `met` are the entries that were found again, and at
 /// which path: an entry without parts hides one finding, one with parts those of one asset.
 fn speak_for<'f>(entries: &[(usize, &Entry)], found: &'f Entry, met: &mut [Option<&'f str>]) -> bool {
-    if let Some((number, _)) = entries.iter().find(|(number, entry)| entry.parts.is_empty() && met[*number].is_none()) {
+    let is_as_bad = |entry: &Entry| entry.level >= found.level;
+    let unmet = || entries.iter().filter(|(number, entry)| entry.parts.is_empty() && met[*number].is_none());
+    if let Some((number, entry)) = unmet().find(|(_, entry)| is_as_bad(entry)).or_else(|| unmet().next()) {
         met[*number] = Some(&found.path);
-        return true;
+        return is_as_bad(entry);
     }
     let mut told: Vec<&Entry> = Vec::new();
     for (number, entry) in entries.iter().filter(|(_, entry)| !entry.parts.is_empty()) {
@@ -159,7 +160,7 @@ fn speak_for<'f>(entries: &[(usize, &Entry)], found: &'f Entry, met: &mut [Optio
         let is_here = met[*number].is_none_or(|path| path == found.path);
         if is_here && (entries.len() == 1 || found.parts.iter().any(|part| names.hold(part))) {
             met[*number] = Some(&found.path);
-            told.push(entry);
+            told.extend(is_as_bad(entry).then_some(entry));
         }
     }
     let names = Names::of(told.iter().flat_map(|entry| &entry.parts));
@@ -245,7 +246,7 @@ mod tests {
         let old = entry("a.target", &[]);
         let as_bad_as = |level| known(from_ref(&old), &[Entry { level, ..old.clone() }], &[""]);
         assert_eq!([Level::Info, Level::Warning].map(as_bad_as), [(vec![true], 0), (vec![true], 0)]);
-        assert_eq!(as_bad_as(Level::Error), (vec![false], 1));
+        assert_eq!(as_bad_as(Level::Error), (vec![false], 0), "and the entry is not stale");
     }
 
     #[test]

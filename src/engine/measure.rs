@@ -65,11 +65,11 @@ fn measure_base(
         let base = Base::resolve(name, system, user);
         // Repositories over the same system data share its rows; the last one takes them.
         let own = if Some(number) == last { &mut rows } else { &mut rows.clone() };
-        let measured = || {
+        let evaluate = || {
             let Composed { scene, rigs } = compose(&base, own)?;
             Some(gauge(&scene, &rigs, options))
         };
-        if let Some(Some(measured)) = caught(&format!("evaluation of `{name}`"), failed, measured) {
+        if let Some(Some(measured)) = caught(&format!("evaluation of `{name}`"), failed, evaluate) {
             found.insert(name.to_owned(), measured);
         }
     }

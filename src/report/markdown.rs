@@ -62,12 +62,15 @@ fn fitting(blocks: &[String], room: usize) -> usize {
 fn head(outcome: &Outcome, view: &View<'_>) -> String {
     let summary = &outcome.summary;
     let hidden = verdict::hidden(outcome);
-    let title: String = hidden.clone().map(|(_, what)| format!(" {what} |")).collect();
-    let rule: String = hidden.clone().map(|_| "---:|").collect();
-    let hidden: String = hidden.map(|(number, _)| format!(" {number} |")).collect();
+    let [mut title, mut rule, mut numbers] = [String::new(), String::new(), String::new()];
+    for (number, what) in hidden {
+        title = format!("{title} {what} |");
+        rule += "---:|";
+        numbers = format!("{numbers} {number} |");
+    }
     let table = format!(
         "## mhlint: {}\n\n{}\n\n| errors | warnings | infos |{title} files |\n|---:|---:|---:|{rule}---:|\n\
-        | {} | {} | {} |{hidden} {} |\n",
+        | {} | {} | {} |{numbers} {} |\n",
         if view.pass { "passed" } else { "failed" },
         inline(&verdict::words(outcome, view)),
         summary.error,
