@@ -538,3 +538,22 @@ fn a_list_in_utf_16_is_refused() {
     fs::write(root.join("list"), "\u{feff}data/target/figure/macro.json\n").unwrap();
     assert_shown(&check(root, &["--changed-files", "list"]), 1, &["[macro-steps-length]"], &[]);
 }
+
+#[test]
+fn a_loose_target_that_is_gone_is_missed_by_its_partner() {
+    let repository = example();
+    let root = repository.path();
+    fs::create_dir_all(root.join("pack/feet")).unwrap();
+    for side in ["l", "r"] {
+        fs::write(root.join(format!("pack/feet/{side}-foot-big-incr.target")), "337 .1 0 0\n").unwrap();
+        fs::write(root.join(format!("pack/feet/{side}-foot-big-decr.target")), "337 -.1 0 0\n").unwrap();
+    }
+    commit_all(root);
+    git(root, &["rm", "-q", "pack/feet/r-foot-big-incr.target"]);
+    let judge = |more: &[&str]| {
+        let args = ["check", "pack", "--system", "data", "--no-eval", "--report", "concise"];
+        mhlint(root, &[&args, more].concat())
+    };
+    assert_shown(&judge(&[]), 0, &["[target-missing-side]", "[target-missing-opposite]"], &[]);
+    assert_shown(&judge(&["--staged"]), 0, &["[target-missing-side]", "[target-missing-opposite]"], &[]);
+}

@@ -5,6 +5,7 @@
 //! should be left out and is shown is a nuisance, the other way round it is a fault that nobody sees: in doubt it
 //! is shown.
 
+use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
@@ -155,7 +156,7 @@ impl<'a> Reach<'a> {
             if let [folder, base, rest @ ..] = rel.split('/').collect::<Vec<_>>().as_slice() {
                 // Nobody knows what was in a folder.
                 let is_folder = rest.is_empty() && !reach.rels.contains_key(path.as_str());
-                let decides = decides_over_base(rel) || is_folder;
+                let decides = decides_over_base(&rel) || is_folder;
                 let changed = Changed { path: path.clone(), folder: (*folder).to_owned(), decides };
                 reach.of_base.entry((*base).to_owned()).or_default().push(changed);
             }
@@ -168,12 +169,25 @@ impl<'a> Reach<'a> {
     }
 
     /// The path below the data root. A loose file has the one where the application would look for it.
-    fn rel<'p>(&self, repository: &Repository<'_>, path: &'p str) -> &'p str
+    fn rel<'p>(&self, repository: &Repository<'_>, path: &'p str) -> Cow<'p, str>
     where
         'a: 'p,
     {
-        let placed = self.rels.get(path).copied();
-        placed.or_else(|| layers(repository).find_map(|layer| layer.relative(path))).unwrap_or(path)
+        if let Some(rel) = self.rels.get(path) {
+            return Cow::Borrowed(rel);
+        }
+        let below = || layers(repository).find_map(|layer| layer.relative(path)).unwrap_or(path);
+        self.beside(path).map_or_else(|| Cow::Borrowed(below()), Cow::Owned)
+    }
+
+    /// Where a file that is gone would lie: where its neighbours do, also if they are loose.
+    fn beside(&self, path: &str) -> Option<String> {
+        let (folder, name) = path.rsplit_once('/')?;
+        let prefix = format!("{folder}/");
+        let (neighbour, rel) = self.rels.range::<str, _>(prefix.as_str()..).next()?;
+        let is_here = neighbour.strip_prefix(prefix.as_str()).is_some_and(|rest| !rest.contains('/'));
+        let (above, _) = rel.rsplit_once('/').filter(|_| is_here)?;
+        Some(format!("{above}/{name}"))
     }
 
     fn follow(&mut self, repository: &Repository<'_>, reference: &'a Reference<'a>) {
@@ -232,7 +246,7 @@ impl<'a> Reach<'a> {
         if let Some(changed) = self.naming.get(path).and_then(|places| named_at(places, finding)) {
             return Some(format!("it names `{changed}`, which changed"));
         }
-        self.of_its_base(self.rel(repository, path), finding)
+        self.of_its_base(&self.rel(repository, path), finding)
     }
 
     /// Why a finding at `rel` can come from another file of its base mesh.
