@@ -7,6 +7,7 @@
 
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Bound;
 use std::path::{Path, PathBuf};
 
 use super::catalogue::is_upkeep;
@@ -184,7 +185,8 @@ impl<'a> Reach<'a> {
     fn beside(&self, path: &str) -> Option<String> {
         let (folder, name) = path.rsplit_once('/')?;
         let prefix = format!("{folder}/");
-        let (neighbour, rel) = self.rels.range::<str, _>(prefix.as_str()..).next()?;
+        let (neighbour, rel) =
+            self.rels.range::<str, _>((Bound::Included(prefix.as_str()), Bound::Unbounded)).next()?;
         let is_here = neighbour.strip_prefix(prefix.as_str()).is_some_and(|rest| !rest.contains('/'));
         let (above, _) = rel.rsplit_once('/').filter(|_| is_here)?;
         Some(format!("{above}/{name}"))

@@ -31,7 +31,7 @@ pub struct WeightsFacts {
     pub malformed_names: FaultyRows,
     /// Weights below 0.
     pub negative: PairTally,
-    /// Weights above 1, by more than [`SUM_TOLERANCE`].
+    /// Weights above 1, by more than 0.0001.
     pub above_one: PairTally,
     /// How many of them are the only weight of their vertex, so that dividing by the sum makes them 1.
     #[serde(skip)]
