@@ -481,6 +481,9 @@ fn a_submodule_counts_with_all_that_is_in_it() {
     git(&root.join("data"), &["commit", "-qam", "a step less"]);
     git(root, &["add", "data"]);
     assert_shown(&check(root, &["--staged"]), 1, &["[macro-steps-length]"], &[]);
+    // Inside of the submodule nothing differs from its HEAD; around it the commit does.
+    let output = mhlint(root, &["check", "data", "--no-eval", "--report", "concise", "--since", "HEAD"]);
+    assert_shown(&output, 1, &["[macro-steps-length]"], &[]);
 }
 
 #[cfg(unix)]

@@ -638,6 +638,8 @@ fn the_verdict_claims_no_more_than_was_reported() {
             "Nothing found in `data/target/figure/head`; what else there is was left out.",
         ),
         (&["--only", "json-*"], "Nothing found by the rules `json-*`; what else there is was left out."),
+        (&["--skip", "json-*"], "Nothing found without the rules `json-*`; what else there is was left out."),
+        (&["--level", "json-*=off"], "Nothing found without the rules `json-*`; what else there is was left out."),
         (
             &["data/rigs", "--base", "figure", "--only", "json-*"],
             "Nothing found in `data/rigs` on the base mesh `figure` by the rules `json-*`; what else there is was left out.",

@@ -129,23 +129,33 @@ pub(super) fn staged(first: &Path) -> Result<Vec<PathBuf>, Failure> {
 }
 
 /// Files that differ between the working tree and the point where it left `revision`, deleted, renamed and
-/// not yet added ones included.
+/// not yet added ones included. Of data in a submodule the commit that the repository around it names counts as well.
 pub(super) fn since(revision: &str, first: &Path) -> Result<Vec<PathBuf>, Failure> {
     let repository = around(first, "--since")?;
+    let mut all = differing(&repository, revision)?;
+    let mut inner = repository;
+    while let Some(outer) = inner.superproject() {
+        // A revision that only the submodule has says nothing of what is around it.
+        all.extend(differing(&outer, revision).unwrap_or_default());
+        inner = outer;
+    }
+    Ok(all.into_iter().collect())
+}
+
+fn differing(repository: &Repository, revision: &str) -> Result<BTreeSet<PathBuf>, Failure> {
     if revision.starts_with('-') {
-        return Err(unknown(&repository, revision, ""));
+        return Err(unknown(repository, revision, ""));
     }
     let commit = format!("{revision}^{{commit}}");
     let known = repository.ask(&["rev-parse", "--verify", "--quiet", &commit]);
-    known.map_err(|refusal| unknown(&repository, revision, &refusal.words()))?;
+    known.map_err(|refusal| unknown(repository, revision, &refusal.words()))?;
     let start = repository.ask(&["merge-base", revision, "HEAD"]);
-    let start = start.map_err(|refusal| unrelated(&repository, revision, &refusal.words()))?;
+    let start = start.map_err(|refusal| unrelated(repository, revision, &refusal.words()))?;
     let start = String::from_utf8_lossy(&start).trim().to_owned();
     let failed = |refusal: Refusal| Failure::Usage(format!("--since {revision}: git failed: {}", refusal.words()));
     let differing = repository.files(&["diff", "--name-only", "--no-renames", "-z", &start, "--"]).map_err(failed)?;
     let new = repository.files(&["ls-files", "--others", "--exclude-standard", "-z"]).map_err(failed)?;
-    let all: BTreeSet<PathBuf> = differing.into_iter().chain(new).collect();
-    Ok(all.into_iter().collect())
+    Ok(differing.into_iter().chain(new).collect())
 }
 
 /// What among the changed files can raise or hide any finding: the configuration or the baseline in use, or, where the

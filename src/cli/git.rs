@@ -70,6 +70,13 @@ impl Repository {
         Ok(names.map(|name| self.top.join(path(name))).collect())
     }
 
+    /// The one that holds this one as a submodule.
+    pub(super) fn superproject(&self) -> Option<Self> {
+        let top = self.ask(&["rev-parse", "--show-superproject-working-tree"]).ok()?;
+        let top = top.strip_suffix(b"\n").filter(|top| !top.is_empty())?;
+        Self::around(&path(top)).ok()
+    }
+
     /// Whether a part of the history was not fetched.
     pub(super) fn is_shallow(&self) -> bool {
         self.ask(&["rev-parse", "--is-shallow-repository"]).is_ok_and(|said| said.starts_with(b"true"))

@@ -93,7 +93,7 @@ pub(super) fn lint_inputs(inputs: &[Input], system: Option<&Tree>, options: &Con
     Ok(outcome)
 }
 
-/// What the PATHs, `--base` and the selected rules leave of the data to report on, in words.
+/// What the PATHs, `--base`, `exclude` and the rules that are on leave of the data to report on, in words.
 fn asked_for(data: &Data<'_>, options: &Config) -> Vec<String> {
     let names = |before: &str, names: &[&str]| {
         let shown: Vec<String> = names.iter().take(NAMED).map(|name| format!("`{name}`")).collect();
@@ -109,10 +109,31 @@ fn asked_for(data: &Data<'_>, options: &Config) -> Vec<String> {
     let rules: Vec<&str> =
         if options.only.is_empty() { of_file().collect() } else { options.only.iter().map(String::as_str).collect() };
     let rules = if rules.contains(&"*") { Vec::new() } else { rules };
-    [names("in", &paths), names("on the base mesh", &bases), names("by the rules", &rules)]
-        .into_iter()
-        .flatten()
-        .collect()
+    let mut without: Vec<&String> = options.skip.iter().chain(off(&options.levels, |name| name)).collect();
+    // `--only` takes the place of what the file says of rules.
+    for file in options.file.iter().filter(|_| options.only.is_empty()) {
+        without.extend(file.skip.iter().map(|selector| &selector.text));
+        without.extend(off(&file.levels, |selector| &selector.text));
+    }
+    let without: Vec<&str> = without.into_iter().map(String::as_str).collect();
+    let excluded: Vec<&str> =
+        options.file.iter().flat_map(|file| &file.exclude).map(|glob| glob.text.as_str()).collect();
+    let parts = [
+        names("in", &paths),
+        names("outside of", &excluded),
+        names("on the base mesh", &bases),
+        names("by the rules", &rules),
+        names("without the rules", &without),
+    ];
+    parts.into_iter().flatten().collect()
+}
+
+/// The rules whose level is `off`, by what they were named with.
+fn off<'l, T>(
+    levels: &'l [(T, Option<Level>)],
+    name: impl Fn(&'l T) -> &'l String,
+) -> impl Iterator<Item = &'l String> {
+    levels.iter().filter(|(_, level)| level.is_none()).map(move |(rules, _)| name(rules))
 }
 
 /// Names that a sentence holds.

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
-use crate::repo::{FileFacts, Repository, Resolution};
+use crate::repo::{FileFacts, ReferenceKind, Repository, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -74,6 +74,12 @@ fn advice(repository: &Repository<'_>, first: &FileFacts, others: &[&FileFacts])
         _ => false,
     });
     match reference {
+        // With another target the slider would have another name in saved models.
+        Some(reference) if matches!(reference.kind, ReferenceKind::Incr | ReferenceKind::Decr) => format!(
+            "`{}` in {} moves the same as something else: give it a target of its own, or remove the entry",
+            reference.owner,
+            reference.from.file_name()
+        ),
         Some(reference) => format!(
             "let `{}` in {} name the file `{}`, and remove the other",
             reference.owner,
