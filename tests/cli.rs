@@ -638,8 +638,8 @@ fn the_verdict_claims_no_more_than_was_reported() {
             "Nothing found in `data/target/figure/head`; what else there is was left out.",
         ),
         (&["--only", "json-*"], "Nothing found by the rules `json-*`; what else there is was left out."),
-        (&["--skip", "json-*"], "Nothing found without the rules `json-*`; what else there is was left out."),
-        (&["--level", "json-*=off"], "Nothing found without the rules `json-*`; what else there is was left out."),
+        (&["--skip", "macro-*"], "Nothing found without the rules `macro-*`; what else there is was left out."),
+        (&["--level", "macro-*=off"], "Nothing found without the rules `macro-*`; what else there is was left out."),
         (
             &["data/rigs", "--base", "figure", "--only", "json-*"],
             "Nothing found in `data/rigs` on the base mesh `figure` by the rules `json-*`; what else there is was left out.",
@@ -647,7 +647,6 @@ fn the_verdict_claims_no_more_than_was_reported() {
     ] {
         assert_eq!(verdict(args).trim_end(), said);
     }
-    assert!(verdict(&["--skip", "macro-*"]).contains("MakeHuman 2 loads all of it"));
     fs::write(repository.path().join("mhlint.toml"), "select = [\"json-*\"]\n").unwrap();
     assert!(verdict(&[]).contains("Nothing found by the rules `json-*`;"));
 }
