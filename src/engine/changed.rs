@@ -195,11 +195,8 @@ impl<'a> Reach<'a> {
     fn follow(&mut self, repository: &Repository<'_>, reference: &'a Reference<'a>) {
         let from = reference.from.path.as_str();
         let found = match reference.resolution {
-            Resolution::Found(file)
-            | Resolution::CaseOnly(file)
-            | Resolution::Backslash(Some(file))
-            | Resolution::OtherLayer(file) => Some(file),
-            _ => None,
+            Resolution::OtherLayer(file) => Some(file),
+            resolution => resolution.meant(),
         };
         if self.holding(from).is_some()
             && let Some(file) = found

@@ -76,13 +76,20 @@ impl ReferenceKind {
     }
 }
 
-impl<'a> Reference<'a> {
+impl<'a> Resolution<'a> {
     /// The file that is meant, also where the name is not quite right: that has a finding of its own.
-    pub fn meant(&self) -> Option<&'a FileFacts> {
-        match self.resolution {
-            Resolution::Found(file) | Resolution::CaseOnly(file) | Resolution::Backslash(Some(file)) => Some(file),
+    pub fn meant(self) -> Option<&'a FileFacts> {
+        match self {
+            Self::Found(file) | Self::CaseOnly(file) | Self::Backslash(Some(file)) => Some(file),
             _ => None,
         }
+    }
+}
+
+impl<'a> Reference<'a> {
+    /// As [`Resolution::meant`].
+    pub fn meant(&self) -> Option<&'a FileFacts> {
+        self.resolution.meant()
     }
 }
 

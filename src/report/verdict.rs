@@ -20,7 +20,7 @@ pub(super) fn tally(outcome: &Outcome) -> String {
 }
 
 /// How many findings are hidden, and by what.
-pub(super) fn hidden(outcome: &Outcome) -> impl Iterator<Item = (usize, &'static str)> + Clone {
+pub(super) fn hidden(outcome: &Outcome) -> impl Iterator<Item = (usize, &'static str)> {
     let known = outcome.in_baseline;
     let all = [(known, "in the baseline"), (outcome.summary.suppressed.saturating_sub(known), "muted")];
     all.into_iter().filter(|(number, _)| *number > 0)

@@ -3,6 +3,7 @@
 
 use std::collections::BTreeSet;
 
+use super::NO_MEASURE;
 use crate::diag::Level;
 use crate::discover::Kind;
 use crate::formats::base_json::BaseJson;
@@ -20,9 +21,6 @@ pub(super) struct Gap {
 
 /// Stands in the program's own data and nowhere else (formats/makehuman2.md §21).
 const VERSION_FILE: &str = "makehuman2_version.json";
-
-/// The way to leave a measure out.
-const NO_MEASURE: &str = "none";
 
 /// What is missing of the sliders of a base, if its data are the system's and nothing overrides them.
 pub(super) fn gap(repository: &Repository<'_>, base: &Base<'_>) -> Option<Gap> {

@@ -1,14 +1,11 @@
 //! Patterns, groups and entries named in `base.json` must exist.
 
 use super::super::{Check, Rule, RuleCx};
-use super::has_sliders;
 use super::names::{Names, Unknown};
+use super::{NO_MEASURE, has_sliders};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::formats::base_json::{BaseJson, Random};
 use crate::repo::{Base, FileFacts, Repository};
-
-/// The way to leave a measure out.
-const NO_MEASURE: &str = "none";
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {

@@ -1,6 +1,6 @@
 //! A byte order mark becomes part of the first word.
 
-use super::super::archived::when_read;
+use super::super::archived::Unread;
 use super::super::{Check, Rule, RuleCx};
 use super::loader::{is_met, is_override, refused_json};
 use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Place, Rewrite, RuleInfo};
@@ -25,6 +25,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 const ROW_FIELDS: usize = 4;
 
 fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let unread = Unread::of(repository);
     // Behind a mark alone there is nothing to lose: the file is empty.
     let marked = |file: &&FileFacts| {
         file.encoding.byte_order_mark && file.encoding.invalid_utf8_at.is_none() && !file.encoding.blank
@@ -41,7 +42,7 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             .breaks(Application::Makehuman2, effect)
             .help("save the file as UTF-8 without byte order mark");
         let is_fatal = file.kind == Kind::Target && level == Level::Error;
-        out.push(if is_fatal { when_read(repository, file, finding) } else { finding });
+        out.push(if is_fatal { unread.weigh(file, finding) } else { finding });
     }
 }
 

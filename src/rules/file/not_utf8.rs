@@ -1,6 +1,6 @@
 //! Text must be UTF-8.
 
-use super::super::archived::when_read;
+use super::super::archived::Unread;
 use super::super::{Check, Rule, RuleCx};
 use super::loader::{Moment, is_met, moment};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
@@ -22,6 +22,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let unread = Unread::of(repository);
     let texts = repository.judged.files.values().filter(|file| file.kind.is_text());
     for file in texts.filter(|file| is_met(repository, file)) {
         let Some(at) = file.encoding.invalid_utf8_at else { continue };
@@ -33,7 +34,7 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             .level(level)
             .breaks(Application::Makehuman2, effect)
             .help("save the file as UTF-8 without byte order mark");
-        out.push(if file.kind == Kind::Target { when_read(repository, file, finding) } else { finding });
+        out.push(if file.kind == Kind::Target { unread.weigh(file, finding) } else { finding });
     }
 }
 

@@ -43,10 +43,7 @@ impl<'s> MacroLink<'s> {
 
     /// Whether no file is there, for whatever reason.
     fn is_nowhere(&self) -> bool {
-        !matches!(
-            self.reference.resolution,
-            Resolution::Found(_) | Resolution::CaseOnly(_) | Resolution::Backslash(Some(_)) | Resolution::NeedsSystem
-        )
+        self.reference.meant().is_none() && !matches!(self.reference.resolution, Resolution::NeedsSystem)
     }
 
     pub(super) fn place(&self) -> Place {
@@ -70,16 +67,13 @@ pub(super) fn unreferenced<'s>(repository: &'s Repository<'_>, base: &'s Base<'_
     }
     let suggestions = Suggestions::default();
     for reference in repository.references_of(base).filter(|reference| reference.kind.is_target()) {
-        match reference.resolution {
-            Resolution::Found(file) | Resolution::CaseOnly(file) | Resolution::Backslash(Some(file)) => {
-                named.insert(&file.rel);
-            }
-            _ => {
-                // `x.target` written for `x`, or a slip of the pen: those findings name the file.
-                let stem = reference.rel.trim_end_matches(".target").trim_end_matches(".target.gz");
-                named.extend(by_stem.get(stem));
-                named.extend(nearest_file(base, reference, &suggestions).map(|file| file.rel.as_str()));
-            }
+        if let Some(file) = reference.meant() {
+            named.insert(&file.rel);
+        } else {
+            // `x.target` written for `x`, or a slip of the pen: those findings name the file.
+            let stem = reference.rel.trim_end_matches(".target").trim_end_matches(".target.gz");
+            named.extend(by_stem.get(stem));
+            named.extend(nearest_file(base, reference, &suggestions).map(|file| file.rel.as_str()));
         }
     }
     let faulty = FaultyEntries::of(repository, base);

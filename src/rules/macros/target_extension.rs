@@ -6,7 +6,7 @@ use super::links::{has_suffix, is_in_folder, links};
 use super::titles;
 use crate::diag::{Application, Change, Evidence, Finding, Fix, FixKind, Level, Place, RuleInfo};
 use crate::formats::macro_json::{Link, Macrodef, without_suffix};
-use crate::repo::{Base, FileFacts, Reference, Repository, Resolution};
+use crate::repo::{Base, FileFacts, Reference, Repository};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -79,7 +79,7 @@ fn exists(base: &Base<'_>, macrodef: &Macrodef, name: &str) -> bool {
     let folder = macrodef.effective_folder.as_deref();
     let name = folder.map_or_else(|| name.to_owned(), |folder| format!("{folder}/{name}"));
     // Other faults of the name have findings of their own, and are mended afterwards.
-    matches!(base.target_named(&name), Resolution::Found(_) | Resolution::CaseOnly(_) | Resolution::Backslash(Some(_)))
+    base.target_named(&name).meant().is_some()
 }
 
 /// The name of the combination, if the folder has a target of that name.

@@ -6,7 +6,7 @@ use super::super::{Check, Rule, RuleCx};
 use super::groups::{self, Groups, USER_CATEGORY};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::target_cat::Category;
-use crate::repo::{Base, FileFacts, Repository, Resolution};
+use crate::repo::{Base, FileFacts, Repository};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -87,16 +87,10 @@ fn empty_items(
 
 /// Words of the names of targets that no slider uses: their slider is gone, and `target-unreferenced` says so.
 fn idle_words<'a>(repository: &Repository<'a>, base: &Base<'a>) -> BTreeSet<&'a str> {
-    let used: BTreeSet<&str> = repository.references_of(base).filter_map(|one| reached(&one.resolution)).collect();
+    let used: BTreeSet<&str> =
+        repository.references_of(base).filter_map(|one| Some(one.meant()?.path.as_str())).collect();
     let targets = base.targets.into_iter().flat_map(|folder| folder.targets());
     targets.filter(|file| !used.contains(file.path.as_str())).flat_map(|file| words(file.stem())).collect()
-}
-
-fn reached<'a>(resolution: &Resolution<'a>) -> Option<&'a str> {
-    match resolution {
-        Resolution::Found(file) | Resolution::CaseOnly(file) | Resolution::Backslash(Some(file)) => Some(&file.path),
-        _ => None,
-    }
 }
 
 fn words(text: &str) -> impl Iterator<Item = &str> {

@@ -3,8 +3,7 @@
 use super::super::{Check, Rule, RuleCx, archived};
 use super::{decoded, unreadable_fields, usage};
 use crate::diag::{Application, Finding, Level, RuleInfo};
-use crate::formats::npz::Archive;
-use crate::repo::{Base, FileFacts, Repository};
+use crate::repo::{Base, Repository};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -28,15 +27,9 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
     for (file, facts) in usage::unused(repository, base).into_iter().filter_map(decoded) {
         let Some(mut finding) = unreadable_fields::finding(&RULE, file, facts) else { continue };
         finding.message.push_str(", and MakeHuman 2 parses this file at start although nothing uses it");
-        if has_sound_archive(base, file) {
+        if archived::archive(repository, file).is_some() {
             finding = finding.level(Level::Warning).breaks(Application::Makehuman2, archived::STOPS_LATER);
         }
         out.push(finding.help("mend the row, or move the file out of the target folder"));
     }
-}
-
-fn has_sound_archive(base: &Base<'_>, file: &FileFacts) -> bool {
-    let folders = [base.targets, base.user_targets].into_iter().flatten();
-    let mut own = folders.filter(|folder| folder.layer.file(&file.rel).is_some_and(|own| std::ptr::eq(own, file)));
-    own.any(|folder| folder.archive().and_then(FileFacts::archive).is_some_and(Archive::is_sound))
 }

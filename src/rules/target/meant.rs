@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::{parent, usage};
+use super::parent;
 use crate::diag::Suggestions;
 use crate::repo::{Base, FileFacts, Repository};
 
@@ -24,7 +24,7 @@ pub(super) fn meant_by_missing<'a>(
     }
     let suggestions = Suggestions::default();
     for reference in repository.references_of(base).filter(|reference| reference.kind.is_target()) {
-        if usage::target_of(&reference.resolution).is_some() {
+        if reference.meant().is_some() {
             continue;
         }
         let stem = reference.text.rsplit(['/', '\\']).next();

@@ -3,8 +3,6 @@
 //! What more than one of them needs: which files to look at at all, and how rows are named. Who uses a
 //! target is answered in `usage`.
 
-use std::collections::BTreeMap;
-
 use crate::diag::{Element, Place, Tally};
 use crate::formats::target::TargetFacts;
 use crate::repo::{FileFacts, Layer};
@@ -45,21 +43,6 @@ fn decoded(file: &FileFacts) -> Option<(&FileFacts, &TargetFacts)> {
     file.target().filter(|_| is_text).map(|facts| (file, facts))
 }
 
-/// Targets by target folder.
-type ZeroRows<'a> = BTreeMap<&'a str, Vec<(&'a FileFacts, &'a TargetFacts)>>;
-
-/// Targets that move something and hold rows that move nothing, by target folder.
-fn with_zero_rows(layer: &Layer) -> ZeroRows<'_> {
-    let mut folders = ZeroRows::new();
-    for (file, facts) in targets(layer) {
-        // A target that moves nothing is a finding of its own.
-        if facts.zero.count > 0 && !facts.moves_nothing() {
-            folders.entry(target_folder(file)).or_default().push((file, facts));
-        }
-    }
-    folders
-}
-
 /// The first row of a tally.
 fn first_row(tally: &Tally) -> Place {
     match tally.first.first() {
@@ -82,7 +65,7 @@ pub(super) fn target_folder(file: &FileFacts) -> &str {
 
 /// Whether a binary archive stands for the target; a changed text would no longer be what the application loads.
 fn is_archived(layer: &Layer, file: &FileFacts) -> bool {
-    layer.file(&format!("{}/compressedtargets.npz", target_folder(file))).is_some()
+    super::archived::beside(layer, file).is_some()
 }
 
 /// The folder of a path, empty at the top.

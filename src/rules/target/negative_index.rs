@@ -1,6 +1,6 @@
 //! Vertices are counted from 0.
 
-use super::super::archived::when_read;
+use super::super::archived::Unread;
 use super::super::{Check, Rule, RuleCx};
 use super::{first_row, targets};
 use crate::diag::{Application, Finding, Level, RuleInfo};
@@ -24,6 +24,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let unread = Unread::of(repository);
     for (file, facts) in targets(repository.judged) {
         let Some((_, index)) = facts.negative.first.first() else { continue };
         let message = match facts.negative.count {
@@ -34,6 +35,6 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             .at(file, first_row(&facts.negative), message)
             .help("vertices count from 0; write the right index or remove the row")
             .evidence(facts.negative.evidence(facts.rows));
-        out.push(when_read(repository, file, finding));
+        out.push(unread.weigh(file, finding));
     }
 }

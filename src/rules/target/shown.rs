@@ -8,7 +8,7 @@ use crate::repo::{Base, FileFacts, Reference, ReferenceKind, Repository};
 /// A setting that applies the target fully; `None` if nothing uses it.
 pub(super) fn shown_by(repository: &Repository<'_>, file: &FileFacts) -> Option<String> {
     let leads_here = |reference: &&Reference<'_>| {
-        let found = super::usage::target_of(&reference.resolution);
+        let found = reference.meant();
         reference.kind.is_target() && found.is_some_and(|found| found.path == file.path)
     };
     let reference = repository.references.iter().find(leads_here)?;

@@ -1,6 +1,6 @@
 //! Every field of a target row must be a number.
 
-use super::super::archived::when_read;
+use super::super::archived::Unread;
 use super::super::{Check, Rule, RuleCx};
 use super::unreadable_fields::finding;
 use super::{targets, usage};
@@ -26,9 +26,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let unused = usage::unused_paths(repository);
+    let unread = Unread::of(repository);
     for (file, facts) in targets(repository.judged) {
         if !unused.contains(file.path.as_str()) {
-            out.extend(finding(&RULE, file, facts).map(|finding| when_read(repository, file, finding)));
+            out.extend(finding(&RULE, file, facts).map(|finding| unread.weigh(file, finding)));
         }
     }
 }

@@ -5,13 +5,13 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::repo::{Base, FileFacts, ReferenceKind, Repository, Resolution, TargetFolder, is_beneath};
+use crate::repo::{Base, FileFacts, ReferenceKind, Repository, TargetFolder, is_beneath};
 
 /// How a target is used, by printed path; a macro outweighs a slider because it is applied at start.
 pub(super) fn users<'a>(repository: &'a Repository<'_>) -> BTreeMap<&'a str, ReferenceKind> {
     let mut users = BTreeMap::new();
     for reference in repository.references.iter().filter(|reference| reference.kind.is_target()) {
-        if let Some(file) = target_of(&reference.resolution) {
+        if let Some(file) = reference.meant() {
             let known = users.entry(file.path.as_str()).or_insert(reference.kind);
             *known = reference.kind.min(*known);
         }
@@ -27,14 +27,6 @@ fn add_links<'a>(repository: &'a Repository<'_>, users: &mut BTreeMap<&'a str, R
         if let Some(kind) = pair.iter().filter_map(|file| users.get(file.path.as_str())).min().copied() {
             users.extend(pair.map(|file| (file.path.as_str(), kind)));
         }
-    }
-}
-
-/// The file meant, also where the name is not quite right: that is a finding of its own.
-pub(super) fn target_of<'a>(resolution: &Resolution<'a>) -> Option<&'a FileFacts> {
-    match resolution {
-        Resolution::Found(file) | Resolution::CaseOnly(file) | Resolution::Backslash(Some(file)) => Some(file),
-        _ => None,
     }
 }
 

@@ -28,10 +28,11 @@ const FIRST_WRAPPED: i64 = (1 << 32) / 3 + 1;
 fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let users = usage::users(repository);
     let unused = usage::unused_paths(repository);
+    let unread = archived::Unread::of(repository);
     for (file, facts) in targets(repository.judged) {
         let vertices = vertices(repository, file);
         if facts.overflow.count > 0 {
-            out.push(archived::when_read(repository, file, overflow(file, facts)));
+            out.push(unread.weigh(file, overflow(file, facts)));
         } else if facts.out_of_range.count > 0 {
             let finding = beyond(file, facts, vertices);
             out.push(if archived::is_outdated(repository, file) {

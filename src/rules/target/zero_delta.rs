@@ -1,7 +1,9 @@
 //! Rows that move nothing in a target that moves something.
 
+use std::collections::BTreeMap;
+
 use super::super::{Check, Rule, RuleCx};
-use super::{counted, first_row, is_archived, target_folder, with_zero_rows};
+use super::{counted, first_row, is_archived, target_folder, targets};
 use crate::diag::{Application, Change, EXAMPLES, Evidence, Finding, Fix, FixKind, Level, Rewrite, RuleInfo};
 use crate::formats::target::TargetFacts;
 use crate::repo::{FileFacts, Layer};
@@ -71,4 +73,19 @@ fn of_folder(folder: &str, files: &[(&FileFacts, &TargetFacts)]) -> (String, Evi
     let named = files.iter().map(|(file, facts)| format!("{} ({})", file.rel, facts.zero.count));
     let evidence = Evidence::of_groups(named, count);
     (message, evidence.out_of(of))
+}
+
+/// Targets by target folder.
+type ZeroRows<'a> = BTreeMap<&'a str, Vec<(&'a FileFacts, &'a TargetFacts)>>;
+
+/// Targets that move something and hold rows that move nothing, by target folder.
+fn with_zero_rows(layer: &Layer) -> ZeroRows<'_> {
+    let mut folders = ZeroRows::new();
+    for (file, facts) in targets(layer) {
+        // A target that moves nothing is a finding of its own.
+        if facts.zero.count > 0 && !facts.moves_nothing() {
+            folders.entry(target_folder(file)).or_default().push((file, facts));
+        }
+    }
+    folders
 }

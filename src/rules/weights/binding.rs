@@ -1,6 +1,6 @@
 //! Which weights no skeleton uses.
 
-use crate::repo::{Base, FileFacts, Reference, ReferenceKind, Repository, Resolution};
+use crate::repo::{Base, FileFacts, Reference, ReferenceKind, Repository};
 
 /// Weights of a base that no skeleton names; none where nobody can tell.
 pub(super) fn unbound<'a>(repository: &Repository<'a>, base: &Base<'a>) -> Vec<&'a FileFacts> {
@@ -18,21 +18,12 @@ pub(super) fn unbound<'a>(repository: &Repository<'a>, base: &Base<'a>) -> Vec<&
     // name any. Without `base.json` the base, and its skeletons with it, lie in system data that was not given.
     let names_weights = |kind| matches!(kind, ReferenceKind::WeightsFile | ReferenceKind::PoseSkeleton);
     let mut named = repository.references_of(base).filter(|reference| names_weights(reference.kind));
-    if named.any(|reference| !leads_to_file(reference.resolution)) || base.settings().is_none() {
+    if named.any(|reference| reference.meant().is_none()) || base.settings().is_none() {
         return Vec::new();
     }
     let is_used = |file: &FileFacts| {
-        let is_meant = |reference: &&Reference<'_>| match reference.resolution {
-            Resolution::Found(found) | Resolution::CaseOnly(found) | Resolution::Backslash(Some(found)) => {
-                found.rel == file.rel
-            }
-            _ => false,
-        };
+        let is_meant = |reference: &&Reference<'_>| reference.meant().is_some_and(|found| found.rel == file.rel);
         used.iter().any(is_meant)
     };
     base.weights.iter().copied().filter(|file| !is_used(file)).collect()
-}
-
-fn leads_to_file(resolution: Resolution<'_>) -> bool {
-    matches!(resolution, Resolution::Found(_) | Resolution::CaseOnly(_) | Resolution::Backslash(Some(_)))
 }
