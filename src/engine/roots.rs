@@ -10,7 +10,7 @@ use super::scope::Scope;
 use crate::config::Config;
 use crate::diag::Application;
 use crate::discover::{DataRoot, find_roots};
-use crate::repo::Repository;
+use crate::repo::View;
 use crate::source::{EntryKind, Tree};
 
 /// The data roots of a run.
@@ -111,13 +111,13 @@ fn note_unjudged(path: &str, application: Application, outcome: &mut Outcome) {
 }
 
 /// Says that a repository was judged, and which base meshes it has.
-pub(super) fn summarise(repository: &Repository<'_>, outcome: &mut Outcome) {
-    let judged = repository.judged;
+pub(super) fn summarise(view: &View<'_>, outcome: &mut Outcome) {
+    let judged = view.layers().checked;
     let own = |name: &str| judged.files.values().any(|file| file.base.as_deref() == Some(name));
-    let bases = repository.bases.iter().map(|base| base.name).filter(|name| own(name));
+    let bases = view.body_names().into_iter().filter(|name| own(name));
     outcome.roots.push(RootSummary {
         path: shown(&judged.path).to_owned(),
-        application: repository.application,
+        application: view.application(),
         bases: bases.map(str::to_owned).collect(),
         judged: true,
     });

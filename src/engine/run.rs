@@ -6,11 +6,11 @@ use std::time::Instant;
 
 use super::caught::caught;
 use super::changed::{Change, explain, narrow};
+use super::check::{check, check_upkeep};
 use super::data::{Data, Loaded};
 use super::heard::{Filter, Heard};
 use super::idle::idle;
 use super::input::{Input, open};
-use super::judge::{judge, look_after};
 use super::known::{Known, Placed};
 use super::locate::locate;
 use super::loose::moved;
@@ -23,7 +23,7 @@ use super::select::Selection;
 use crate::config::Config;
 use crate::diag::{Application, Finding, IdleGlob, Level, Over, Upkeep, fingerprint};
 use crate::eval::measures::Measures;
-use crate::repo::{Layer, Repository};
+use crate::repo::{Layer, Layers, View};
 use crate::source::{Limits, Tree};
 
 /// Judges data roots found at `paths`.
@@ -156,13 +156,14 @@ fn judge_all(
     for (number, (system, user, judged)) in data.stacks().into_iter().enumerate() {
         outcome.summary.files += judged.layer.files.len();
         outcome.summary.bytes += judged.layer.files.values().map(|file| file.size).sum::<u64>();
-        let repository = Repository::connect(Application::Makehuman2, system, user, &judged.layer);
-        summarise(&repository, outcome);
-        let mut findings = judge(&repository, measures.get(number), selection, options, outcome);
+        let layers = Layers { system, user, checked: &judged.layer };
+        let view = View::connect(Application::Makehuman2, layers);
+        summarise(&view, outcome);
+        let mut findings = check(&[(&view, measures.get(number))], selection, options, outcome);
         if let Some(change) = change {
-            explain(&repository, &mut findings, change);
+            explain(&view, &mut findings, change);
         }
-        let reporter = Reporter { repository: &repository, judged, selection, scope, options };
+        let reporter = Reporter { layers, judged, selection, scope, options };
         found.extend(reporter.report(findings, muting, outcome));
     }
     found
@@ -194,7 +195,7 @@ fn settle(
     // Known and muted errors hid what they hide when the baseline and the mutes were written, too.
     let taken_over = outcome.taken_over.is_some_and(|taken_over| taken_over.errors > 0);
     upkeep.errors = taken_over || outcome.has_at_least(Level::Error);
-    outcome.findings.extend(look_after(&upkeep, selection, muting, options, &mut outcome.failed_rules));
+    outcome.findings.extend(check_upkeep(&upkeep, selection, muting, options, &mut outcome.failed_rules));
     if let Some(change) = change {
         narrow(outcome, change);
     }
@@ -203,7 +204,7 @@ fn settle(
 
 /// What is reported of one repository.
 struct Reporter<'r, 't> {
-    repository: &'r Repository<'r>,
+    layers: Layers<'r>,
     judged: &'r Loaded<'t>,
     selection: &'r Selection<'r>,
     scope: &'r Scope<'r>,
@@ -213,7 +214,7 @@ struct Reporter<'r, 't> {
 impl Reporter<'_, '_> {
     /// Keeps what is to be reported for the judged layer and gives it level and fingerprint.
     fn report(&self, findings: Vec<Finding>, muting: &mut Muting<'_>, outcome: &mut Outcome) -> Vec<Placed> {
-        let files = self.repository.judged.files.values();
+        let files = self.layers.checked.files.values();
         let commented = files.filter(|file| !file.ignores.is_empty() && self.is_reported(&file.path));
         commented.for_each(|file| muting.note(file, self.selection, self.scope));
         let filter = self.filter();
@@ -235,8 +236,8 @@ impl Reporter<'_, '_> {
     }
 
     fn filter(&self) -> Filter<'_> {
-        let Self { repository, selection, scope, options, .. } = self;
-        Filter { layer: repository.judged, selection, scope, options }
+        let Self { layers, selection, scope, options, .. } = self;
+        Filter { layer: layers.checked, selection, scope, options }
     }
 
     /// Files of a fix that are not to be written: those for which the rule is muted, and those beside the PATHs.
@@ -248,7 +249,7 @@ impl Reporter<'_, '_> {
     }
 
     fn is_wanted(&self, finding: &Finding) -> bool {
-        let Some(rel) = own_path(self.repository, &finding.path) else { return false };
+        let Some(rel) = own_path(self.layers, &finding.path) else { return false };
         let asked = |base: &str| self.options.asks_for_base(base);
         // One finding may speak for several files; who names one of them is told.
         let others = match &finding.over {
@@ -268,8 +269,8 @@ impl Reporter<'_, '_> {
         let mut ordinals: BTreeMap<(&str, String, String), u32> = BTreeMap::new();
         // What names the fault may be part of the system data, such as the mesh.
         let below = |asset: &str| {
-            let system = || self.repository.system?.relative(asset);
-            own_path(self.repository, asset).or_else(system).unwrap_or_default().to_owned()
+            let system = || self.layers.system?.relative(asset);
+            own_path(self.layers, asset).or_else(system).unwrap_or_default().to_owned()
         };
         let identified = findings.into_iter().map(|(mut finding, consequence)| {
             let asset = finding.asset.clone().unwrap_or_else(|| finding.path.clone());
@@ -288,10 +289,10 @@ impl Reporter<'_, '_> {
 }
 
 /// Path below the judged root, if the file belongs to it and not to a layer inside or beside it.
-fn own_path<'p>(repository: &Repository<'_>, path: &'p str) -> Option<&'p str> {
-    let judged = repository.judged;
+fn own_path<'p>(layers: Layers<'_>, path: &'p str) -> Option<&'p str> {
+    let judged = layers.checked;
     let deeper = |layer: &&Layer| layer.path.len() > judged.path.len() && layer.holds(path);
-    let foreign = [repository.system, repository.user].into_iter().flatten().any(|layer| deeper(&layer));
+    let foreign = [layers.system, layers.user].into_iter().flatten().any(|layer| deeper(&layer));
     if foreign { None } else { judged.relative(path) }
 }
 

@@ -1,4 +1,4 @@
-//! Layers of a data tree, weakest first, and the lookups over them.
+//! One data root with the facts of its files.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -6,9 +6,8 @@ use std::sync::OnceLock;
 
 use unicode_normalization::{UnicodeNormalization, is_nfc};
 
-use super::{Base, FileFacts, Reference};
-use crate::diag::Application;
-use crate::discover::{Kind, kind_of};
+use super::FileFacts;
+use crate::discover::kind_of;
 use crate::source::WalkFault;
 
 /// A path as a system compares it that regards neither capitals nor the form of accented letters.
@@ -34,34 +33,6 @@ pub struct Layer {
     pub walk_faults: Vec<WalkFault>,
     /// Folded paths to paths, made when first asked for; with the number of files it was made for.
     folded: OnceLock<(usize, BTreeMap<String, String>)>,
-}
-
-/// The layers that an application sees together; the top one is judged.
-#[derive(Debug)]
-pub struct Repository<'a> {
-    /// Whose data it is.
-    pub application: Application,
-    /// System data (`data/` beside the program).
-    pub system: Option<&'a Layer>,
-    /// User data. May be the same root as the system data when one root holds base meshes and `contarget/`.
-    pub user: Option<&'a Layer>,
-    /// The layer that findings are reported for.
-    pub judged: &'a Layer,
-    /// The base meshes of all layers, resolved.
-    pub bases: Vec<Base<'a>>,
-    /// Everything that names a file, and what it leads to.
-    pub references: Vec<Reference<'a>>,
-}
-
-/// A folder that targets are loaded from.
-#[derive(Debug, Clone, Copy)]
-pub struct TargetFolder<'a> {
-    /// Its layer.
-    pub layer: &'a Layer,
-    /// `target` or `contarget`.
-    pub folder: &'static str,
-    /// Base mesh.
-    pub base: &'a str,
 }
 
 impl Layer {
@@ -140,60 +111,5 @@ impl Layer {
             return Some(path);
         }
         path.strip_prefix(self.path.as_str())?.strip_prefix('/')
-    }
-}
-
-impl<'a> Repository<'a> {
-    /// Whether one root plays both parts.
-    pub fn is_one_root(&self) -> bool {
-        matches!((self.system, self.user), (Some(system), Some(user)) if std::ptr::eq(system, user))
-    }
-
-    /// The layers, strongest first.
-    pub fn strongest_first(&self) -> impl Iterator<Item = &'a Layer> + use<'a> {
-        let system = if self.is_one_root() { None } else { self.system };
-        self.user.into_iter().chain(system)
-    }
-
-    /// The first existing file, user before system.
-    pub fn first_existing(&self, rel: &str) -> Option<&'a FileFacts> {
-        self.strongest_first().find_map(|layer| layer.file(rel))
-    }
-
-    /// Whether a file belongs to the judged layer.
-    pub fn is_judged(&self, file: &FileFacts) -> bool {
-        self.judged.file(&file.rel).is_some_and(|own| std::ptr::eq(own, file))
-    }
-}
-
-impl<'a> TargetFolder<'a> {
-    /// Path relative to its root, without trailing slash.
-    pub fn rel(&self) -> String {
-        format!("{}/{}", self.folder, self.base)
-    }
-
-    /// The target `name` (path without suffix).
-    pub fn target(&self, name: &str) -> Option<&'a FileFacts> {
-        self.layer.file(&format!("{}/{}/{name}.target", self.folder, self.base))
-    }
-
-    /// `compressedtargets.npz` of the folder.
-    pub fn archive(&self) -> Option<&'a FileFacts> {
-        self.layer.file(&format!("{}/{}/compressedtargets.npz", self.folder, self.base))
-    }
-
-    /// All targets in the folder.
-    pub fn targets(&self) -> impl Iterator<Item = &'a FileFacts> + use<'a> {
-        self.layer.below(&self.rel()).filter(|file| file.kind == Kind::Target)
-    }
-
-    /// Name of a target of this folder as files refer to it: path without suffix.
-    pub fn name_of<'f>(&self, file: &'f FileFacts) -> Option<&'f str> {
-        file.rel.strip_prefix(&self.rel())?.strip_prefix('/')?.strip_suffix(".target")
-    }
-
-    /// Whether anything is in it.
-    pub fn exists(&self) -> bool {
-        self.layer.below(&self.rel()).next().is_some()
     }
 }

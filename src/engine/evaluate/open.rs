@@ -9,7 +9,7 @@ use super::error::Error;
 use super::files::{read_cause, shown};
 use super::skeleton::SkeletonFile;
 use crate::diag::{Application, nearest};
-use crate::engine::compose::{Rows, compose, pose_skeleton, weights_of};
+use crate::engine::compose::{Rows, compose};
 use crate::engine::data::Data;
 use crate::engine::input::{open, open_system};
 use crate::engine::load::{Place, list_targets};
@@ -18,7 +18,8 @@ use crate::engine::stack::{Role, Stack};
 use crate::eval::scene::Scene;
 use crate::formats::macro_json::MacroFile;
 use crate::formats::target::MeshSize;
-use crate::repo::{Base, BoundSlider, Layer};
+use crate::repo::Layer;
+use crate::repo::makehuman2::{Base, BoundSlider};
 use crate::source::{Limits, Tree};
 
 /// A base mesh ready for settings.
@@ -184,9 +185,7 @@ fn compose_base(name: &str, stack: &Stack<'_, '_>, limits: Limits) -> Result<Eva
         macros: macros_of(&base, &scene),
         mesh_path: file.path.clone(),
         skeleton: skeleton_of(&base),
-        weights_path: pose_skeleton(&base)
-            .and_then(|(file, skeleton)| weights_of(&base, file, skeleton))
-            .map(|(file, _)| file.path.clone()),
+        weights_path: base.pose_rig().and_then(|(rig, _)| rig.usable_weights()).map(|(file, _)| file.path.clone()),
         weights_fault: weights_fault(&base, &scene),
         archive: base.targets.and_then(|folder| folder.archive()).and_then(|file| {
             let members = file.archive()?.members.iter().map(|member| member.name.clone());
@@ -198,8 +197,7 @@ fn compose_base(name: &str, stack: &Stack<'_, '_>, limits: Limits) -> Result<Eva
 
 /// Weights of a bone that the skeleton lacks, or for a vertex that the mesh lacks (formats/makehuman2.md §11).
 fn weights_fault(base: &Base<'_>, scene: &Scene) -> Option<Error> {
-    let (skeleton, model) = pose_skeleton(base)?;
-    let (file, weights) = weights_of(base, skeleton, model)?;
+    let (file, weights) = base.pose_rig()?.0.usable_weights()?;
     let names = &scene.skeleton.as_ref()?.names;
     let stops = |exception, reason| Some(Error::Stops { exception, reason });
     for bone in weights.bones.iter().filter(|bone| !bone.pairs.is_empty()) {
@@ -243,8 +241,8 @@ fn macros_of(base: &Base<'_>, scene: &Scene) -> Result<MacroFile, String> {
 }
 
 fn skeleton_of(base: &Base<'_>) -> Result<SkeletonFile, String> {
-    if let Some((file, model)) = pose_skeleton(base) {
-        return Ok(SkeletonFile { path: file.path.clone(), model: model.clone() });
+    if let Some((rig, model)) = base.pose_rig() {
+        return Ok(SkeletonFile { path: rig.file.path.clone(), model: model.clone() });
     }
     let Some((file, settings)) = base.settings() else {
         return Err("no skeleton, since there is no usable base.json".to_owned());

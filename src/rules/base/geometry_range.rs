@@ -4,7 +4,8 @@ use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo, nearest};
 use crate::formats::geometry::Range;
 use crate::formats::obj::{Group, Mesh};
-use crate::repo::{Base, Content, FileFacts, Repository};
+use crate::repo::makehuman2::{Base, View};
+use crate::repo::{Content, FileFacts};
 
 const GEOMETRY: &str = "geometry-ranges";
 const JOINTS: &str = "joint-ranges";
@@ -20,11 +21,11 @@ pub(in crate::rules) static RULE: Rule = Rule {
             Correct the name or the range.",
         ..RuleInfo::new("base-geometry-range", Level::Warning, "`geometry.json` differs from the groups of the mesh")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(file) = repository.first_existing(&format!("base/{}/geometry.json", base.name)) else { return };
+fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(file) = view.layers.first_existing(&format!("base/{}/geometry.json", base.name)) else { return };
     let (Content::Geometry(geometry), Some((_, mesh))) = (&file.content, base.mesh) else { return };
     if mesh.facts.unreadable_lines > 0 {
         return;

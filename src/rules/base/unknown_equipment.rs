@@ -4,7 +4,8 @@ use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, Sight, nearest};
 use crate::formats::base_json::BaseJson;
 use crate::formats::obj::Mesh;
-use crate::repo::{Base, FileFacts, Repository};
+use crate::repo::FileFacts;
+use crate::repo::makehuman2::{Base, View};
 
 /// Kinds of assets that a base can wear.
 const EQUIPMENT: [&str; 8] = ["clothes", "hair", "eyes", "eyebrows", "eyelashes", "teeth", "tongue", "proxy"];
@@ -24,10 +25,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
             "an equipment folder or visible group that does not exist",
         )
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, settings)) = base.settings() else { return };
     equipment(file, settings, out);
     if !settings.has_visible_groups {

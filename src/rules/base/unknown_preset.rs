@@ -5,7 +5,8 @@ use super::names::{Names, Unknown};
 use super::{NO_MEASURE, has_sliders};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::formats::base_json::{BaseJson, Random};
-use crate::repo::{Base, FileFacts, Repository};
+use crate::repo::FileFacts;
+use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -21,12 +22,12 @@ pub(in crate::rules) static RULE: Rule = Rule {
             "a preset, measure or random rule names what does not exist",
         )
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, settings)) = base.settings().filter(|_| has_sliders(base)) else { return };
-    let judges_macros = base.macro_file().is_some_and(|(file, _)| repository.is_judged(file));
+    let judges_macros = base.macro_file().is_some_and(|(file, _)| view.layers.is_checked(file));
     let names = Names { base, judges_macros };
     for (pattern, _) in &settings.presets {
         out.extend(names.pattern(pattern).map(|unknown| unknown_name(file, &["modifier-presets", pattern], unknown)));

@@ -2,7 +2,8 @@
 
 use crate::diag::{Application, Finding, Level};
 use crate::formats::macro_json::{Component, MacroFile};
-use crate::repo::{Base, FileFacts, Pattern};
+use crate::repo::FileFacts;
+use crate::repo::makehuman2::{Base, Pattern};
 
 /// Lowers a finding on a component that no macro definition uses: it is never evaluated.
 pub(super) fn weigh(finding: Finding, macros: &MacroFile, component: &Component) -> Finding {

@@ -5,7 +5,7 @@ use super::component::is_sound;
 use super::links::{MacroLink, links};
 use super::lost_folder::{holds_files, is_lost};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo, Sight, nearest};
-use crate::repo::{Base, Repository};
+use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -21,12 +21,12 @@ pub(in crate::rules) static RULE: Rule = Rule {
             folder.",
         ..RuleInfo::new("macro-folder-missing", Level::Error, "`folder` of a macrodef is not given, or does not exist")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };
-    let all = links(repository, base);
+    let all = links(view, base);
     for macrodef in &macros.macrodefs {
         let own: Vec<&MacroLink<'_>> = all.iter().filter(|link| link.macrodef.index == macrodef.index).collect();
         let index = macrodef.index.to_string();

@@ -6,7 +6,8 @@ use super::super::{Check, Rule, RuleCx};
 use super::groups::{self, Groups, USER_CATEGORY};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::target_cat::Category;
-use crate::repo::{Base, FileFacts, Repository};
+use crate::repo::FileFacts;
+use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -19,16 +20,16 @@ pub(in crate::rules) static RULE: Rule = Rule {
             or give a slider its group.",
         ..RuleInfo::new("modelling-empty-category", Level::Info, "a category item has no slider")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     out.extend(without_user(base));
     let (Some((file, model)), Some(groups)) = (base.categories.winner(), groups::of(base)) else { return };
     for category in &model.categories {
         if category.name == USER_CATEGORY {
             // One root may be a user's folder; the file is then the generated one.
-            if !repository.is_one_root() {
+            if !view.layers.is_one_root() {
                 out.push(replaced(file, base, &groups));
             }
         } else if category.items.is_empty() {
@@ -41,7 +42,7 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
             let help = "add items, or remove the category";
             out.push(RULE.at(file, Place::key([&category.name]), message).key(&category.name).help(help));
         } else if base.modelling.winner().is_some() && !base.has_unreadable_sliders() {
-            empty_items(repository, file, base, &groups, category, out);
+            empty_items(view, file, base, &groups, category, out);
         }
     }
 }
@@ -61,14 +62,14 @@ fn without_user(base: &Base<'_>) -> Option<Finding> {
 }
 
 fn empty_items(
-    repository: &Repository<'_>,
+    view: &View<'_>,
     file: &FileFacts,
     base: &Base<'_>,
     groups: &Groups<'_, '_>,
     category: &Category,
     out: &mut Vec<Finding>,
 ) {
-    let idle = idle_words(repository, base);
+    let idle = idle_words(view, base);
     let used: BTreeSet<&str> = base.sliders.iter().filter_map(|slider| slider.as_meant().group.as_deref()).collect();
     for (index, item) in category.items.iter().enumerate() {
         let Some(group) = category.group_of(item) else { continue };
@@ -86,9 +87,8 @@ fn empty_items(
 }
 
 /// Words of the names of targets that no slider uses: their slider is gone, and `target-unreferenced` says so.
-fn idle_words<'a>(repository: &Repository<'a>, base: &Base<'a>) -> BTreeSet<&'a str> {
-    let used: BTreeSet<&str> =
-        repository.references_of(base).filter_map(|one| Some(one.meant()?.path.as_str())).collect();
+fn idle_words<'a>(view: &View<'a>, base: &Base<'a>) -> BTreeSet<&'a str> {
+    let used: BTreeSet<&str> = view.references_of(base).filter_map(|one| Some(one.meant()?.path.as_str())).collect();
     let targets = base.targets.into_iter().flat_map(|folder| folder.targets());
     targets.filter(|file| !used.contains(file.path.as_str())).flat_map(|file| words(file.stem())).collect()
 }

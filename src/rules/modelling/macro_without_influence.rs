@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Confidence, Finding, Level, Place, RuleInfo};
 use crate::formats::macro_json::MacroFile;
-use crate::repo::{Base, BoundSlider, Pattern, Repository};
+use crate::repo::makehuman2::{Base, BoundSlider, Pattern, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -17,10 +17,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
             List the macro definitions that use the slider.",
         ..RuleInfo::new("modelling-macro-without-influence", Level::Warning, "a macro slider without `macro_influence`")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((_, macros)) = base.macro_file().filter(|(_, macros)| !macros.macrodefs.is_empty()) else { return };
     for bound in &base.sliders {
         let slider = bound.slider;

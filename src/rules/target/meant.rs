@@ -4,18 +4,15 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::parent;
 use crate::diag::Suggestions;
-use crate::repo::{Base, FileFacts, Repository};
+use crate::repo::FileFacts;
+use crate::repo::makehuman2::{Base, View};
 
 /// Paths of files by a part of them.
 type Files<'f, 'a> = BTreeMap<&'f str, Vec<&'a str>>;
 
 /// Unused files that a name without file nearly fits, or would fit but for its path: that name is the
 /// fault to report.
-pub(super) fn meant_by_missing<'a>(
-    repository: &Repository<'_>,
-    base: &Base<'_>,
-    unused: &[&'a FileFacts],
-) -> BTreeSet<&'a str> {
+pub(super) fn meant_by_missing<'a>(view: &View<'_>, base: &Base<'_>, unused: &[&'a FileFacts]) -> BTreeSet<&'a str> {
     let mut meant = BTreeSet::new();
     let (mut by_stem, mut by_folder): (Files<'_, 'a>, Files<'_, 'a>) = (BTreeMap::new(), BTreeMap::new());
     for file in unused {
@@ -23,7 +20,7 @@ pub(super) fn meant_by_missing<'a>(
         by_folder.entry(parent(&file.rel)).or_default().push(&file.rel);
     }
     let suggestions = Suggestions::default();
-    for reference in repository.references_of(base).filter(|reference| reference.kind.is_target()) {
+    for reference in view.references_of(base).filter(|reference| reference.kind.is_target()) {
         if reference.meant().is_some() {
             continue;
         }

@@ -1,10 +1,11 @@
 //! A target for one direction of a slider without the other direction.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{parent, usage};
+use super::{asked_for, parent};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo, Sight, nearest};
 use crate::discover::Kind;
-use crate::repo::{Base, FileFacts, Repository, TargetFolder};
+use crate::repo::FileFacts;
+use crate::repo::makehuman2::{Base, TargetFolder, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -21,18 +22,18 @@ pub(in crate::rules) static RULE: Rule = Rule {
             ending. Where modelling.json lists a target as single, it is meant to be single and nothing is reported.",
         ..RuleInfo::new("target-missing-opposite", Level::Warning, "a target for one direction without its opposite")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let pairs = pairs(base);
+fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let (pairs, asked) = (pairs(base), asked_for(view, base));
     let unlisted = base.modelling.winner().is_none() && !base.modelling.is_broken();
     let folders = [base.user_targets, base.targets.filter(|_| unlisted)];
-    for folder in folders.into_iter().flatten().filter(|folder| std::ptr::eq(folder.layer, repository.judged)) {
+    for folder in folders.into_iter().flatten().filter(|folder| std::ptr::eq(folder.layer, view.layers.checked)) {
         for file in folder.targets() {
             let Some((opposite, pair)) = opposite_of(file, &pairs) else { continue };
             let rel = format!("{}/{opposite}.target", parent(&file.rel));
-            if folder.layer.file(&rel).is_some() || usage::is_missed(repository, base, &rel) {
+            if folder.layer.file(&rel).is_some() || asked.contains(rel.as_str()) {
                 continue;
             }
             let other_case = folder.layer.file_ignoring_case(&rel);
