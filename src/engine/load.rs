@@ -58,16 +58,15 @@ pub(super) fn load_targets(
         kind == Kind::Target && of == base
     };
     let entries = place.files().filter(wanted).collect();
-    let (mut files, rows) = read_all(place.tree, entries, limits, &|rel| size_of(rel, sizes), keep_rows);
-    layer.files.append(&mut files);
+    let (files, rows) = read_all(place.tree, entries, limits, &|rel| size_of(rel, sizes), keep_rows);
+    layer.add(files);
     rows
 }
 
 /// Enters the targets into `layer` without reading them.
 pub(super) fn list_targets(place: Place<'_>, layer: &mut Layer) {
-    for (entry, rel) in place.files().filter(|(_, rel)| kind_of(rel).0 == Kind::Target) {
-        layer.files.insert(rel.to_owned(), read::empty(place.tree, entry, rel));
-    }
+    let targets = place.files().filter(|(_, rel)| kind_of(rel).0 == Kind::Target);
+    layer.add(targets.map(|(entry, rel)| (rel.to_owned(), read::empty(place.tree, entry, rel))).collect());
 }
 
 impl<'t> Place<'t> {

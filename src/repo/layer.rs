@@ -31,8 +31,16 @@ pub struct Layer {
     pub folders: Vec<String>,
     /// What the walk could not list, relative to the root.
     pub walk_faults: Vec<WalkFault>,
-    /// Folded paths to paths, made when first asked for; with the number of files it was made for.
-    folded: OnceLock<(usize, BTreeMap<String, String>)>,
+    /// Folded paths to paths, of those that differ in case only the first; made when first asked for.
+    folded: OnceLock<BTreeMap<String, String>>,
+}
+
+/// Notes a path under its folded form, unless a smaller one has it.
+fn enter(folded: &mut BTreeMap<String, String>, rel: &str) {
+    let known = folded.entry(fold(rel)).or_insert_with(|| rel.to_owned());
+    if rel < known.as_str() {
+        rel.clone_into(known);
+    }
 }
 
 impl Layer {
@@ -40,10 +48,20 @@ impl Layer {
     pub fn new(
         path: String,
         files: BTreeMap<String, FileFacts>,
-        folders: Vec<String>,
-        walk_faults: Vec<WalkFault>,
+        mut folders: Vec<String>,
+        mut walk_faults: Vec<WalkFault>,
     ) -> Self {
+        folders.sort_unstable();
+        walk_faults.sort_by(|one, other| one.path.cmp(&other.path));
         Self { path, files, folders, walk_faults, folded: OnceLock::new() }
+    }
+
+    /// Adds files that were read later.
+    pub fn add(&mut self, mut files: BTreeMap<String, FileFacts>) {
+        if let Some(folded) = self.folded.get_mut() {
+            files.keys().for_each(|rel| enter(folded, rel));
+        }
+        self.files.append(&mut files);
     }
 
     /// The file at a path relative to the root.
@@ -53,29 +71,23 @@ impl Layer {
 
     /// All files below a folder (no trailing slash), in order.
     pub fn below<'s>(&'s self, folder: &str) -> impl Iterator<Item = &'s FileFacts> + use<'s> {
-        let prefix = format!("{folder}/");
+        self.beginning_with(format!("{folder}/"))
+    }
+
+    /// All files whose path begins so, in order.
+    pub fn beginning_with<'s>(&'s self, prefix: String) -> impl Iterator<Item = &'s FileFacts> + use<'s> {
         let from = self.files.range(prefix.clone()..);
         from.take_while(move |(rel, _)| rel.starts_with(&prefix)).map(|(_, file)| file)
     }
 
     /// The file whose path differs from `rel` in nothing but case, or the form of its accented letters.
     pub fn file_ignoring_case(&self, rel: &str) -> Option<&FileFacts> {
-        let wanted = fold(rel);
-        let (files, folded) = self.folded.get_or_init(|| (self.files.len(), self.folded()));
-        if *files == self.files.len() {
-            return self.files.get(folded.get(&wanted)?);
-        }
-        // Files were added since.
-        self.files.values().find(|file| fold(&file.rel) == wanted)
-    }
-
-    /// Of paths that differ in case only, the first.
-    fn folded(&self) -> BTreeMap<String, String> {
-        let mut folded = BTreeMap::new();
-        for rel in self.files.keys() {
-            folded.entry(fold(rel)).or_insert_with(|| rel.clone());
-        }
-        folded
+        let folded = self.folded.get_or_init(|| {
+            let mut folded = BTreeMap::new();
+            self.files.keys().for_each(|rel| enter(&mut folded, rel));
+            folded
+        });
+        self.files.get(folded.get(&fold(rel))?)
     }
 
     /// Path of something in this layer as reports print it.
@@ -91,13 +103,11 @@ impl Layer {
 
     /// Whether something other than a file stands at a path, or above it something that could not be walked.
     pub fn has_unusable(&self, rel: &str) -> bool {
-        let is_here = |fault: &WalkFault| {
-            let below = rel.strip_prefix(fault.path.as_str());
-            below.is_some_and(|rest| rest.is_empty() || rest.starts_with('/'))
-        };
+        let is_fault = |path: &str| self.walk_faults.binary_search_by(|fault| fault.path.as_str().cmp(path)).is_ok();
+        let mut above = rel.match_indices('/').filter_map(|(end, _)| rel.get(..end));
         // Folders with other names, such as those of images, are not reported.
-        let is_folder = kind_of(rel).0.is_text() && self.folders.iter().any(|folder| folder == rel);
-        is_folder || self.walk_faults.iter().any(is_here)
+        let is_folder = || self.folders.binary_search_by(|folder| folder.as_str().cmp(rel)).is_ok();
+        is_fault(rel) || above.any(is_fault) || kind_of(rel).0.is_text() && is_folder()
     }
 
     /// Whether a path as reports print it lies in this layer.

@@ -18,7 +18,7 @@ pub(super) fn findings(rule: &Rule, view: &View<'_>, base: &Base<'_>) -> Vec<Fin
     };
     let finding = |key: &str, message: String, effect: &'static str, near: &str| {
         let finding = rule.at(file, Place::File, message).key(format!("no {key}")).level(Level::Warning);
-        finding.breaks(Application::Makehuman2, effect).help(format!("add `\"{key}\": \"{near}\"`"))
+        finding.effect(effect).help(format!("add `\"{key}\": \"{near}\"`"))
     };
     let mut found = Vec::new();
     if settings.mhm.is_none() && !base.sliders.is_empty() && !is_explained("mhm") {

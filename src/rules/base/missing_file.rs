@@ -63,8 +63,8 @@ fn named(view: &View<'_>, base: &Base<'_>, reference: &Reference<'_>) -> Option<
     Some(match reference.kind {
         ReferenceKind::PoseSkeleton => finding
             .level(Level::Warning)
-            .breaks(Application::Makehuman2, "has no pose mode and no bone weights for assets, without a message"),
-        _ => finding.breaks(Application::Makehuman2, "stops with a TypeError when the base is loaded"),
+            .effect("has no pose mode and no bone weights for assets, without a message"),
+        _ => finding.effect("stops with a TypeError when the base is loaded"),
     })
 }
 
@@ -102,7 +102,7 @@ fn of_sliders(view: &View<'_>, base: &Base<'_>) -> Option<Finding> {
     let Gap { name, level, message, effect, help } = sliders::gap(view, base)?;
     let rel = format!("target/{}/{name}", base.name);
     let finding = RULE.in_layer(view.layers.checked, &rel, message).key(name).level(level);
-    Some(finding.breaks(Application::Makehuman2, effect).help(help))
+    Some(finding.effect(effect).help(help))
 }
 
 /// Targets of a base that no layer has.
@@ -114,7 +114,7 @@ fn orphan(judged: &Layer, base: &Base<'_>) -> Option<Finding> {
         RULE.in_layer(judged, folder, message)
             .key("base")
             .level(Level::Warning)
-            .breaks(Application::Makehuman2, "never loads these targets")
+            .effect("never loads these targets")
             .help("the folder must have the name of a base; give the system data with `--system` if the base is there"),
     )
 }

@@ -62,7 +62,7 @@ fn equipment(file: &FileFacts, settings: &BaseJson, out: &mut Vec<Finding>) {
             RULE.at(file, Place::pointer(["equipment", &index.to_string()]), format!("unknown equipment `{name}`"))
                 .key(name)
                 .level(Level::Warning)
-                .breaks(Application::Makehuman2, "ignores it: assets of this kind are not offered")
+                .effect("ignores it: assets of this kind are not offered")
                 .help(help),
         );
     }
@@ -90,9 +90,9 @@ fn visible(file: &FileFacts, groups: &[String], mesh: &Mesh, out: &mut Vec<Findi
     let finding = RULE.at(file, Place::pointer([MEMBER]), message).key(MEMBER).help(help);
     let finding = finding.evidence(Evidence::of_cases(&unknown).out_of(groups.len()));
     out.push(if nothing_left {
-        finding.breaks(Application::Makehuman2, "shows an invisible character of height 0, without a message")
+        finding.effect("shows an invisible character of height 0, without a message")
     } else {
-        finding.level(Level::Warning).breaks(Application::Makehuman2, "does not draw the group, without a message")
+        finding.level(Level::Warning).effect("does not draw the group, without a message")
     });
 }
 
@@ -106,11 +106,11 @@ fn plain_text(file: &FileFacts, text: &str, mesh: &Mesh) -> Finding {
     if shown.is_empty() {
         let effect = "shows an invisible character of height 0, without a message";
         return finding(format!("no group of the mesh is part of the text `{text}`"))
-            .breaks(Application::Makehuman2, effect);
+            .effect(effect);
     }
     let level = if shown == [text] { Level::Info } else { Level::Warning };
     finding("`visible groups` is a text; every group whose name is part of it is drawn".to_owned())
         .level(level)
-        .breaks(Application::Makehuman2, "draws every group whose name is part of the text")
+        .effect("draws every group whose name is part of the text")
         .evidence(Evidence::of_cases(shown))
 }

@@ -39,7 +39,7 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             out.push(
                 RULE.at(file, Place::Span(fault.span.clone()), message)
                     .key(format!("{key} {}", condition.slider))
-                    .breaks(Application::Makehuman2, effect)
+                    .effect(effect)
                     .help("write a comparison of `x` with numbers, such as `0.2 < x < 0.75`"),
             );
         }

@@ -52,7 +52,7 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let finding = RULE.at(file, place, message).key(&component.name).level(Level::Info);
         out.push(
             finding
-                .breaks(Application::Makehuman2, "nothing yet: every listed name has one meaning")
+                .effect("nothing yet: every listed name has one meaning")
                 .help("name the value without `-`"),
         );
     }

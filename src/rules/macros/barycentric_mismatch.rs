@@ -42,7 +42,7 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         finding = finding.help("list the corners as in `barycentric` of the slider, in the same order");
         if level == Level::Warning {
             finding = finding
-                .breaks(Application::Makehuman2, "takes the weights by position: values get the weights of others");
+                .effect("takes the weights by position: values get the weights of others");
         }
         let place = Place::key([&slider.slider.key]);
         out.push(weigh(finding.related(&slider.file.path, place, "the slider"), macros, component));

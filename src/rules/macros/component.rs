@@ -10,7 +10,7 @@ pub(super) fn weigh(finding: Finding, macros: &MacroFile, component: &Component)
     if macros.macrodefs.iter().any(|macrodef| macrodef.components.contains(&component.name)) {
         return finding;
     }
-    finding.level(Level::Info).breaks(Application::Makehuman2, "nothing yet: no macrodef uses the component")
+    finding.level(Level::Info).effect("nothing yet: no macrodef uses the component")
 }
 
 /// Whether the schema has nothing against the value at a pointer or below it; else the model lacks a part of it.

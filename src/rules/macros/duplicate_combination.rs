@@ -45,7 +45,7 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 let fix = surplus.fold(Fix::new(RULE.info.fix, "remove the repetition"), |fix, link| {
                     fix.step(&file.path, Change::Element(macrodef.entry_pointer(link)))
                 });
-                finding = finding.level(Level::Info).breaks(Application::Makehuman2, effect).fix(fix);
+                finding = finding.level(Level::Info).effect(effect).fix(fix);
             }
             out.push(finding);
         }

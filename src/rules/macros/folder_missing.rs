@@ -43,9 +43,7 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
                     _ => format!("folder `{folder}` holds no target"),
                 };
                 RULE.at(file, place, message)
-                    .breaks(
-                        Application::Makehuman2,
-                        "finds none of the targets and stops with an AttributeError as soon as one of them has weight",
+                    .effect("finds none of the targets and stops with an AttributeError as soon as one of them has weight",
                     )
                     .help(folder_of_files(base, &own).unwrap_or_else(|| nearest_folder(base, folder)))
             }
@@ -56,17 +54,17 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
                     "searches the targets in that folder, and stops as soon as one that is not there has weight";
                 let finding = RULE
                     .at(file, Place::pointer(["macrodef", &index]), message)
-                    .breaks(Application::Makehuman2, effect);
+                    .effect(effect);
                 if own.iter().all(|link| link.found().is_some()) {
                     let effect = "nothing: the targets are in the folder of the macrodef before";
-                    finding.level(Level::Info).breaks(Application::Makehuman2, effect)
+                    finding.level(Level::Info).effect(effect)
                 } else {
                     finding
                 }
             }
             (None, None) => RULE
                 .at(file, Place::pointer(["macrodef", &index]), "the first macrodef has no `folder`")
-                .breaks(Application::Makehuman2, "stops at start"),
+                .effect("stops at start"),
         };
         let help = finding.help.clone().unwrap_or_else(|| "write the name of the folder".to_owned());
         let folder = macrodef.folder.as_deref().unwrap_or("none");

@@ -76,7 +76,7 @@ fn dead(bound: &BoundSlider<'_>, names: &[String]) -> Finding {
     RULE.at(bound.file, Place::pointer([key, member]), message)
         .key(key)
         .level(Level::Warning)
-        .breaks(Application::Makehuman2, "shows a slider that moves nothing, and says nothing")
+        .effect("shows a slider that moves nothing, and says nothing")
         .help("let the `pattern` of a component in macro.json name it, or remove the slider")
 }
 

@@ -76,7 +76,7 @@ fn finding(wrong: &[i64], sliders: &[&BoundSlider<'_>], count: i64) -> Option<Fi
         } else {
             "nothing: a negative index passes its test, and it only looks whether any index is left"
         };
-        finding = finding.level(Level::Info).breaks(Application::Makehuman2, effect);
+        finding = finding.level(Level::Info).effect(effect);
     }
     Some(finding)
 }

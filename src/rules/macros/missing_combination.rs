@@ -80,7 +80,7 @@ fn finding(
     } else {
         let effect = "nothing: these combinations are meant to have no shape of their own";
         let help = "nothing needs to be done if no shape is meant here";
-        finding.level(Level::Info).breaks(Application::Makehuman2, effect).help(help)
+        finding.level(Level::Info).effect(effect).help(help)
     };
     Some(finding.evidence(evidence))
 }

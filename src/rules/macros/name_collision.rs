@@ -105,7 +105,7 @@ fn report(
     }
     if level == Level::Warning {
         finding = finding
-            .breaks(Application::Makehuman2, "applies the target once for each of the two macrodefs: a doubled morph");
+            .effect("applies the target once for each of the two macrodefs: a doubled morph");
     }
     out.push(finding);
 }

@@ -33,13 +33,13 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 let place = Place::key(["components", name, "sum"]);
                 RULE.at(file, place, format!("component `{name}` has both `steps` and `sum`"))
                     .level(level)
-                    .breaks(Application::Makehuman2, effect)
+                    .effect(effect)
                     .help("remove `sum` for a plain slider, `steps` for a triangle slider")
             }
             (None, None) => {
                 let place = Place::key(["components", name]);
                 RULE.at(file, place, format!("component `{name}` has neither `steps` nor `sum`"))
-                    .breaks(Application::Makehuman2, "stops with a KeyError")
+                    .effect("stops with a KeyError")
                     .help("add `steps` with a slider position for each value")
             }
             _ => continue,

@@ -35,7 +35,7 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             finding.help("name a value for every step, or remove the surplus steps")
         } else {
             let effect = surplus_effect(steps.len());
-            let finding = finding.level(Level::Warning).breaks(Application::Makehuman2, effect);
+            let finding = finding.level(Level::Warning).effect(effect);
             finding.help("give every value a step; the last values cannot be reached now")
         };
         out.push(weigh(finding, macros, component));

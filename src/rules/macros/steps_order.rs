@@ -41,7 +41,7 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         if !(equal && at == 0) {
             let effect =
                 if equal { "lets the shape jump at this position" } else { "never uses some of the intervals" };
-            finding = finding.level(Level::Warning).breaks(Application::Makehuman2, effect);
+            finding = finding.level(Level::Warning).effect(effect);
         }
         out.push(weigh(finding, macros, component));
     }

@@ -42,7 +42,7 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             .at(file, place, message)
             .key(format!("{} {end}", component.name))
             .help("let the first step be 0 and the last 1");
-        out.push(weigh(finding.breaks(Application::Makehuman2, effect), macros, component));
+        out.push(weigh(finding.effect(effect), macros, component));
     }
 }
 

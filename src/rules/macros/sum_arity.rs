@@ -48,7 +48,7 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             finding.help("give `values` and `sum` three entries each, in the order of `barycentric` of the slider");
         if !stops(base, component, sum) {
             let effect = "never reads the surplus, or the corners without a value";
-            finding = finding.level(Level::Warning).breaks(Application::Makehuman2, effect);
+            finding = finding.level(Level::Warning).effect(effect);
         }
         out.push(weigh(finding, macros, component));
     }

@@ -1,5 +1,7 @@
 //! `t` is written without suffix.
 
+use std::collections::BTreeSet;
+
 use super::super::{Check, Rule, RuleCx};
 use super::fit::{fits, values_of};
 use super::links::{has_suffix, is_in_folder, links};
@@ -7,7 +9,7 @@ use super::titles;
 use crate::diag::{Application, Change, Evidence, Finding, Fix, FixKind, Level, Place, RuleInfo};
 use crate::formats::macro_json::{Link, Macrodef, without_suffix};
 use crate::repo::makehuman2::{Base, View};
-use crate::repo::{FileFacts, Reference};
+use crate::repo::FileFacts;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -27,11 +29,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };
-    let all = links(view, base);
+    let all = links(view, base).into_iter().filter(|link| link.found().is_some());
+    let found: BTreeSet<(usize, usize)> = all.map(|link| (link.macrodef.index, link.link.index)).collect();
     for macrodef in &macros.macrodefs {
-        let found = |index| {
-            all.iter().any(|l| l.macrodef.index == macrodef.index && l.link.index == index && l.found().is_some())
-        };
+        let found = |index| found.contains(&(macrodef.index, index));
         let wrong =
             macrodef.links.iter().filter(|link| link.target.as_deref().is_some_and(has_suffix) && !found(link.index));
         let wrong: Vec<_> = wrong.collect();
@@ -90,8 +91,7 @@ fn own_target<'a>(base: &Base<'_>, macrodef: &Macrodef, link: &'a Link) -> Optio
 
 /// Whether the folder has a target for the combination that nothing uses.
 fn has_candidate(view: &View<'_>, base: &Base<'_>, macrodef: &Macrodef, link: &Link) -> bool {
-    let is_used =
-        |file: &FileFacts| view.references_of(base).filter_map(Reference::meant).any(|meant| meant.rel == file.rel);
+    let is_used = |file: &FileFacts| view.references.to_file(file).next().is_some();
     let name = values_of(&link.name);
     let fitting = |file: &&FileFacts| is_in_folder(base, macrodef, file) && fits(&values_of(file.stem()), &name);
     base.targets.is_some_and(|targets| targets.targets().filter(fitting).any(|file| !is_used(file)))

@@ -73,7 +73,7 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             if home.is_some() {
                 let effect = "finds the name for another macrodef, in the folder of this one";
                 finding.help = Some("move the entry there, and check its folder".to_owned());
-                finding = finding.level(Level::Info).breaks(Application::Makehuman2, effect);
+                finding = finding.level(Level::Info).effect(effect);
             }
             let names = strangers.iter().map(|stranger| &stranger.link.name);
             out.push(finding.evidence(Evidence::of_cases(names).out_of(macrodef.links.len())));

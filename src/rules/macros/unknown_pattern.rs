@@ -68,7 +68,7 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let mut finding = RULE.at(file, place, message).key(name).help(help);
         if is_corner {
             let effect = "skips this corner of the triangle without a word; the targets of its value are never applied";
-            finding = finding.breaks(Application::Makehuman2, effect);
+            finding = finding.effect(effect);
         }
         out.push(weigh(finding.evidence(Evidence::of_cases(&unknown).out_of(read.len())), macros, component));
     }

@@ -49,7 +49,7 @@ fn finding(bound: &BoundSlider<'_>, member: &str, message: String) -> Finding {
 fn coloured(bound: &BoundSlider<'_>, message: String, surplus: bool) -> Finding {
     let finding = finding(bound, "barycentric_diffuse", message);
     if surplus {
-        return finding.level(Level::Warning).breaks(Application::Makehuman2, "never uses what is beyond three");
+        return finding.level(Level::Warning).effect("never uses what is beyond three");
     }
-    finding.breaks(Application::Makehuman2, "cannot mix the skin colour of a skin without diffuse texture")
+    finding.effect("cannot mix the skin colour of a skin without diffuse texture")
 }

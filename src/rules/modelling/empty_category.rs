@@ -26,6 +26,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     out.extend(without_user(base));
     let (Some((file, model)), Some(groups)) = (base.categories.winner(), groups::of(base)) else { return };
+    let mut used = None;
     for category in &model.categories {
         if category.name == USER_CATEGORY {
             // One root may be a user's folder; the file is then the generated one.
@@ -42,7 +43,8 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
             let help = "add items, or remove the category";
             out.push(RULE.at(file, Place::key([&category.name]), message).key(&category.name).help(help));
         } else if base.modelling.winner().is_some() && !base.has_unreadable_sliders() {
-            empty_items(view, file, base, &groups, category, out);
+            let used = used.get_or_insert_with(|| Used::of(view, base));
+            empty_items(file, used, &groups, category, out);
         }
     }
 }
@@ -56,27 +58,24 @@ fn without_user(base: &Base<'_>) -> Option<Finding> {
         RULE.at(file, Place::File, "the generated target_cat.json has no category `User`")
             .key("generated")
             .level(Level::Error)
-            .breaks(Application::Makehuman2, "stops at start with a KeyError")
+            .effect("stops at start with a KeyError")
             .help("delete both generated JSON files, MakeHuman 2 writes them anew from the targets")
     })
 }
 
 fn empty_items(
-    view: &View<'_>,
     file: &FileFacts,
-    base: &Base<'_>,
+    used: &Used<'_>,
     groups: &Groups<'_, '_>,
     category: &Category,
     out: &mut Vec<Finding>,
 ) {
-    let idle = idle_words(view, base);
-    let used: BTreeSet<&str> = base.sliders.iter().filter_map(|slider| slider.as_meant().group.as_deref()).collect();
     for (index, item) in category.items.iter().enumerate() {
         let Some(group) = category.group_of(item) else { continue };
-        if used.contains(group.as_str())
+        if used.groups.contains(group.as_str())
             || groups.is_excused(&group)
             || groups.renamed.iter().any(|r| r.name == category.name)
-            || item.cat.as_deref().is_some_and(|cat| words(cat).any(|word| idle.contains(word)))
+            || item.cat.as_deref().is_some_and(|cat| words(cat).any(|word| used.idle_words.contains(word)))
         {
             continue;
         }
@@ -86,7 +85,20 @@ fn empty_items(
     }
 }
 
-/// Words of the names of targets that no slider uses: their slider is gone, and `target-unreferenced` says so.
+/// What sliders use.
+struct Used<'b> {
+    groups: BTreeSet<&'b str>,
+    /// Words of the names of targets that no slider uses: their slider is gone, and `target-unreferenced` says so.
+    idle_words: BTreeSet<&'b str>,
+}
+
+impl<'b> Used<'b> {
+    fn of(view: &'b View<'_>, base: &'b Base<'_>) -> Self {
+        let groups = base.sliders.iter().filter_map(|slider| slider.as_meant().group.as_deref()).collect();
+        Self { groups, idle_words: idle_words(view, base) }
+    }
+}
+
 fn idle_words<'a>(view: &View<'a>, base: &Base<'a>) -> BTreeSet<&'a str> {
     let used: BTreeSet<&str> = view.references_of(base).filter_map(|one| Some(one.meant()?.path.as_str())).collect();
     let targets = base.targets.into_iter().flat_map(|folder| folder.targets());
@@ -105,7 +117,7 @@ fn replaced(file: &FileFacts, base: &Base<'_>, groups: &Groups<'_, '_>) -> Findi
     RULE.at(file, Place::key([USER_CATEGORY]), "category `User` is always replaced by the generated one")
         .key(USER_CATEGORY)
         .level(Level::Warning)
-        .breaks(Application::Makehuman2, "drops the category and never shows the sliders under it")
+        .effect("drops the category and never shows the sliders under it")
         .help("give the category another name")
         .evidence(Evidence::of_cases(lost.map(|slider| &slider.slider.key)))
 }

@@ -78,5 +78,5 @@ fn finding(bound: &BoundSlider<'_>, message: &str, effect: &str) -> Finding {
         .at(bound.file, Place::pointer([key, "measure"]), format!("`{key}` {message}"))
         .key(key)
         .help("vertices are counted from 0; was the line made for another mesh?");
-    if effect.is_empty() { finding } else { finding.breaks(Application::Makehuman2, effect) }
+    if effect.is_empty() { finding } else { finding.effect(effect) }
 }

@@ -68,7 +68,7 @@ fn beside_macro(bound: &BoundSlider<'_>, loaded: &BTreeMap<&str, &Reference<'_>>
     let finding = RULE.at(bound.file, loaded.place.clone(), message).key(&slider.key);
     Some(
         finding
-            .breaks(Application::Makehuman2, format!("loads the target and ignores `{member}`, without a message"))
+            .effect(format!("loads the target and ignores `{member}`, without a message"))
             .help(format!("give `{member}` an entry of its own, or remove it")),
     )
 }

@@ -122,7 +122,7 @@ fn two_bars(base: &Base<'_>, out: &mut Vec<Finding>) {
             RULE.at(slider.file, Place::pointer([key, "group"]), format!("`{key}` has a group of more than two parts"))
                 .key(key)
                 .level(Level::Error)
-                .breaks(Application::Makehuman2, "stops with a ValueError when a random character is made")
+                .effect("stops with a ValueError when a random character is made")
                 .help(format!("`{group}` must be `category|subcategory`")),
         );
     }

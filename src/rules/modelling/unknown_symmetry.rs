@@ -33,7 +33,7 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let place = Place::pointer([&slider.key, member]);
         let finding = RULE.at(bound.file, place, message).key(&slider.key).help(advice(base, partner, &suggestions));
         out.push(if member == "lsym" {
-            finding.breaks(Application::Makehuman2, "stops with a KeyError when a random character is made")
+            finding.effect("stops with a KeyError when a random character is made")
         } else {
             finding.level(Level::Warning)
         });

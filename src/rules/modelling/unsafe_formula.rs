@@ -47,6 +47,6 @@ fn finding(bound: &BoundSlider<'_>, member: &str, fault: &Fault) -> Finding {
     };
     RULE.at(bound.file, Place::Span(fault.span.clone()), message)
         .key(format!("{key} {member}"))
-        .breaks(Application::Makehuman2, effect)
+        .effect(effect)
         .help(help)
 }

@@ -38,6 +38,7 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
             folders.entry(parent(&file.rel)).or_default().push(file);
         }
     }
+    let without_decr = without_decr(base);
     let is_lost = lost_macrodefs(base) || base.lacks_macrodef();
     for (path, files) in folders {
         let all = folder.layer.below(path).filter(|file| file.target().is_some()).count();
@@ -53,7 +54,7 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
                 let parts = [Some(file), decr].into_iter().flatten().map(FileFacts::file_name);
                 let finding = decr
                     .and_then(|decr| folder.name_of(decr))
-                    .map_or_else(|| single(base, file, name), |decr| pair(file, name, decr));
+                    .map_or_else(|| single(base, &without_decr, file, name), |decr| pair(file, name, decr));
                 let pair = [Some(file), decr].into_iter().flatten().map(|file| &file.path);
                 finding.part_of(folder.layer.display(path), parts).over_each(pair)
             }));
@@ -112,21 +113,23 @@ fn whole_folder(layer: &Layer, path: &str, files: &[&FileFacts]) -> Finding {
         .evidence(evidence)
 }
 
-fn single(base: &Base<'_>, file: &FileFacts, name: &str) -> Finding {
+fn single(base: &Base<'_>, sliders: &BTreeMap<&str, &str>, file: &FileFacts, name: &str) -> Finding {
     let finding = RULE.at(file, Place::File, format!("no slider and no macro uses `{name}`"));
-    finding.help(match slider_without(base, name) {
+    finding.help(match slider_without(base, sliders, name) {
         Some(key) => format!("add `\"decr\": \"{name}\"` to the slider `{key}` in modelling.json, or remove the file"),
         None => format!("add a slider with `\"incr\": \"{name}\"` to modelling.json, or remove the file"),
     })
 }
 
+/// Keys of the sliders without `decr`, by what they have as `incr`; of several the first.
+fn without_decr<'b>(base: &'b Base<'_>) -> BTreeMap<&'b str, &'b str> {
+    let sliders = base.sliders.iter().rev().map(|bound| bound.slider).filter(|slider| slider.decr.is_none());
+    sliders.filter_map(|slider| Some((slider.incr.as_deref()?, slider.key.as_str()))).collect()
+}
+
 /// The slider that has the opposite of a target and lacks the target itself.
-fn slider_without<'b>(base: &'b Base<'_>, decr: &str) -> Option<&'b str> {
+fn slider_without<'b>(base: &Base<'_>, sliders: &BTreeMap<&str, &'b str>, decr: &str) -> Option<&'b str> {
     let opposites = base.settings().map(|(_, settings)| settings.opposites.as_slice()).unwrap_or_default();
-    let names =
-        opposites.iter().filter_map(|(less, more)| Some(format!("{}{more}", decr.strip_suffix(less.as_str())?)));
-    let names: Vec<String> = names.collect();
-    let has_one = |incr: &String| names.contains(incr);
-    let mut sliders = base.sliders.iter().map(|bound| bound.slider);
-    sliders.find(|own| own.decr.is_none() && own.incr.as_ref().is_some_and(has_one)).map(|own| own.key.as_str())
+    let names = opposites.iter().filter_map(|(less, more)| Some(decr.strip_suffix(less.as_str())?.to_owned() + more));
+    names.filter_map(|name| sliders.get(name.as_str()).copied()).next()
 }
