@@ -61,9 +61,9 @@ fn named(view: &View<'_>, base: &Base<'_>, reference: &Reference<'_>) -> Option<
     };
     let finding = finding.help(help);
     Some(match reference.kind {
-        ReferenceKind::PoseSkeleton => finding
-            .level(Level::Warning)
-            .effect("has no pose mode and no bone weights for assets, without a message"),
+        ReferenceKind::PoseSkeleton => {
+            finding.level(Level::Warning).effect("has no pose mode and no bone weights for assets, without a message")
+        }
         _ => finding.effect("stops with a TypeError when the base is loaded"),
     })
 }

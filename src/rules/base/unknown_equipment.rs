@@ -105,8 +105,7 @@ fn plain_text(file: &FileFacts, text: &str, mesh: &Mesh) -> Finding {
     };
     if shown.is_empty() {
         let effect = "shows an invisible character of height 0, without a message";
-        return finding(format!("no group of the mesh is part of the text `{text}`"))
-            .effect(effect);
+        return finding(format!("no group of the mesh is part of the text `{text}`")).effect(effect);
     }
     let level = if shown == [text] { Level::Info } else { Level::Warning };
     finding("`visible groups` is a text; every group whose name is part of it is drawn".to_owned())

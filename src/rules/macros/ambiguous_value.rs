@@ -50,10 +50,6 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let message = format!("value `{value}` of `{}` holds a dash, which separates values in names", component.name);
         let place = Place::pointer(["components", &component.name, "values", &at.to_string()]);
         let finding = RULE.at(file, place, message).key(&component.name).level(Level::Info);
-        out.push(
-            finding
-                .effect("nothing yet: every listed name has one meaning")
-                .help("name the value without `-`"),
-        );
+        out.push(finding.effect("nothing yet: every listed name has one meaning").help("name the value without `-`"));
     }
 }

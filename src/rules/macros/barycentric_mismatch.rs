@@ -41,8 +41,7 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let mut finding = RULE.at(file, place, format!("component `{name}`: {message}")).key(name).level(level);
         finding = finding.help("list the corners as in `barycentric` of the slider, in the same order");
         if level == Level::Warning {
-            finding = finding
-                .effect("takes the weights by position: values get the weights of others");
+            finding = finding.effect("takes the weights by position: values get the weights of others");
         }
         let place = Place::key([&slider.slider.key]);
         out.push(weigh(finding.related(&slider.file.path, place, "the slider"), macros, component));

@@ -43,7 +43,8 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
                     _ => format!("folder `{folder}` holds no target"),
                 };
                 RULE.at(file, place, message)
-                    .effect("finds none of the targets and stops with an AttributeError as soon as one of them has weight",
+                    .effect(
+                        "finds none of the targets and stops with an AttributeError as soon as one of them has weight",
                     )
                     .help(folder_of_files(base, &own).unwrap_or_else(|| nearest_folder(base, folder)))
             }
@@ -52,9 +53,7 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
                 let message = format!("no `folder`: `{folder}` of the macrodef before is used again");
                 let effect =
                     "searches the targets in that folder, and stops as soon as one that is not there has weight";
-                let finding = RULE
-                    .at(file, Place::pointer(["macrodef", &index]), message)
-                    .effect(effect);
+                let finding = RULE.at(file, Place::pointer(["macrodef", &index]), message).effect(effect);
                 if own.iter().all(|link| link.found().is_some()) {
                     let effect = "nothing: the targets are in the folder of the macrodef before";
                     finding.level(Level::Info).effect(effect)

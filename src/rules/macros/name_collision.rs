@@ -104,8 +104,7 @@ fn report(
         finding = finding.related(&file.path, twin, "the same name");
     }
     if level == Level::Warning {
-        finding = finding
-            .effect("applies the target once for each of the two macrodefs: a doubled morph");
+        finding = finding.effect("applies the target once for each of the two macrodefs: a doubled morph");
     }
     out.push(finding);
 }

@@ -53,7 +53,8 @@ fn finding(
             "this file is generated: delete both generated JSON files, MakeHuman 2 writes them anew from the targets",
         );
     } else if is_unused(base, first) {
-        finding = finding.level(Level::Warning).effect("writes a line into its log; the targets of an entry with `macro` or `barycentric` are never applied",
+        finding = finding.level(Level::Warning).effect(
+            "writes a line into its log; the targets of an entry with `macro` or `barycentric` are never applied",
         );
     }
     Some(finding)
