@@ -6,7 +6,7 @@ use super::input::Input;
 use super::load::Place;
 use super::loose::Moved;
 use super::outcome::{Error, Outcome, RootSummary};
-use super::scope::Scope;
+use super::settle::Scope;
 use crate::config::Config;
 use crate::diag::Application;
 use crate::discover::{DataRoot, find_roots};
