@@ -5,13 +5,10 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use super::changed::{Change, explain, narrow};
-use super::data::{Data, Loaded};
-use super::input::{Input, open};
 use super::judge::{judge, look_after};
-use super::loose::moved;
+use super::load::{Data, Input, Loaded, Roots, check_bases, moved, open, summarise};
 use super::measure::measure_bases;
 use super::outcome::{Error, Outcome, Timing};
-use super::roots::{Roots, check_bases, summarise};
 use super::settle::{Ignores, Keeper, Known, Placed, Scope, Selection, idle, place_and_sort};
 use crate::config::Config;
 use crate::diag::{Application, IdleGlob, Level, Upkeep};
@@ -25,7 +22,7 @@ use crate::source::Tree;
 /// When a path cannot be read, or an option names nothing that exists.
 pub fn lint(paths: &[PathBuf], options: &Config) -> Result<Outcome, Error> {
     let inputs = open(paths)?;
-    let system = options.system.as_deref().map(super::input::open_system).transpose()?;
+    let system = options.system.as_deref().map(super::load::open_system).transpose()?;
     lint_inputs(&inputs, system.as_ref(), options)
 }
 
