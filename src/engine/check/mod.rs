@@ -10,9 +10,8 @@ use rayon::prelude::*;
 
 use self::merge::merged;
 use super::caught::caught;
-use super::mute::Muting;
 use super::outcome::{Outcome, Timing};
-use super::select::{Selection, Verdict};
+use super::settle::{Ignores, Selection, Verdict};
 use crate::config::Config;
 use crate::diag::{Finding, Upkeep, fingerprint};
 use crate::eval::measures::Measures;
@@ -103,7 +102,7 @@ fn run_rule(rule: &Rule, sight: &Sight<'_>, cx: &RuleCx<'_>, options: &Config) -
 pub(super) fn check_upkeep(
     upkeep: &Upkeep,
     selection: &Selection<'_>,
-    muting: &Muting<'_>,
+    ignores: &Ignores<'_>,
     options: &Config,
     failed: &mut Vec<String>,
 ) -> Vec<Finding> {
@@ -117,7 +116,7 @@ pub(super) fn check_upkeep(
     findings.retain_mut(|finding| {
         let Verdict::At(level) = selection.verdict(finding.rule, finding.level, None) else { return false };
         finding.level = level;
-        finding.fingerprint = fingerprint(finding.rule, &muting.asset(&finding.path), &finding.key, 0);
+        finding.fingerprint = fingerprint(finding.rule, &ignores.asset(&finding.path), &finding.key, 0);
         true
     });
     findings

@@ -1,7 +1,7 @@
 //! Keys that `base.json` needs for what the base mesh has.
 
 use super::super::Rule;
-use crate::diag::{Application, Finding, Level, Place};
+use crate::diag::{Finding, Level, Place};
 use crate::repo::makehuman2::{Base, View};
 
 /// Keys of `base.json` without which a part of the base is silently not used. A base without sliders needs no start

@@ -1,6 +1,6 @@
 //! What the rules on components and their patterns share.
 
-use crate::diag::{Application, Finding, Level};
+use crate::diag::{Finding, Level};
 use crate::formats::macro_json::{Component, MacroFile};
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, Pattern};

@@ -6,7 +6,7 @@ use crate::diag::{Application, Change, Evidence, Finding, Fix, FixKind, Level, P
 use crate::formats::macro_json::without_suffix;
 use crate::formats::target::TargetFacts;
 use crate::repo::makehuman2::{Base, View};
-use crate::repo::{FileFacts, Reference, ReferenceKind, Resolution};
+use crate::repo::{FileFacts, Reference, ReferenceKind};
 use std::collections::BTreeMap;
 
 pub(in crate::rules) static RULE: Rule = Rule {
