@@ -10,10 +10,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Bound;
 use std::path::{Path, PathBuf};
 
-use super::catalogue::is_upkeep;
-use super::outcome::Outcome;
 use super::sight::{is_numeric, sight};
-use crate::diag::{Finding, Place, Sight};
+use crate::diag::{Finding, Note, Outcome, Place, Sight};
 use crate::repo::{Layer, Reference, Repository, Resolution};
 use crate::source::{folder_of, link_targets, resolved, slashed};
 
@@ -88,18 +86,9 @@ pub(super) fn explain(repository: &Repository<'_>, findings: &mut [Finding], cha
 pub(super) fn narrow(outcome: &mut Outcome, change: &Change) {
     let all = outcome.findings.len();
     // Mutes and entries of the baseline can fall out of use by any change.
-    outcome.findings.retain(|finding| finding.because.is_some() || is_upkeep(finding.rule));
+    outcome.findings.retain(|finding| finding.because.is_some() || finding.is_upkeep());
     outcome.left_out = all - outcome.findings.len();
-    let files = match change.files {
-        1 => "1 changed file".to_owned(),
-        count => format!("{count} changed files"),
-    };
-    let others = match outcome.left_out {
-        0 => String::new(),
-        1 => "; 1 other finding is not shown".to_owned(),
-        count => format!("; {count} other findings are not shown"),
-    };
-    outcome.notes.push(format!("narrowed to what {files} can affect{others}"));
+    outcome.notes.push(Note::Narrowed { changed: change.files, left_out: outcome.left_out });
 }
 
 /// What a change reaches in one repository.
