@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use super::baseline::{Found, placed};
-use super::outcome::Error;
+use super::error::{BaselineFault, Error};
 use super::scope::Scope;
 use super::select::{Selection, is_unmutable};
 use crate::config::Config;
@@ -118,12 +118,8 @@ impl Known {
         if !entries.iter().all(|entry| !selection.is_silenced(&entry.rule) && is_gone(entry)) {
             return Ok(());
         }
-        let reason = format!(
-            "seems to be that of another repository: nothing that it names is here, neither `{}` nor its folder; \
-             name another file with `--baseline`, or remove this one and write it anew with `--write-baseline`",
-            first.path
-        );
-        Err(Error::Baseline { path: self.path.display().to_string(), reason })
+        let fault = BaselineFault::Foreign { first: first.path.clone() };
+        Err(Error::Baseline { path: self.path.display().to_string(), fault })
     }
 
     fn found(&self, placed_at: &Placed) -> Found {

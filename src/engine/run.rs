@@ -6,6 +6,7 @@ use std::time::Instant;
 
 use super::caught::caught;
 use super::changed::{Change, explain, narrow};
+use super::error::Error;
 use super::heard::{Filter, Heard};
 use super::idle::idle;
 use super::judge::{judge, look_after};
@@ -17,9 +18,9 @@ use super::load::{Roots, check_bases, summarise};
 use super::locate::locate;
 use super::measure::measure_bases;
 use super::mute::Muting;
-use super::outcome::{Error, conclude};
 use super::scope::Scope;
 use super::select::Selection;
+use super::verdict::conclude;
 use crate::config::{Config, Selector};
 use crate::diag::{self, Application, Finding, IdleGlob, Level, Outcome, Over, Timing, Upkeep, fingerprint};
 use crate::eval::measures::Measures;

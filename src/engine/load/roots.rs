@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::super::outcome::Error;
+use super::super::error::{Error, PathFault};
 use super::super::scope::Scope;
 use super::input::Input;
 use super::layer::Place;
@@ -40,7 +40,7 @@ impl<'t> Roots<'t> {
         let root = roots.iter().find(|root| root.application == Application::Makehuman2);
         let root = root.ok_or_else(|| Error::Path {
             path: tree.label().to_owned(),
-            reason: "holds no MakeHuman 2 data (a folder with base/<name>/base.json in it is wanted)".to_owned(),
+            fault: PathFault::NoDataOf(Application::Makehuman2),
         })?;
         let place = Place { tree, root: &root.path, moved: None };
         let path = place.path();
