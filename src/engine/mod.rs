@@ -2,34 +2,26 @@
 //!
 //! The only place with threads. Prints nothing and judges nothing.
 
-mod baseline;
 mod catalogue;
 mod caught;
 mod changed;
 mod compose;
 mod error;
 pub mod evaluate;
+mod fix;
 mod gauge;
-mod heard;
-mod idle;
 mod judge;
-mod known;
 mod load;
-mod locate;
 mod measure;
-mod mend;
-mod mute;
-mod parts;
 mod references;
 mod run;
-mod scope;
-mod select;
+mod settle;
 mod sight;
 mod verdict;
 
 pub use crate::eval::settings::DEFAULT_SAMPLES;
 pub use catalogue::rule_infos;
 pub use error::{BaselineFault, Error, PathFault, SelectorFault};
-pub use mend::{Mended, mend, mendable};
+pub use fix::{Fixed, fixable, lint_and_fix};
 pub use run::{lint, lint_trees};
 pub use verdict::holds_asset;
