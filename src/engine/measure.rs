@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::caught::caught;
-use super::data::Data;
+use super::load::Data;
 use super::load::load_targets;
 use crate::config::Config;
 use crate::eval::measures::Measures;

@@ -5,11 +5,11 @@ use std::path::Path;
 
 use super::data::Data;
 use super::input::{open, open_system};
-use super::load::{Place, list_targets};
-use super::outcome::Error as RunError;
+use super::layer::{Place, list_targets};
 use super::roots::roots_of;
 use super::stack::{Role, Stack};
 use crate::diag::{Application, nearest};
+use crate::engine::Error as RunError;
 use crate::evaluate::{Error, Evaluation};
 use crate::repo::{Base, Layer};
 use crate::source::{Limits, Tree, slashed};
