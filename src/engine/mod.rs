@@ -5,15 +5,12 @@
 mod catalogue;
 mod caught;
 mod changed;
-mod compose;
 mod error;
-pub mod evaluate;
 mod fix;
-mod gauge;
 mod judge;
 mod load;
 mod measure;
-mod references;
+
 mod run;
 mod settle;
 mod sight;
@@ -23,5 +20,6 @@ pub use crate::eval::settings::DEFAULT_SAMPLES;
 pub use catalogue::rule_infos;
 pub use error::{BaselineFault, Error, PathFault, SelectorFault};
 pub use fix::{Fixed, fixable, lint_and_fix};
+pub use load::open_base;
 pub use run::{lint, lint_trees};
 pub use verdict::holds_asset;

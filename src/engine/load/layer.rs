@@ -8,10 +8,10 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use rayon::prelude::*;
 
-use super::super::compose::Rows;
 use super::loose::Moved;
 use super::read;
 use crate::discover::{Kind, kind_of};
+use crate::evaluate::Rows;
 use crate::formats::target::MeshSize;
 use crate::repo::{FileFacts, Layer};
 use crate::source::{Entry, EntryKind, Limits, Tree, WalkFault, WalkFaultKind};

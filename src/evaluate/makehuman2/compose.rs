@@ -6,44 +6,45 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::references::through_references;
-use crate::eval::macro_def::{Blend, Component, Macrodef, Slider};
-use crate::eval::macros::MacroTable;
+use crate::eval::macros::Macros;
+use crate::eval::makehuman2::MacroTable;
+use crate::eval::makehuman2::macro_def::{Blend, Component, Macrodef, Slider};
+use crate::eval::makehuman2::rest::hierarchy;
+use crate::eval::makehuman2::weights::load;
 use crate::eval::proportion::{Lengths, MEDIAN_RATIO, extent, oversize};
-use crate::eval::scene::{MorphTarget, Scene, SceneSkeleton, SceneSlider, SliderKind};
+use crate::eval::scene::{MorphTarget, Scene, SceneSlider, SliderKind};
 use crate::eval::settings::Dimension;
-use crate::eval::skeleton::{Bone, hierarchy};
-use crate::eval::weights::{self, Entry, LoadedWeights};
+use crate::eval::skeleton::{Bone, SceneSkeleton};
+use crate::eval::weights::{Entry, LoadedWeights};
+use crate::evaluate::Rows;
 use crate::formats::macro_json::MacroFile;
 use crate::formats::mhskel::{Plane, RotationPlane, Skeleton};
 use crate::formats::mhw::Weights;
 use crate::formats::obj::Mesh;
-use crate::formats::target::Row;
+use crate::formats::target::{Row, TargetFacts};
 use crate::repo::{Base, FileFacts, Pattern, TargetFolder};
-
-/// Rows of targets by printed path.
-pub(super) type Rows = BTreeMap<String, Vec<Row>>;
 
 /// Barycentric sets after a reset, whatever `default` says.
 const BARYCENTRIC_DEFAULTS: [f64; 3] = [0.33, 0.33, 0.34];
 
 /// A base mesh made ready for evaluation.
-pub(super) struct Composed {
-    pub(super) scene: Scene,
+pub(in crate::evaluate) struct Composed {
+    pub(in crate::evaluate) scene: Scene,
     /// Every skeleton of the base.
-    pub(super) rigs: Vec<Rig>,
+    pub(in crate::evaluate) rigs: Vec<Rig>,
 }
 
 /// A skeleton of a base.
-pub(super) struct Rig {
+pub(in crate::evaluate) struct Rig {
     /// Printed path of its file.
-    pub(super) path: String,
-    pub(super) skeleton: SceneSkeleton,
+    pub(in crate::evaluate) path: String,
+    pub(in crate::evaluate) skeleton: SceneSkeleton,
     /// Bones that receive no weights through their references; empty for the pose skeleton.
-    pub(super) without_weights: Vec<String>,
+    pub(in crate::evaluate) without_weights: Vec<String>,
 }
 
 /// The scene of a base, taking its rows out of `rows`. `None` without a mesh.
-pub(super) fn compose(base: &Base<'_>, rows: &mut Rows) -> Option<Composed> {
+pub(in crate::evaluate) fn compose(base: &Base<'_>, rows: &mut Rows) -> Option<Composed> {
     // With lines that could not be read, vertices have other numbers than their author meant.
     let (_, mesh) = base.mesh.filter(|(_, mesh)| mesh.facts.unreadable_lines == 0)?;
     let mut composer =
@@ -165,7 +166,8 @@ impl Composer<'_, '_> {
         if let Some(place) = self.by_path.get(&path) {
             return *place;
         }
-        let rows = file.filter(|file| is_usable(file)).and_then(|file| self.rows.remove(&file.path));
+        let rows =
+            file.filter(|file| file.target().is_some_and(is_usable)).and_then(|file| self.rows.remove(&file.path));
         let vertices = self.mesh.positions.len();
         // Rows for seam duplicates are accepted and overwritten by the application.
         let in_mesh = |row: &Row| (row.index as usize) < vertices;
@@ -196,28 +198,22 @@ impl Composer<'_, '_> {
             }
             macrodefs.push(Macrodef { components: macrodef.components.iter().map(String::as_str).collect(), links });
         }
-        for macrodef in &file.macrodefs {
-            let (dimensions, counts) = dimensions(file, &macrodef.components, registered);
-            self.scene.macrodefs.push(dimensions);
-            self.scene.value_counts.push(counts);
-        }
+        let products = file.macrodefs.iter().map(|macrodef| dimensions(file, &macrodef.components, registered));
+        self.scene.products = products.collect();
         let components: Vec<Component<'_>> = file.components.iter().filter_map(component).collect();
         // Too many combinations to tabulate is a limit of ours, reported where combinations are judged.
-        self.scene.macros = MacroTable::new(&components, &macrodefs, |pattern| registered.get(pattern).copied()).ok();
+        let table = MacroTable::new(&components, &macrodefs, |pattern| registered.get(pattern).copied());
+        self.scene.macros = table.ok().map(Macros::Makehuman2);
     }
 }
 
 /// Sliders of the components of a macrodef; empty where one of them is undefined or unbound, which is reported for
 /// itself.
-fn dimensions(
-    file: &MacroFile,
-    names: &[String],
-    registered: &BTreeMap<String, Slider>,
-) -> (Vec<Dimension>, Vec<usize>) {
+fn dimensions(file: &MacroFile, names: &[String], registered: &BTreeMap<String, Slider>) -> Vec<Dimension> {
     let one = |name: &String| {
         let component = file.components.iter().rev().find(|component| component.name == *name)?;
         let pattern = component.pattern.as_deref()?;
-        let dimension = match (&component.steps, &component.sum) {
+        Some(match (&component.steps, &component.sum) {
             (Some(steps), _) => match registered.get(pattern)? {
                 Slider::Value(place) => Dimension::Steps { place: *place, steps: steps.clone() },
                 Slider::Barycentric(_) => return None,
@@ -230,10 +226,9 @@ fn dimensions(
                 Dimension::Corners(sum.iter().enumerate().map(place).collect::<Option<_>>()?)
             }
             (None, None) => return None,
-        };
-        Some((dimension, component.values.len()))
+        })
     };
-    names.iter().map(one).collect::<Option<Vec<_>>>().unwrap_or_default().into_iter().unzip()
+    names.iter().map(one).collect::<Option<_>>().unwrap_or_default()
 }
 
 /// Rows that rules report for themselves: looking at them again in every setting would say it many times.
@@ -263,13 +258,12 @@ fn component(component: &crate::formats::macro_json::Component) -> Option<Compon
 }
 
 /// Whether the application could load and apply a target.
-pub(super) fn is_usable(file: &FileFacts) -> bool {
-    file.target()
-        .is_some_and(|facts| facts.unreadable_rows == 0 && facts.negative.count == 0 && facts.out_of_range.count == 0)
+pub(in crate::evaluate) fn is_usable(target: &TargetFacts) -> bool {
+    target.unreadable_rows == 0 && target.negative.count == 0 && target.out_of_range.count == 0
 }
 
 /// The skeleton that `base.json` names, searched in `rigs/<base>/`, user before system.
-pub(super) fn pose_skeleton<'a>(base: &Base<'a>) -> Option<(&'a FileFacts, &'a Skeleton)> {
+pub(in crate::evaluate) fn pose_skeleton<'a>(base: &Base<'a>) -> Option<(&'a FileFacts, &'a Skeleton)> {
     let name = base.settings()?.1.pose_skeleton.as_deref()?;
     let rel = format!("rigs/{}/{name}", base.name);
     let file = base.skeletons.iter().find(|file| file.rel == rel)?;
@@ -277,7 +271,7 @@ pub(super) fn pose_skeleton<'a>(base: &Base<'a>) -> Option<(&'a FileFacts, &'a S
 }
 
 /// The weights file of a skeleton in `rigs/<base>/`, user before system.
-pub(super) fn weights_of<'a>(
+pub(in crate::evaluate) fn weights_of<'a>(
     base: &Base<'a>,
     file: &FileFacts,
     skeleton: &Skeleton,
@@ -289,7 +283,7 @@ pub(super) fn weights_of<'a>(
 }
 
 /// Bones in an order with parents first. `None` if the application refuses the skeleton or would stop.
-pub(super) fn skeleton_of(skeleton: &Skeleton, vertices: usize) -> Option<SceneSkeleton> {
+pub(in crate::evaluate) fn skeleton_of(skeleton: &Skeleton, vertices: usize) -> Option<SceneSkeleton> {
     let mut out = SceneSkeleton::default();
     for joint in &skeleton.joints {
         // A joint without vertices does not exist for the application; it matters only where a bone names it.
@@ -366,5 +360,5 @@ fn bind(skeleton: &SceneSkeleton, weights: &Weights, mesh: &Mesh) -> Option<Load
         lists.push((number, bone.pairs.iter().map(entry).collect::<Option<Vec<Entry>>>()?));
     }
     let lists: Vec<(usize, &[Entry])> = lists.iter().map(|(bone, entries)| (*bone, entries.as_slice())).collect();
-    weights::load(&lists, root, vertices).ok()
+    load(&lists, root, vertices).ok()
 }

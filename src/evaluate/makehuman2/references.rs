@@ -1,12 +1,12 @@
 //! Weights of the default skeleton handed to another one through the references of its bones (formats/makehuman2.md
 //! §10.2).
 
-use crate::eval::transfer::{Transfer, TransferBone, transfer};
+use crate::eval::makehuman2::transfer::{Transfer, TransferBone, transfer};
 use crate::eval::weights::BoneWeights;
 use crate::formats::mhskel::Skeleton;
 
 /// What the bones of `skeleton` receive. `number` finds a default bone by name; `parents` are those of the default bones.
-pub(super) fn through_references(
+pub(in crate::evaluate) fn through_references(
     weights: &[BoneWeights],
     parents: &[Option<usize>],
     skeleton: &Skeleton,
