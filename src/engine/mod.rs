@@ -10,7 +10,6 @@ mod fix;
 mod judge;
 mod load;
 mod measure;
-
 mod run;
 mod settle;
 mod sight;
