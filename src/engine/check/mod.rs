@@ -10,10 +10,10 @@ use rayon::prelude::*;
 
 use self::merge::merged;
 use super::caught::caught;
-use super::outcome::{Outcome, Timing};
+
 use super::settle::{Ignores, Selection, Verdict};
 use crate::config::Config;
-use crate::diag::{Finding, Upkeep, fingerprint};
+use crate::diag::{Finding, Outcome, Timing, Upkeep, fingerprint};
 use crate::eval::measures::Measures;
 use crate::repo::{Body, View};
 use crate::rules::{Check, RULES, Rule, RuleCx};
