@@ -55,7 +55,7 @@ fn measure_base(
     let stacks = data.stacks();
     let concerned: Vec<bool> = stacks
         .iter()
-        .map(|(_, _, judged)| judged.layer.files.values().any(|file| file.base.as_deref() == Some(name)))
+        .map(|(_, _, judged)| judged.layer.files.values().any(|file| file.base() == Some(name)))
         .collect();
     let last = concerned.iter().rposition(|concerned| *concerned);
     for (number, ((system, user, _), found)) in stacks.into_iter().zip(measures).enumerate() {

@@ -158,7 +158,7 @@ fn layers<'a>(stack: &Stack<'a, '_>) -> Vec<&'a Layer> {
 /// Names of the bases that have a mesh.
 fn meshes<'a>(stack: &Stack<'a, '_>) -> Vec<&'a str> {
     let files = layers(stack).into_iter().flat_map(|layer| layer.files.values());
-    files.filter(|file| file.mesh().is_some()).filter_map(|file| file.base.as_deref()).collect()
+    files.filter(|file| file.mesh().is_some()).filter_map(|file| file.base()).collect()
 }
 
 fn with_macros(stack: &Stack<'_, '_>, known: &BTreeSet<&str>) -> Vec<String> {

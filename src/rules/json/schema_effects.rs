@@ -81,6 +81,7 @@ static ROWS: [Row; 33] = [
 
 /// Level and effect of a fault, where the table has it.
 pub(super) fn effect_of(kind: Kind, keyword: &str, message: &str) -> Option<(Level, &'static str)> {
+    let kind = if kind == Kind::AssetWeights { Kind::Weights } else { kind };
     let fits = |row: &&Row| {
         row.kind == kind
             && keyword.starts_with(row.keyword)

@@ -7,7 +7,8 @@ use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleIn
 use crate::discover::Kind;
 use crate::formats::mhskel::{Bone, RotationPlane, Section};
 use crate::json::UnknownKey;
-use crate::repo::{Base, Content, FileFacts, Repository};
+use crate::formats::Content;
+use crate::repo::{Base, FileFacts, Repository};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
