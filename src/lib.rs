@@ -45,6 +45,6 @@ mod rules;
 pub mod source;
 
 pub use config::Config;
-pub use diag::{Application, Finding, Level};
-pub use engine::{Error, Mended, Outcome, lint, lint_trees, mend, rule_infos};
+pub use diag::{Application, Finding, Level, Outcome};
+pub use engine::{Error, Mended, lint, lint_trees, mend, rule_infos};
 pub use source::Tree;

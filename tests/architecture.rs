@@ -22,7 +22,7 @@ const IMPORTS: &[(&str, &[&str])] = &[
     ("eval", &[]),
     ("rules", &["diag", "json", "source", "discover", "formats", "repo", "eval"]),
     ("engine", &["diag", "json", "source", "config", "fix", "discover", "formats", "repo", "eval", "rules"]),
-    ("report", &["diag", "engine"]),
+    ("report", &["diag"]),
     ("cli", &["diag", "json", "source", "config", "fix", "engine", "report"]),
 ];
 

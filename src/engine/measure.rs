@@ -5,8 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::caught::caught;
 use super::compose::{Composed, Rows, compose};
 use super::gauge::gauge;
-use super::load::Data;
-use super::load::load_targets;
+use super::load::{Data, load_targets};
 use crate::config::Config;
 use crate::eval::measures::Measures;
 use crate::repo::Base;
@@ -24,7 +23,7 @@ pub(super) fn measure_bases(
         let mut rows = Rows::new();
         for (root, sizes) in data.all_mut() {
             let keep = evaluated.is_some();
-            rows.append(&mut load_targets(root.place, &mut root.layer, name.as_deref(), sizes, &options.limits, keep));
+            rows.append(&mut load_targets(&root.place, &mut root.layer, name.as_deref(), sizes, &options.limits, keep));
         }
         if let Some(name) = evaluated {
             measure_base(data, name, rows, options, &mut measures, failed);

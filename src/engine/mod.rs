@@ -25,10 +25,10 @@ mod run;
 mod scope;
 mod select;
 mod sight;
+mod summary;
 
 pub use crate::eval::settings::DEFAULT_SAMPLES;
-pub use baseline::{Baseline, Entry};
-pub use catalogue::{is_upkeep, rule_infos};
+pub use catalogue::rule_infos;
 pub use mend::{Mended, mend, mendable};
-pub use outcome::{Error, Outcome, RootSummary, Summary, TakenOver, Timing};
+pub use outcome::{Error, holds_asset};
 pub use run::{lint, lint_trees};

@@ -2,6 +2,7 @@
 
 use super::layer::{MeshSizes, load};
 use super::place::Place;
+use super::roots::Roots;
 use super::stack::{Stack, roles, stacks};
 use crate::discover::Role;
 use crate::repo::Layer;
@@ -45,11 +46,8 @@ impl<'t> Loaded<'t> {
 
 impl<'t> Data<'t> {
     /// Reads everything but targets.
-    pub(in crate::engine) fn load(
-        places: Vec<(Place<'t>, Vec<String>)>,
-        system: Option<Place<'t>>,
-        limits: &Limits,
-    ) -> Self {
+    pub(in crate::engine) fn load(roots: Roots<'t>, limits: &Limits) -> Self {
+        let Roots { checked: places, system } = roots;
         let (system, system_sizes) = match system {
             Some(place) => {
                 let (layer, sizes) = load(&place, limits, None);

@@ -61,6 +61,11 @@ impl<'t> Place<'t> {
         self.layouts.first().is_some_and(|layout| layout.is_system_of_two(&self.below))
     }
 
+    /// Whether nothing lies in it.
+    pub(super) fn is_empty(&self) -> bool {
+        self.below.is_empty()
+    }
+
     /// Its files but for the bulk.
     pub(super) fn files(&self) -> impl Iterator<Item = &Candidate<'t>> {
         self.below.iter().filter(|file| file.is_file() && !is_bulk(file))

@@ -57,7 +57,8 @@ impl<'t> Roots<'t> {
         let loose = loose(outside.collect(), &bases, options, outcome);
         let mut roots = Self { checked: Vec::new(), system };
         let below = roots.system.as_ref().map(Place::path);
-        for (input, path, layouts) in found.iter().flat_map(|(input, roots)| roots.iter().map(move |(path, layouts)| (*input, path, layouts))) {
+        let all = found.iter().flat_map(|(input, roots)| roots.iter().map(move |(path, layouts)| (input, path, layouts)));
+        for (input, path, layouts) in all {
             let shown = input.tree.shown(path);
             if scope.excludes(&shown) || below.as_ref() == Some(&shown) {
                 continue;
@@ -67,7 +68,9 @@ impl<'t> Roots<'t> {
             if !checked.is_empty() {
                 roots.want(Place::new(&input.tree, path, &checked), &input.narrow);
             }
-            others.iter().for_each(|layout| note_unchecked(&Place::new(&input.tree, path, &[*layout]), layout, outcome));
+            for layout in others {
+                note_unchecked(&Place::new(&input.tree, path, &[layout]), layout, outcome);
+            }
         }
         for (input, place) in loose {
             roots.want(place, &input.narrow);
@@ -133,7 +136,7 @@ fn base_meshes(place: &Place<'_>) -> BTreeSet<String> {
 fn note_unchecked(place: &Place<'_>, layout: &Layout, outcome: &mut Outcome) {
     let (root, application) = (place.path(), layout.application);
     let path = shown(&root).to_owned();
-    let files: Vec<_> = place.files().chain(place.bulk()).collect();
+    let files: Vec<_> = place.below.iter().filter(|file| file.is_file()).collect();
     outcome.not_checked.push(NotChecked {
         application: Some(application),
         what: Unchecked::Application,
