@@ -355,7 +355,7 @@ mod tests {
     #[test]
     fn paths_are_compared_whole() {
         let change = Change::new(&["data/target/b/x.target".into(), "./data2/../data/base/b/base.obj".into()]);
-        let layer = |path: &str| Layer::new(path.to_owned(), BTreeMap::default(), Vec::new(), Vec::new());
+        let layer = |path: &str| Layer::new(path.to_owned(), Vec::new(), BTreeMap::default(), Vec::new(), Vec::new());
         let below: Vec<&str> = change.below(&layer("data")).collect();
         assert_eq!(below, ["base/b/base.obj", "target/b/x.target"]);
         assert_eq!(change.below(&layer("dat")).count(), 0);

@@ -81,19 +81,9 @@ fn tree(input: &Input<'_>, schema: Option<&str>, model: fn(&Document) -> Content
     }
 }
 
-/// The application decodes the whole file before it uses a row, so nothing of it counts if that fails.
+/// A target, with its rows.
 pub(super) fn target(input: &Input<'_>) -> Parsed {
-    if input.encoding.invalid_utf8_at.is_some() {
-        return Parsed::default();
-    }
-    let parsed = if input.encoding.byte_order_mark {
-        // The mark is a fault of its own; blanks in its place keep it out of the first row and all offsets right.
-        let mut unmarked = input.bytes.to_vec();
-        unmarked.iter_mut().take(3).for_each(|byte| *byte = b' ');
-        target::parse(&unmarked, input.mesh)
-    } else {
-        target::parse(input.bytes, input.mesh)
-    };
+    let Some(parsed) = target::parse_file(input.bytes, input.encoding, input.mesh) else { return Parsed::default() };
     Parsed {
         content_hash: Some(parsed.facts.displacement),
         ignores: parsed.ignores,

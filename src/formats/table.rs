@@ -157,7 +157,7 @@ mod tests {
 
     #[test]
     fn every_schema_is_there() {
-        let schemas = FORMATS.iter().filter_map(|format| format.schema);
-        assert!(schemas.collect::<Vec<_>>().iter().all(|name| crate::json::schema(name).is_some()));
+        let is_there = |name| crate::json::schema_names().any(|known| known == name);
+        assert!(FORMATS.iter().filter_map(|format| format.schema).all(is_there));
     }
 }

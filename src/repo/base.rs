@@ -4,8 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::intent::Intent;
 use super::{BoundSlider, Candidate, FileFacts, Layer, Overlaid, Pattern, TargetFolder};
-use crate::formats::Content;
 use crate::discover::Kind;
+use crate::formats::Content;
 use crate::formats::base_json::BaseJson;
 use crate::formats::macro_json::MacroFile;
 use crate::formats::modelling::Modelling;

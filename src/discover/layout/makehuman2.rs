@@ -122,7 +122,10 @@ fn loose_place(path: &str, base: Option<&str>) -> Option<String> {
 /// Base meshes make a root the system, or both with `contarget/`, which is read in the user's folder only (§1.1).
 fn role(below: &[Candidate<'_>]) -> Role {
     let is_override = |one: &Candidate<'_>| {
-        one.rel.strip_prefix("contarget/").and_then(|rest| rest.split_once('/')).is_some_and(|(_, rest)| !rest.is_empty())
+        one.rel
+            .strip_prefix("contarget/")
+            .and_then(|rest| rest.split_once('/'))
+            .is_some_and(|(_, rest)| !rest.is_empty())
     };
     match (below.iter().any(is_base), below.iter().any(is_override)) {
         (true, false) => Role::System,

@@ -8,10 +8,10 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use rayon::prelude::*;
 
-use super::super::compose::Rows;
 use super::place::Place;
 use super::read;
 use crate::discover::{Candidate, Kind};
+use crate::evaluate::Rows;
 use crate::formats::Needs;
 use crate::formats::target::MeshSize;
 use crate::repo::{FileFacts, Layer};

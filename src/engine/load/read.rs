@@ -20,12 +20,7 @@ pub(in crate::engine) struct Reading {
 }
 
 /// Reads one file; `mesh` is the size of the mesh it is for.
-pub(in crate::engine) fn read(
-    tree: &Tree,
-    file: &Candidate<'_>,
-    limits: &Limits,
-    mesh: Option<MeshSize>,
-) -> Reading {
+pub(in crate::engine) fn read(tree: &Tree, file: &Candidate<'_>, limits: &Limits, mesh: Option<MeshSize>) -> Reading {
     let mut reading = Reading { facts: unread(tree, file), rows: Vec::new() };
     let format = reading.facts.kind.format();
     if !format.is_read() && reading.facts.size >= STAND_IN_BYTES {

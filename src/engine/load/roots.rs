@@ -57,7 +57,8 @@ impl<'t> Roots<'t> {
         let loose = loose(outside.collect(), &bases, options, outcome);
         let mut roots = Self { checked: Vec::new(), system };
         let below = roots.system.as_ref().map(Place::path);
-        let all = found.iter().flat_map(|(input, roots)| roots.iter().map(move |(path, layouts)| (input, path, layouts)));
+        let all =
+            found.iter().flat_map(|(input, roots)| roots.iter().map(move |(path, layouts)| (input, path, layouts)));
         for (input, path, layouts) in all {
             let shown = input.tree.shown(path);
             if scope.excludes(&shown) || below.as_ref() == Some(&shown) {
@@ -107,9 +108,9 @@ fn loose<'t>(
 ) -> Vec<(&'t Input, Place<'t>)> {
     let base = base_for(bases, options);
     let layouts = CHECKED.map(Layout::of);
-    let places = outside.into_iter().flat_map(|input| {
-        layouts.map(|layout| (input, layout.application, Place::loose(&input.tree, layout, base)))
-    });
+    let places = outside
+        .into_iter()
+        .flat_map(|input| layouts.map(|layout| (input, layout.application, Place::loose(&input.tree, layout, base))));
     let places: Vec<_> = places.filter(|(_, _, place)| !place.is_empty()).collect();
     if base.is_none() && !places.is_empty() {
         outcome.notes.push(Note::Alone { bases: bases.iter().cloned().collect() });

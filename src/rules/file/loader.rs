@@ -138,7 +138,9 @@ pub(super) fn refused_json(repository: &Repository<'_>, file: &FileFacts) -> (Le
             (Level::Error, "stops at start with a TypeError")
         }
         (_, Kind::TargetCategories) => (Level::Error, "logs a line and takes it as missing: no slider can be reached"),
-        (_, Kind::Weights | Kind::AssetWeights) => (Level::Error, "has no weights: the mesh collapses as soon as it is posed"),
+        (_, Kind::Weights | Kind::AssetWeights) => {
+            (Level::Error, "has no weights: the mesh collapses as soon as it is posed")
+        }
         _ if name == "face-poses.json" => (Level::Error, "offers no expressions for the base"),
         _ if name == "body-poses.json" => (Level::Error, "offers no pose editor for the base"),
         _ if matches!(file.rel.as_str(), "makehuman2_version.json" | "shaders/shader.json") => {

@@ -3,9 +3,9 @@
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
+use crate::formats::Content;
 use crate::formats::json_file::JsonFault;
 use crate::json::{SyntaxFault, SyntaxKind};
-use crate::formats::Content;
 use crate::repo::{FileFacts, Repository};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -35,7 +35,9 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 out.push(finding.level(level).help(help(fault)).breaks(Application::Makehuman2, effect));
             }
             // What NaN does to weights is worse, and another rule's business.
-            _ if !matches!(file.kind, Kind::Weights | Kind::AssetWeights) && !is_stray(file) => out.extend(special_numbers(file)),
+            _ if !matches!(file.kind, Kind::Weights | Kind::AssetWeights) && !is_stray(file) => {
+                out.extend(special_numbers(file))
+            }
             _ => {}
         }
     }
