@@ -55,28 +55,38 @@ impl<'t> Roots<'t> {
         }
         let outside = found.iter().filter(|(_, roots)| roots.is_empty()).map(|(input, _)| *input);
         let loose = loose(outside.collect(), &bases, options, outcome);
+        let below = system.as_ref().map(Place::path);
         let mut roots = Self { checked: Vec::new(), system };
-        let below = roots.system.as_ref().map(Place::path);
-        let all =
-            found.iter().flat_map(|(input, roots)| roots.iter().map(move |(path, layouts)| (input, path, layouts)));
-        for (input, path, layouts) in all {
+        for (input, (path, layouts)) in
+            found.iter().flat_map(|(input, roots)| roots.iter().map(move |one| (*input, one)))
+        {
             let shown = input.tree.shown(path);
-            if scope.excludes(&shown) || below.as_ref() == Some(&shown) {
-                continue;
-            }
-            let asked = layouts.iter().copied().filter(|layout| options.asks_for(layout.application));
-            let (checked, others): (Vec<_>, Vec<_>) = asked.partition(|layout| CHECKED.contains(&layout.application));
-            if !checked.is_empty() {
-                roots.want(Place::new(&input.tree, path, &checked), &input.narrow);
-            }
-            for layout in others {
-                note_unchecked(&Place::new(&input.tree, path, &[layout]), layout, outcome);
+            if !scope.excludes(&shown) && below.as_ref() != Some(&shown) {
+                let asked = layouts.iter().copied().filter(|layout| options.asks_for(layout.application));
+                roots.add(input, path, asked, outcome);
             }
         }
         for (input, place) in loose {
             roots.want(place, &input.narrow);
         }
         Ok(roots)
+    }
+
+    /// A data root with the layouts that are asked for.
+    fn add(
+        &mut self,
+        input: &'t Input,
+        path: &str,
+        asked: impl Iterator<Item = &'static Layout>,
+        outcome: &mut Outcome,
+    ) {
+        let (checked, others): (Vec<_>, Vec<_>) = asked.partition(|layout| CHECKED.contains(&layout.application));
+        if !checked.is_empty() {
+            self.want(Place::new(&input.tree, path, &checked), &input.narrow);
+        }
+        for layout in others {
+            note_unchecked(&Place::new(&input.tree, path, &[layout]), layout, outcome);
+        }
     }
 
     /// A root that two PATHs lead to is checked once, for everything that either asks for.
