@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::outcome::Error;
-use super::super::scope::Scope;
+use super::super::settle::Scope;
 use super::CHECKED;
 use super::input::Input;
 use super::place::Place;

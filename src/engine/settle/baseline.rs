@@ -3,9 +3,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
-use super::outcome::Error;
 use super::parts::{Names, packed};
 use crate::diag::{Baseline, Entry};
+use crate::engine::outcome::Error;
 use crate::source::{Folder, Limits, ReadFault, read_file};
 
 const FORMAT: &str = "mhlint-baseline/1";
