@@ -4,6 +4,7 @@
 //! [`Finding`]s, the engine places and sorts them, reports only say them.
 
 mod baseline;
+mod because;
 mod evidence;
 mod finding;
 mod fix;
@@ -17,6 +18,7 @@ mod rule_info;
 mod upkeep;
 
 pub use baseline::{Baseline, Entry};
+pub use because::Because;
 pub use evidence::{EXAMPLES, Evidence, Tally, Worst};
 pub use finding::{Break, Finding, Over, Related};
 pub use fix::{Change, Edit, Fix, Rewrite, Step};

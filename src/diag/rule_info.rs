@@ -80,18 +80,8 @@ impl RuleInfo {
     /// A rule with nothing but the obligatory parts; the rest by struct update.
     pub const fn new(id: &'static str, level: Level, summary: &'static str) -> Self {
         let (fix, cannot_be_ignored) = (FixKind::None, false);
-        Self {
-            id,
-            summary,
-            level,
-            levels: &[],
-            fix,
-            cannot_be_ignored,
-            breaks: &[],
-            sight: None,
-            options: &[],
-            docs: "",
-        }
+        let (levels, breaks, options) = (&[], &[], &[]);
+        Self { id, summary, level, levels, fix, cannot_be_ignored, breaks, sight: None, options, docs: "" }
     }
 
     /// The usual level in an application.

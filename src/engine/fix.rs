@@ -4,8 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 
 use super::changed;
+use super::error::Error;
 use super::load::{Input, open, open_system};
-use super::outcome::Error;
 use super::run::lint_inputs;
 use crate::config::Config;
 use crate::diag::{Change, Edit, Finding, Fix, FixKind, Note, Outcome, Rewrite, Step};

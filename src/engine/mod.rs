@@ -5,20 +5,21 @@
 mod catalogue;
 mod caught;
 mod changed;
+mod error;
 mod fix;
 mod judge;
 mod load;
 mod measure;
-mod open;
-mod outcome;
 mod run;
 mod settle;
 mod sight;
 mod summary;
+mod verdict;
 
 pub use crate::eval::settings::DEFAULT_SAMPLES;
 pub use catalogue::rule_infos;
+pub use error::{BaselineFault, Error, PathFault, SelectorFault};
 pub use fix::{Fixed, fixable, lint_and_fix};
-pub use open::open_base;
-pub use outcome::{Error, holds_asset};
+pub use load::open_base;
 pub use run::{lint, lint_trees};
+pub use verdict::holds_asset;

@@ -5,12 +5,13 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use super::changed::{Change, explain, narrow};
+use super::error::Error;
 use super::judge::{judge, look_after};
 use super::load::{Data, Input, Loaded, Roots, open};
 use super::measure::measure_bases;
-use super::outcome::{Error, conclude};
 use super::settle::{Ignores, Keeper, Known, Placed, Scope, Selection, idle, place_and_sort};
 use super::summary::{check_bases, summarise};
+use super::verdict::conclude;
 use crate::config::{Config, Selector};
 use crate::diag::{self, Application, IdleGlob, Level, Outcome, Timing, Upkeep};
 use crate::eval::measures::Measures;

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::super::outcome::Error;
+use super::super::error::{Error, PathFault};
 use super::super::settle::Scope;
 use super::CHECKED;
 use super::input::Input;
@@ -101,12 +101,9 @@ impl<'t> Roots<'t> {
 
 /// The data root of `--system`.
 fn system_place(tree: &Tree) -> Result<Place<'_>, Error> {
-    checked_places(tree).into_iter().next().ok_or_else(|| {
-        let wanted = CHECKED.map(|application| {
-            format!("{application} data (a folder with {} in it is wanted)", Layout::of(application).shape)
-        });
-        Error::Path { path: tree.label().to_owned(), reason: format!("holds no {}", wanted.join(" or ")) }
-    })
+    let [wanted, ..] = CHECKED;
+    let nothing = || Error::Path { path: tree.label().to_owned(), fault: PathFault::NoDataOf(wanted) };
+    checked_places(tree).into_iter().next().ok_or_else(nothing)
 }
 
 /// The files of trees without a data root, put where the applications would look for them.

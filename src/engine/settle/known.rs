@@ -9,7 +9,7 @@ use super::scope::Scope;
 use super::select::{Selection, cannot_be_ignored};
 use crate::config::Config;
 use crate::diag::{Baseline, BaselineUse, Entry, Finding, Level, TakenOver};
-use crate::engine::outcome::Error;
+use crate::engine::error::{BaselineFault, Error};
 use crate::rules::RULES;
 use crate::source::{Folder, holds, slashed};
 
@@ -106,12 +106,8 @@ impl Known {
         if !entries.iter().all(|entry| !selection.is_silenced(&entry.rule) && is_gone(entry)) {
             return Ok(());
         }
-        let reason = format!(
-            "seems to be that of another repository: nothing that it names is here, neither `{}` nor its folder; \
-             name another file with `--baseline`, or remove this one and write it anew with `--write-baseline`",
-            first.path
-        );
-        Err(Error::Baseline { path: self.path.display().to_string(), reason })
+        let fault = BaselineFault::Foreign { first: first.path.clone() };
+        Err(Error::Baseline { path: self.path.display().to_string(), fault })
     }
 
     fn found(&self, placed_at: &Placed) -> Found {
