@@ -7,7 +7,7 @@ use std::sync::OnceLock;
 use unicode_normalization::{UnicodeNormalization, is_nfc};
 
 use super::FileFacts;
-use crate::discover::kind_of;
+use crate::discover::{Kind, Layout, kind_of, owner_of, uses_of};
 use crate::source::WalkFault;
 
 /// A path as a system compares it that regards neither capitals nor the form of accented letters.
@@ -25,6 +25,8 @@ pub fn composed(path: &str) -> Cow<'_, str> {
 pub struct Layer {
     /// Path of the root as reports print it, empty for the working directory.
     pub path: String,
+    /// The layouts that it has.
+    pub layouts: Vec<&'static Layout>,
     /// Files by their path relative to the root.
     pub files: BTreeMap<String, FileFacts>,
     /// Folders, relative to the root.
@@ -47,13 +49,14 @@ impl Layer {
     /// A layer of these files.
     pub fn new(
         path: String,
+        layouts: Vec<&'static Layout>,
         files: BTreeMap<String, FileFacts>,
         mut folders: Vec<String>,
         mut walk_faults: Vec<WalkFault>,
     ) -> Self {
         folders.sort_unstable();
         walk_faults.sort_by(|one, other| one.path.cmp(&other.path));
-        Self { path, files, folders, walk_faults, folded: OnceLock::new() }
+        Self { path, layouts, files, folders, walk_faults, folded: OnceLock::new() }
     }
 
     /// Adds files that were read later.
@@ -67,6 +70,16 @@ impl Layer {
     /// The file at a path relative to the root.
     pub fn file(&self, rel: &str) -> Option<&FileFacts> {
         self.files.get(rel)
+    }
+
+    /// What the file at a path is for, or would be if there were one.
+    pub fn kind_at(&self, rel: &str) -> Kind {
+        self.file(rel).map_or_else(|| kind_of(&uses_of(rel, &self.layouts)), |file| file.kind)
+    }
+
+    /// The base mesh that what is at a path belongs to.
+    pub fn base_at(&self, rel: &str) -> Option<String> {
+        owner_of(&uses_of(rel, &self.layouts)).map(str::to_owned)
     }
 
     /// All files below a folder (no trailing slash), in order.
@@ -107,7 +120,7 @@ impl Layer {
         let mut above = rel.match_indices('/').filter_map(|(end, _)| rel.get(..end));
         // Folders with other names, such as those of images, are not reported.
         let is_folder = || self.folders.binary_search_by(|folder| folder.as_str().cmp(rel)).is_ok();
-        is_fault(rel) || above.any(is_fault) || kind_of(rel).0.is_text() && is_folder()
+        is_fault(rel) || above.any(is_fault) || self.kind_at(rel).is_text() && is_folder()
     }
 
     /// Whether a path as reports print it lies in this layer.

@@ -17,7 +17,7 @@ mod references;
 mod view;
 
 pub use body::{Body, BodyWeights, Rig, Shown, Target};
-pub use facts::{Content, FileFacts};
+pub use facts::FileFacts;
 pub use layer::{Layer, composed, fold};
 pub use layers::Layers;
 pub use reference::{Reference, ReferenceKind, Resolution};

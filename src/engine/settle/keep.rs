@@ -66,7 +66,7 @@ impl Keeper<'_> {
             Over::Each(files) | Over::Between(files) => files.as_slice(),
         };
         let mut files = std::iter::once(&finding.path).chain(others);
-        files.any(|file| (self.is_asked_for)(file)) && crate::discover::kind_of(rel).1.is_none_or(asked)
+        files.any(|file| (self.is_asked_for)(file)) && self.layers.checked.base_at(rel).as_deref().is_none_or(asked)
     }
 
     fn is_reported(&self, path: &str) -> bool {

@@ -6,13 +6,14 @@ use super::intent::Intent;
 use super::rigs;
 use super::{BoundSlider, Candidate, Overlaid, Pattern, TargetFolder};
 use crate::discover::Kind;
+use crate::formats::Content;
 use crate::formats::base_json::BaseJson;
 use crate::formats::macro_json::MacroFile;
 use crate::formats::mhskel::Skeleton;
 use crate::formats::modelling::Modelling;
 use crate::formats::obj::Mesh;
 use crate::formats::target_cat::TargetCategories;
-use crate::repo::{Content, FileFacts, Layer, Reference, Rig};
+use crate::repo::{FileFacts, Layer, Reference, Rig};
 
 /// A base mesh over all layers.
 #[derive(Debug)]
@@ -95,7 +96,7 @@ pub(super) fn base_names(layers: Sources<'_>) -> BTreeSet<&str> {
     let files = [layers.system, layers.user].into_iter().flatten().flat_map(|layer| layer.files.values());
     files
         .filter(|file| ["base/", "target/", "contarget/", "rigs/"].iter().any(|folder| file.rel.starts_with(folder)))
-        .filter_map(|file| file.base.as_deref())
+        .filter_map(|file| file.base())
         .collect()
 }
 

@@ -39,7 +39,7 @@ impl<'a> View<'a> {
 
     /// The base that a file belongs to.
     pub fn base_of(&self, file: &FileFacts) -> Option<&Base<'a>> {
-        self.base(file.base.as_deref()?)
+        self.base(file.base()?)
     }
 
     /// References for a base.
@@ -64,7 +64,7 @@ impl<'a> View<'a> {
     pub(in crate::repo) fn bodies<'v>(&'v self, view: &'v crate::repo::View<'v>) -> Vec<Body<'v>> {
         let mut targets: BTreeMap<&str, Vec<Target<'v>>> = BTreeMap::new();
         for file in self.layers.checked.files.values().filter(|file| file.kind == Kind::Target) {
-            targets.entry(file.base.as_deref().unwrap_or_default()).or_default().push(self.target(file));
+            targets.entry(file.base().unwrap_or_default()).or_default().push(self.target(file));
         }
         let body = |base: &'v Base<'a>, targets| {
             let mut body = Body::new(base.name, view, targets);

@@ -2,10 +2,11 @@
 
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo, nearest};
+use crate::formats::Content;
 use crate::formats::geometry::Range;
 use crate::formats::obj::{Group, Mesh};
+use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, View};
-use crate::repo::{Content, FileFacts};
 
 const GEOMETRY: &str = "geometry-ranges";
 const JOINTS: &str = "joint-ranges";

@@ -3,9 +3,10 @@
 use super::super::{Check, Rule, RuleCx};
 use super::{Override, SystemFolder, overrides, system_folder};
 use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Place, Rewrite, RuleInfo, Sight};
+use crate::formats::Content;
 use crate::formats::json_file::JsonFault;
+use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, View};
-use crate::repo::{Content, FileFacts};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {

@@ -5,8 +5,9 @@ use std::collections::BTreeMap;
 use super::super::{Check, Rule, RuleCx};
 use super::counted;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, Sight};
+use crate::formats::Content;
 use crate::repo::makehuman2::{Base, View};
-use crate::repo::{Content, FileFacts, Reference, Resolution};
+use crate::repo::{FileFacts, Reference, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -63,7 +64,7 @@ fn unmeasured<'a>(view: &View<'a>, base: &Base<'a>) -> Vec<&'a FileFacts> {
         Content::Weights(weights) => weights.bones.iter().any(|bone| bone.listed > 0),
         _ => false,
     };
-    let own = judged.files.values().filter(|file| file.base.as_deref() == Some(base.name));
+    let own = judged.files.values().filter(|file| file.base() == Some(base.name));
     own.filter(names_vertices).collect()
 }
 

@@ -102,7 +102,7 @@ fn first(tally: &Tally) -> i64 {
 }
 
 fn mesh_has(file: &FileFacts, vertices: Option<usize>) -> String {
-    let base = file.base.as_deref().unwrap_or_default();
+    let base = file.base().unwrap_or_default();
     vertices.map_or_else(
         || format!("the base mesh `{base}` is smaller"),
         |vertices| format!("base mesh `{base}` has {vertices} vertices"),
