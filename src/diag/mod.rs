@@ -19,6 +19,6 @@ pub use fix::{Change, Edit, Fix, Rewrite, Step};
 pub use key::{fingerprint, structural};
 pub use level::{Application, Confidence, Level};
 pub use nearest::{Sought, Suggestions, nearest};
-pub use place::{Element, Excerpt, Location, Place};
+pub use place::{Element, Excerpt, Location, Place, pointer};
 pub use rule_info::{FixKind, OptionInfo, RuleInfo, Sight};
 pub use upkeep::{BaselineUse, IdleGlob, Mute, MuteState, UnknownRule, Upkeep};

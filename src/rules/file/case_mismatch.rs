@@ -2,8 +2,9 @@
 
 use std::collections::BTreeMap;
 
+use super::super::cause::is_generated;
+use super::super::cause::opened::misnamed;
 use super::super::{Check, Rule, RuleCx};
-use super::loader::{is_generated, misnamed};
 use super::named::{Cause, alike, causes, differs_in_form, effect, is_known_by, written};
 use super::spelling::{as_on_disk, differing, folder_on_disk, found, plain};
 use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Place, RuleInfo};
@@ -113,7 +114,7 @@ fn fix(repository: &Repository<'_>, cause: &Cause<'_, '_>, title: &str) -> Fix {
 /// A file that MakeHuman 2 looks for by a fixed name.
 fn fixed_names(repository: &Repository<'_>, out: &mut Vec<Finding>) {
     let layer = repository.judged;
-    for file in layer.files.values().filter(|file| !is_generated(repository, file)) {
+    for file in layer.files.values().filter(|file| !is_generated(repository, &file.rel)) {
         let Some(right) = misnamed(layer, &file.rel) else { continue };
         let (name, wanted) = (file.file_name(), right.rsplit('/').next().unwrap_or_default());
         let message = format!("`{name}` is looked for as `{wanted}`");

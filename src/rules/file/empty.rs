@@ -2,11 +2,14 @@
 
 use std::collections::BTreeSet;
 
+use super::super::cause::consequence::{Damage, consequence};
+use super::super::cause::schema::is_of_wrong_type;
+use super::super::cause::{self, is_generated, is_override, is_unmet};
 use super::super::{Check, Rule, RuleCx};
-use super::loader::{extension, is_generated, is_met, is_override, refused_json};
+
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
-use crate::repo::{Content, FileFacts, ReferenceKind, Repository, Resolution};
+use crate::repo::{FileFacts, ReferenceKind, Repository, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -23,37 +26,36 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let macros = targets_of_macros(repository);
-    let needed = |file: &&FileFacts| is_met(repository, file) && !is_override(file);
+    let needed = |file: &&FileFacts| !is_unmet(repository, file) && !is_override(file);
     for file in repository.judged.files.values().filter(needed) {
         let Some(what) = emptiness(file).or_else(|| counts_as_missing(repository, file)) else { continue };
         if macros.contains(file.rel.as_str()) {
             continue;
         }
-        let Some((level, effect)) = consequence(repository, file) else { continue };
-        let (level, effect) = if needs_no_macros(repository, file) {
-            (Level::Info, "takes it as missing, as it may be: no slider needs macros")
-        } else {
-            (level, effect)
+        let damage = match file.kind {
+            _ if needs_no_macros(repository, file) => Damage::Needless,
+            kind if kind.is_json() => Damage::Refused,
+            _ => Damage::Empty,
         };
+        let Some(loss) = consequence(repository, &file.rel, damage) else { continue };
         let message = format!("`{}` is empty{what}", file.file_name());
         let help = match file.kind {
             Kind::TargetArchive => "delete it: MakeHuman 2 makes a new one from the targets",
             _ => "restore the content, or remove the file and what refers to it",
         };
-        out.push(RULE.at(file, Place::File, message).level(level).breaks(Application::Makehuman2, effect).help(help));
+        out.push(loss.of(RULE.at(file, Place::File, message)).help(help));
     }
 }
 
-/// Python takes an empty object, list or text, 0, false and null for false, and the loader that for no file. An empty
-/// generated modelling.json is usual.
+/// An empty value counts as no file, too. In a generated modelling.json it is usual.
 fn counts_as_missing(repository: &Repository<'_>, file: &FileFacts) -> Option<&'static str> {
-    let wanted = matches!(file.kind, Kind::BaseJson | Kind::MacroJson | Kind::ModellingJson | Kind::TargetCategories);
-    let usual = file.kind == Kind::ModellingJson && is_generated(repository, file);
-    let read = !matches!(file.content, Content::Broken(_) | Content::Unread);
-    let is_object = !file.schema.faults.iter().any(|fault| fault.pointer.is_empty() && fault.keyword == "/type");
-    let what =
-        if is_object { " (`{}` counts as no file)" } else { " (null, 0, false and empty values count as no file)" };
-    (wanted && !usual && read && file.json.falsy).then_some(what)
+    let usual = file.kind == Kind::ModellingJson && is_generated(repository, &file.rel);
+    let what = if is_of_wrong_type(file) {
+        " (null, 0, false and empty values count as no file)"
+    } else {
+        " (`{}` counts as no file)"
+    };
+    (cause::counts_as_missing(file) && !usual).then_some(what)
 }
 
 /// Whether the file is the `macro.json` of a base without a macro slider, which does as well without.
@@ -84,26 +86,4 @@ fn emptiness(file: &FileFacts) -> Option<&'static str> {
         kind if !kind.is_json() && encoding.only_comments => Some(" (nothing but comments)"),
         _ => None,
     }
-}
-
-/// Level and consequence, or nothing where nobody needs content.
-fn consequence(repository: &Repository<'_>, file: &FileFacts) -> Option<(Level, &'static str)> {
-    Some(match (file.kind, extension(&file.rel)) {
-        (kind, _) if kind.is_json() => refused_json(repository, file),
-        (Kind::Target, _) => (Level::Warning, "loads it; nothing moves"),
-        // `archive-malformed` speaks.
-        (Kind::TargetArchive, _) => return None,
-        (Kind::BaseMesh, _) => (Level::Error, "stops at start: there is no base mesh"),
-        (Kind::Text, "mhmat") => (Level::Warning, "shows the default white material"),
-        (Kind::Text, "mhm") => (Level::Warning, "loads a model without a setting"),
-        (Kind::Text, "meta") => (Level::Warning, "names the pose after its file"),
-        (Kind::Text, "bvh") => (Level::Error, "stops with an IndexError when the pose is used"),
-        (Kind::Text, _) => (Level::Error, "cannot attach the asset"),
-        (Kind::Image | Kind::TargetIcon, _) => (Level::Warning, "shows no picture"),
-        (Kind::Other, "mhbin") if file.rel.starts_with("base/") => {
-            (Level::Error, "stops with an EOFError when it loads the base")
-        }
-        (Kind::PackedTarget | Kind::Other, "mhbin") => (Level::Error, "stops at start while it scans the assets"),
-        _ => return None,
-    })
 }

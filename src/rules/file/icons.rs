@@ -5,6 +5,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::super::cause::overlay::has_sliders;
 use crate::diag::Sought;
 use crate::repo::{Base, FileFacts, Reference, ReferenceKind, Repository, Resolution, TargetFolder};
 
@@ -16,8 +17,7 @@ pub(super) fn is_store(repository: &Repository<'_>, file: &FileFacts) -> bool {
         })
     };
     repository.bases.iter().any(|base| {
-        let known =
-            base.modelling.winner().is_some() && !base.modelling.contarget.is_refused() && !base.has_unreadable_icons();
+        let known = has_sliders(base) && !base.has_unreadable_icons();
         (known && inside(base.targets)) || inside(base.user_targets)
     })
 }

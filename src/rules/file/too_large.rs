@@ -1,10 +1,11 @@
 //! Files far beyond the size of their kind.
 
+use super::super::cause::consequence::{Damage, consequence};
+use super::super::cause::opened::extension;
 use super::super::{Check, Rule, RuleCx};
-use super::loader::extension;
 use crate::diag::{Application, Finding, Level, OptionInfo, Place, RuleInfo};
 use crate::discover::Kind;
-use crate::repo::{FileFacts, Layer};
+use crate::repo::{FileFacts, Repository};
 use crate::source::ReadFault;
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -35,14 +36,14 @@ pub(in crate::rules) static RULE: Rule = Rule {
             said about it.",
         ..RuleInfo::new("file-too-large", Level::Warning, "a file beyond the size of its kind")
     },
-    check: Check::Layer(run),
+    check: Check::Repository(run),
 };
 
 /// Bytes in a MB.
 const MB: f64 = 1e6;
 
-fn run(layer: &Layer, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for file in layer.files.values() {
+fn run(repository: &Repository<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for file in repository.judged.files.values() {
         let size = file.size as f64;
         let limit = cx.option(&RULE, option(file));
         let unread = matches!(file.unreadable, Some(ReadFault::TooLarge { .. }));
@@ -59,7 +60,8 @@ fn run(layer: &Layer, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         } else {
             format!("make it smaller, or raise the option `{}` of this rule", option(file))
         };
-        out.push(RULE.at(file, Place::File, message).help(help));
+        let finding = RULE.at(file, Place::File, message).help(help);
+        out.extend(consequence(repository, &file.rel, Damage::TooLarge).map(|loss| loss.of(finding)));
     }
 }
 

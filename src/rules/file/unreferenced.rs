@@ -2,9 +2,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::super::cause::opened::{extension, misnamed, opens};
 use super::super::{Check, Rule, RuleCx};
 use super::icons;
-use super::loader::{extension, misnamed, opens};
 use crate::diag::{Application, Evidence, Finding, Level, RuleInfo, Sight};
 use crate::discover::Kind;
 use crate::repo::{FileFacts, Repository, Resolution};

@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 
+use super::super::cause::{counts_as_missing, is_ignored_override};
 use super::super::{Check, Rule, RuleCx};
 use super::schema_effects::effect_of;
 use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
-use crate::discover::Kind;
 use crate::json::SchemaFault;
 use crate::repo::{FileFacts, Layer};
 
@@ -26,7 +26,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let judged = layer.files.values().filter(|file| !file.is_ignored_override() && !counts_as_missing(file));
+    let judged = layer.files.values().filter(|file| !is_ignored_override(file) && !counts_as_missing(file));
     for file in judged {
         let mut by_keyword: BTreeMap<(&str, String), Vec<&SchemaFault>> = BTreeMap::new();
         for fault in &file.schema.faults {
@@ -34,13 +34,6 @@ fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         }
         out.extend(by_keyword.into_iter().filter_map(|((keyword, _), all)| judge(file, keyword, &all)));
     }
-}
-
-/// Whether the whole file is an empty value (`null`, `[]`, `0`), which Python takes for false and the loader for no
-/// file: `file-empty` speaks.
-fn counts_as_missing(file: &FileFacts) -> bool {
-    let wanted = matches!(file.kind, Kind::BaseJson | Kind::MacroJson | Kind::ModellingJson | Kind::TargetCategories);
-    wanted && file.json.falsy
 }
 
 /// Two missing keys of one object fail at the same keyword; they are two faults.

@@ -1,7 +1,8 @@
 //! `macro_influence` should be the macro definitions that really read the slider.
 
+use super::super::cause::schema::has_misshapen_influence;
 use super::super::{Check, Rule, RuleCx};
-use super::component::{is_sound, patterns, unknown_patterns};
+use super::component::{patterns, unknown_patterns};
 use super::judgeable::clear_space;
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::formats::macro_json::{MacroFile, Macrodef};
@@ -43,7 +44,11 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
         };
         // An empty list is a fault of another kind, and so are indices out of range.
         let listed: BTreeSet<i64> = bound.slider.macro_influence.iter().flatten().copied().collect();
-        if listed.is_empty() || is_only_in_unused(macros, names) || is_misshapen(bound) || is_doubled(base, names) {
+        if listed.is_empty()
+            || is_only_in_unused(macros, names)
+            || has_misshapen_influence(bound)
+            || is_doubled(base, names)
+        {
             continue;
         }
         let used: BTreeSet<i64> = macros.macrodefs.iter().filter(|m| reads(macros, m, names)).map(index).collect();
@@ -82,12 +87,6 @@ fn dead(bound: &BoundSlider<'_>, names: &[String]) -> Finding {
 /// Whether another slider has the same pattern: that one of them is wrong is the fault.
 fn is_doubled(base: &Base<'_>, names: &[String]) -> bool {
     base.sliders.iter().filter(|bound| bound.pattern.names() == names).count() > 1
-}
-
-/// Whether the schema refuses an element of the list, or the list.
-fn is_misshapen(bound: &BoundSlider<'_>) -> bool {
-    let key = bound.slider.key.replace('~', "~0").replace('/', "~1");
-    !is_sound(bound.file, &format!("/{key}/macro_influence"))
 }
 
 fn index(macrodef: &Macrodef) -> i64 {

@@ -79,8 +79,7 @@ pub(super) fn unreferenced<'s>(repository: &'s Repository<'_>, base: &'s Base<'_
     let faulty = FaultyEntries::of(repository, base);
     let readable = |file: &&FileFacts| file.target().is_some_and(|facts| facts.unreadable_rows == 0);
     let free = folder.targets().filter(|file| base.is_in_macro_folder(file) && !named.contains(file.rel.as_str()));
-    let free = free.filter(|file| file.encoding.invalid_utf8_at.is_none()).filter(readable);
-    free.filter(|file| !faulty.mean(base, file)).collect()
+    free.filter(readable).filter(|file| !faulty.mean(base, file)).collect()
 }
 
 /// Entries that lead to no file, for which something is reported.

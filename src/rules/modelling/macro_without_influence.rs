@@ -1,5 +1,6 @@
 //! A macro slider must name a macro definition that it influences.
 
+use super::super::cause::schema::has_misshapen_influence;
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Confidence, Finding, Level, Place, RuleInfo};
 use crate::formats::macro_json::MacroFile;
@@ -25,9 +26,7 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
     for bound in &base.sliders {
         let slider = bound.slider;
         // A list of wrong positions or of a wrong type is a finding of its own.
-        let pointer = format!("/{}/macro_influence", slider.key.replace('~', "~0").replace('/', "~1"));
-        let is_misshapen = bound.file.schema.faults.iter().any(|fault| fault.pointer.starts_with(&pointer));
-        let is_empty = slider.macro_influence.as_ref().is_some_and(Vec::is_empty) && !is_misshapen;
+        let is_empty = slider.macro_influence.as_ref().is_some_and(Vec::is_empty) && !has_misshapen_influence(bound);
         if bound.as_meant().has("macro_influence") && !is_empty {
             continue;
         }

@@ -1,7 +1,7 @@
 //! A target that nothing uses and that stops the program all the same.
 
-use super::super::{Check, Rule, RuleCx, archived};
-use super::{decoded, unreadable_fields, usage};
+use super::super::{Check, Rule, RuleCx};
+use super::{archived, decoded, unreadable_fields, usage};
 use crate::diag::{Application, Finding, Level, RuleInfo};
 use crate::repo::{Base, Repository};
 
@@ -28,7 +28,7 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
         let Some(mut finding) = unreadable_fields::finding(&RULE, file, facts) else { continue };
         finding.message.push_str(", and MakeHuman 2 parses this file at start although nothing uses it");
         if archived::archive(repository, file).is_some() {
-            finding = finding.level(Level::Warning).breaks(Application::Makehuman2, archived::STOPS_LATER);
+            finding = archived::stops_later(repository, file, finding);
         }
         out.push(finding.help("mend the row, or move the file out of the target folder"));
     }

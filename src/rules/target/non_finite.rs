@@ -1,8 +1,8 @@
 //! Displacements are finite numbers.
 
-use super::super::{Check, Rule, RuleCx, archived};
+use super::super::{Check, Rule, RuleCx};
 use super::shown::shown_by;
-use super::{first_row, targets};
+use super::{archived, first_row, targets};
 use crate::diag::{Application, Finding, Level, RuleInfo};
 use crate::repo::Repository;
 

@@ -1,6 +1,6 @@
 //! Every field of a target row must be a number.
 
-use super::super::archived::Unread;
+use super::super::cause::archived::Unread;
 use super::super::{Check, Rule, RuleCx};
 use super::unreadable_fields::finding;
 use super::{targets, usage};

@@ -113,8 +113,19 @@ fn whole_folder(layer: &Layer, path: &str, files: &[&FileFacts]) -> Finding {
 
 fn single(base: &Base<'_>, file: &FileFacts, name: &str) -> Finding {
     let finding = RULE.at(file, Place::File, format!("no slider and no macro uses `{name}`"));
-    finding.help(match usage::slider_without(base, name) {
+    finding.help(match slider_without(base, name) {
         Some(key) => format!("add `\"decr\": \"{name}\"` to the slider `{key}` in modelling.json, or remove the file"),
         None => format!("add a slider with `\"incr\": \"{name}\"` to modelling.json, or remove the file"),
     })
+}
+
+/// The slider that has the opposite of a target and lacks the target itself.
+fn slider_without<'a>(base: &'a Base<'_>, decr: &str) -> Option<&'a str> {
+    let opposites = base.settings().map(|(_, settings)| settings.opposites.as_slice()).unwrap_or_default();
+    let names =
+        opposites.iter().filter_map(|(less, more)| Some(format!("{}{more}", decr.strip_suffix(less.as_str())?)));
+    let names: Vec<String> = names.collect();
+    let has_one = |incr: &String| names.contains(incr);
+    let mut sliders = base.sliders.iter().map(|bound| bound.slider);
+    sliders.find(|own| own.decr.is_none() && own.incr.as_ref().is_some_and(has_one)).map(|own| own.key.as_str())
 }

@@ -2,8 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::super::{Check, Rule, RuleCx, archived};
-use super::{first_row, targets, usage};
+use super::super::{Check, Rule, RuleCx};
+use super::{archived, first_row, targets, usage};
 use crate::diag::{Application, Finding, Level, RuleInfo, Tally};
 use crate::formats::target::TargetFacts;
 use crate::repo::{FileFacts, ReferenceKind, Repository};

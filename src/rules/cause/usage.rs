@@ -1,14 +1,15 @@
-//! Who uses a target: the judgement that several rules of this family share.
+//! Who uses a target: a target that nothing uses is told as such.
 //!
 //! Gets a base with its references, returns the targets that the application reads and nobody uses.
 //! Says nothing where the files that would use them are missing, broken or of another layer.
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::overlay::is_damaged;
 use crate::repo::{Base, FileFacts, ReferenceKind, Repository, TargetFolder, is_beneath};
 
 /// How a target is used, by printed path; a macro outweighs a slider because it is applied at start.
-pub(super) fn users<'a>(repository: &'a Repository<'_>) -> BTreeMap<&'a str, ReferenceKind> {
+pub(in crate::rules) fn users<'a>(repository: &'a Repository<'_>) -> BTreeMap<&'a str, ReferenceKind> {
     let mut users = BTreeMap::new();
     for reference in repository.references.iter().filter(|reference| reference.kind.is_target()) {
         if let Some(file) = reference.meant() {
@@ -38,7 +39,7 @@ pub(in crate::rules) fn unused_paths<'a>(repository: &Repository<'a>) -> BTreeSe
 
 /// Targets that the application reads for the base and that nothing uses: those of the folder in use,
 /// and user targets too deep to become sliders.
-pub(super) fn unused<'a>(repository: &Repository<'a>, base: &Base<'a>) -> Vec<&'a FileFacts> {
+pub(in crate::rules) fn unused<'a>(repository: &Repository<'a>, base: &Base<'a>) -> Vec<&'a FileFacts> {
     let mut unused = unused_user_targets(repository, base);
     if let Some(folder) = base.targets.filter(|folder| can_tell(base, *folder)) {
         unused.extend(unused_targets(repository, base, folder));
@@ -50,10 +51,10 @@ pub(super) fn unused<'a>(repository: &Repository<'a>, base: &Base<'a>) -> Vec<&'
 fn unused_targets<'a>(repository: &Repository<'a>, base: &Base<'a>, folder: TargetFolder<'a>) -> Vec<&'a FileFacts> {
     let users = users(repository);
     let is_used = |file: &&FileFacts| users.contains_key(file.path.as_str());
-    let used_folders: BTreeSet<&str> = folder.targets().filter(is_used).map(|file| super::parent(&file.rel)).collect();
+    let used_folders: BTreeSet<&str> = folder.targets().filter(is_used).map(|file| parent(&file.rel)).collect();
     // A base may do without macro.json. Then a folder of which nothing is used may wait for one.
     let has_macros = base.macro_file().is_some();
-    let is_judged = |file: &&FileFacts| has_macros || used_folders.contains(super::parent(&file.rel));
+    let is_judged = |file: &&FileFacts| has_macros || used_folders.contains(parent(&file.rel));
     // What a slider uses that is reported for itself is not known, or known under a misspelt key.
     let is_explained = |file: &&FileFacts| {
         let Some(name) = folder.name_of(file) else { return false };
@@ -73,29 +74,24 @@ fn unused_user_targets<'a>(repository: &Repository<'a>, base: &Base<'a>) -> Vec<
 fn can_tell(base: &Base<'_>, folder: TargetFolder<'_>) -> bool {
     let own_sliders = folder.layer.file(&format!("{}/modelling.json", folder.rel()));
     let sliders_in_use = base.modelling.winner().map(|(file, _)| file);
-    let broken = base.modelling.contarget.is_refused() || base.macros.contarget.is_refused() || base.macros.is_broken();
-    !broken && matches!((own_sliders, sliders_in_use), (Some(own), Some(used)) if std::ptr::eq(own, used))
+    !is_damaged(&base.modelling)
+        && !is_damaged(&base.macros)
+        && matches!((own_sliders, sliders_in_use), (Some(own), Some(used)) if std::ptr::eq(own, used))
 }
 
 /// Whether a target lies in a folder of a macro definition; those have a rule of their own.
-pub(super) fn is_in_macro_folder(base: &Base<'_>, name: &str) -> bool {
+pub(in crate::rules) fn is_in_macro_folder(base: &Base<'_>, name: &str) -> bool {
     let macrodefs = base.macro_file().map(|(_, file)| file.macrodefs.as_slice()).unwrap_or_default();
     let mut folders = macrodefs.iter().filter_map(|macrodef| macrodef.effective_folder.as_deref());
-    folders.any(|folder| is_beneath(folder, name) && !is_beneath(folder, super::parent(name)))
+    folders.any(|folder| is_beneath(folder, name) && !is_beneath(folder, parent(name)))
 }
 
 /// Whether something refers to `rel` and does not find it: then the missing file is the fault to name.
-pub(super) fn is_missed(repository: &Repository<'_>, base: &Base<'_>, rel: &str) -> bool {
+pub(in crate::rules) fn is_missed(repository: &Repository<'_>, base: &Base<'_>, rel: &str) -> bool {
     repository.references_of(base).any(|reference| reference.kind.is_target() && reference.rel == rel)
 }
 
-/// The slider that has the opposite of a target and lacks the target itself.
-pub(super) fn slider_without<'a>(base: &'a Base<'_>, decr: &str) -> Option<&'a str> {
-    let opposites = base.settings().map(|(_, settings)| settings.opposites.as_slice()).unwrap_or_default();
-    let names =
-        opposites.iter().filter_map(|(less, more)| Some(format!("{}{more}", decr.strip_suffix(less.as_str())?)));
-    let names: Vec<String> = names.collect();
-    let has_one = |incr: &String| names.contains(incr);
-    let mut sliders = base.sliders.iter().map(|bound| bound.slider);
-    sliders.find(|own| own.decr.is_none() && own.incr.as_ref().is_some_and(has_one)).map(|own| own.key.as_str())
+/// The folder of a path, empty at the top.
+pub(in crate::rules) fn parent(rel: &str) -> &str {
+    rel.rsplit_once('/').map_or("", |(folder, _)| folder)
 }
