@@ -8,7 +8,6 @@ use std::path::PathBuf;
 use std::sync::LazyLock;
 
 use divan::Bencher;
-use mhlint::engine::evaluate::Evaluation;
 use mhlint::eval::joints::joint_positions;
 use mhlint::eval::macro_eval::MacroResult;
 use mhlint::eval::scene::Scene;
@@ -32,7 +31,7 @@ static SCENES: LazyLock<Vec<Loaded>> = LazyLock::new(|| {
         places.push(("hm08", PathBuf::from(corpora).join("makehuman2/data")));
     }
     let load = |(name, root): (&'static str, PathBuf)| {
-        let mut evaluation = Evaluation::open(&root, None, Some(name)).unwrap();
+        let mut evaluation = mhlint::open_base(&root, None, Some(name)).unwrap();
         let defaults = evaluation.scene().defaults();
         evaluation.morphed(&defaults).unwrap();
         Loaded { name, scene: evaluation.scene().clone() }

@@ -8,7 +8,6 @@ mod scratch;
 
 use std::path::PathBuf;
 
-use mhlint::engine::evaluate::Evaluation;
 use mhlint::eval::joints::joint_positions;
 use mhlint::eval::skeleton::rest_bones;
 use mhlint::eval::skin::{pose_bones, skin};
@@ -60,7 +59,7 @@ fn said<'r>(report: &'r serde_json::Value, rule: &str, path: &str) -> Vec<&'r st
 fn skinning_the_rest_pose_gives_the_meshes_back() {
     let Some(corpus) = corpus("makehuman2") else { return };
     for base in ["hm08", "mh2bot"] {
-        let mut evaluation = Evaluation::open(&corpus.join("data"), None, Some(base)).unwrap();
+        let mut evaluation = mhlint::open_base(&corpus.join("data"), None, Some(base)).unwrap();
         let defaults = evaluation.scene().defaults();
         let mesh = evaluation.morphed(&defaults).unwrap();
         let scene = evaluation.scene();

@@ -10,10 +10,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Bound;
 use std::path::{Path, PathBuf};
 
-use super::catalogue::is_upkeep;
-use super::outcome::Outcome;
 use super::sight::{is_numeric, sight};
-use crate::diag::{Finding, Place, Sight};
+use crate::diag::{Finding, Note, Outcome, Place, Sight};
+use crate::discover::Kind;
 use crate::repo::{Layer, Reference, Repository, Resolution};
 use crate::source::{folder_of, link_targets, resolved, slashed};
 
@@ -88,18 +87,9 @@ pub(super) fn explain(repository: &Repository<'_>, findings: &mut [Finding], cha
 pub(super) fn narrow(outcome: &mut Outcome, change: &Change) {
     let all = outcome.findings.len();
     // Mutes and entries of the baseline can fall out of use by any change.
-    outcome.findings.retain(|finding| finding.because.is_some() || is_upkeep(finding.rule));
+    outcome.findings.retain(|finding| finding.because.is_some() || finding.is_upkeep());
     outcome.left_out = all - outcome.findings.len();
-    let files = match change.files {
-        1 => "1 changed file".to_owned(),
-        count => format!("{count} changed files"),
-    };
-    let others = match outcome.left_out {
-        0 => String::new(),
-        1 => "; 1 other finding is not shown".to_owned(),
-        count => format!("; {count} other findings are not shown"),
-    };
-    outcome.notes.push(format!("narrowed to what {files} can affect{others}"));
+    outcome.notes.push(Note::Narrowed { changed: change.files, left_out: outcome.left_out });
 }
 
 /// What a change reaches in one repository.
@@ -245,11 +235,12 @@ impl<'a> Reach<'a> {
         if let Some(changed) = self.naming.get(path).and_then(|places| named_at(places, finding)) {
             return Some(format!("it names `{changed}`, which changed"));
         }
-        self.of_its_base(&self.rel(repository, path), finding)
+        let rel = self.rel(repository, path);
+        self.of_its_base(&rel, repository.judged.kind_at(&rel), finding)
     }
 
     /// Why a finding at `rel` can come from another file of its base mesh.
-    fn of_its_base(&self, rel: &str, finding: &Finding) -> Option<String> {
+    fn of_its_base(&self, rel: &str, kind: Kind, finding: &Finding) -> Option<String> {
         let base = rel.split('/').nth(1)?;
         let changed = self.of_base.get(base)?;
         if let Some(changed) = changed.iter().find(|changed| changed.decides) {
@@ -257,7 +248,7 @@ impl<'a> Reach<'a> {
         }
         let is_rig = |changed: &&Changed| changed.folder == "rigs";
         let folder = |path: &str| path.rsplit_once('/').map_or(String::new(), |(folder, _)| folder.to_owned());
-        let counts = match sight(finding, rel) {
+        let counts = match sight(finding, kind) {
             Sight::File => None,
             Sight::Folder => {
                 let folder = folder(&finding.path);
@@ -364,7 +355,7 @@ mod tests {
     #[test]
     fn paths_are_compared_whole() {
         let change = Change::new(&["data/target/b/x.target".into(), "./data2/../data/base/b/base.obj".into()]);
-        let layer = |path: &str| Layer::new(path.to_owned(), BTreeMap::default(), Vec::new(), Vec::new());
+        let layer = |path: &str| Layer::new(path.to_owned(), Vec::new(), BTreeMap::default(), Vec::new(), Vec::new());
         let below: Vec<&str> = change.below(&layer("data")).collect();
         assert_eq!(below, ["base/b/base.obj", "target/b/x.target"]);
         assert_eq!(change.below(&layer("dat")).count(), 0);

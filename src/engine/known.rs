@@ -3,12 +3,12 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use super::baseline::{Baseline, Entry, Found, placed};
-use super::outcome::{Error, TakenOver};
+use super::baseline::{Found, placed};
+use super::outcome::Error;
 use super::scope::Scope;
 use super::select::{Selection, is_unmutable};
 use crate::config::Config;
-use crate::diag::{BaselineUse, Finding, Level};
+use crate::diag::{Baseline, BaselineUse, Entry, Finding, Level, TakenOver};
 use crate::rules::RULES;
 use crate::source::{Folder, holds, slashed};
 

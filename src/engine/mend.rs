@@ -5,10 +5,10 @@ use std::path::PathBuf;
 
 use super::changed;
 use super::load::{Input, open, open_system};
-use super::outcome::{Error, Outcome};
+use super::outcome::Error;
 use super::run::lint_inputs;
 use crate::config::Config;
-use crate::diag::{Change, Edit, Finding, Fix, FixKind, Rewrite, Step};
+use crate::diag::{Change, Edit, Finding, Fix, FixKind, Note, Outcome, Rewrite, Step};
 use crate::fix::{FileChange, Patch, Plan, apply, is_packed, pack, unpack};
 use crate::formats::{mhw_edit, target_edit};
 use crate::json;
@@ -58,8 +58,7 @@ pub fn mend(paths: &[PathBuf], options: &Config, with_unsafe: bool) -> Result<Me
             break;
         }
         if turn == TURNS {
-            let note = format!("fixes did not come to an end in {TURNS} turns; run mhlint again for the rest");
-            mended.outcome.notes.push(note);
+            mended.outcome.notes.push(Note::Unfinished { turns: TURNS });
             break;
         }
         mended.fixed.extend(fixed);

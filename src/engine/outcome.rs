@@ -1,97 +1,13 @@
-//! What a run gives back.
+//! How a run ends: its verdicts, and why it could not be done at all.
 
+use std::collections::BTreeSet;
 use std::path::Path;
-use std::time::Duration;
 
-use serde::Serialize;
-
-use super::baseline::Baseline;
+use super::load::CHECKED;
 use crate::config::Config;
-use crate::diag::{Application, Finding, Level};
-use crate::discover::{Kind, kind_of, loose_place, root_above};
+use crate::diag::{Application, ApplicationVerdict, Level, Outcome, Verdict};
+use crate::discover::Layout;
 use crate::source::{resolved, slashed};
-
-/// Result of a run.
-#[derive(Debug, Clone, Default)]
-pub struct Outcome {
-    /// The data roots that were looked at.
-    pub roots: Vec<RootSummary>,
-    /// Findings, sorted by path, place and rule.
-    pub findings: Vec<Finding>,
-    /// What a reader should know besides findings: what was not judged and why.
-    pub notes: Vec<String>,
-    /// Counts.
-    pub summary: Summary,
-    /// Time per phase and rule, in order of the run.
-    pub timings: Vec<Timing>,
-    /// The baseline to write, where one was asked for: [`Config::write_baseline`].
-    pub baseline: Option<Baseline>,
-    /// What [`Outcome::baseline`] changes, where there was one before.
-    pub taken_over: Option<TakenOver>,
-    /// Findings that the baseline hides; [`Summary::suppressed`] counts them with the muted ones.
-    pub in_baseline: usize,
-    /// Findings that are not shown because the change cannot affect them.
-    pub left_out: usize,
-    /// What alone was reported on, where that is not all of the data: `in ...`, `on ...`, `by ...`.
-    pub only: Vec<String>,
-    /// Rules that panicked: bugs of ours, whose findings are missing.
-    pub failed_rules: Vec<String>,
-    /// Files on which a reader of ours panicked, by path: bugs of ours, whose findings are missing.
-    pub failed_files: Vec<String>,
-    /// Other work that panicked, such as the evaluation of a base mesh.
-    pub failed_steps: Vec<String>,
-}
-
-/// A data root.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-pub struct RootSummary {
-    /// Its path as printed.
-    pub path: String,
-    /// Whose data it is.
-    pub application: Application,
-    /// Base meshes in it.
-    pub bases: Vec<String>,
-    /// Whether this version judges it.
-    #[serde(skip)]
-    pub judged: bool,
-}
-
-/// Counts of a run.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
-pub struct Summary {
-    /// Findings of level error.
-    pub error: usize,
-    /// Findings of level warning.
-    pub warning: usize,
-    /// Findings of level info.
-    pub info: usize,
-    /// Findings that were muted.
-    pub suppressed: usize,
-    /// Files of the judged roots.
-    pub files: usize,
-    /// Their size in bytes.
-    pub bytes: u64,
-}
-
-/// How a new baseline differs from the one that it takes the place of.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct TakenOver {
-    /// Findings that were not in the old one.
-    pub new: usize,
-    /// Those of them that are errors.
-    pub errors: usize,
-    /// Entries of the old one that were not found again.
-    pub gone: usize,
-}
-
-/// Time spent on something.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Timing {
-    /// Phase or rule.
-    pub what: String,
-    /// How long, added up over threads for rules.
-    pub time: Duration,
-}
 
 /// Why a run could not be done at all.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -127,47 +43,47 @@ pub enum Error {
 }
 
 impl Outcome {
-    /// Counts the findings by level.
-    pub(super) fn count(&mut self) {
-        let of = |level| self.findings.iter().filter(|finding| finding.level == level).count();
-        (self.summary.error, self.summary.warning, self.summary.info) =
-            (of(Level::Error), of(Level::Warning), of(Level::Info));
-    }
-
-    /// Whether something at or above `limit` was found.
-    pub fn has_at_least(&self, limit: Level) -> bool {
-        self.findings.iter().any(|finding| finding.level >= limit)
-    }
-
     /// Whether the run passes: nothing at or above [`Config::fail_on`], no more warnings than
     /// [`Config::max_warnings`], and all of the work was done.
     pub fn passes(&self, config: &Config) -> bool {
-        let graded = config.fail_on.is_some_and(|level| self.has_at_least(level));
-        let too_many = config.max_warnings.is_some_and(|limit| self.summary.warning > limit);
-        self.is_whole() && !graded && !too_many
+        self.is_whole() && !fails(self.findings.iter().map(|finding| finding.level), config)
     }
+}
 
-    /// Whether all of the work was done: no bug of ours took a file, a rule or a step away.
-    pub fn is_whole(&self) -> bool {
-        [&self.failed_rules, &self.failed_files, &self.failed_steps].iter().all(|failed| failed.is_empty())
-    }
+/// Counts the findings by level and gives every application its verdict.
+pub(super) fn conclude(outcome: &mut Outcome, config: &Config) {
+    let of = |level| outcome.findings.iter().filter(|finding| finding.level == level).count();
+    let counts = (of(Level::Error), of(Level::Warning), of(Level::Info));
+    (outcome.summary.error, outcome.summary.warning, outcome.summary.info) = counts;
+    let checked: BTreeSet<Application> = outcome.checked().map(|root| root.application).collect();
+    outcome.applications = checked.into_iter().map(|application| verdict(application, outcome, config)).collect();
+}
 
-    /// Whether a file lies where a judged data root or the system data have their assets, or is a loose one of them.
-    pub fn has_asset(&self, file: &Path, system: Option<&Path>) -> bool {
-        let place = resolved(file);
-        let is_asset_in = |root: &Path| {
-            let rel = place.strip_prefix(resolved(root)).map(slashed).unwrap_or_default();
-            let (folder, _) = rel.rsplit_once('/').unwrap_or_default();
-            root_above(folder).is_some() && kind_of(&rel).0 != Kind::Other || loose_place(&rel, None).is_some()
-        };
-        let judged = self.roots.iter().filter(|root| root.judged).map(|root| Path::new(root.path.as_str()));
-        judged.chain(system).any(is_asset_in)
-    }
+/// A finding counts for the applications that it breaks, at its level for each.
+fn verdict(application: Application, outcome: &Outcome, config: &Config) -> ApplicationVerdict {
+    let breaks = outcome.findings.iter().flat_map(|finding| &finding.breaks);
+    let levels = breaks.filter(|one| one.application == application).map(|one| one.level);
+    let passes = outcome.is_whole() && !fails(levels, config);
+    ApplicationVerdict { application, verdict: if passes { Verdict::Pass } else { Verdict::Fail } }
+}
 
-    /// Whether any root was judged.
-    pub fn judged_anything(&self) -> bool {
-        self.roots.iter().any(|root| root.judged)
-    }
+/// Whether findings of these levels are too much.
+fn fails(levels: impl Iterator<Item = Level> + Clone, config: &Config) -> bool {
+    let warnings = || levels.clone().filter(|level| *level == Level::Warning).count();
+    config.fail_on.is_some_and(|limit| levels.clone().any(|level| level >= limit))
+        || config.max_warnings.is_some_and(|limit| warnings() > limit)
+}
+
+/// Whether a file lies where a checked data root or the system data have their assets, or is a loose one of them.
+pub fn holds_asset(outcome: &Outcome, file: &Path, system: Option<&Path>) -> bool {
+    let place = resolved(file);
+    let is_asset_in = |(root, application): (&Path, Application)| {
+        let rel = place.strip_prefix(resolved(root)).map(slashed).unwrap_or_default();
+        Layout::of(application).is_asset(&rel)
+    };
+    let roots = outcome.checked().map(|root| (Path::new(root.path.as_str()), root.application));
+    let system = system.into_iter().flat_map(|system| CHECKED.map(|application| (system, application)));
+    roots.chain(system).any(is_asset_in)
 }
 
 impl std::fmt::Display for Error {
@@ -189,6 +105,25 @@ impl std::error::Error for Error {}
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::diag::{Finding, Place, RootSummary, RuleInfo};
+
+    const RULE: RuleInfo = RuleInfo {
+        breaks: &[(Application::Makehuman2, "stops"), (Application::Mpfb, "ignores it")],
+        levels: &[(Application::Mpfb, Level::Info)],
+        ..RuleInfo::new("a-rule", Level::Error, "a fault")
+    };
+
+    fn checked(findings: Vec<Finding>) -> Outcome {
+        let root = |application| RootSummary { path: String::new(), application, bases: Vec::new(), checked: true };
+        let roots = [Application::Mpfb, Application::Makehuman2].map(root).to_vec();
+        Outcome { roots, findings, ..Outcome::default() }
+    }
+
+    fn verdicts(findings: Vec<Finding>, config: &Config) -> [(Application, Verdict); 2] {
+        let mut outcome = checked(findings);
+        conclude(&mut outcome, config);
+        [0, 1].map(|number| (outcome.applications[number].application, outcome.applications[number].verdict))
+    }
 
     #[test]
     fn a_run_that_misses_something_does_not_pass() {
@@ -202,5 +137,30 @@ mod tests {
         ] {
             assert!(!missing.passes(&config) && !missing.is_whole());
         }
+    }
+
+    #[test]
+    fn a_finding_fails_only_the_applications_that_it_breaks() {
+        use Application::{Makehuman2, Mpfb};
+        use Verdict::{Fail, Pass};
+        let only = RuleInfo { breaks: &[(Mpfb, "stops")], levels: &[], ..RULE };
+        let found = |rule: &RuleInfo| vec![Finding::new(rule, "a", Place::File, "it")];
+        let config = Config::default();
+        assert_eq!(verdicts(found(&only), &config), [(Makehuman2, Pass), (Mpfb, Fail)]);
+        assert_eq!(verdicts(found(&RULE), &config), [(Makehuman2, Fail), (Mpfb, Pass)]);
+        let settings = RuleInfo { breaks: &[], levels: &[], ..RULE };
+        assert_eq!(verdicts(found(&settings), &config), [(Makehuman2, Pass), (Mpfb, Pass)]);
+        assert!(!checked(found(&settings)).passes(&config), "the run fails all the same");
+    }
+
+    #[test]
+    fn warnings_are_counted_for_each_application() {
+        let warned = |application| {
+            Finding::new(&RULE, "a", Place::File, "it").level(Level::Info).level_in(application, Level::Warning)
+        };
+        let config = Config { max_warnings: Some(1), ..Config::default() };
+        let [own, other] = [Application::Makehuman2, Application::Mpfb];
+        let found = verdicts(vec![warned(own), warned(own), warned(other)], &config);
+        assert_eq!(found, [(own, Verdict::Fail), (other, Verdict::Pass)]);
     }
 }

@@ -10,21 +10,19 @@ use super::heard::{Filter, Heard};
 use super::idle::idle;
 use super::judge::{judge, look_after};
 use super::known::{Known, Placed};
-use super::load::moved;
-use super::load::{Data, Loaded};
-use super::load::{Input, open};
-use super::load::{Roots, check_bases, summarise};
+use super::load::{Data, Input, Loaded, Roots, open};
 use super::locate::locate;
 use super::measure::measure_bases;
 use super::mute::Muting;
-use super::outcome::{Error, Outcome, Timing};
+use super::outcome::{Error, conclude};
 use super::scope::Scope;
 use super::select::Selection;
-use crate::config::Config;
-use crate::diag::{Application, Finding, IdleGlob, Level, Over, Upkeep, fingerprint};
+use super::summary::{check_bases, summarise};
+use crate::config::{Config, Selector};
+use crate::diag::{self, Application, Finding, IdleGlob, Level, Outcome, Over, Timing, Upkeep, fingerprint};
 use crate::eval::measures::Measures;
 use crate::repo::{Layer, Repository};
-use crate::source::{Limits, Tree};
+use crate::source::Tree;
 
 /// Judges data roots found at `paths`.
 ///
@@ -68,12 +66,9 @@ pub(super) fn lint_inputs(inputs: &[Input], system: Option<&Tree>, options: &Con
     let mut muting = Muting::new(options);
     let mut outcome = Outcome::default();
     let started = Instant::now();
-    let roots = Roots::of(inputs, system);
-    let system_place = roots.system_place(&mut outcome)?;
-    let moved = moved(inputs, &roots.found, system, options, &mut outcome);
-    let places = roots.places(&moved, system_place, &asked.scope, options, &mut outcome);
-    let mut data = Data::load(places, system_place, &options.limits);
-    outcome.only = asked_for(&data, options);
+    let roots = Roots::of(inputs, system, &asked.scope, options, &mut outcome)?;
+    let mut data = Data::load(roots, &options.limits);
+    outcome.scope = asked_for(&data, options);
     outcome.timings.push(timing("read", started));
     let started = Instant::now();
     let measures = measure_bases(&mut data, options, &mut outcome.failed_steps);
@@ -88,44 +83,33 @@ pub(super) fn lint_inputs(inputs: &[Input], system: Option<&Tree>, options: &Con
     let settings = options.file.as_ref().map(|file| (file.path.clone(), file.text.clone().into_bytes()));
     let settings = Tree::in_memory("", settings);
     let trees: Vec<&Tree> = inputs.iter().map(|input| &input.tree).chain(system).chain([&settings]).collect();
-    finish(&mut outcome, &trees, &options.limits);
+    finish(&mut outcome, &trees, options);
     outcome.timings.push(timing("places", started));
     Ok(outcome)
 }
 
-/// What the PATHs, `--base`, `exclude` and the rules that are on leave of the data to report on, in words.
-fn asked_for(data: &Data<'_>, options: &Config) -> Vec<String> {
-    let names = |before: &str, names: &[&str]| {
-        let shown: Vec<String> = names.iter().take(NAMED).map(|name| format!("`{name}`")).collect();
-        let more = match names.len().saturating_sub(NAMED) {
-            0 => String::new(),
-            more => format!(" and {more} more"),
-        };
-        (!names.is_empty()).then(|| format!("{before} {}{more}", shown.join(", ")))
-    };
-    let paths: Vec<&str> = data.roots.iter().flat_map(Loaded::parts).collect();
-    let bases: Vec<&str> = options.bases.iter().map(String::as_str).collect();
-    let of_file = || options.file.iter().flat_map(|file| &file.select).map(|selector| selector.text.as_str());
-    let rules: Vec<&str> =
-        if options.only.is_empty() { of_file().collect() } else { options.only.iter().map(String::as_str).collect() };
-    let rules = if rules.contains(&"*") { Vec::new() } else { rules };
-    let mut without: Vec<&String> = options.skip.iter().chain(off(&options.levels, |name| name)).collect();
+/// What the PATHs, `--base`, `exclude` and the rules that are on leave of the data to report on.
+fn asked_for(data: &Data<'_>, options: &Config) -> diag::Scope {
+    let file = || options.file.iter();
+    let texts = |selectors: &[Selector]| selectors.iter().map(|one| one.text.clone()).collect::<Vec<_>>();
+    let mut rules = options.only.clone();
+    let mut without: Vec<String> = options.skip.iter().chain(off(&options.levels, |name| name)).cloned().collect();
     // `--only` takes the place of what the file says of rules.
-    for file in options.file.iter().filter(|_| options.only.is_empty()) {
-        without.extend(file.skip.iter().map(|selector| &selector.text));
-        without.extend(off(&file.levels, |selector| &selector.text));
+    for file in file().filter(|_| options.only.is_empty()) {
+        rules = texts(&file.select);
+        without.extend(texts(&file.skip));
+        without.extend(off(&file.levels, |selector| &selector.text).cloned());
     }
-    let without: Vec<&str> = without.into_iter().map(String::as_str).collect();
-    let excluded: Vec<&str> =
-        options.file.iter().flat_map(|file| &file.exclude).map(|glob| glob.text.as_str()).collect();
-    let parts = [
-        names("in", &paths),
-        names("outside of", &excluded),
-        names("on the base mesh", &bases),
-        names("by the rules", &rules),
-        names("without the rules", &without),
-    ];
-    parts.into_iter().flatten().collect()
+    if rules.iter().any(|rule| rule == "*") {
+        rules.clear();
+    }
+    diag::Scope {
+        paths: data.roots.iter().flat_map(Loaded::parts).map(str::to_owned).collect(),
+        excluded: file().flat_map(|file| &file.exclude).map(|glob| glob.text.clone()).collect(),
+        bases: options.bases.clone(),
+        rules,
+        without,
+    }
 }
 
 /// The rules whose level is `off`, by what they were named with.
@@ -135,9 +119,6 @@ fn off<'l, T>(
 ) -> impl Iterator<Item = &'l String> {
     levels.iter().filter(|(_, level)| level.is_none()).map(move |(rules, _)| name(rules))
 }
-
-/// Names that a sentence holds.
-const NAMED: usize = 3;
 
 fn timing(what: &str, started: Instant) -> Timing {
     Timing { what: what.to_owned(), time: started.elapsed() }
@@ -224,7 +205,7 @@ impl Reporter<'_, '_> {
                 Heard::At(level) => {
                     let spared = self.spared(&filter.spared(&finding, muting), &finding);
                     finding.fix.iter_mut().for_each(|fix| fix.spared.clone_from(&spared));
-                    finding.level = level;
+                    finding.regrade(level);
                     kept.push((finding, consequence));
                 }
                 Heard::Hidden => outcome.summary.suppressed += 1,
@@ -256,7 +237,7 @@ impl Reporter<'_, '_> {
             Over::Each(files) | Over::Between(files) => files.as_slice(),
         };
         let mut files = std::iter::once(&finding.path).chain(others);
-        files.any(|file| self.judged.is_asked_for(file)) && crate::discover::kind_of(rel).1.is_none_or(asked)
+        files.any(|file| self.judged.is_asked_for(file)) && self.judged.layer.base_at(rel).as_deref().is_none_or(asked)
     }
 
     fn is_reported(&self, path: &str) -> bool {
@@ -296,11 +277,11 @@ fn own_path<'p>(repository: &Repository<'_>, path: &'p str) -> Option<&'p str> {
 }
 
 /// Brings everything into its order, with the places of findings.
-fn finish(outcome: &mut Outcome, trees: &[&Tree], limits: &Limits) {
+fn finish(outcome: &mut Outcome, trees: &[&Tree], options: &Config) {
     outcome.roots.sort_by(|a, b| (&a.path, a.application).cmp(&(&b.path, b.application)));
     outcome.findings.sort_by(|a, b| (&a.path, a.rule, &a.key).cmp(&(&b.path, b.rule, &b.key)));
-    caught("places of findings", &mut outcome.failed_steps, || locate(&mut outcome.findings, trees, limits));
+    caught("places of findings", &mut outcome.failed_steps, || locate(&mut outcome.findings, trees, &options.limits));
     let place = |finding: &Finding| (finding.location.line, finding.location.column);
     outcome.findings.sort_by(|a, b| (&a.path, place(a), a.rule, &a.key).cmp(&(&b.path, place(b), b.rule, &b.key)));
-    outcome.count();
+    conclude(outcome, options);
 }

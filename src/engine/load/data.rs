@@ -1,7 +1,10 @@
 //! The data roots of a run with their layers, and which lies over which.
 
-use super::layer::{MeshSizes, Place, load};
-use super::stack::{Role, Stack, roles, stacks};
+use super::layer::{MeshSizes, load};
+use super::place::Place;
+use super::roots::Roots;
+use super::stack::{Stack, roles, stacks};
+use crate::discover::Role;
 use crate::repo::Layer;
 use crate::source::{Limits, is_below};
 
@@ -31,7 +34,7 @@ impl<'t> Loaded<'t> {
 
     /// The parts of a data root that alone are asked for; none for the whole of it. A loose file is a whole.
     pub(in crate::engine) fn parts(&self) -> impl Iterator<Item = &str> {
-        let narrow = if self.place.moved.is_none() { self.narrow.as_slice() } else { &[] };
+        let narrow = if self.place.is_loose { &[] } else { self.narrow.as_slice() };
         narrow.iter().map(String::as_str)
     }
 
@@ -43,19 +46,16 @@ impl<'t> Loaded<'t> {
 
 impl<'t> Data<'t> {
     /// Reads everything but targets.
-    pub(in crate::engine) fn load(
-        places: Vec<(Place<'t>, Vec<String>)>,
-        system: Option<Place<'t>>,
-        limits: &Limits,
-    ) -> Self {
+    pub(in crate::engine) fn load(roots: Roots<'t>, limits: &Limits) -> Self {
+        let Roots { checked: places, system } = roots;
         let (system, system_sizes) = match system {
             Some(place) => {
-                let (layer, sizes) = load(place, limits, None);
+                let (layer, sizes) = load(&place, limits, None);
                 (Some(Loaded::new(place, layer, Role::System, Vec::new())), sizes)
             }
             None => (None, MeshSizes::new()),
         };
-        let roles = roles(&places.iter().map(|(place, _)| *place).collect::<Vec<_>>());
+        let roles = roles(places.iter().map(|(place, _)| place));
         let mut places: Vec<_> =
             places.into_iter().zip(roles).map(|((place, narrow), role)| (place, narrow, role)).collect();
         // System data first: a user root may lack the meshes that its targets are for.
@@ -63,7 +63,7 @@ impl<'t> Data<'t> {
         let mut data = Self { system, roots: Vec::new(), sizes: Vec::new(), system_sizes };
         let mut below = data.system_sizes.clone();
         for (place, narrow, role) in places {
-            let (layer, sizes) = load(place, limits, Some(&below));
+            let (layer, sizes) = load(&place, limits, Some(&below));
             if role == Role::System && data.system.is_none() {
                 below.extend(sizes.clone());
             }

@@ -2,9 +2,10 @@
 
 use super::consequence::{Moment, moment};
 use crate::discover::Kind;
+use crate::formats::Content;
 use crate::formats::json_file::JsonFault;
 use crate::json::SyntaxKind;
-use crate::repo::{Base, Content, FileFacts, Repository};
+use crate::repo::{Base, FileFacts, Repository};
 
 /// Whether the content of the file is not at hand: it was not read, or is a stand-in.
 fn is_unread(file: &FileFacts) -> bool {

@@ -1,7 +1,7 @@
 //! Parts of a JSON that the schema says something of: what they lack, or seem to hold, follows from that.
 
 use crate::diag::pointer;
-use crate::json::UnknownKey;
+use crate::json::{SchemaFault, UnknownKey};
 use crate::repo::{BoundSlider, FileFacts};
 
 /// Whether the schema refuses the whole: its type is wrong, or a section is missing without which nothing is read.
@@ -11,7 +11,7 @@ pub(in crate::rules) fn is_misshapen(file: &FileFacts) -> bool {
 
 /// Whether the whole is of another type than its format.
 pub(in crate::rules) fn is_of_wrong_type(file: &FileFacts) -> bool {
-    file.schema.faults.iter().any(|fault| fault.pointer.is_empty() && fault.keyword == "/type")
+    file.schema.faults.iter().any(SchemaFault::is_wrong_root)
 }
 
 /// Whether the schema has nothing against the value at a pointer or below it; else the model lacks a part of it.

@@ -60,7 +60,7 @@ fn counts_as_missing(repository: &Repository<'_>, file: &FileFacts) -> Option<&'
 
 /// Whether the file is the `macro.json` of a base without a macro slider, which does as well without.
 fn needs_no_macros(repository: &Repository<'_>, file: &FileFacts) -> bool {
-    let mut bases = repository.bases.iter().filter(|base| file.base.as_deref() == Some(base.name));
+    let mut bases = repository.bases.iter().filter(|base| file.base() == Some(base.name));
     file.kind == Kind::MacroJson && bases.all(|base| !base.sliders.iter().any(|slider| slider.slider.is_macro()))
 }
 

@@ -69,9 +69,8 @@ fn option(file: &FileFacts) -> &'static str {
     match file.kind {
         kind if kind.is_json() => "json",
         Kind::Target | Kind::PackedTarget => "target",
-        Kind::BaseMesh => "mesh",
+        Kind::BaseMesh | Kind::AssetMesh => "mesh",
         Kind::Image | Kind::TargetIcon => "picture",
-        Kind::Text if extension(&file.rel) == "obj" => "mesh",
         _ => "other",
     }
 }

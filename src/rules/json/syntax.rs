@@ -5,9 +5,10 @@ use super::super::cause::{is_ignored_override, opened};
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
+use crate::formats::Content;
 use crate::formats::json_file::JsonFault;
 use crate::json::{SyntaxFault, SyntaxKind};
-use crate::repo::{Content, FileFacts, Repository};
+use crate::repo::{FileFacts, Repository};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -36,7 +37,9 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 out.extend(consequence(repository, &file.rel, Damage::Syntax).map(|loss| loss.of(finding)));
             }
             // What NaN does to weights is worse, and another rule's business.
-            _ if file.kind != Kind::Weights && !is_stray(file) => out.extend(special_numbers(file)),
+            _ if !matches!(file.kind, Kind::Weights | Kind::AssetWeights) && !is_stray(file) => {
+                out.extend(special_numbers(file))
+            }
             _ => {}
         }
     }
@@ -58,7 +61,7 @@ fn sort(kind: &SyntaxKind) -> &'static str {
 
 /// Whether no loader looks for a JSON of this name where it lies: `file-unreferenced` speaks, or `file-case-mismatch`.
 fn is_stray(file: &FileFacts) -> bool {
-    file.kind == Kind::OtherJson && !file.rel.starts_with("base/") && !opened::opens(&file.rel)
+    matches!(file.kind, Kind::Json | Kind::Pose) && !file.rel.starts_with("base/") && !opened::opens(&file.rel)
 }
 
 /// Quotes that word processors and chat programs make of straight ones.

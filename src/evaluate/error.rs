@@ -2,14 +2,13 @@
 
 use std::fmt;
 
-use crate::engine::Error as RunError;
 use crate::eval::error::EvalError;
 
 /// An evaluation that cannot be done.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Error {
-    /// The data folder cannot be opened.
-    Open(RunError),
+    /// The data folder cannot be opened; why.
+    Open(String),
     /// No MakeHuman 2 data below the path.
     NoData(String),
     /// Several data folders hold the base.
@@ -92,12 +91,6 @@ impl Error {
     }
 }
 
-impl From<RunError> for Error {
-    fn from(error: RunError) -> Self {
-        Self::Open(error)
-    }
-}
-
 impl From<EvalError> for Error {
     /// Indices that do not exist stop the application with an `IndexError`.
     fn from(error: EvalError) -> Self {
@@ -112,7 +105,7 @@ impl fmt::Display for Error {
             None => String::new(),
         };
         match self {
-            Self::Open(error) => error.fmt(f),
+            Self::Open(reason) => f.write_str(reason),
             Self::NoData(path) => {
                 write!(f, "`{path}` holds no MakeHuman 2 data (a folder with base/<name>/base.obj in it is wanted)")
             }

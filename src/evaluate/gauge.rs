@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use rayon::prelude::*;
 
-use super::compose::Rig;
+use super::makehuman2::compose::Rig;
 use crate::config::{Config, MOST_SAMPLES};
 use crate::eval::culprit::most_moving;
 use crate::eval::look::look;

@@ -7,7 +7,7 @@ use std::path::Path;
 
 use super::error::Error;
 use super::files::{read_document, read_text, shown};
-use super::open::Evaluation;
+use super::opened::Evaluation;
 use crate::diag::nearest;
 use crate::eval::scene::Setting;
 use crate::formats::python_float;

@@ -2,14 +2,14 @@
 
 use std::path::Path;
 
-use super::error::Error;
-use super::files::{read_document, shown};
-use super::open::Evaluation;
-use crate::engine::compose::skeleton_of;
+use super::compose::skeleton_of;
 use crate::eval::joints::joint_positions;
 use crate::eval::scene::SceneSkeleton;
 use crate::eval::skeleton::{RestBone, hierarchy, rest_bones};
 use crate::eval::vector::Point;
+use crate::evaluate::Error;
+use crate::evaluate::Evaluation;
+use crate::evaluate::files::{read_document, shown};
 use crate::formats::mhskel::{self, RotationPlane, Section, Skeleton};
 
 /// A skeleton and where it came from.

@@ -4,8 +4,8 @@
 
 use serde_json::Value;
 
-use super::CaseReport;
-use super::tolerance::{AT_THRESHOLD, Tolerance, tolerance};
+use super::tolerance::{AT_THRESHOLD, Tolerance};
+use super::{CaseReport, Kind};
 use crate::json::{Node, Value as Json};
 
 /// A case against what the file says.
@@ -48,7 +48,7 @@ impl Deviation {
     }
 }
 
-pub(super) fn compare(kind: &str, case: &Node, report: &CaseReport) -> Comparison {
+pub(super) fn compare(kind: &Kind, case: &Node, report: &CaseReport) -> Comparison {
     let comparison = Comparison {
         name: report.name.clone(),
         deviations: Vec::new(),
@@ -82,7 +82,7 @@ fn is_asset_file(case: &Node) -> bool {
 }
 
 struct Comparer<'a> {
-    kind: &'a str,
+    kind: &'a Kind,
     of_asset: bool,
     comparison: Comparison,
 }
@@ -93,8 +93,7 @@ impl Comparer<'_> {
     }
 
     fn field(&mut self, key: &str, expected: &Value, found: &Value) {
-        let is_weights = matches!(self.kind, "mh2_weights" | "mh2_weights_transfer");
-        if is_weights && key == "bones" {
+        if self.kind.by_bone && key == "bones" {
             return self.bones(expected, found);
         }
         self.value(key, key, &by_name(expected), &by_name(found));
@@ -125,7 +124,7 @@ impl Comparer<'_> {
                 self.differ(format!("`{at}` has {} elements, {} expected", found.len(), expected.len()));
             }
             (Value::Number(_) | Value::Null, Value::Number(_) | Value::Null) => {
-                let tolerance = tolerance(self.kind, quantity);
+                let tolerance = self.kind.tolerance(quantity);
                 self.number(quantity, at, tolerance, expected.as_f64(), found.as_f64());
             }
             (expected, found) if expected == found => {}
@@ -179,7 +178,7 @@ impl Comparer<'_> {
             if count != count_here {
                 self.differ(format!("`{at}` has {count_here} entries, {count} expected"));
             }
-            self.number("bone sum", &at, tolerance(self.kind, "bone sum"), sum, sum_here);
+            self.number("bone sum", &at, self.kind.tolerance("bone sum"), sum, sum_here);
         }
         for bone in found.keys().filter(|bone| !expected.contains_key(*bone)) {
             self.differ(format!("`bones/{bone}` is here only"));

@@ -3,9 +3,11 @@
 //! The applications store coordinates, offsets, weights and matrices as float32 and add up in float32. The
 //! numbers are those that the reference files suggest (reference/README.md, "Tolerances").
 
+use super::Kind;
+
 /// Allowed distance of two numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Tolerance {
+pub(in crate::evaluate) enum Tolerance {
     /// In the unit of the number.
     Absolute(f64),
     /// As a share of the expected number.
@@ -13,21 +15,21 @@ pub(super) enum Tolerance {
 }
 
 /// Factors of targets; `f64` in the application.
-const FACTORS: Tolerance = Tolerance::Absolute(1e-6);
+pub(in crate::evaluate) const FACTORS: Tolerance = Tolerance::Absolute(1e-6);
 /// Coordinates and boxes of morphed meshes, decimetres.
-const MORPHED: Tolerance = Tolerance::Absolute(2e-5);
+pub(in crate::evaluate) const MORPHED: Tolerance = Tolerance::Absolute(2e-5);
 /// Sums over all vertices of a mesh, decimetres.
 const MESH_SUMS: Tolerance = Tolerance::Absolute(0.2);
 /// Joints, heads, tails, lengths, decimetres.
-const JOINTS: Tolerance = Tolerance::Absolute(2e-5);
+pub(in crate::evaluate) const JOINTS: Tolerance = Tolerance::Absolute(2e-5);
 /// Rest matrices.
-const REST_MATRICES: Tolerance = Tolerance::Absolute(1e-4);
+pub(in crate::evaluate) const REST_MATRICES: Tolerance = Tolerance::Absolute(1e-4);
 /// Skinned coordinates and pose matrices.
-const SKINNED: Tolerance = Tolerance::Absolute(5e-5);
+pub(in crate::evaluate) const SKINNED: Tolerance = Tolerance::Absolute(5e-5);
 /// Fitted assets and their scales.
-const FITTED: Tolerance = Tolerance::Absolute(2e-5);
+pub(in crate::evaluate) const FITTED: Tolerance = Tolerance::Absolute(2e-5);
 /// Single weights, and the sums of a vertex.
-const WEIGHTS: Tolerance = Tolerance::Absolute(1e-6);
+pub(in crate::evaluate) const WEIGHTS: Tolerance = Tolerance::Absolute(1e-6);
 /// Sum of the weights of a bone.
 const BONE_SUMS: Tolerance = Tolerance::Relative(1e-6);
 /// Sum of the weights of a bone that has one entry more or less, in files of assets: the weight on the threshold.
@@ -35,19 +37,17 @@ pub(super) const AT_THRESHOLD: Tolerance = Tolerance::Absolute(1e-4);
 /// Counts.
 const EXACT: Tolerance = Tolerance::Absolute(0.0);
 
-/// The tolerance of a quantity in cases of a kind.
-pub(super) fn tolerance(kind: &str, quantity: &str) -> Tolerance {
-    match (kind, quantity) {
-        (_, "count" | "vertex_count" | "ref_count" | "delete_verts") => EXACT,
-        ("mh2_macro_weights", _) => FACTORS,
-        (_, "sum" | "sum_xyz") => MESH_SUMS,
-        (_, "bone sum") => BONE_SUMS,
-        ("mh2_joints", "matRestGlobal") => REST_MATRICES,
-        ("mh2_joints", _) => JOINTS,
-        ("mh2_skinning", _) => SKINNED,
-        ("mh2_fit", _) => FITTED,
-        ("mh2_weights" | "mh2_weights_transfer", _) => WEIGHTS,
-        _ => MORPHED,
+impl Kind {
+    /// The tolerance of a quantity.
+    pub(super) fn tolerance(&self, quantity: &str) -> Tolerance {
+        let own = self.tolerances.iter().find(|(name, _)| *name == quantity);
+        let common = || match quantity {
+            "count" | "vertex_count" | "ref_count" | "delete_verts" => EXACT,
+            "sum" | "sum_xyz" => MESH_SUMS,
+            "bone sum" => BONE_SUMS,
+            _ => self.tolerance,
+        };
+        own.map_or_else(common, |(_, own)| *own)
     }
 }
 

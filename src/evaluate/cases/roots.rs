@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::{Component, Path, PathBuf};
 
 use crate::diag::nearest;
-use crate::engine::evaluate::Error;
+use crate::evaluate::Error;
 
 const NAMES: [&str; 4] = ["makehuman2", "makehuman1", "mpfb", "makehuman-assets"];
 
@@ -31,13 +31,13 @@ impl Roots {
         Ok(roots)
     }
 
-    /// The data folder of MakeHuman 2: the `data` in its folder, or that folder itself.
-    pub(super) fn data(&self) -> Result<PathBuf, Error> {
-        Ok(inside(self.folder("makehuman2")?, "data"))
+    /// The data folder of a program: the `data` in its folder, or that folder itself.
+    pub(super) fn data(&self, name: &str) -> Result<PathBuf, Error> {
+        Ok(inside(self.folder(name)?, "data"))
     }
 
     /// Where a file of a case is. The name may end in ` (NAME)`; without, files of the assets begin with `base/`.
-    pub(super) fn file(&self, written: &str) -> Result<PathBuf, Error> {
+    pub(in crate::evaluate) fn file(&self, written: &str) -> Result<PathBuf, Error> {
         let marked = written.strip_suffix(')').and_then(|text| text.rsplit_once(" ("));
         let (path, name) = match marked {
             Some((path, name)) => (path, name),

@@ -13,37 +13,35 @@ use crate::eval::scene::{MorphTarget, Scene, SceneSkeleton, SceneSlider, SliderK
 use crate::eval::settings::Dimension;
 use crate::eval::skeleton::{Bone, hierarchy};
 use crate::eval::weights::{self, Entry, LoadedWeights};
+use crate::evaluate::Rows;
 use crate::formats::macro_json::MacroFile;
 use crate::formats::mhskel::{Plane, RotationPlane, Skeleton};
 use crate::formats::mhw::Weights;
 use crate::formats::obj::Mesh;
-use crate::formats::target::Row;
+use crate::formats::target::{Row, TargetFacts};
 use crate::repo::{Base, FileFacts, Pattern, TargetFolder};
-
-/// Rows of targets by printed path.
-pub(super) type Rows = BTreeMap<String, Vec<Row>>;
 
 /// Barycentric sets after a reset, whatever `default` says.
 const BARYCENTRIC_DEFAULTS: [f64; 3] = [0.33, 0.33, 0.34];
 
 /// A base mesh made ready for evaluation.
-pub(super) struct Composed {
-    pub(super) scene: Scene,
+pub(in crate::evaluate) struct Composed {
+    pub(in crate::evaluate) scene: Scene,
     /// Every skeleton of the base.
-    pub(super) rigs: Vec<Rig>,
+    pub(in crate::evaluate) rigs: Vec<Rig>,
 }
 
 /// A skeleton of a base.
-pub(super) struct Rig {
+pub(in crate::evaluate) struct Rig {
     /// Printed path of its file.
-    pub(super) path: String,
-    pub(super) skeleton: SceneSkeleton,
+    pub(in crate::evaluate) path: String,
+    pub(in crate::evaluate) skeleton: SceneSkeleton,
     /// Bones that receive no weights through their references; empty for the pose skeleton.
-    pub(super) without_weights: Vec<String>,
+    pub(in crate::evaluate) without_weights: Vec<String>,
 }
 
 /// The scene of a base, taking its rows out of `rows`. `None` without a mesh.
-pub(super) fn compose(base: &Base<'_>, rows: &mut Rows) -> Option<Composed> {
+pub(in crate::evaluate) fn compose(base: &Base<'_>, rows: &mut Rows) -> Option<Composed> {
     // With lines that could not be read, vertices have other numbers than their author meant.
     let (_, mesh) = base.mesh.filter(|(_, mesh)| mesh.facts.unreadable_lines == 0)?;
     let mut composer =
@@ -165,7 +163,8 @@ impl Composer<'_, '_> {
         if let Some(place) = self.by_path.get(&path) {
             return *place;
         }
-        let rows = file.filter(|file| is_usable(file)).and_then(|file| self.rows.remove(&file.path));
+        let rows =
+            file.filter(|file| file.target().is_some_and(is_usable)).and_then(|file| self.rows.remove(&file.path));
         let vertices = self.mesh.positions.len();
         // Rows for seam duplicates are accepted and overwritten by the application.
         let in_mesh = |row: &Row| (row.index as usize) < vertices;
@@ -263,13 +262,12 @@ fn component(component: &crate::formats::macro_json::Component) -> Option<Compon
 }
 
 /// Whether the application could load and apply a target.
-pub(super) fn is_usable(file: &FileFacts) -> bool {
-    file.target()
-        .is_some_and(|facts| facts.unreadable_rows == 0 && facts.negative.count == 0 && facts.out_of_range.count == 0)
+pub(in crate::evaluate) fn is_usable(target: &TargetFacts) -> bool {
+    target.unreadable_rows == 0 && target.negative.count == 0 && target.out_of_range.count == 0
 }
 
 /// The skeleton that `base.json` names, searched in `rigs/<base>/`, user before system.
-pub(super) fn pose_skeleton<'a>(base: &Base<'a>) -> Option<(&'a FileFacts, &'a Skeleton)> {
+pub(in crate::evaluate) fn pose_skeleton<'a>(base: &Base<'a>) -> Option<(&'a FileFacts, &'a Skeleton)> {
     let name = base.settings()?.1.pose_skeleton.as_deref()?;
     let rel = format!("rigs/{}/{name}", base.name);
     let file = base.skeletons.iter().find(|file| file.rel == rel)?;
@@ -277,7 +275,7 @@ pub(super) fn pose_skeleton<'a>(base: &Base<'a>) -> Option<(&'a FileFacts, &'a S
 }
 
 /// The weights file of a skeleton in `rigs/<base>/`, user before system.
-pub(super) fn weights_of<'a>(
+pub(in crate::evaluate) fn weights_of<'a>(
     base: &Base<'a>,
     file: &FileFacts,
     skeleton: &Skeleton,
@@ -289,7 +287,7 @@ pub(super) fn weights_of<'a>(
 }
 
 /// Bones in an order with parents first. `None` if the application refuses the skeleton or would stop.
-pub(super) fn skeleton_of(skeleton: &Skeleton, vertices: usize) -> Option<SceneSkeleton> {
+pub(in crate::evaluate) fn skeleton_of(skeleton: &Skeleton, vertices: usize) -> Option<SceneSkeleton> {
     let mut out = SceneSkeleton::default();
     for joint in &skeleton.joints {
         // A joint without vertices does not exist for the application; it matters only where a bone names it.

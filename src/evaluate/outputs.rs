@@ -7,12 +7,12 @@ use std::collections::BTreeMap;
 
 use serde_json::{Map, Value, json};
 
-use super::asset::{Asset, Fitted};
 use super::error::Error;
-use super::open::Evaluation;
+use super::makehuman2::asset::{Asset, Fitted};
+use super::makehuman2::skeleton::RestSkeleton;
+use super::makehuman2::weights::NamedWeights;
+use super::opened::Evaluation;
 use super::pose::PosedBase;
-use super::skeleton::RestSkeleton;
-use super::weights::NamedWeights;
 use crate::eval::influences::{Influences, Reduction};
 use crate::eval::macro_eval::{Fate, MacroResult};
 use crate::eval::macros::MacroTable;

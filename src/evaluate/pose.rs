@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::error::Error;
 use super::files::{read_document, shown};
-use super::open::Evaluation;
+use super::opened::Evaluation;
 use crate::diag::nearest;
 use crate::eval::skin::{Pose, PosedBone, pose_bones, skin};
 use crate::eval::vector::{Mat4, Point, Vec3, transform, translation, widen};

@@ -2,13 +2,13 @@
 
 use std::path::{Path, PathBuf};
 
-use super::error::Error;
-use super::files::{read_text, shown};
-use super::open::Evaluation;
 use super::weights::{NamedWeights, number};
 use crate::eval::fit::{Reference, ScaleLine, axis_scales, deleted_vertices, derived_weights, fit};
 use crate::eval::influences::Influences;
 use crate::eval::vector::{Point, Vec3};
+use crate::evaluate::Error;
+use crate::evaluate::Evaluation;
+use crate::evaluate::files::{read_text, shown};
 use crate::formats::mhclo::{self, Clothes};
 use crate::formats::obj;
 

@@ -4,24 +4,52 @@
 //! keep the others from it.
 
 mod compare;
-mod compute;
-mod inputs;
+mod computer;
+pub(super) mod inputs;
 mod roots;
-mod tolerance;
+pub(super) mod tolerance;
 
 use serde_json::{Map, Value};
 
 pub use compare::{Comparison, Deviation};
+pub use computer::OpenBase;
+pub(super) use computer::{Computer, morphed, note_unknown};
 pub use roots::Roots;
 
 use super::error::Error;
-use super::files;
+use super::{files, makehuman2};
 use crate::json::{Document, Node};
 use inputs::File;
+use tolerance::Tolerance;
+
+/// Computes the outputs of a case; notes what a reader should know besides.
+pub(super) type Compute = fn(&mut Computer<'_>, &Node, &mut Vec<String>) -> Result<Map<String, Value>, Error>;
+
+/// A kind of case.
+#[derive(Debug)]
+pub(super) struct Kind {
+    /// As files say it.
+    pub(super) name: &'static str,
+    /// The folder that holds the data of its bases.
+    pub(super) root: &'static str,
+    pub(super) outputs: Compute,
+    /// How far numbers may lie apart.
+    pub(super) tolerance: Tolerance,
+    /// Quantities with a tolerance of their own.
+    pub(super) tolerances: &'static [(&'static str, Tolerance)],
+    /// Whether `bones` has for each bone a number of entries and a sum.
+    pub(super) by_bone: bool,
+}
+
+/// Every kind, of all applications.
+fn kinds() -> impl Iterator<Item = &'static Kind> {
+    makehuman2::cases::KINDS.iter()
+}
 
 /// A file of cases with what came out.
 #[derive(Debug)]
 pub struct CaseRun<'t> {
+    kind: &'static Kind,
     text: &'t [u8],
     document: Document,
     /// The cases in the order of the file.
@@ -39,26 +67,32 @@ pub struct CaseReport {
     pub notes: Vec<String>,
 }
 
-/// Computes every case of a file. `path` is for messages.
+/// Computes every case of a file. `path` is for messages, `open` opens the bases.
 ///
 /// # Errors
 /// No JSON, no cases, or a kind that is not computed here.
-pub fn run_cases<'t>(path: &str, text: &'t [u8], roots: &Roots) -> Result<CaseRun<'t>, Error> {
+pub fn run_cases<'t>(path: &str, text: &'t [u8], roots: &Roots, open: OpenBase) -> Result<CaseRun<'t>, Error> {
     let document = files::document(text).map_err(|reason| Error::file(path, reason))?;
-    let reports = {
-        let file = File::new(path, &document.root)?;
-        let mut computer = compute::Computer::new(roots, &file)?;
-        if file.cases.is_empty() {
-            return Err(Error::file(path, "there is no case in `cases`"));
-        }
-        file.cases.iter().map(|case| report(&mut computer, case)).collect()
-    };
-    Ok(CaseRun { text, document, reports })
+    let file = File::new(path, &document.root)?;
+    let kind = kind_called(file.kind)?;
+    if file.cases.is_empty() {
+        return Err(Error::file(path, "there is no case in `cases`"));
+    }
+    let mut computer = Computer::new(kind, roots, &file, open);
+    let reports = file.cases.iter().map(|case| report(kind, &mut computer, case)).collect();
+    Ok(CaseRun { kind, text, document, reports })
 }
 
-fn report(computer: &mut compute::Computer<'_>, case: &Node) -> CaseReport {
+fn kind_called(name: &str) -> Result<&'static Kind, Error> {
+    kinds().find(|kind| kind.name == name).ok_or_else(|| {
+        let names: Vec<&str> = kinds().map(|kind| kind.name).collect();
+        Error::Input(format!("cases of kind `{name}` are not supported yet (known: {})", names.join(", ")))
+    })
+}
+
+fn report(kind: &Kind, computer: &mut Computer<'_>, case: &Node) -> CaseReport {
     let mut notes = Vec::new();
-    let outputs = match computer.outputs(case, &mut notes) {
+    let outputs = match (kind.outputs)(computer, case, &mut notes) {
         Err(Error::Stops { exception, reason }) => {
             notes.push(reason);
             Ok(super::object([("error", Value::from(exception))]))
@@ -98,8 +132,7 @@ impl CaseRun<'_> {
 
     /// Every case against the outputs that are in the file.
     pub fn compared(&self) -> Vec<Comparison> {
-        let kind = self.document.root.get("kind").and_then(Node::as_str).unwrap_or_default();
         let cases = inputs::cases(&self.document.root).iter().zip(&self.reports);
-        cases.map(|(case, report)| compare::compare(kind, case, report)).collect()
+        cases.map(|(case, report)| compare::compare(self.kind, case, report)).collect()
     }
 }

@@ -1,6 +1,6 @@
 //! Fields of a case, or what is wrong with them.
 
-use crate::engine::evaluate::Error;
+use crate::evaluate::Error;
 use crate::json::{Node, Value};
 
 /// A file of cases.
@@ -34,35 +34,35 @@ pub(super) fn title(case: &Node) -> String {
 }
 
 /// A field of the `inputs` of a case, or of the case itself.
-pub(super) fn field<'a>(case: &'a Node, key: &str) -> Option<&'a Node> {
+pub(in crate::evaluate) fn field<'a>(case: &'a Node, key: &str) -> Option<&'a Node> {
     case.get("inputs").and_then(|inputs| inputs.get(key)).or_else(|| case.get(key))
 }
 
-pub(super) fn wanted<'a>(case: &'a Node, key: &str) -> Result<&'a Node, Error> {
+pub(in crate::evaluate) fn wanted<'a>(case: &'a Node, key: &str) -> Result<&'a Node, Error> {
     field(case, key).ok_or_else(|| Error::Input(format!("the case has no `inputs.{key}`")))
 }
 
-pub(super) fn text<'a>(case: &'a Node, key: &str) -> Result<&'a str, Error> {
+pub(in crate::evaluate) fn text<'a>(case: &'a Node, key: &str) -> Result<&'a str, Error> {
     wanted(case, key)?.as_str().ok_or_else(|| Error::Input(format!("`{key}` of the case is no text")))
 }
 
-pub(super) fn count(case: &Node, key: &str) -> Result<usize, Error> {
+pub(in crate::evaluate) fn count(case: &Node, key: &str) -> Result<usize, Error> {
     let number = wanted(case, key)?.as_i64().and_then(|number| usize::try_from(number).ok());
     number.ok_or_else(|| Error::Input(format!("`{key}` of the case is no count")))
 }
 
 /// Slider settings; `None` for `null`: the mesh as it is, without even the defaults.
-pub(super) fn modifiers(case: &Node) -> Result<Option<Vec<(String, f64)>>, Error> {
+pub(in crate::evaluate) fn modifiers(case: &Node) -> Result<Option<Vec<(String, f64)>>, Error> {
     let node = wanted(case, "modifiers")?;
     if matches!(node.value, Value::Null) {
         return Ok(None);
     }
-    let read = crate::engine::evaluate::settings::modifiers(node);
+    let read = crate::evaluate::settings::modifiers(node);
     read.map(Some).map_err(|reason| Error::Input(format!("`modifiers` of the case: {reason}")))
 }
 
 /// The vertices to report: those of the case, or those that the file has for the base.
-pub(super) fn vertex_ids(file: &Node, case: &Node, base: &str) -> Result<Vec<i64>, Error> {
+pub(in crate::evaluate) fn vertex_ids(file: &Node, case: &Node, base: &str) -> Result<Vec<i64>, Error> {
     let common = || {
         let ids = file.get("inputs")?.get("vertex_ids")?;
         if ids.is_array() { Some(ids) } else { ids.get(base) }
@@ -76,7 +76,7 @@ pub(super) fn vertex_ids(file: &Node, case: &Node, base: &str) -> Result<Vec<i64
 }
 
 /// The vertices whose weights are reported: those in the outputs that are there.
-pub(super) fn weighted_vertices(case: &Node) -> Vec<i64> {
+pub(in crate::evaluate) fn weighted_vertices(case: &Node) -> Vec<i64> {
     let listed = case.get("outputs").and_then(|outputs| outputs.get("vertices")).map(Node::elements);
     listed.unwrap_or_default().iter().filter_map(|pair| pair.elements().first()?.as_i64()).collect()
 }

@@ -2,16 +2,15 @@
 
 use super::error::Error;
 use super::files::read_cause;
-use super::open::Evaluation;
-use crate::engine::compose::is_usable;
-use crate::engine::load::read;
+use super::makehuman2::compose::is_usable;
+use super::opened::Evaluation;
 use crate::eval::component::ComponentFault;
 use crate::eval::macro_eval::MacroResult;
 use crate::eval::macros::{MacroError, MacroTable};
 use crate::eval::scene::{Setting, SettingError};
 use crate::eval::vector::Point;
-use crate::formats::target::Row;
-use crate::repo::FileFacts;
+use crate::formats::target::{self, Row, TargetFacts};
+use crate::source::Encoding;
 
 impl Evaluation {
     /// The targets of a setting with their factors: places in the scene's targets, details before macros.
@@ -76,13 +75,14 @@ impl Evaluation {
 
     fn read_rows(&self, path: &str, name: &str) -> Result<Vec<Row>, Error> {
         let (tree, entry) = self.entry(path).ok_or_else(|| Error::MissingTarget(name.to_owned()))?;
-        // Only the ending counts for the kind; the path below the data root is not known here.
-        let rel = format!("target/{}/{name}.target", self.base);
-        let reading = read::read(tree, entry, &rel, &self.limits, Some(self.size));
-        match unusable(&reading.facts) {
-            Some(cause) => Err(Error::file(path, cause)),
-            None => Ok(reading.rows),
+        let bytes = tree.read(entry, &self.limits).map_err(|fault| Error::file(path, read_cause(&fault)))?;
+        let encoding = Encoding::of(&bytes);
+        if encoding.lfs_pointer {
+            return Err(Error::file(path, "it is a Git LFS pointer"));
         }
+        let target = target::parse_file(&bytes, &encoding, Some(self.size));
+        let target = target.ok_or_else(|| Error::file(path, "it is no target"))?;
+        unusable(&target.facts).map_or(Ok(target.rows), |cause| Err(Error::file(path, cause)))
     }
 
     fn setting_error(&self, error: SettingError) -> Error {
@@ -125,15 +125,8 @@ fn exception(fault: ComponentFault) -> &'static str {
 }
 
 /// Why the application cannot load or apply a target.
-fn unusable(facts: &FileFacts) -> Option<String> {
-    if let Some(fault) = &facts.unreadable {
-        return Some(read_cause(fault));
-    }
-    let Some(target) = facts.target() else {
-        let pointer = facts.encoding.lfs_pointer;
-        return Some(if pointer { "it is a Git LFS pointer".to_owned() } else { "it is no target".to_owned() });
-    };
-    if is_usable(facts) {
+fn unusable(target: &TargetFacts) -> Option<String> {
+    if is_usable(target) {
         return None;
     }
     if let Some(bad) = target.unreadable.first() {

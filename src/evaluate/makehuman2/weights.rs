@@ -3,17 +3,17 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use super::super::references::through_references;
-use super::error::Error;
-use super::files::{json_cause, read_text, shown};
+use super::references::through_references;
 use super::skeleton::SkeletonFile;
 use crate::eval::influences::{Influences, Reduction};
 use crate::eval::weights::{BoneWeights, Entry, LoadedWeights, load};
+use crate::evaluate::Error;
+use crate::evaluate::files::{json_cause, read_text, shown};
 use crate::formats::mhw::{self, Pair, Weights};
 use crate::source::Encoding;
 
 /// More vertices than this are not believed; the largest base has 20 thousand.
-pub(super) const MOST_VERTICES: usize = 1 << 24;
+pub(in crate::evaluate) const MOST_VERTICES: usize = 1 << 24;
 
 /// The lists of a weights file.
 #[derive(Debug, Clone, Default)]
@@ -96,7 +96,7 @@ impl WeightLists {
 }
 
 /// Number of a name, which is added if it is new.
-pub(super) fn number(names: &mut Vec<String>, name: &str) -> usize {
+pub(in crate::evaluate) fn number(names: &mut Vec<String>, name: &str) -> usize {
     names.iter().position(|known| known == name).unwrap_or_else(|| {
         names.push(name.to_owned());
         names.len() - 1

@@ -6,7 +6,7 @@ use crate::eval::weights::BoneWeights;
 use crate::formats::mhskel::Skeleton;
 
 /// What the bones of `skeleton` receive. `number` finds a default bone by name; `parents` are those of the default bones.
-pub(super) fn through_references(
+pub(in crate::evaluate) fn through_references(
     weights: &[BoneWeights],
     parents: &[Option<usize>],
     skeleton: &Skeleton,
