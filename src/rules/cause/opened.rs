@@ -1,6 +1,6 @@
 //! Which names the loaders of MakeHuman 2 look for (formats/makehuman2.md §1, §2, §19).
 
-use crate::discover::{Kind, SCANNED, kind_of};
+use crate::discover::{Kind, SCANNED};
 use crate::repo::Layer;
 
 /// Whether any loader (or a tool of the program) opens a file of this name. Decided for the folders of base
@@ -58,9 +58,8 @@ pub(in crate::rules) fn misnamed(layer: &Layer, rel: &str) -> Option<String> {
     (is_wanted && lower != name && layer.file(&right).is_none()).then_some(right)
 }
 
-/// Whether loaders open this path as a file.
-pub(in crate::rules) fn is_file(rel: &str) -> bool {
-    let kind = kind_of(rel).0;
+/// Whether loaders open what is of this kind as a file.
+pub(in crate::rules) fn is_file(kind: Kind) -> bool {
     kind.is_text() || kind == Kind::TargetArchive
 }
 

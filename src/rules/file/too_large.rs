@@ -1,7 +1,6 @@
 //! Files far beyond the size of their kind.
 
 use super::super::cause::consequence::{Damage, consequence};
-use super::super::cause::opened::extension;
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Finding, Level, OptionInfo, Place, RuleInfo};
 use crate::discover::Kind;

@@ -33,7 +33,7 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             out.extend(finding(&fault.path, format!("cannot be read: {reason}")));
         }
     }
-    let is_base = |name: &str| layer.files.values().any(|file| file.base.as_deref() == Some(name));
+    let is_base = |name: &str| layer.files.values().any(|file| file.base() == Some(name));
     for file in layer.files.values() {
         match &file.unreadable {
             Some(ReadFault::Unreadable(reason)) => {
@@ -46,7 +46,7 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             _ => {}
         }
     }
-    for folder in layer.folders.iter().filter(|folder| is_file(folder)) {
+    for folder in layer.folders.iter().filter(|folder| is_file(layer.kind_at(folder))) {
         let name = folder.rsplit('/').next().unwrap_or(folder);
         let message = format!("`{name}` is a folder, but a file belongs here");
         let help = "put the file here, or give the folder another name";
