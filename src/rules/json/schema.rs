@@ -38,8 +38,6 @@ fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
 }
 
-}
-
 /// One finding for all values that fail in the same way.
 fn judge(file: &FileFacts, keyword: &str, lack: Option<String>, all: &[&SchemaFault]) -> Option<Finding> {
     let first = all.first()?;

@@ -108,39 +108,53 @@ const ROWS: &[Row] = &[
     row(Kind::Pose, Below(&["expressions", "poses"], &[]), Scan, &[SCAN_SYNTAX]),
     row(Kind::Pose, Below(&["base"], &[]), Start, &[]),
     anywhere(Kind::Pose, Use, &[]),
-    row(Kind::Json, Path(&["base", "*", "face-poses.json"]), Start, &[
-        cell(Refused, Error, NO_EXPRESSIONS),
-        cell(Syntax, Error, NO_EXPRESSIONS),
-    ]),
-    row(Kind::Json, Path(&["base", "*", "body-poses.json"]), Start, &[
-        cell(Refused, Error, NO_POSES),
-        cell(Syntax, Error, NO_POSES),
-    ]),
-    row(Kind::Json, Path(&["makehuman2_version.json"]), Use, &[
-        cell(Refused, Error, "does not start"),
-        cell(Syntax, Error, "does not start (exit code 20)"),
-    ]),
-    row(Kind::Json, Path(&["shaders", "shader.json"]), Use, &[
-        cell(Refused, Error, "does not start"),
-        cell(Syntax, Error, "does not start (exit code 21)"),
-    ]),
+    row(
+        Kind::Json,
+        Path(&["base", "*", "face-poses.json"]),
+        Start,
+        &[cell(Refused, Error, NO_EXPRESSIONS), cell(Syntax, Error, NO_EXPRESSIONS)],
+    ),
+    row(
+        Kind::Json,
+        Path(&["base", "*", "body-poses.json"]),
+        Start,
+        &[cell(Refused, Error, NO_POSES), cell(Syntax, Error, NO_POSES)],
+    ),
+    row(
+        Kind::Json,
+        Path(&["makehuman2_version.json"]),
+        Use,
+        &[cell(Refused, Error, "does not start"), cell(Syntax, Error, "does not start (exit code 20)")],
+    ),
+    row(
+        Kind::Json,
+        Path(&["shaders", "shader.json"]),
+        Use,
+        &[cell(Refused, Error, "does not start"), cell(Syntax, Error, "does not start (exit code 21)")],
+    ),
     row(Kind::Json, Below(&["base"], &[]), Start, &[]),
     row(Kind::Json, Named("selection_filter.json"), Use, &[cell(Syntax, Warning, "goes on with an empty filter")]),
     anywhere(Kind::Json, Use, &[]),
     anywhere(Kind::Clothes, Scan, &[DROPS, NO_ATTACHMENT]),
     anywhere(Kind::Material, Use, &[DROPS, cell(Empty, Warning, "shows the default white material")]),
     anywhere(Kind::Model, Scan, &[DROPS, cell(Empty, Warning, "loads a model without a setting")]),
-    anywhere(Kind::Motion, Use, &[
-        cell(Empty, Error, "stops with an IndexError when the pose is used"),
-        cell(MarkedWord, Error, "refuses the file: it must begin with HIERARCHY"),
-        cell(MarkedComment, Error, "refuses the file: it must begin with HIERARCHY"),
-    ]),
+    anywhere(
+        Kind::Motion,
+        Use,
+        &[
+            cell(Empty, Error, "stops with an IndexError when the pose is used"),
+            cell(MarkedWord, Error, "refuses the file: it must begin with HIERARCHY"),
+            cell(MarkedComment, Error, "refuses the file: it must begin with HIERARCHY"),
+        ],
+    ),
     anywhere(Kind::MotionMeta, Scan, &[DROPS, cell(Empty, Warning, "names the pose after its file")]),
     anywhere(Kind::AssetMesh, Use, &[NO_ATTACHMENT]),
-    row(Kind::Packed, Below(&["base"], &["mhbin"]), Start, &[
-        BINARY,
-        cell(Empty, Error, "stops with an EOFError when it loads the base"),
-    ]),
+    row(
+        Kind::Packed,
+        Below(&["base"], &["mhbin"]),
+        Start,
+        &[BINARY, cell(Empty, Error, "stops with an EOFError when it loads the base")],
+    ),
     row(Kind::Packed, Below(&[], &["mhbin"]), Scan, &[BINARY, cell(Empty, Error, SCAN)]),
     anywhere(Kind::Packed, Use, &[BINARY]),
     anywhere(Kind::Image, Use, NO_PICTURE),
@@ -190,7 +204,9 @@ mod tests {
 
     #[test]
     fn every_text_that_is_read_says_what_its_loss_comes_to() {
-        for kind in FORMATS.iter().map(|format| format.kind).filter(|kind| kind.is_text() && *kind != Kind::TargetCatalog) {
+        for kind in
+            FORMATS.iter().map(|format| format.kind).filter(|kind| kind.is_text() && *kind != Kind::TargetCatalog)
+        {
             let row = TABLE.row(kind, "x", false).unwrap();
             for damage in [Closed, Pointer, NotUtf8, if kind.is_json() { Syntax } else { Empty }] {
                 assert!(TABLE.consequence(row, "x", damage).is_some(), "{kind:?} {damage:?}");

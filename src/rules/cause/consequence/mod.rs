@@ -9,7 +9,6 @@ use table::{Row, Table};
 
 use super::is_generated;
 use crate::diag::{Application, Finding, Level};
-use crate::discover::kind_of;
 use crate::repo::Repository;
 
 /// When an application opens a file.
@@ -86,7 +85,7 @@ const fn table(_: &Repository<'_>) -> &'static Table {
 }
 
 fn row(repository: &Repository<'_>, rel: &str) -> Option<&'static Row> {
-    table(repository).row(kind_of(rel).0, rel, is_generated(repository, rel))
+    table(repository).row(repository.judged.kind_at(rel), rel, is_generated(repository, rel))
 }
 
 /// When the application opens a file of this path.
