@@ -3,7 +3,7 @@
 use crate::discover::{Kind, Use, owner_of};
 use crate::formats::Content;
 use crate::formats::inline_ignore::InlineIgnore;
-use crate::formats::json_file::{JsonFacts, JsonFault};
+use crate::formats::json_file::JsonFacts;
 use crate::formats::mhskel::Skeleton;
 use crate::formats::mhw::Weights;
 use crate::formats::npz::Archive;
