@@ -21,7 +21,7 @@
 //! the formats of the command line, [`evaluate`] computes what the application would show, [`eval`] the same on
 //! plain arrays.
 //!
-//! [`mend`] judges and mends in memory; [`fix::write_all`] brings the changes to disk, each file as a whole.
+//! [`lint_and_fix`] checks and fixes in memory; [`fix::write_all`] brings the changes to disk, each file as a whole.
 //!
 //! Two channels are never mixed: damaged data are [`Finding`]s, [`Error`] means that the run could not be
 //! done. No input makes the library panic; where one of its own bugs does, the file, rule or base mesh is
@@ -47,5 +47,5 @@ pub mod source;
 
 pub use config::Config;
 pub use diag::{Application, Finding, Level, Outcome};
-pub use engine::{Error, Mended, lint, lint_trees, mend, open_base, rule_infos};
+pub use engine::{Error, Fixed, lint, lint_and_fix, lint_trees, open_base, rule_infos};
 pub use source::Tree;

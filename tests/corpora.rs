@@ -8,8 +8,6 @@ mod scratch;
 
 use std::path::PathBuf;
 
-use mhlint::eval::joints::joint_positions;
-use mhlint::eval::skeleton::rest_bones;
 use mhlint::eval::skin::{pose_bones, skin};
 use mhlint::eval::vector::distance;
 use scratch::mhlint;
@@ -64,8 +62,8 @@ fn skinning_the_rest_pose_gives_the_meshes_back() {
         let mesh = evaluation.morphed(&defaults).unwrap();
         let scene = evaluation.scene();
         let skeleton = scene.skeleton.as_ref().unwrap();
-        let joints = joint_positions(&mesh, skeleton.joints.iter().map(Vec::as_slice)).unwrap();
-        let rest = rest_bones(&joints, &skeleton.bones).unwrap();
+        let joints = skeleton.joint_positions(&mesh).unwrap();
+        let rest = skeleton.rest_bones(&joints).unwrap();
         let posed = pose_bones(&skeleton.bones, &rest, &vec![None; skeleton.bones.len()]).unwrap();
         let moved: Vec<_> = posed.iter().map(|bone| bone.moved).collect();
         let weights = scene.weights.as_ref().unwrap();

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::{Application, Confidence, Evidence, Fix, Level, Location, Place, RuleInfo};
+use super::{Application, Because, Confidence, Evidence, Fix, Level, Location, Place, RuleInfo};
 
 /// Parts of a finding that are told apart by name; more of them are one mass.
 const MOST_PARTS: usize = 65_536;
@@ -50,7 +50,7 @@ pub struct Finding {
     /// Stable identity, filled by the engine.
     pub fingerprint: String,
     /// Why a change can affect it, where the run is narrowed to a change; filled by the engine.
-    pub because: Option<String>,
+    pub because: Option<Because>,
 }
 
 /// Files that a finding speaks for, written as paths are. Mutes are for files, so they need to know.

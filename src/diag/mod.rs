@@ -4,6 +4,7 @@
 //! [`Finding`]s, the engine places and sorts them, reports only say them.
 
 mod baseline;
+mod because;
 mod evidence;
 mod finding;
 mod fix;
@@ -17,6 +18,7 @@ mod rule_info;
 mod upkeep;
 
 pub use baseline::{Baseline, Entry};
+pub use because::Because;
 pub use evidence::{EXAMPLES, Evidence, Tally, Worst};
 pub use finding::{Break, Finding, Over, Related};
 pub use fix::{Change, Edit, Fix, Rewrite, Step};
@@ -29,4 +31,4 @@ pub use outcome::{
 };
 pub use place::{Element, Excerpt, Location, Place, pointer};
 pub use rule_info::{FixKind, OptionInfo, RuleInfo, Sight};
-pub use upkeep::{BaselineUse, IdleGlob, Mute, MuteState, UnknownRule, Upkeep};
+pub use upkeep::{BaselineUse, IdleGlob, IgnoreState, IgnoreUse, UnknownRule, Upkeep};

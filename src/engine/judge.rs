@@ -1,4 +1,4 @@
-//! The rules on one repository, and at the end on the mutes and the baseline.
+//! The rules on one repository, and at the end on the ignores and the baseline.
 
 use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -7,8 +7,7 @@ use std::time::{Duration, Instant};
 use rayon::prelude::*;
 
 use super::caught::caught;
-use super::mute::Muting;
-use super::select::{Selection, Verdict};
+use super::settle::{Ignores, Selection, Verdict};
 use crate::config::Config;
 use crate::diag::{Finding, Outcome, Timing, Upkeep, fingerprint};
 use crate::eval::measures::Measures;
@@ -69,11 +68,11 @@ fn run_rule(
     findings
 }
 
-/// Findings on the mutes themselves. Rules that panicked are noted in `failed`.
+/// findings on the ignores themselves. Rules that panicked are noted in `failed`.
 pub(super) fn look_after(
     upkeep: &Upkeep,
     selection: &Selection<'_>,
-    muting: &Muting<'_>,
+    ignores: &Ignores<'_>,
     options: &Config,
     failed: &mut Vec<String>,
 ) -> Vec<Finding> {
@@ -87,7 +86,7 @@ pub(super) fn look_after(
     findings.retain_mut(|finding| {
         let Verdict::At(level) = selection.verdict(finding.rule, finding.level, None) else { return false };
         finding.regrade(level);
-        finding.fingerprint = fingerprint(finding.rule, &muting.asset(&finding.path), &finding.key, 0);
+        finding.fingerprint = fingerprint(finding.rule, &ignores.asset(&finding.path), &finding.key, 0);
         true
     });
     findings

@@ -2,31 +2,24 @@
 //!
 //! The only place with threads. Prints nothing and judges nothing.
 
-mod baseline;
 mod catalogue;
 mod caught;
 mod changed;
-mod heard;
-mod idle;
+mod error;
+mod fix;
 mod judge;
-mod known;
 mod load;
-mod locate;
 mod measure;
-mod mend;
-mod mute;
-mod open;
-mod outcome;
-mod parts;
 mod run;
-mod scope;
-mod select;
+mod settle;
 mod sight;
 mod summary;
+mod verdict;
 
 pub use crate::eval::settings::DEFAULT_SAMPLES;
 pub use catalogue::rule_infos;
-pub use mend::{Mended, mend, mendable};
-pub use open::open_base;
-pub use outcome::{Error, holds_asset};
+pub use error::{BaselineFault, Error, PathFault, SelectorFault};
+pub use fix::{Fixed, fixable, lint_and_fix};
+pub use load::open_base;
 pub use run::{lint, lint_trees};
+pub use verdict::holds_asset;

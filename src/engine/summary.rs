@@ -2,8 +2,8 @@
 
 use std::collections::BTreeSet;
 
+use super::error::Error;
 use super::load::shown;
-use super::outcome::Error;
 use crate::config::Config;
 use crate::diag::{Outcome, RootSummary};
 use crate::repo::Repository;

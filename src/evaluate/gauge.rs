@@ -8,12 +8,11 @@ use super::makehuman2::compose::Rig;
 use crate::config::{Config, MOST_SAMPLES};
 use crate::eval::culprit::most_moving;
 use crate::eval::look::look;
-use crate::eval::macro_eval::MacroResult;
-use crate::eval::macro_survey::{dead_ranges, jumps, losses, sums_off};
-use crate::eval::measures::{MacroMeasure, Measures, PairMeasure, Seen, SkeletonMeasure, SpaceMeasure};
+use crate::eval::macros::MacroWork;
+use crate::eval::measures::{Measures, PairMeasure, Seen, SkeletonMeasure, SpaceMeasure};
 use crate::eval::rig_measure::{bone_pairs, bones, weights};
 use crate::eval::scene::{MorphTarget, Scene, Setting};
-use crate::eval::settings::{DEFAULT_SAMPLES, describe, plan};
+use crate::eval::settings::{DEFAULT_SAMPLES, moved, plan};
 use crate::eval::survey::{Survey, Worst};
 use crate::eval::surveyor::Surveyor;
 use crate::eval::symmetry::{MirrorComparison, MirrorMap};
@@ -33,12 +32,15 @@ const CHUNK: usize = 64;
 /// Measures a scene.
 pub(super) fn gauge(scene: &Scene, rigs: &[Rig], options: &Config) -> Measures {
     let samples = options.samples.unwrap_or(DEFAULT_SAMPLES).min(MOST_SAMPLES);
-    let settings = plan(scene, &scene.macrodefs, samples, options.exhaustive);
+    let settings = plan(scene, samples, options.exhaustive);
     let (space, (macros, shape)) = rayon::join(
         || survey(scene, &settings),
-        || rayon::join(|| macro_measure(scene, &settings), || shape(scene, rigs)),
+        || {
+            let macros = || scene.macros.as_ref().map(|macros| macros.measure(scene, &settings));
+            rayon::join(macros, || shape(scene, rigs))
+        },
     );
-    Measures { space, macros, ..shape }
+    Measures { space, macros: macros.unwrap_or_default(), ..shape }
 }
 
 /// Everything that needs the default character only.
@@ -66,14 +68,13 @@ fn survey(scene: &Scene, settings: &[Setting]) -> Option<SpaceMeasure> {
     let stops: Vec<Option<Stop>> = (0..settings.len())
         .into_par_iter()
         .zip(settings)
-        .map_init(MacroResult::default, |macros, (number, setting)| surveyor.stop(number, setting, macros))
+        .map_init(MacroWork::default, |work, (number, setting)| surveyor.stop(number, setting, work))
         .collect();
-    let stopped = stops.iter().position(Option::is_none);
     let stops = in_order(stops.into_iter().flatten().collect());
     let parts: Vec<Survey> = stops.par_chunks(CHUNK).map(|stops| look(&surveyor, stops)).collect();
     let mut survey = Survey::default();
     parts.into_iter().for_each(|part| survey.merge(part));
-    let told = |number: usize| settings.get(number).map(|setting| describe(scene, setting)).unwrap_or_default();
+    let told = |number: usize| settings.get(number).map(|setting| moved(scene, setting)).unwrap_or_default();
     let blame = |setting: usize, vertices: &[u32]| {
         let target = most_moving(scene, settings.get(setting)?, vertices)?;
         scene.targets.get(target).map(|target| target.path.clone())
@@ -113,8 +114,6 @@ fn survey(scene: &Scene, settings: &[Setting]) -> Option<SpaceMeasure> {
     let (number, in_group) = (|at: usize| at.to_string(), |face: usize| format!("{} {face}", group(face)));
     let concerned = &survey.concerned;
     Some(SpaceMeasure {
-        settings: settings.len(),
-        stopped: stopped.map(told),
         non_finite: seen(survey.non_finite, all(&concerned.non_finite, &number), &|_| String::new(), &vertex),
         collapsed: seen(survey.collapsed, all(&concerned.collapsed, &in_group), &group, &face),
         flipped: seen(survey.flipped, all(&concerned.flipped, &group), &group, &face),
@@ -123,17 +122,6 @@ fn survey(scene: &Scene, settings: &[Setting]) -> Option<SpaceMeasure> {
         short_bone: seen(survey.short_bone, all(&concerned.short_bone, &bone), &bone, &of_bone),
         flat_plane: seen(survey.flat_plane, all(&concerned.flat_plane, &bone), &bone, &of_bone),
     })
-}
-
-fn macro_measure(scene: &Scene, settings: &[Setting]) -> MacroMeasure {
-    let Some(table) = &scene.macros else { return MacroMeasure::default() };
-    let lost = losses(table, &scene.macrodefs, settings, &scene.defaults()).into_iter();
-    MacroMeasure {
-        dead: dead_ranges(table, &scene.macrodefs),
-        sums: sums_off(&scene.macrodefs, &scene.value_counts, &scene.macro_defaults),
-        jumps: jumps(table, &scene.macrodefs, &scene.macro_defaults),
-        losses: lost.map(|loss| (loss.macrodef, loss.lost, describe(scene, &loss.setting))).collect(),
-    }
 }
 
 /// Parts of the mesh that targets are measured against, and the names of the joint cubes.

@@ -28,17 +28,17 @@ mod rows;
 mod settings;
 
 pub use crate::eval::scene::Setting;
+pub use crate::eval::settings::SliderSetting;
 pub use crate::eval::vector::Point;
 pub use cases::{CaseReport, CaseRun, Comparison, Deviation, OpenBase, Roots, run_cases};
 pub use error::Error;
 pub use files::{read_positions, read_text, with_positions};
 pub use makehuman2::asset::{Asset, Fitted, read_asset};
+pub use makehuman2::macros::macros_json;
 pub use makehuman2::skeleton::{RestSkeleton, SkeletonFile, read_skeleton};
 pub use makehuman2::weights::{NamedWeights, WeightLists, read_weights, to_mhw, transferred};
 pub use opened::Evaluation;
-pub use outputs::{
-    fit_json, load_json, macros_json, mesh_json, object, reduction_json, skeleton_json, skin_json, weights_json,
-};
+pub use outputs::{fit_json, load_json, mesh_json, object, reduction_json, skeleton_json, skin_json, weights_json};
 pub use pose::{PosedBase, Poses, read_poses};
 pub use settings::{parse_setting, read_settings};
 

@@ -3,20 +3,15 @@
 //! Results are rounded to 7 significant digits (what float32 storage holds) and -0 is written as 0; NaN and
 //! infinity become `null`, since JSON has no word for them.
 
-use std::collections::BTreeMap;
-
 use serde_json::{Map, Value, json};
 
 use super::error::Error;
 use super::makehuman2::asset::{Asset, Fitted};
 use super::makehuman2::skeleton::RestSkeleton;
 use super::makehuman2::weights::NamedWeights;
-use super::opened::Evaluation;
 use super::pose::PosedBase;
 use crate::eval::influences::{Influences, Reduction};
-use crate::eval::macro_eval::{Fate, MacroResult};
-use crate::eval::macros::MacroTable;
-use crate::eval::surface::{bounding_box, coordinate_sum};
+use crate::eval::mesh::{bounding_box, coordinate_sum};
 use crate::eval::vector::{Mat4, Point, Vec3, widen};
 
 /// A number with 7 significant digits.
@@ -60,94 +55,6 @@ pub fn mesh_json(positions: &[Point], vertices: &[i64]) -> Result<Map<String, Va
         ("sum_xyz", vector(sum)),
         ("sum", rounded(sum.iter().sum())),
     ]))
-}
-
-impl Evaluation {
-    /// The box that MakeHuman 2 itself reports: positions of the vertices that are extreme in the unmorphed visible
-    /// body, where vertices of no visible face count as the origin.
-    pub(super) fn visible_box(&self, positions: &[Point]) -> Value {
-        let scene = &self.scene;
-        let mut shown = vec![[0.0_f32; 3]; scene.positions.len()];
-        for (face, group) in scene.faces().zip(&scene.face_groups) {
-            if scene.visible.get(*group as usize).copied().unwrap_or(false) {
-                for vertex in face.iter().map(|vertex| *vertex as usize) {
-                    if let (Some(place), Some(position)) = (shown.get_mut(vertex), scene.positions.get(vertex)) {
-                        *place = *position;
-                    }
-                }
-            }
-        }
-        let extreme = |axis: usize, low: bool| {
-            let better = |a: f32, b: f32| if low { a < b } else { a > b };
-            let first = |best: usize, v: usize| if better(shown[v][axis], shown[best][axis]) { v } else { best };
-            let vertex = (0..shown.len()).fold(0, first);
-            positions.get(vertex).map_or(Value::Null, |p| rounded(f64::from(p[axis])))
-        };
-        let side = |low: bool| Value::from([0, 1, 2].map(|axis| extreme(axis, low)).to_vec());
-        json!([side(true), side(false)])
-    }
-
-    /// Combinations, what was dropped, factors of targets, and sums of a macro evaluation.
-    pub(super) fn macro_outputs(&self, table: &MacroTable, result: &MacroResult) -> Map<String, Value> {
-        let kept = || result.combinations.iter().filter(|c| c.fate != Fate::BelowThreshold);
-        let dropped = || kept().filter(|c| !matches!(c.fate, Fate::Applied(_)));
-        let name = |c: &crate::eval::macro_eval::Combination| table.name(c.macrodef, c.number);
-        let mut folders: BTreeMap<String, f64> = BTreeMap::new();
-        let mut order: Vec<String> = Vec::new();
-        for (target, factor) in &result.factors {
-            let target = self.macro_target(*target);
-            let folder = target.rsplit_once('/').map_or("", |(folder, _)| folder).to_owned();
-            if !folders.contains_key(&folder) {
-                order.push(folder.clone());
-            }
-            *folders.entry(folder).or_default() += factor;
-        }
-        let by_folder = order.into_iter().map(|folder| {
-            let sum = rounded(folders.get(&folder).copied().unwrap_or_default());
-            (folder, sum)
-        });
-        let targets =
-            result.factors.iter().map(|(target, factor)| json!([self.macro_target(*target), rounded(*factor)]));
-        object([
-            ("raw", kept().map(|c| json!([name(c), rounded(c.factor)])).collect()),
-            ("dropped", dropped().map(name).collect()),
-            ("dropped_factor_sum", rounded(dropped().map(|c| c.factor).sum())),
-            ("targets", targets.collect()),
-            ("sum_by_folder", Value::Object(by_folder.collect())),
-            ("sum", rounded(result.factors.iter().map(|(_, factor)| factor).sum())),
-        ])
-    }
-
-    fn macro_target(&self, number: u32) -> &str {
-        let place = self.scene.macro_targets.get(number as usize);
-        place.and_then(|place| self.scene.targets.get(*place)).map_or("", |target| target.name.as_str())
-    }
-}
-
-/// As `macro_outputs`, with the fate of every combination and the components that dropped out.
-pub fn macros_json(evaluation: &Evaluation, table: &MacroTable, result: &MacroResult) -> Map<String, Value> {
-    let mut outputs = evaluation.macro_outputs(table, result);
-    let macrodefs = evaluation.macros.as_ref().map(|macros| macros.macrodefs.as_slice()).unwrap_or_default();
-    let title = |number: usize| macrodefs.get(number).and_then(|macrodef| macrodef.name.clone());
-    let fate = |fate: Fate| match fate {
-        Fate::Applied(_) => "applied",
-        Fate::Null => "null",
-        Fate::Missing => "missing",
-        Fate::BelowThreshold => "below threshold",
-    };
-    let combinations = result.combinations.iter().map(|c| {
-        let target = if let Fate::Applied(target) = c.fate { Some(evaluation.macro_target(target)) } else { None };
-        json!({ "macrodef": c.macrodef, "macrodef_name": title(c.macrodef), "name": table.name(c.macrodef, c.number),
-            "factor": rounded(c.factor), "fate": fate(c.fate), "target": target })
-    });
-    let dropped = result.dropped.iter().map(|dropped| {
-        let component = macrodefs.get(dropped.macrodef).and_then(|macrodef| macrodef.components.get(dropped.place));
-        json!({ "macrodef": dropped.macrodef, "macrodef_name": title(dropped.macrodef), "component": component,
-            "reason": dropped.reason.to_string() })
-    });
-    outputs.insert("combinations".to_owned(), combinations.collect());
-    outputs.insert("dropped_components".to_owned(), dropped.collect());
-    outputs
 }
 
 /// Joints and bones in rest pose.

@@ -4,9 +4,7 @@ use super::error::Error;
 use super::files::read_cause;
 use super::makehuman2::compose::is_usable;
 use super::opened::Evaluation;
-use crate::eval::component::ComponentFault;
-use crate::eval::macro_eval::MacroResult;
-use crate::eval::macros::{MacroError, MacroTable};
+use crate::eval::macros::MacroWork;
 use crate::eval::scene::{Setting, SettingError};
 use crate::eval::vector::Point;
 use crate::formats::target::{self, Row, TargetFacts};
@@ -18,7 +16,7 @@ impl Evaluation {
     /// # Errors
     /// Macros that stop the application.
     pub fn factors(&self, setting: &Setting) -> Result<Vec<(usize, f64)>, Error> {
-        self.scene.factors(setting, &mut MacroResult::default()).map_err(|error| self.setting_error(error))
+        self.scene.factors(setting, &mut MacroWork::default()).map_err(|error| self.setting_error(error))
     }
 
     /// The mesh at a setting, without seam duplicates.
@@ -33,21 +31,6 @@ impl Evaluation {
         let mut positions = self.scene.positions.clone();
         self.scene.add(&mut positions, &factors).map_err(|error| self.setting_error(error))?;
         Ok(positions)
-    }
-
-    /// Every combination of the macros at a setting.
-    ///
-    /// # Errors
-    /// No macros, or macros that stop the application.
-    pub fn macros(&self, setting: &Setting) -> Result<(&MacroTable, MacroResult), Error> {
-        let base = self.base.clone();
-        let table = self.scene.macros.as_ref().filter(|_| self.macros.is_ok());
-        let table = table
-            .ok_or_else(|| Error::NoMacros { base, reason: self.macros.as_ref().err().cloned().unwrap_or_default() })?;
-        let mut result = MacroResult::default();
-        let evaluated = table.evaluate(&setting.macros, &mut result);
-        evaluated.map_err(|error| self.setting_error(SettingError::Macro(error)))?;
-        Ok((table, result))
     }
 
     fn need_rows(&mut self, target: usize) -> Result<(), Error> {
@@ -85,7 +68,7 @@ impl Evaluation {
         unusable(&target.facts).map_or(Ok(target.rows), |cause| Err(Error::file(path, cause)))
     }
 
-    fn setting_error(&self, error: SettingError) -> Error {
+    pub(super) fn setting_error(&self, error: SettingError) -> Error {
         match error {
             SettingError::Unusable { target } => {
                 Error::MissingTarget(self.scene.targets.get(target).map_or_else(String::new, |t| t.name.clone()))
@@ -93,34 +76,6 @@ impl Evaluation {
             SettingError::Macro(error) => self.macro_error(error),
             SettingError::Morph(error) => error.into(),
         }
-    }
-
-    fn macro_error(&self, error: MacroError) -> Error {
-        let MacroError::Component { component, fault } = error else {
-            return Error::NoMacros { base: self.base.clone(), reason: error.to_string() };
-        };
-        let name = self.macros.as_ref().ok().and_then(|macros| {
-            // The table holds the components that have a pattern.
-            let used =
-                macros.components.iter().filter(|c| c.pattern.is_some() && (c.steps.is_some() || c.sum.is_some()));
-            used.map(|c| c.name.as_str()).nth(component)
-        });
-        Error::Stops {
-            exception: exception(fault),
-            reason: format!("macro component `{}`: {fault}", name.unwrap_or("?")),
-        }
-    }
-}
-
-/// What Python raises (formats/makehuman2.md §3.4).
-fn exception(fault: ComponentFault) -> &'static str {
-    match fault {
-        ComponentFault::EqualSteps => "ZeroDivisionError",
-        ComponentFault::NotBarycentric(_) => "TypeError",
-        ComponentFault::MissingValue(_)
-        | ComponentFault::MissingSum(_)
-        | ComponentFault::FourthCorner
-        | ComponentFault::MissingSetting(_) => "IndexError",
     }
 }
 

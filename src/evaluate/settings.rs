@@ -10,6 +10,7 @@ use super::files::{read_document, read_text, shown};
 use super::opened::Evaluation;
 use crate::diag::nearest;
 use crate::eval::scene::Setting;
+use crate::eval::settings::SliderSetting;
 use crate::formats::python_float;
 use crate::json::Node;
 
@@ -18,7 +19,7 @@ impl Evaluation {
     ///
     /// # Errors
     /// A name that no slider has.
-    pub fn setting(&self, values: &[(String, f64)]) -> Result<Setting, Error> {
+    pub fn setting(&self, values: &[SliderSetting]) -> Result<Setting, Error> {
         let mut setting = self.scene.defaults();
         for (name, value) in values {
             self.scene.set(&mut setting, self.slider(name)?, *value);
@@ -27,7 +28,7 @@ impl Evaluation {
     }
 
     /// As a model file: names that no slider has are left out and given back.
-    pub(super) fn model_setting(&self, values: &[(String, f64)]) -> (Setting, Vec<String>) {
+    pub(super) fn model_setting(&self, values: &[SliderSetting]) -> (Setting, Vec<String>) {
         let mut setting = self.scene.defaults();
         let mut unknown = Vec::new();
         for (name, value) in values {
@@ -86,7 +87,7 @@ fn short(name: &str) -> String {
 ///
 /// # Errors
 /// No `=`, or a value that is no number.
-pub fn parse_setting(text: &str) -> Result<(String, f64), Error> {
+pub fn parse_setting(text: &str) -> Result<SliderSetting, Error> {
     let fault = |reason: &str| Error::Setting { text: text.to_owned(), reason: reason.to_owned() };
     let (name, value) = text.rsplit_once('=').ok_or_else(|| fault("NAME=VALUE is wanted"))?;
     let value = python_float(value.trim().as_bytes()).ok_or_else(|| fault("the value is no number"))?;
@@ -98,7 +99,7 @@ pub fn parse_setting(text: &str) -> Result<(String, f64), Error> {
 ///
 /// # Errors
 /// A file that cannot be read, a line or member that is no setting.
-pub fn read_settings(path: &Path) -> Result<Vec<(String, f64)>, Error> {
+pub fn read_settings(path: &Path) -> Result<Vec<SliderSetting>, Error> {
     if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("mhm")) {
         return model_lines(&read_text(path)?).map_err(|reason| Error::file(shown(path), reason));
     }
@@ -108,7 +109,7 @@ pub fn read_settings(path: &Path) -> Result<Vec<(String, f64)>, Error> {
 }
 
 /// Pairs of name and number from a JSON value.
-pub(super) fn modifiers(node: &Node) -> Result<Vec<(String, f64)>, String> {
+pub(super) fn modifiers(node: &Node) -> Result<Vec<SliderSetting>, String> {
     let number = |name: &str, node: &Node| {
         node.as_f64().map(|value| (name.to_owned(), value)).ok_or_else(|| format!("the value of `{name}` is no number"))
     };
@@ -125,7 +126,7 @@ pub(super) fn modifiers(node: &Node) -> Result<Vec<(String, f64)>, String> {
     node.elements().iter().enumerate().map(pair).collect()
 }
 
-fn model_lines(text: &[u8]) -> Result<Vec<(String, f64)>, String> {
+fn model_lines(text: &[u8]) -> Result<Vec<SliderSetting>, String> {
     let text = String::from_utf8_lossy(text);
     let mut settings = Vec::new();
     for (number, line) in (1..).zip(text.lines()) {

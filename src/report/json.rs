@@ -5,6 +5,7 @@ use std::io::{self, Write};
 use serde::Serialize;
 
 use super::View;
+use super::because::because;
 use crate::diag::{
     ApplicationVerdict, Break, Confidence, Evidence, Finding, Level, Location, NotChecked, Outcome, RootSummary,
     Summary, Verdict,
@@ -45,7 +46,7 @@ struct Item<'a> {
     fix: Option<FixItem<'a>>,
     fingerprint: &'a str,
     #[serde(skip_serializing_if = "Option::is_none")]
-    because: Option<&'a str>,
+    because: Option<String>,
 }
 
 #[derive(Serialize)]
@@ -96,7 +97,7 @@ fn item(finding: &Finding) -> Item<'_> {
             .collect(),
         fix: finding.fix.as_ref().map(|fix| FixItem { kind: fix.kind.word(), title: &fix.title }),
         fingerprint: &finding.fingerprint,
-        because: finding.because.as_deref(),
+        because: finding.because.as_ref().map(because),
     }
 }
 

@@ -1,5 +1,6 @@
 //! An outcome as text. One file a format; no writer computes, sorts or reads anything.
 
+mod because;
 mod concise;
 mod github;
 mod gitlab;

@@ -95,3 +95,37 @@ impl<'t> Data<'t> {
         self.system.iter().chain(&self.roots)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::load_targets;
+    use super::*;
+    use crate::diag::Application;
+    use crate::discover::{Kind, Layout};
+    use crate::source::Tree;
+
+    #[test]
+    fn a_file_of_several_applications_is_read_once_with_the_mesh_of_its_base() {
+        let files = [
+            ("3dobjs/base.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n"),
+            ("targets/target.json", "{}"),
+            ("custom/a.target", "3 1 0 0\n4 1 0 0\n"),
+            ("hair/a/a.mhclo", "name a\n"),
+        ];
+        let tree = Tree::in_memory("mine", files.map(|(path, text)| (path.to_owned(), text.as_bytes().to_vec())));
+        let layouts = [Application::Mpfb, Application::Makehuman1].map(Layout::of);
+        let checked = vec![(Place::new(&tree, "", &layouts), Vec::new())];
+        let mut data = Data::load(Roots { checked, system: None }, &Limits::default());
+        for (root, sizes) in data.all_mut() {
+            load_targets(&root.place, &mut root.layer, Some("hm08"), sizes, &Limits::default(), false);
+        }
+        let root = data.roots.first().unwrap();
+        assert_eq!((root.role, root.layer.files.len()), (Role::System, files.len()));
+        let kind = |path: &str| root.layer.kind_at(path);
+        assert_eq!(kind("targets/target.json"), Kind::TargetCatalog);
+        assert_eq!(kind("hair/a/a.mhclo"), Kind::Clothes);
+        let target = root.layer.file("custom/a.target").unwrap();
+        assert_eq!((target.uses.len(), target.base()), (2, Some("hm08")));
+        assert_eq!(target.target().unwrap().out_of_range.count, 1);
+    }
+}

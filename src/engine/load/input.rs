@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use super::super::outcome::Error;
+use super::super::error::{Error, PathFault};
 use super::CHECKED;
 use super::roots::roots_of;
 use crate::discover::{Layout, is_read_though_hidden};
@@ -18,6 +18,11 @@ pub(in crate::engine) struct Input {
 impl Input {
     pub(in crate::engine) fn whole(tree: Tree) -> Self {
         Self { tree, narrow: Vec::new() }
+    }
+
+    /// What is asked for in it, as printed.
+    pub(in crate::engine) fn paths(&self) -> Vec<String> {
+        if self.narrow.is_empty() { vec![self.tree.label().to_owned()] } else { self.narrow.clone() }
     }
 }
 
@@ -101,8 +106,10 @@ fn label_above(path: &Path, here: &str, levels: usize) -> String {
 }
 
 fn canonical(path: &Path) -> Result<PathBuf, Error> {
-    std::fs::canonicalize(path)
-        .map_err(|error| Error::Path { path: path.display().to_string(), reason: error.to_string() })
+    std::fs::canonicalize(path).map_err(|error| Error::Path {
+        path: path.display().to_string(),
+        fault: PathFault::Unreadable(error.to_string()),
+    })
 }
 
 /// The path as reports print it: forward slashes, no `./`, empty for the working directory.

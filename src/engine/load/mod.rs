@@ -5,6 +5,7 @@
 mod data;
 mod input;
 mod layer;
+mod open;
 mod place;
 mod read;
 mod roots;
@@ -12,9 +13,9 @@ mod stack;
 
 pub(super) use data::{Data, Loaded};
 pub(super) use input::{Input, open, open_system};
-pub(super) use layer::{list_targets, load_targets};
-pub(super) use roots::{Roots, checked_places, shown};
-pub(super) use stack::Stack;
+pub(super) use layer::load_targets;
+pub use open::open_base;
+pub(super) use roots::{Roots, shown};
 
 use crate::diag::Application;
 

@@ -2,8 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::super::outcome::Error;
-use super::super::scope::Scope;
+use super::super::error::{Error, PathFault};
+use super::super::settle::Scope;
 use super::CHECKED;
 use super::input::Input;
 use super::place::Place;
@@ -55,28 +55,38 @@ impl<'t> Roots<'t> {
         }
         let outside = found.iter().filter(|(_, roots)| roots.is_empty()).map(|(input, _)| *input);
         let loose = loose(outside.collect(), &bases, options, outcome);
+        let below = system.as_ref().map(Place::path);
         let mut roots = Self { checked: Vec::new(), system };
-        let below = roots.system.as_ref().map(Place::path);
-        let all =
-            found.iter().flat_map(|(input, roots)| roots.iter().map(move |(path, layouts)| (input, path, layouts)));
-        for (input, path, layouts) in all {
+        for (input, (path, layouts)) in
+            found.iter().flat_map(|(input, roots)| roots.iter().map(move |one| (*input, one)))
+        {
             let shown = input.tree.shown(path);
-            if scope.excludes(&shown) || below.as_ref() == Some(&shown) {
-                continue;
-            }
-            let asked = layouts.iter().copied().filter(|layout| options.asks_for(layout.application));
-            let (checked, others): (Vec<_>, Vec<_>) = asked.partition(|layout| CHECKED.contains(&layout.application));
-            if !checked.is_empty() {
-                roots.want(Place::new(&input.tree, path, &checked), &input.narrow);
-            }
-            for layout in others {
-                note_unchecked(&Place::new(&input.tree, path, &[layout]), layout, outcome);
+            if !scope.excludes(&shown) && below.as_ref() != Some(&shown) {
+                let asked = layouts.iter().copied().filter(|layout| options.asks_for(layout.application));
+                roots.add(input, path, asked, outcome);
             }
         }
         for (input, place) in loose {
             roots.want(place, &input.narrow);
         }
         Ok(roots)
+    }
+
+    /// A data root with the layouts that are asked for.
+    fn add(
+        &mut self,
+        input: &'t Input,
+        path: &str,
+        asked: impl Iterator<Item = &'static Layout>,
+        outcome: &mut Outcome,
+    ) {
+        let (checked, others): (Vec<_>, Vec<_>) = asked.partition(|layout| CHECKED.contains(&layout.application));
+        if !checked.is_empty() {
+            self.want(Place::new(&input.tree, path, &checked), &input.narrow);
+        }
+        for layout in others {
+            note_unchecked(&Place::new(&input.tree, path, &[layout]), layout, outcome);
+        }
     }
 
     /// A root that two PATHs lead to is checked once, for everything that either asks for.
@@ -91,12 +101,9 @@ impl<'t> Roots<'t> {
 
 /// The data root of `--system`.
 fn system_place(tree: &Tree) -> Result<Place<'_>, Error> {
-    checked_places(tree).into_iter().next().ok_or_else(|| {
-        let wanted = CHECKED.map(|application| {
-            format!("{application} data (a folder with {} in it is wanted)", Layout::of(application).shape)
-        });
-        Error::Path { path: tree.label().to_owned(), reason: format!("holds no {}", wanted.join(" or ")) }
-    })
+    let [wanted, ..] = CHECKED;
+    let nothing = || Error::Path { path: tree.label().to_owned(), fault: PathFault::NoDataOf(wanted) };
+    checked_places(tree).into_iter().next().ok_or_else(nothing)
 }
 
 /// The files of trees without a data root, put where the applications would look for them.

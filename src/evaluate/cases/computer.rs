@@ -7,7 +7,7 @@ use super::Kind;
 use super::inputs::{self, File};
 use super::roots::Roots;
 use crate::eval::vector::Point;
-use crate::evaluate::{Error, Evaluation};
+use crate::evaluate::{Error, Evaluation, SliderSetting};
 use crate::json::Node;
 
 /// Opens a base of a data folder, over system data if there are any; without a name the only one.
@@ -54,7 +54,7 @@ fn open(open: OpenBase, data: &Path, name: Option<&str>) -> Result<Evaluation, E
 /// The mesh at the settings of a case.
 pub(in crate::evaluate) fn morphed(
     base: &mut Evaluation,
-    modifiers: Option<Vec<(String, f64)>>,
+    modifiers: Option<Vec<SliderSetting>>,
     notes: &mut Vec<String>,
 ) -> Result<Vec<Point>, Error> {
     let Some(modifiers) = modifiers else { return Ok(base.scene().positions.clone()) };

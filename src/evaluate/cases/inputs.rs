@@ -1,6 +1,6 @@
 //! Fields of a case, or what is wrong with them.
 
-use crate::evaluate::Error;
+use crate::evaluate::{Error, SliderSetting};
 use crate::json::{Node, Value};
 
 /// A file of cases.
@@ -52,7 +52,7 @@ pub(in crate::evaluate) fn count(case: &Node, key: &str) -> Result<usize, Error>
 }
 
 /// Slider settings; `None` for `null`: the mesh as it is, without even the defaults.
-pub(in crate::evaluate) fn modifiers(case: &Node) -> Result<Option<Vec<(String, f64)>>, Error> {
+pub(in crate::evaluate) fn modifiers(case: &Node) -> Result<Option<Vec<SliderSetting>>, Error> {
     let node = wanted(case, "modifiers")?;
     if matches!(node.value, Value::Null) {
         return Ok(None);

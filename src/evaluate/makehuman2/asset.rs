@@ -3,8 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use super::weights::{NamedWeights, number};
-use crate::eval::fit::{Reference, ScaleLine, axis_scales, deleted_vertices, derived_weights, fit};
+use crate::eval::fit::{Reference, ScaleLine, fit};
 use crate::eval::influences::Influences;
+use crate::eval::makehuman2::fit::{axis_scales, deleted_vertices, derived_weights};
 use crate::eval::vector::{Point, Vec3};
 use crate::evaluate::Error;
 use crate::evaluate::Evaluation;

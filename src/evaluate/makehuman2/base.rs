@@ -1,6 +1,10 @@
 //! A base of a MakeHuman 2 repository made ready for settings.
 
+use serde_json::{Value, json};
+
 use crate::eval::scene::Scene;
+use crate::eval::vector::Point;
+use crate::evaluate::outputs::rounded;
 use crate::evaluate::{Error, Evaluation};
 use crate::formats::macro_json::MacroFile;
 use crate::formats::target::MeshSize;
@@ -44,6 +48,30 @@ impl Evaluation {
             }),
             scene,
         })
+    }
+
+    /// The box that MakeHuman 2 itself reports: positions of the vertices that are extreme in the unmorphed visible
+    /// body, where vertices of no visible face count as the origin.
+    pub(in crate::evaluate) fn visible_box(&self, positions: &[Point]) -> Value {
+        let scene = &self.scene;
+        let mut shown = vec![[0.0_f32; 3]; scene.positions.len()];
+        for (face, group) in scene.faces().zip(&scene.face_groups) {
+            if scene.visible.get(*group as usize).copied().unwrap_or(false) {
+                for vertex in face.iter().map(|vertex| *vertex as usize) {
+                    if let (Some(place), Some(position)) = (shown.get_mut(vertex), scene.positions.get(vertex)) {
+                        *place = *position;
+                    }
+                }
+            }
+        }
+        let extreme = |axis: usize, low: bool| {
+            let better = |a: f32, b: f32| if low { a < b } else { a > b };
+            let first = |best: usize, v: usize| if better(shown[v][axis], shown[best][axis]) { v } else { best };
+            let vertex = (0..shown.len()).fold(0, first);
+            positions.get(vertex).map_or(Value::Null, |p| rounded(f64::from(p[axis])))
+        };
+        let side = |low: bool| Value::from([0, 1, 2].map(|axis| extreme(axis, low)).to_vec());
+        json!([side(true), side(false)])
     }
 }
 

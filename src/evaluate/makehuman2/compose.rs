@@ -6,13 +6,16 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::references::through_references;
-use crate::eval::macro_def::{Blend, Component, Macrodef, Slider};
-use crate::eval::macros::MacroTable;
+use crate::eval::macros::Macros;
+use crate::eval::makehuman2::MacroTable;
+use crate::eval::makehuman2::macro_def::{Blend, Component, Macrodef, Slider};
+use crate::eval::makehuman2::rest::hierarchy;
+use crate::eval::makehuman2::weights::load;
 use crate::eval::proportion::{Lengths, MEDIAN_RATIO, extent, oversize};
-use crate::eval::scene::{MorphTarget, Scene, SceneSkeleton, SceneSlider, SliderKind};
+use crate::eval::scene::{MorphTarget, Scene, SceneSlider, SliderKind};
 use crate::eval::settings::Dimension;
-use crate::eval::skeleton::{Bone, hierarchy};
-use crate::eval::weights::{self, Entry, LoadedWeights};
+use crate::eval::skeleton::{Bone, SceneSkeleton};
+use crate::eval::weights::{Entry, LoadedWeights};
 use crate::evaluate::Rows;
 use crate::formats::macro_json::MacroFile;
 use crate::formats::mhskel::{Plane, RotationPlane, Skeleton};
@@ -195,28 +198,22 @@ impl Composer<'_, '_> {
             }
             macrodefs.push(Macrodef { components: macrodef.components.iter().map(String::as_str).collect(), links });
         }
-        for macrodef in &file.macrodefs {
-            let (dimensions, counts) = dimensions(file, &macrodef.components, registered);
-            self.scene.macrodefs.push(dimensions);
-            self.scene.value_counts.push(counts);
-        }
+        let products = file.macrodefs.iter().map(|macrodef| dimensions(file, &macrodef.components, registered));
+        self.scene.products = products.collect();
         let components: Vec<Component<'_>> = file.components.iter().filter_map(component).collect();
         // Too many combinations to tabulate is a limit of ours, reported where combinations are judged.
-        self.scene.macros = MacroTable::new(&components, &macrodefs, |pattern| registered.get(pattern).copied()).ok();
+        let table = MacroTable::new(&components, &macrodefs, |pattern| registered.get(pattern).copied());
+        self.scene.macros = table.ok().map(Macros::Makehuman2);
     }
 }
 
 /// Sliders of the components of a macrodef; empty where one of them is undefined or unbound, which is reported for
 /// itself.
-fn dimensions(
-    file: &MacroFile,
-    names: &[String],
-    registered: &BTreeMap<String, Slider>,
-) -> (Vec<Dimension>, Vec<usize>) {
+fn dimensions(file: &MacroFile, names: &[String], registered: &BTreeMap<String, Slider>) -> Vec<Dimension> {
     let one = |name: &String| {
         let component = file.components.iter().rev().find(|component| component.name == *name)?;
         let pattern = component.pattern.as_deref()?;
-        let dimension = match (&component.steps, &component.sum) {
+        Some(match (&component.steps, &component.sum) {
             (Some(steps), _) => match registered.get(pattern)? {
                 Slider::Value(place) => Dimension::Steps { place: *place, steps: steps.clone() },
                 Slider::Barycentric(_) => return None,
@@ -229,10 +226,9 @@ fn dimensions(
                 Dimension::Corners(sum.iter().enumerate().map(place).collect::<Option<_>>()?)
             }
             (None, None) => return None,
-        };
-        Some((dimension, component.values.len()))
+        })
     };
-    names.iter().map(one).collect::<Option<Vec<_>>>().unwrap_or_default().into_iter().unzip()
+    names.iter().map(one).collect::<Option<_>>().unwrap_or_default()
 }
 
 /// Rows that rules report for themselves: looking at them again in every setting would say it many times.
@@ -364,5 +360,5 @@ fn bind(skeleton: &SceneSkeleton, weights: &Weights, mesh: &Mesh) -> Option<Load
         lists.push((number, bone.pairs.iter().map(entry).collect::<Option<Vec<Entry>>>()?));
     }
     let lists: Vec<(usize, &[Entry])> = lists.iter().map(|(bone, entries)| (*bone, entries.as_slice())).collect();
-    weights::load(&lists, root, vertices).ok()
+    load(&lists, root, vertices).ok()
 }

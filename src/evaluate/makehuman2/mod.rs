@@ -4,6 +4,7 @@ pub(super) mod asset;
 mod base;
 pub(super) mod cases;
 pub(super) mod compose;
+pub(super) mod macros;
 mod references;
 pub(super) mod skeleton;
 pub(super) mod weights;

@@ -1,7 +1,7 @@
 //! Weights of the default skeleton handed to another one through the references of its bones (formats/makehuman2.md
 //! §10.2).
 
-use crate::eval::transfer::{Transfer, TransferBone, transfer};
+use crate::eval::makehuman2::transfer::{Transfer, TransferBone, transfer};
 use crate::eval::weights::BoneWeights;
 use crate::formats::mhskel::Skeleton;
 

@@ -3,9 +3,8 @@
 use std::path::Path;
 
 use super::compose::skeleton_of;
-use crate::eval::joints::joint_positions;
-use crate::eval::scene::SceneSkeleton;
-use crate::eval::skeleton::{RestBone, hierarchy, rest_bones};
+use crate::eval::makehuman2::rest::hierarchy;
+use crate::eval::skeleton::{RestBone, SceneSkeleton};
 use crate::eval::vector::Point;
 use crate::evaluate::Error;
 use crate::evaluate::Evaluation;
@@ -88,8 +87,8 @@ impl SkeletonFile {
     /// A skeleton that the application refuses for this mesh.
     pub fn rest(&self, positions: &[Point]) -> Result<RestSkeleton, Error> {
         let skeleton = self.bind(positions.len())?;
-        let joints = joint_positions(positions, skeleton.joints.iter().map(Vec::as_slice))?;
-        let bones = rest_bones(&joints, &skeleton.bones)?;
+        let joints = skeleton.joint_positions(positions)?;
+        let bones = skeleton.rest_bones(&joints)?;
         Ok(RestSkeleton { skeleton, joints, bones })
     }
 }

@@ -1,4 +1,4 @@
-//! How a run ends: its verdicts, and why it could not be done at all.
+//! How a run ends: its counts and verdicts, and which files it has looked at.
 
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -8,39 +8,6 @@ use crate::config::Config;
 use crate::diag::{Application, ApplicationVerdict, Level, Outcome, Verdict};
 use crate::discover::Layout;
 use crate::source::{resolved, slashed};
-
-/// Why a run could not be done at all.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Error {
-    /// A PATH or `--system` that cannot be read.
-    Path {
-        /// As given.
-        path: String,
-        /// Why.
-        reason: String,
-    },
-    /// `--base` that no root has.
-    UnknownBase {
-        /// As given.
-        name: String,
-        /// The bases there are.
-        known: Vec<String>,
-    },
-    /// A selector that matches no rule, or no glob at all.
-    Selector {
-        /// As given.
-        text: String,
-        /// Why.
-        reason: String,
-    },
-    /// A baseline that cannot be read.
-    Baseline {
-        /// The file.
-        path: String,
-        /// Why, and what to do.
-        reason: String,
-    },
-}
 
 impl Outcome {
     /// Whether the run passes: nothing at or above [`Config::fail_on`], no more warnings than
@@ -85,22 +52,6 @@ pub fn holds_asset(outcome: &Outcome, file: &Path, system: Option<&Path>) -> boo
     let system = system.into_iter().flat_map(|system| CHECKED.map(|application| (system, application)));
     roots.chain(system).any(is_asset_in)
 }
-
-impl std::fmt::Display for Error {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::Path { path, reason } => write!(f, "cannot read `{path}`: {reason}"),
-            Self::UnknownBase { name, known } if known.is_empty() => write!(f, "there is no base mesh `{name}`"),
-            Self::UnknownBase { name, known } => {
-                write!(f, "there is no base mesh `{name}`; known: {}", known.join(", "))
-            }
-            Self::Baseline { path, reason } => write!(f, "the baseline `{path}` {reason}"),
-            Self::Selector { text, reason } => write!(f, "`{text}`: {reason}"),
-        }
-    }
-}
-
-impl std::error::Error for Error {}
 
 #[cfg(test)]
 mod tests {

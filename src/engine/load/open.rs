@@ -3,10 +3,14 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use super::load::{Data, Roots, Stack, checked_places, list_targets, open, open_system};
-use super::outcome::Error as RunError;
+use super::data::Data;
+use super::input::{open, open_system};
+use super::layer::list_targets;
+use super::roots::{Roots, checked_places};
+use super::stack::Stack;
 use crate::diag::nearest;
 use crate::discover::Role;
+use crate::engine::Error as RunError;
 use crate::evaluate::{Error, Evaluation};
 use crate::repo::{Base, Layer};
 use crate::source::{Limits, Tree, slashed};

@@ -1,10 +1,10 @@
 //! Body weights moved to another skeleton through its reference bones.
 //!
 //! Gets the default skeleton's weights and hierarchy and, for each bone of the other skeleton, its references as
-//! numbers of default bones; returns the weights of the other skeleton. Source: MakeHuman 2, export to a rig that is
-//! not the default (formats/makehuman2.md §10.2).
+//! numbers of default bones; returns the weights of the other skeleton. Source: export to a rig that is not the default
+//! (formats/makehuman2.md §10.2).
 
-use super::weights::{BoneWeights, Entry, merge_duplicates};
+use super::super::weights::{BoneWeights, Entry, merge_duplicates};
 
 /// A bone of the other skeleton. Numbers are those of default bones; leave out names that the default skeleton lacks,
 /// the application ignores them.

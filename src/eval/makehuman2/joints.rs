@@ -1,9 +1,10 @@
 //! Joint positions: the mean of a few vertices of the current mesh.
 //!
-//! Source: MakeHuman 2, skeleton (formats/makehuman2.md §10.1).
+//! Source: formats/makehuman2.md §10.1.
 
-use super::error::EvalError;
-use super::vector::{Point, add, narrow, scale, widen};
+use super::super::error::EvalError;
+use super::super::mesh::point;
+use super::super::vector::{Point, add, narrow, scale, widen};
 
 /// Mean of the listed vertices; a vertex listed twice counts twice. Rounded to storage precision, as the application
 /// keeps it.
@@ -32,11 +33,6 @@ pub fn joint_positions<'a>(
     joints: impl IntoIterator<Item = &'a [u32]>,
 ) -> Result<Vec<Point>, EvalError> {
     joints.into_iter().map(|vertices| joint_position(positions, vertices)).collect()
-}
-
-/// Position of a vertex.
-pub(super) fn point(positions: &[Point], vertex: u32) -> Result<Point, EvalError> {
-    positions.get(vertex as usize).copied().ok_or_else(|| EvalError::vertex(vertex, positions.len()))
 }
 
 #[cfg(test)]

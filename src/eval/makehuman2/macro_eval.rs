@@ -4,7 +4,7 @@
 //! touched. Source: MakeHuman 2, macro calculation (formats/makehuman2.md §3.3).
 
 use super::component::{ComponentState, DropReason};
-use super::macros::{Link, MacroError, MacroTable, MacrodefTable};
+use super::macro_table::{Link, MacroError, MacroTable, MacrodefTable};
 
 /// A combination counts only with a factor above this.
 pub const FACTOR_LIMIT: f64 = 0.01;

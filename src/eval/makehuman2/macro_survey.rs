@@ -3,11 +3,12 @@
 //!
 //! Source: MakeHuman 2, macro calculation (formats/makehuman2.md §3.3, §3.4).
 
+use super::super::measures::MacroMeasure;
+use super::super::scene::{Scene, Setting};
+use super::super::settings::{Dimension, moved};
 use super::component::{ComponentState, stepped};
 use super::macro_eval::{FACTOR_LIMIT, Fate, MacroResult};
-use super::macros::{Link, MacroTable};
-use super::scene::Setting;
-use super::settings::Dimension;
+use super::macro_table::{Link, MacroTable};
 
 /// Distance from a step at which both of its sides are compared.
 const SIDE: f64 = 1e-6;
@@ -73,6 +74,18 @@ pub struct Loss {
     pub lost: f64,
     /// The setting.
     pub setting: Setting,
+}
+
+/// Everything of this module for the macros of a scene; losses are looked for in `settings`.
+pub(in crate::eval) fn measure(table: &MacroTable, scene: &Scene, settings: &[Setting]) -> MacroMeasure {
+    let products = &scene.products;
+    let lost = losses(table, products, settings, &scene.defaults()).into_iter();
+    MacroMeasure {
+        dead: dead_ranges(table, products),
+        sums: sums_off(table, products, &scene.macro_defaults),
+        jumps: jumps(table, products, &scene.macro_defaults),
+        losses: lost.map(|loss| (loss.macrodef, loss.lost, moved(scene, &loss.setting))).collect(),
+    }
 }
 
 /// Stretches in which a macrodef applies nothing although it applies something elsewhere on that slider.
@@ -149,13 +162,12 @@ fn stretches(steps: &[f64], states: &[ValueState]) -> Vec<DeadRange> {
 }
 
 /// Components whose weights do not sum to one somewhere between their first and last step, or after a reset.
-pub fn sums_off(macrodefs: &[Vec<Dimension>], value_counts: &[Vec<usize>], defaults: &[f64]) -> Vec<SumOff> {
+pub fn sums_off(table: &MacroTable, macrodefs: &[Vec<Dimension>], defaults: &[f64]) -> Vec<SumOff> {
     let mut found = Vec::new();
     for (macrodef, dimensions) in macrodefs.iter().enumerate() {
         for (position, dimension) in dimensions.iter().enumerate() {
-            let values = value_counts.get(macrodef).and_then(|counts| counts.get(position)).copied().unwrap_or(0);
             let worst = match dimension {
-                Dimension::Steps { steps, .. } => worst_stepped(steps, values),
+                Dimension::Steps { steps, .. } => worst_stepped(steps, table.value_count(macrodef, position)),
                 Dimension::Corners(places) => {
                     let sum = places.iter().filter_map(|place| defaults.get(*place)).sum();
                     Some((None, sum))
@@ -313,8 +325,8 @@ impl Climb<'_> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::macro_def::{Blend, Component, Macrodef, Slider};
     use super::*;
-    use crate::eval::macro_def::{Blend, Component, Macrodef, Slider};
 
     fn table(links: Vec<(&str, Option<u32>)>) -> MacroTable {
         let component = |name, values, steps| Component { name, pattern: name, values, blend: Blend::Steps(steps) };
@@ -354,9 +366,9 @@ mod tests {
     #[test]
     fn a_barycentric_set_of_two_does_not_reach_one() {
         let sets = vec![vec![Dimension::Corners(vec![0, 1])]];
-        let found = sums_off(&sets, &[vec![2]], &[0.33, 0.33, 0.34]);
+        let found = sums_off(&table(Vec::new()), &sets, &[0.33, 0.33, 0.34]);
         assert_eq!((found[0].at, (found[0].sum * 100.0).round()), (None, 66.0));
-        assert_eq!(sums_off(&dimensions(), &[vec![3, 2]], &[0.5, 0.5]), []);
+        assert_eq!(sums_off(&table(Vec::new()), &dimensions(), &[0.5, 0.5]), []);
     }
 
     fn lost_directly(table: &MacroTable, setting: &Setting) -> f64 {
