@@ -6,7 +6,6 @@ pub(super) mod archived;
 pub(super) mod component;
 pub(super) mod consequence;
 mod file;
-pub(super) mod opened;
 pub(super) mod overlay;
 pub(super) mod schema;
 pub(super) mod usage;

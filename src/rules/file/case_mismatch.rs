@@ -3,11 +3,11 @@
 use std::collections::BTreeMap;
 
 use super::super::cause::is_generated;
-use super::super::cause::opened::misnamed;
 use super::super::{Check, Rule, RuleCx};
 use super::named::{Cause, alike, causes, differs_in_form, effect, is_known_by, written};
 use super::spelling::{as_on_disk, differing, folder_on_disk, found, plain};
 use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Place, RuleInfo};
+use crate::discover::opened::misnamed;
 use crate::repo::{Reference, Repository, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -115,7 +115,7 @@ fn fix(repository: &Repository<'_>, cause: &Cause<'_, '_>, title: &str) -> Fix {
 fn fixed_names(repository: &Repository<'_>, out: &mut Vec<Finding>) {
     let layer = repository.judged;
     for file in layer.files.values().filter(|file| !is_generated(repository, &file.rel)) {
-        let Some(right) = misnamed(layer, &file.rel) else { continue };
+        let Some(right) = misnamed(&file.rel, |rel| layer.file(rel).is_some()) else { continue };
         let (name, wanted) = (file.file_name(), right.rsplit('/').next().unwrap_or_default());
         let message = format!("`{name}` is looked for as `{wanted}`");
         let effect = if right.starts_with("base/") {

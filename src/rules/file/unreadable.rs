@@ -1,9 +1,9 @@
 //! What cannot be opened, listed or read, and folders in the place of files.
 
 use super::super::cause::consequence::{Damage, consequence};
-use super::super::cause::opened::{is_file, is_folder};
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Finding, Level, RuleInfo};
+use crate::discover::{Kind, opened};
 use crate::repo::Repository;
 use crate::source::{ReadFault, WalkFaultKind};
 
@@ -39,7 +39,7 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             Some(ReadFault::Unreadable(reason)) => {
                 out.extend(finding(&file.rel, format!("cannot be read: {reason}")));
             }
-            _ if is_folder(&file.rel, is_base) => {
+            _ if opened::is_folder(&file.rel, is_base) => {
                 let message = format!("`{}` is a file, but a folder belongs here", file.file_name());
                 out.extend(finding(&file.rel, message).map(|it| it.help("remove the file or give it another name")));
             }
@@ -52,4 +52,9 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let help = "put the file here, or give the folder another name";
         out.extend(finding(folder, message).map(|finding| finding.help(help)));
     }
+}
+
+/// Whether loaders open what is of this kind as a file.
+fn is_file(kind: Kind) -> bool {
+    kind.is_text() || kind == Kind::TargetArchive
 }

@@ -2,11 +2,11 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::super::cause::opened::{extension, misnamed, opens};
 use super::super::{Check, Rule, RuleCx};
 use super::icons;
 use crate::diag::{Application, Evidence, Finding, Level, RuleInfo, Sight};
 use crate::discover::Kind;
+use crate::discover::opened::{extension, misnamed, opens};
 use crate::repo::{FileFacts, Repository, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -99,7 +99,7 @@ fn reason(repository: &Repository<'_>, file: &FileFacts, references: &References
         return idle.then(|| ("icon".to_owned(), "no slider has this icon".to_owned()));
     }
     // `file-case-mismatch` names a file that takes the place of one that is needed.
-    if misnamed(repository.judged, &file.rel).is_some()
+    if misnamed(&file.rel, |rel| repository.judged.file(rel).is_some()).is_some()
         || references.used_icons.contains(&file.rel)
         || references.mean(file)
         || !is_judged_folder(&file.rel)

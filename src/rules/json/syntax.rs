@@ -1,10 +1,10 @@
 //! The text of a JSON must be JSON.
 
 use super::super::cause::consequence::{Damage, consequence};
-use super::super::cause::{is_ignored_override, opened};
+use super::super::cause::is_ignored_override;
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
-use crate::discover::Kind;
+use crate::discover::{Kind, opened};
 use crate::formats::Content;
 use crate::formats::json_file::JsonFault;
 use crate::json::{SyntaxFault, SyntaxKind};

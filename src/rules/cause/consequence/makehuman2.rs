@@ -1,12 +1,11 @@
 //! What MakeHuman 2 does with a file that it cannot read (formats/makehuman2.md §1, §2, §5.2, §7, §9, §10, §11, §12, §19, §20,
 //! §21).
 
-use super::super::opened;
 use super::table::At::{Below, Generated, Named, Path};
 use super::table::{Cell, Row, Table, anywhere, cell, level, row};
 use super::{Damage, Moment};
 use crate::diag::Level::{Error, Info, Warning};
-use crate::discover::Kind;
+use crate::discover::{Kind, opened};
 use Damage::{
     Archived, Bomb, Closed, Empty, MarkedComment, MarkedRow, MarkedWord, Needless, NotUtf8, Packed, Pointer, Refused,
     Syntax, TooDeep, TooLarge,
@@ -16,6 +15,8 @@ use Moment::{Never, Scan, Start, Tools, Use};
 pub(super) static TABLE: Table =
     Table { rows: ROWS, at_moment: AT_MOMENT, in_general: IN_GENERAL, opens: opened::opens, scans: opened::is_scanned };
 
+pub(super) const NOT_READ: &str = "never reads this file; the scripts that align joint cubes stop";
+pub(super) const NO_WEIGHTS_LOADED: &str = "loads no weights at all: in pose mode the mesh collapses to the origin";
 const SCAN: &str = "stops at start while it scans the assets";
 const SCAN_SYNTAX: Cell = cell(Syntax, Error, "stops at start, while it scans the assets (AttributeError)");
 const TOOLS: &str = "does not read it; tools that do stop";
@@ -24,7 +25,7 @@ const NO_EXPRESSIONS: &str = "offers no expressions for the base";
 const NO_POSES: &str = "offers no pose editor for the base";
 const NO_WEIGHTS: &[Cell] = &[
     cell(Refused, Error, "has no weights: the mesh collapses as soon as it is posed"),
-    cell(Syntax, Error, "loads no weights at all: in pose mode the mesh collapses to the origin"),
+    cell(Syntax, Error, NO_WEIGHTS_LOADED),
 ];
 const NO_ATTACHMENT: Cell = cell(Empty, Error, "cannot attach the asset");
 const NO_PICTURE: &[Cell] =
@@ -41,11 +42,7 @@ const ROWS: &[Row] = &[
         ],
     ),
     anywhere(Kind::BaseMesh, Start, &[cell(Empty, Error, "stops at start: there is no base mesh")]),
-    anywhere(
-        Kind::Geometry,
-        Tools,
-        &[cell(Syntax, Warning, "never reads this file; the scripts that align joint cubes stop")],
-    ),
+    anywhere(Kind::Geometry, Tools, &[cell(Syntax, Warning, NOT_READ)]),
     row(Kind::MacroJson, Generated, Never, &[cell(Syntax, Info, "never reads this file")]),
     anywhere(
         Kind::MacroJson,

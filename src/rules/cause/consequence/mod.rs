@@ -3,8 +3,10 @@
 //! `file-*`, `json-*` and `overlay-*` ask here how bad a damage is and what a user sees of it.
 
 mod makehuman2;
+mod makehuman2_values;
 mod table;
 
+pub(in crate::rules) use makehuman2_values::of_value;
 use table::{Row, Table};
 
 use super::is_generated;
@@ -69,6 +71,10 @@ pub(in crate::rules) struct Consequence {
 }
 
 impl Consequence {
+    const fn new(level: Level, effect: &'static str) -> Self {
+        Self { level, effect: Some(effect) }
+    }
+
     /// The finding with this level and effect.
     pub(in crate::rules) fn of(self, finding: Finding) -> Finding {
         let finding = finding.level(self.level);

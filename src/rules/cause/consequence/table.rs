@@ -2,7 +2,7 @@
 
 use super::{Consequence, Damage, Moment};
 use crate::diag::Level;
-use crate::discover::Kind;
+use crate::discover::{Kind, opened};
 
 /// What becomes of damaged files in one application.
 pub(super) struct Table {
@@ -59,7 +59,7 @@ pub(super) const fn row(kind: Kind, at: At, opened: Moment, cells: &'static [Cel
 
 /// A cell with a level and an effect of its own.
 pub(super) const fn cell(damage: Damage, level: Level, effect: &'static str) -> Cell {
-    Cell { damage, consequence: Consequence { level, effect: Some(effect) } }
+    Cell { damage, consequence: Consequence::new(level, effect) }
 }
 
 /// A cell with a level of its own; the effect is what the rule says in general.
@@ -101,7 +101,7 @@ impl At {
             Self::Below(folders, extensions) => {
                 let (top, _) = rel.split_once('/').unwrap_or_default();
                 (folders.is_empty() || folders.contains(&top))
-                    && (extensions.is_empty() || extensions.contains(&super::super::opened::extension(rel)))
+                    && (extensions.is_empty() || extensions.contains(&opened::extension(rel)))
             }
         }
     }

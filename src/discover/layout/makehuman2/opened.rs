@@ -1,11 +1,10 @@
 //! Which names the loaders of MakeHuman 2 look for (formats/makehuman2.md §1, §2, §19).
 
-use crate::discover::{Kind, SCANNED};
-use crate::repo::Layer;
+use super::SCANNED;
 
 /// Whether any loader (or a tool of the program) opens a file of this name. Decided for the folders of base
 /// meshes, targets and rigs; everything else counts as opened.
-pub(in crate::rules) fn opens(rel: &str) -> bool {
+pub fn opens(rel: &str) -> bool {
     let parts: Vec<&str> = rel.split('/').collect();
     match parts.as_slice() {
         ["target" | "contarget", _, "icons", .., icon] => extension(icon) == "png",
@@ -29,7 +28,7 @@ fn is_base_file(file: &str) -> bool {
 }
 
 /// Whether the asset scan opens a file of this name.
-pub(super) fn is_scanned(rel: &str) -> bool {
+pub fn is_scanned(rel: &str) -> bool {
     let folder = rel.split('/').next().unwrap_or_default();
     let wanted = match extension(rel) {
         "mhskel" => folder == "rigs",
@@ -44,30 +43,25 @@ pub(super) fn is_scanned(rel: &str) -> bool {
     wanted && SCANNED.contains(&folder) && matches!(rel.split('/').count(), 3 | 4)
 }
 
-/// The path under which MakeHuman 2 looks for a file of this name but for its capitals, where nothing has that path.
-pub(in crate::rules) fn misnamed(layer: &Layer, rel: &str) -> Option<String> {
+/// The path under which a file of this name but for its capitals is looked for, where nothing has that path.
+pub fn misnamed(rel: &str, exists: impl Fn(&str) -> bool) -> Option<String> {
     let (folder, name) = rel.rsplit_once('/')?;
     let lower = name.to_lowercase();
     let is_wanted = match folder.split('/').collect::<Vec<_>>().as_slice() {
         ["target" | "contarget", _] => matches!(&*lower, "macro.json" | "modelling.json" | "target_cat.json"),
-        ["base", _] if lower == "base.obj" => layer.file(&format!("{folder}/base.mhbin")).is_none(),
+        ["base", _] if lower == "base.obj" => !exists(&format!("{folder}/base.mhbin")),
         ["base", _] => lower == "base.json",
         _ => false,
     };
     let right = format!("{folder}/{lower}");
-    (is_wanted && lower != name && layer.file(&right).is_none()).then_some(right)
-}
-
-/// Whether loaders open what is of this kind as a file.
-pub(in crate::rules) fn is_file(kind: Kind) -> bool {
-    kind.is_text() || kind == Kind::TargetArchive
+    (is_wanted && lower != name && !exists(&right)).then_some(right)
 }
 
 /// Folders below the data root that are sorted by base mesh.
 const BY_BASE: [&str; 5] = ["base", "target", "contarget", "rigs", "models"];
 
 /// Whether loaders list this path as a folder.
-pub(in crate::rules) fn is_folder(rel: &str, is_base: impl Fn(&str) -> bool) -> bool {
+pub fn is_folder(rel: &str, is_base: impl Fn(&str) -> bool) -> bool {
     match rel.split('/').collect::<Vec<_>>().as_slice() {
         [folder] => BY_BASE.contains(folder),
         [folder, base] => BY_BASE.contains(folder) && is_base(base),
@@ -77,7 +71,7 @@ pub(in crate::rules) fn is_folder(rel: &str, is_base: impl Fn(&str) -> bool) -> 
 }
 
 /// What is behind the last point of a name, as written.
-pub(in crate::rules) fn extension(rel: &str) -> &str {
+pub fn extension(rel: &str) -> &str {
     let name = rel.rsplit('/').next().unwrap_or(rel);
     name.rsplit_once('.').map_or("", |(_, extension)| extension)
 }
