@@ -5,7 +5,8 @@ use crate::discover::Kind;
 use crate::formats::Content;
 use crate::formats::json_file::JsonFault;
 use crate::json::SyntaxKind;
-use crate::repo::{Base, FileFacts, Repository};
+use crate::repo::makehuman2::Base;
+use crate::repo::{FileFacts, Layers, View};
 
 /// Whether the content of the file is not at hand: it was not read, or is a stand-in.
 fn is_unread(file: &FileFacts) -> bool {
@@ -14,14 +15,14 @@ fn is_unread(file: &FileFacts) -> bool {
 
 /// Whether nobody meets what is in the file: it is unread, or no loader opens its name. A `macro.json` in the target
 /// folder of a user is never opened, either (`overlay-shadowed`).
-pub(in crate::rules) fn is_unmet(repository: &Repository<'_>, file: &FileFacts) -> bool {
-    is_unread(file) || moment(repository, &file.rel) == Moment::Never
+pub(in crate::rules) fn is_unmet(view: &View<'_>, file: &FileFacts) -> bool {
+    is_unread(file) || moment(view, &file.rel) == Moment::Never
 }
 
 /// Whether a path lies in the target folder of a user, whose JSON MakeHuman 2 writes itself.
-pub(in crate::rules) fn is_generated(repository: &Repository<'_>, rel: &str) -> bool {
-    let user = repository.user.is_some_and(|user| std::ptr::eq(user, repository.judged));
-    user && !repository.is_one_root() && rel.starts_with("target/")
+pub(in crate::rules) fn is_generated(layers: Layers<'_>, rel: &str) -> bool {
+    let user = layers.user.is_some_and(|user| std::ptr::eq(user, layers.checked));
+    user && !layers.is_one_root() && rel.starts_with("target/")
 }
 
 /// Whether the file is the `modelling.json` of a base that MakeHuman 2 makes from the user's targets.

@@ -8,7 +8,6 @@ pub(super) mod consequence;
 mod file;
 pub(super) mod overlay;
 pub(super) mod schema;
-pub(super) mod usage;
 pub(super) mod weights;
 
 pub(super) use file::{counts_as_missing, is_generated, is_generated_for, is_ignored_override, is_override, is_unmet};

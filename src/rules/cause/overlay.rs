@@ -1,7 +1,8 @@
 //! Overrides that are not in use, and what is in use instead of what was meant.
 
 use super::schema::is_of_wrong_type;
-use crate::repo::{Base, Layer, Overlaid, Repository};
+use crate::repo::Layer;
+use crate::repo::makehuman2::{Base, Overlaid, View};
 
 /// Whether one of the files is refused. What is then in use is not what the author meant, and everything
 /// that follows from it follows from the damage.
@@ -29,8 +30,8 @@ pub(in crate::rules) fn has_broken_override(base: &Base<'_>) -> bool {
 }
 
 /// Whether an override is there under a name with other capitals: `file-case-mismatch` says that nobody finds it.
-pub(in crate::rules) fn has_misnamed_override(repository: &Repository<'_>, base: &Base<'_>) -> bool {
-    let layers = [Some(repository.judged), repository.user].into_iter().flatten();
+pub(in crate::rules) fn has_misnamed_override(view: &View<'_>, base: &Base<'_>) -> bool {
+    let layers = [Some(view.layers.checked), view.layers.user].into_iter().flatten();
     let folder = format!("contarget/{}", base.name);
     let names = ["macro.json", "modelling.json", "target_cat.json"].map(|name| format!("{folder}/{name}"));
     let is_misnamed =

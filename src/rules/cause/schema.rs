@@ -2,7 +2,7 @@
 
 use crate::diag::pointer;
 use crate::json::{SchemaFault, UnknownKey};
-use crate::repo::{BoundSlider, FileFacts};
+use crate::repo::FileFacts;
 
 /// Whether the schema refuses the whole: its type is wrong, or a section is missing without which nothing is read.
 pub(in crate::rules) fn is_misshapen(file: &FileFacts) -> bool {
@@ -28,9 +28,4 @@ pub(in crate::rules) fn misspelt<'f>(file: &'f FileFacts, key: &str) -> Option<&
 /// Whether a member of the whole is there with a fault in it, or under a misspelt key.
 pub(in crate::rules) fn is_faulty(file: &FileFacts, key: &str) -> bool {
     !is_sound(file, &pointer(&[key])) || misspelt(file, key).is_some()
-}
-
-/// Whether the schema refuses a position in the `macro_influence` of a slider, or the list.
-pub(in crate::rules) fn has_misshapen_influence(bound: &BoundSlider<'_>) -> bool {
-    !is_sound(bound.file, &pointer(&[&bound.slider.key, "macro_influence"]))
 }

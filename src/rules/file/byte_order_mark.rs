@@ -1,12 +1,12 @@
 //! A byte order mark becomes part of the first word.
 
-use super::super::cause::archived::Unread;
+use super::super::cause::archived::weigh;
 use super::super::cause::consequence::{Damage, consequence};
 use super::super::cause::{is_override, is_unmet};
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Place, Rewrite, RuleInfo};
 use crate::discover::Kind;
-use crate::repo::{FileFacts, Repository};
+use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -25,16 +25,16 @@ pub(in crate::rules) static RULE: Rule = Rule {
 /// Fields of a line that a target's reader takes for data.
 const ROW_FIELDS: usize = 4;
 
-fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let unread = Unread::of(repository);
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(makehuman2) = view.makehuman2() else { return };
     // Behind a mark alone there is nothing to lose: the file is empty.
     let marked = |file: &&FileFacts| {
         file.encoding.byte_order_mark && file.encoding.invalid_utf8_at.is_none() && !file.encoding.blank
     };
-    let texts = repository.judged.files.values().filter(|file| file.kind.is_text() && !is_override(file));
-    for file in texts.filter(|file| !is_unmet(repository, file)).filter(marked) {
+    let texts = makehuman2.layers.checked.files.values().filter(|file| file.kind.is_text() && !is_override(file));
+    for file in texts.filter(|file| !is_unmet(view, file)).filter(marked) {
         let damage = damage(file);
-        let Some(loss) = consequence(repository, &file.rel, damage) else { continue };
+        let Some(loss) = consequence(view, &file.rel, damage) else { continue };
         let message = format!("`{}` begins with a byte order mark", file.file_name());
         let fix = Fix::new(RULE.info.fix, "remove the mark");
         let finding = RULE
@@ -42,7 +42,7 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             .fix(fix.step(&file.path, Change::Rewrite(Rewrite::DropByteOrderMark)))
             .help("save the file as UTF-8 without byte order mark");
         let finding = loss.of(finding);
-        out.push(if damage == Damage::MarkedRow { unread.weigh(file, finding) } else { finding });
+        out.push(if damage == Damage::MarkedRow { weigh(&makehuman2.target(file), finding) } else { finding });
     }
 }
 

@@ -1,9 +1,8 @@
 //! Packed files that unpack to more than anybody wants in memory.
 
-use super::super::cause::consequence::{Damage, consequence};
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
-use crate::repo::Repository;
+use crate::repo::FileFacts;
 use crate::source::GzipFault;
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -20,14 +19,11 @@ pub(in crate::rules) static RULE: Rule = Rule {
             "a packed file that unpacks beyond every sensible size",
         )
     },
-    check: Check::Repository(run),
+    check: Check::File(run),
 };
 
-fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for file in repository.judged.files.values() {
-        let Some(GzipFault::Bomb { packed, unpacked }) = file.gzip_fault else { continue };
-        let message = format!("{packed} bytes unpack to {unpacked} bytes or more");
-        let finding = RULE.at(file, Place::File, message).help("do not open it; ask where it comes from");
-        out.extend(consequence(repository, &file.rel, Damage::Bomb).map(|loss| loss.of(finding)));
-    }
+fn run(file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(GzipFault::Bomb { packed, unpacked }) = file.gzip_fault else { return };
+    let message = format!("{packed} bytes unpack to {unpacked} bytes or more");
+    out.push(RULE.at(file, Place::File, message).help("do not open it; ask where it comes from"));
 }

@@ -9,7 +9,7 @@ use super::super::{Check, Rule, RuleCx};
 
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
-use crate::repo::{FileFacts, ReferenceKind, Repository, Resolution};
+use crate::repo::{FileFacts, ReferenceKind, Resolution, View, makehuman2};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -24,20 +24,21 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Repository(run),
 };
 
-fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let macros = targets_of_macros(repository);
-    let needed = |file: &&FileFacts| !is_unmet(repository, file) && !is_override(file);
-    for file in repository.judged.files.values().filter(needed) {
-        let Some(what) = emptiness(file).or_else(|| counts_as_missing(repository, file)) else { continue };
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(makehuman2) = view.makehuman2() else { return };
+    let macros = targets_of_macros(makehuman2);
+    let needed = |file: &&FileFacts| !is_unmet(view, file) && !is_override(file);
+    for file in makehuman2.layers.checked.files.values().filter(needed) {
+        let Some(what) = emptiness(file).or_else(|| counts_as_missing(makehuman2, file)) else { continue };
         if macros.contains(file.rel.as_str()) {
             continue;
         }
         let damage = match file.kind {
-            _ if needs_no_macros(repository, file) => Damage::Needless,
+            _ if needs_no_macros(makehuman2, file) => Damage::Needless,
             kind if kind.is_json() => Damage::Refused,
             _ => Damage::Empty,
         };
-        let Some(loss) = consequence(repository, &file.rel, damage) else { continue };
+        let Some(loss) = consequence(view, &file.rel, damage) else { continue };
         let message = format!("`{}` is empty{what}", file.file_name());
         let help = match file.kind {
             Kind::TargetArchive => "delete it: MakeHuman 2 makes a new one from the targets",
@@ -48,8 +49,8 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 }
 
 /// An empty value counts as no file, too. In a generated modelling.json it is usual.
-fn counts_as_missing(repository: &Repository<'_>, file: &FileFacts) -> Option<&'static str> {
-    let usual = file.kind == Kind::ModellingJson && is_generated(repository, &file.rel);
+fn counts_as_missing(view: &makehuman2::View<'_>, file: &FileFacts) -> Option<&'static str> {
+    let usual = file.kind == Kind::ModellingJson && is_generated(view.layers, &file.rel);
     let what = if is_of_wrong_type(file) {
         " (null, 0, false and empty values count as no file)"
     } else {
@@ -59,17 +60,17 @@ fn counts_as_missing(repository: &Repository<'_>, file: &FileFacts) -> Option<&'
 }
 
 /// Whether the file is the `macro.json` of a base without a macro slider, which does as well without.
-fn needs_no_macros(repository: &Repository<'_>, file: &FileFacts) -> bool {
-    let mut bases = repository.bases.iter().filter(|base| file.base() == Some(base.name));
+fn needs_no_macros(view: &makehuman2::View<'_>, file: &FileFacts) -> bool {
+    let mut bases = view.bases.iter().filter(|base| file.base() == Some(base.name));
     file.kind == Kind::MacroJson && bases.all(|base| !base.sliders.iter().any(|slider| slider.slider.is_macro()))
 }
 
 /// `macro-empty-target` knows these better.
-fn targets_of_macros<'r>(repository: &'r Repository<'_>) -> BTreeSet<&'r str> {
-    let macros = repository.references.iter().filter(|reference| reference.kind == ReferenceKind::MacroTarget);
+fn targets_of_macros<'r>(view: &'r makehuman2::View<'_>) -> BTreeSet<&'r str> {
+    let macros = view.references.iter().filter(|reference| reference.kind == ReferenceKind::MacroTarget);
     macros
         .filter_map(|reference| match reference.resolution {
-            Resolution::Found(file) if repository.is_judged(file) => Some(file.rel.as_str()),
+            Resolution::Found(file) if view.layers.is_checked(file) => Some(file.rel.as_str()),
             _ => None,
         })
         .collect()

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::super::cause::consequence::{Damage, consequence};
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Evidence, Finding, Level, RuleInfo};
-use crate::repo::{FileFacts, Repository};
+use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -22,15 +22,15 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Repository(run),
 };
 
-fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let layer = repository.judged;
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let layer = view.layers().checked;
     let mut folders: BTreeMap<(&str, bool), Vec<&FileFacts>> = BTreeMap::new();
     for file in layer.files.values().filter(|file| file.encoding.lfs_pointer) {
         let folder = file.rel.rsplit_once('/').map_or("", |(folder, _)| folder);
         folders.entry((folder, file.kind.is_text())).or_default().push(file);
     }
     for ((folder, parsed), files) in folders {
-        let losses = files.iter().filter_map(|file| consequence(repository, &file.rel, Damage::Pointer));
+        let losses = files.iter().filter_map(|file| consequence(view, &file.rel, Damage::Pointer));
         let Some(loss) = losses.max_by_key(|loss| loss.level) else { continue };
         let finding = match files.as_slice() {
             [file] => RULE.in_layer(layer, &file.rel, format!("`{}` is a Git LFS pointer", file.file_name())),

@@ -1,12 +1,12 @@
 //! Text must be UTF-8.
 
-use super::super::cause::archived::Unread;
+use super::super::cause::archived::weigh;
 use super::super::cause::consequence::{Damage, consequence};
 use super::super::cause::is_unmet;
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
-use crate::repo::Repository;
+use crate::repo::View;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -22,16 +22,16 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Repository(run),
 };
 
-fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let unread = Unread::of(repository);
-    let texts = repository.judged.files.values().filter(|file| file.kind.is_text());
-    for file in texts.filter(|file| !is_unmet(repository, file)) {
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(makehuman2) = view.makehuman2() else { return };
+    let texts = makehuman2.layers.checked.files.values().filter(|file| file.kind.is_text());
+    for file in texts.filter(|file| !is_unmet(view, file)) {
         let Some(at) = file.encoding.invalid_utf8_at else { continue };
         let guess = file.encoding.guess.unwrap_or("another encoding");
         let message = format!("`{}` is not UTF-8 (probably {guess})", file.file_name());
-        let Some(loss) = consequence(repository, &file.rel, Damage::NotUtf8) else { continue };
+        let Some(loss) = consequence(view, &file.rel, Damage::NotUtf8) else { continue };
         let finding = RULE.at(file, Place::Span(at..at + 1), message);
         let finding = loss.of(finding).help("save the file as UTF-8 without byte order mark");
-        out.push(if file.kind == Kind::Target { unread.weigh(file, finding) } else { finding });
+        out.push(if file.kind == Kind::Target { weigh(&makehuman2.target(file), finding) } else { finding });
     }
 }

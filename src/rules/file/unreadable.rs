@@ -4,7 +4,7 @@ use super::super::cause::consequence::{Damage, consequence};
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Finding, Level, RuleInfo};
 use crate::discover::{Kind, opened};
-use crate::repo::Repository;
+use crate::repo::View;
 use crate::source::{ReadFault, WalkFaultKind};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -22,11 +22,11 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Repository(run),
 };
 
-fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let layer = repository.judged;
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let layer = view.layers().checked;
     let finding = |rel: &str, message: String| {
         let finding = RULE.in_layer(layer, rel, message);
-        consequence(repository, rel, Damage::Closed).map(|loss| loss.of(finding))
+        consequence(view, rel, Damage::Closed).map(|loss| loss.of(finding))
     };
     for fault in &layer.walk_faults {
         if let WalkFaultKind::Unreadable { reason } = &fault.kind {

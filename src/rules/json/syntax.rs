@@ -8,7 +8,7 @@ use crate::discover::{Kind, opened};
 use crate::formats::Content;
 use crate::formats::json_file::JsonFault;
 use crate::json::{SyntaxFault, SyntaxKind};
-use crate::repo::{FileFacts, Repository};
+use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -26,15 +26,15 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Repository(run),
 };
 
-fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for file in repository.judged.files.values().filter(|file| !is_ignored_override(file)) {
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for file in view.layers().checked.files.values().filter(|file| !is_ignored_override(file)) {
         match &file.content {
             Content::Broken(JsonFault::Syntax(fault)) if fault.kind != SyntaxKind::TooDeep && !is_stray(file) => {
                 let finding = RULE
                     .at(file, Place::Span(fault.span.clone()), format!("no JSON: {fault}"))
                     .parts([format!("{} {}", sort(&fault.kind), fault.within)])
                     .help(help(fault));
-                out.extend(consequence(repository, &file.rel, Damage::Syntax).map(|loss| loss.of(finding)));
+                out.extend(consequence(view, &file.rel, Damage::Syntax).map(|loss| loss.of(finding)));
             }
             // What NaN does to weights is worse, and another rule's business.
             _ if !matches!(file.kind, Kind::Weights | Kind::AssetWeights) && !is_stray(file) => {

@@ -1,16 +1,17 @@
 //! What the rules on components and their patterns share.
 
 use super::super::cause::component::is_sound_component;
-use crate::diag::{Application, Finding, Level};
+use crate::diag::{Finding, Level};
 use crate::formats::macro_json::{Component, MacroFile};
-use crate::repo::{Base, FileFacts, Pattern};
+use crate::repo::FileFacts;
+use crate::repo::makehuman2::{Base, Pattern};
 
 /// Lowers a finding on a component that no macro definition uses: it is never evaluated.
 pub(super) fn weigh(finding: Finding, macros: &MacroFile, component: &Component) -> Finding {
     if macros.macrodefs.iter().any(|macrodef| macrodef.components.contains(&component.name)) {
         return finding;
     }
-    finding.level(Level::Info).breaks(Application::Makehuman2, "nothing yet: no macrodef uses the component")
+    finding.level(Level::Info).effect("nothing yet: no macrodef uses the component")
 }
 
 /// The components that the schema has nothing against.

@@ -27,7 +27,7 @@ mod user_scan;
 
 use super::cause::overlay::is_damaged;
 use crate::diag::Suggestions;
-use crate::repo::{Base, BoundSlider};
+use crate::repo::makehuman2::{Base, BoundSlider};
 
 /// The sliders, if their patterns can be told: `base.json` declares which pairs of targets make one slider.
 fn with_patterns<'b, 'a>(base: &'b Base<'a>) -> Option<&'b [BoundSlider<'a>]> {

@@ -2,12 +2,12 @@
 //!
 //! What more than one of them needs: which files to look at at all, and how rows are named.
 
-use super::cause::archived;
-use super::cause::archived::{is_archived, target_folder};
-use super::cause::usage::{self, parent};
+use std::collections::BTreeSet;
+
 use crate::diag::{Element, Place, Tally};
 use crate::formats::target::TargetFacts;
-use crate::repo::{FileFacts, Layer};
+use crate::repo::makehuman2::{Base, View};
+use crate::repo::{Body, FileFacts, Target, parent};
 
 pub(super) mod asymmetric;
 pub(super) mod asymmetric_pair;
@@ -32,15 +32,15 @@ pub(super) mod vertex_out_of_range;
 pub(super) mod without_effect;
 pub(super) mod zero_delta;
 
-/// Targets of a layer that the loader can decode.
-fn targets(layer: &Layer) -> impl Iterator<Item = (&FileFacts, &TargetFacts)> {
-    layer.files.values().filter_map(decoded)
+/// Facts of a target that the loader can decode. For others the encoding is the one fault to name. A byte order mark
+/// is a fault of the first line only; all are checked as they are without it.
+fn decoded(file: &FileFacts) -> Option<&TargetFacts> {
+    file.target()
 }
 
-/// Facts of a target that the loader can decode. For others the encoding is the one fault to name. A byte order mark
-/// is a fault of the first line only; all are judged as they are without it.
-fn decoded(file: &FileFacts) -> Option<(&FileFacts, &TargetFacts)> {
-    file.target().map(|facts| (file, facts))
+/// The targets of a body that can be decoded.
+fn targets<'b, 'v>(body: &'b Body<'v>) -> impl Iterator<Item = (&'b Target<'v>, &'v FileFacts, &'v TargetFacts)> {
+    body.targets.iter().filter_map(|target| Some((target, target.file, decoded(target.file)?)))
 }
 
 /// The first row of a tally.
@@ -55,4 +55,10 @@ fn first_row(tally: &Tally) -> Place {
 /// `1 row`, `3 rows`.
 fn counted(count: u64, thing: &str) -> String {
     if count == 1 { format!("1 {thing}") } else { format!("{count} {thing}s") }
+}
+
+/// Paths of the targets that something refers to, found or not: where one is missing, that is the fault to name.
+fn asked_for<'v>(view: &'v View<'_>, base: &Base<'_>) -> BTreeSet<&'v str> {
+    let references = view.references_of(base).filter(|reference| reference.kind.is_target());
+    references.map(|reference| reference.rel.as_str()).collect()
 }

@@ -3,17 +3,20 @@
 
 use super::table::At::{Below, Generated, Named, Path};
 use super::table::{Cell, Row, Table, anywhere, cell, level, row};
-use super::{Damage, Moment};
+use super::{Consequence, Damage, Moment};
 use crate::diag::Level::{Error, Info, Warning};
 use crate::discover::{Kind, opened};
 use Damage::{
-    Archived, Bomb, Closed, Empty, MarkedComment, MarkedRow, MarkedWord, Needless, NotUtf8, Packed, Pointer, Refused,
-    Syntax, TooDeep, TooLarge,
+    Closed, Empty, MarkedComment, MarkedRow, MarkedWord, Needless, NotUtf8, Packed, Pointer, Refused, Syntax, TooDeep,
 };
 use Moment::{Never, Scan, Start, Tools, Use};
 
 pub(super) static TABLE: Table =
     Table { rows: ROWS, at_moment: AT_MOMENT, in_general: IN_GENERAL, opens: opened::opens, scans: opened::is_scanned };
+
+/// What a text that stops the program does while an archive stands for it.
+pub(super) const ARCHIVED: Consequence =
+    Consequence::new(Warning, "stops at start as soon as the archive of the folder is deleted to be made anew");
 
 pub(super) const NOT_READ: &str = "never reads this file; the scripts that align joint cubes stop";
 pub(super) const NO_WEIGHTS_LOADED: &str = "loads no weights at all: in pose mode the mesh collapses to the origin";
@@ -88,14 +91,7 @@ const ROWS: &[Row] = &[
             cell(Syntax, Error, "logs a line and treats the file as absent: no slider can be reached in the window"),
         ],
     ),
-    anywhere(
-        Kind::Target,
-        Start,
-        &[
-            cell(Empty, Warning, "loads it; nothing moves"),
-            cell(Archived, Warning, "stops at start as soon as the archive of the folder is deleted to be made anew"),
-        ],
-    ),
+    anywhere(Kind::Target, Start, &[cell(Empty, Warning, "loads it; nothing moves")]),
     anywhere(Kind::PackedTarget, Never, &[BINARY]),
     anywhere(Kind::TargetArchive, Start, &[BINARY]),
     anywhere(Kind::TargetIcon, Use, NO_PICTURE),
@@ -176,38 +172,5 @@ const IN_GENERAL: &[Cell] = &[
     cell(NotUtf8, Error, "stops with a UnicodeDecodeError when the file is used"),
     cell(Syntax, Warning, "treats the file as absent, if it reads it at all"),
     level(TooDeep, Error),
-    level(TooLarge, Warning),
     cell(Packed, Info, "never opens it"),
-    level(Bomb, Error),
 ];
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::formats::FORMATS;
-
-    #[test]
-    fn every_kind_has_a_row_wherever_it_lies_and_every_row_can_be_met() {
-        for kind in FORMATS.iter().map(|format| format.kind).filter(|kind| *kind != Kind::TargetCatalog) {
-            assert!(TABLE.row(kind, "elsewhere/x", false).is_some(), "{kind:?}");
-            assert!(TABLE.row(kind, "target/b/x", true).is_some(), "{kind:?}");
-        }
-        let mut told = Vec::new();
-        for row in ROWS {
-            assert!(!told.contains(&row.kind), "{:?}: a row behind the one for all of its kind", row.kind);
-            told.extend(matches!(row.at, super::super::table::At::Anywhere).then_some(row.kind));
-        }
-    }
-
-    #[test]
-    fn every_text_that_is_read_says_what_its_loss_comes_to() {
-        for kind in
-            FORMATS.iter().map(|format| format.kind).filter(|kind| kind.is_text() && *kind != Kind::TargetCatalog)
-        {
-            let row = TABLE.row(kind, "x", false).unwrap();
-            for damage in [Closed, Pointer, NotUtf8, if kind.is_json() { Syntax } else { Empty }] {
-                assert!(TABLE.consequence(row, "x", damage).is_some(), "{kind:?} {damage:?}");
-            }
-        }
-    }
-}

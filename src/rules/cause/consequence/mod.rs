@@ -4,6 +4,7 @@
 
 mod makehuman2;
 mod makehuman2_values;
+mod mpfb;
 mod table;
 
 pub(in crate::rules) use makehuman2_values::of_value;
@@ -11,7 +12,7 @@ use table::{Row, Table};
 
 use super::is_generated;
 use crate::diag::{Application, Finding, Level};
-use crate::repo::Repository;
+use crate::repo::View;
 
 /// When an application opens a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -53,14 +54,8 @@ pub(in crate::rules) enum Damage {
     Syntax,
     /// It is nested beyond every limit.
     TooDeep,
-    /// It is far beyond the size of its kind.
-    TooLarge,
     /// It cannot be unpacked.
     Packed,
-    /// It unpacks beyond every sensible size.
-    Bomb,
-    /// Anything that stops its reader, while an archive is read in its place.
-    Archived,
 }
 
 /// How bad a damage is, and what the user sees where that is not what the rule says of it in general.
@@ -69,6 +64,9 @@ pub(in crate::rules) struct Consequence {
     pub(in crate::rules) level: Level,
     effect: Option<&'static str>,
 }
+
+/// What a text that cannot be parsed does while an archive stands for it.
+pub(in crate::rules) const ARCHIVED: Consequence = makehuman2::ARCHIVED;
 
 impl Consequence {
     const fn new(level: Level, effect: &'static str) -> Self {
@@ -79,27 +77,73 @@ impl Consequence {
     pub(in crate::rules) fn of(self, finding: Finding) -> Finding {
         let finding = finding.level(self.level);
         match self.effect {
-            Some(effect) => finding.breaks(Application::Makehuman2, effect),
+            Some(effect) => finding.effect(effect),
             None => finding,
         }
     }
 }
 
-/// The table of the application whose data these are.
-const fn table(_: &Repository<'_>) -> &'static Table {
-    &makehuman2::TABLE
+/// The table of an application.
+const fn table(application: Application) -> Option<&'static Table> {
+    match application {
+        Application::Makehuman2 => Some(&makehuman2::TABLE),
+        Application::Mpfb => Some(&mpfb::TABLE),
+        Application::Makehuman1 => None,
+    }
 }
 
-fn row(repository: &Repository<'_>, rel: &str) -> Option<&'static Row> {
-    table(repository).row(repository.judged.kind_at(rel), rel, is_generated(repository, rel))
+/// The table for a view, and its row for a path.
+fn asked(view: &View<'_>, rel: &str) -> Option<(&'static Table, &'static Row)> {
+    let (table, layers) = (table(view.application())?, view.layers());
+    Some((table, table.row(layers.checked.kind_at(rel), rel, is_generated(layers, rel))?))
 }
 
 /// When the application opens a file of this path.
-pub(in crate::rules) fn moment(repository: &Repository<'_>, rel: &str) -> Moment {
-    row(repository, rel).map_or(Moment::Never, |row| table(repository).moment(row, rel))
+pub(in crate::rules) fn moment(view: &View<'_>, rel: &str) -> Moment {
+    asked(view, rel).map_or(Moment::Never, |(table, row)| table.moment(row, rel))
 }
 
 /// What a damage of the file at a path comes to; `None` where nobody needs what is lost.
-pub(in crate::rules) fn consequence(repository: &Repository<'_>, rel: &str, damage: Damage) -> Option<Consequence> {
-    table(repository).consequence(row(repository, rel)?, rel, damage)
+pub(in crate::rules) fn consequence(view: &View<'_>, rel: &str, damage: Damage) -> Option<Consequence> {
+    let (table, row) = asked(view, rel)?;
+    table.consequence(row, rel, damage)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::table::At;
+    use super::*;
+    use crate::discover::Kind;
+    use crate::formats::FORMATS;
+
+    const TABLES: [&Table; 2] = [&makehuman2::TABLE, &mpfb::TABLE];
+
+    /// What a table says of a kind, wherever its files lie.
+    fn rows(kind: Kind) -> impl Iterator<Item = (&'static Table, &'static Row)> {
+        TABLES.into_iter().filter_map(move |table| Some((table, table.row(kind, "x", false)?)))
+    }
+
+    #[test]
+    fn every_kind_that_is_read_has_a_row_with_what_its_loss_comes_to() {
+        for format in FORMATS.iter().filter(|format| format.is_read()) {
+            assert!(rows(format.kind).next().is_some(), "{:?}", format.kind);
+            let lost = if format.kind.is_json() { Damage::Syntax } else { Damage::Closed };
+            for (table, row) in rows(format.kind) {
+                for damage in [Damage::Closed, Damage::Pointer, Damage::NotUtf8, lost] {
+                    assert!(table.consequence(row, "x", damage).is_some(), "{:?} {damage:?}", format.kind);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn no_row_stands_behind_the_one_for_all_files_of_its_kind() {
+        for table in TABLES {
+            let mut whole = Vec::new();
+            for row in table.rows {
+                assert!(!whole.contains(&row.kind), "{:?}", row.kind);
+                whole.extend(matches!(row.at, At::Anywhere).then_some(row.kind));
+            }
+        }
+    }
 }
