@@ -1,5 +1,7 @@
 //! MakeHuman 2: folders of assets with a folder for each base mesh in them (formats/makehuman2.md §1).
 
+pub mod opened;
+
 use super::super::kind::extension;
 use super::super::{Candidate, Kind};
 use super::{HiddenPath, Layout, Role, Sign};
@@ -19,7 +21,7 @@ pub(super) static LAYOUT: Layout = Layout {
 };
 
 /// Folders that the asset scan visits, with one level of folders below the base mesh.
-pub const SCANNED: [&str; 12] = [
+const SCANNED: [&str; 12] = [
     "clothes",
     "hair",
     "eyes",

@@ -1,6 +1,7 @@
 //! Keys that `base.json` needs for what the base mesh has.
 
 use super::super::Rule;
+use super::super::cause::schema::is_faulty;
 use crate::diag::{Finding, Level, Place};
 use crate::repo::makehuman2::{Base, View};
 
@@ -10,23 +11,17 @@ pub(super) fn findings(rule: &Rule, view: &View<'_>, base: &Base<'_>) -> Vec<Fin
     let Some((file, settings)) = base.settings().filter(|(file, _)| view.layers.is_checked(file)) else {
         return Vec::new();
     };
-    // A wrong type and a misspelt key have findings of their own.
-    let is_explained = |key: &str| {
-        let pointer = format!("/{key}");
-        file.schema.faults.iter().any(|fault| fault.pointer == pointer)
-            || file.schema.unknown.iter().any(|unknown| unknown.nearest.as_deref() == Some(key))
-    };
     let finding = |key: &str, message: String, effect: &'static str, near: &str| {
         let finding = rule.at(file, Place::File, message).key(format!("no {key}")).level(Level::Warning);
         finding.effect(effect).help(format!("add `\"{key}\": \"{near}\"`"))
     };
     let mut found = Vec::new();
-    if settings.mhm.is_none() && !base.sliders.is_empty() && !is_explained("mhm") {
+    if settings.mhm.is_none() && !base.sliders.is_empty() && !is_faulty(file, "mhm") {
         let message = format!("the base `{}` names no start model (`mhm`)", base.name);
         let effect = "loads the base with the default material and applies no targets, without a message";
         found.push(finding("mhm", message, effect, "base.mhm"));
     }
-    if let (None, [rig, ..], false) = (&settings.pose_skeleton, &*base.rigs, is_explained("pose-skeleton")) {
+    if let (None, [rig, ..], false) = (&settings.pose_skeleton, &*base.rigs, is_faulty(file, "pose-skeleton")) {
         let message = format!("the base `{}` has skeletons, but names none as `pose-skeleton`", base.name);
         let effect = "has no pose mode and no bone weights for assets, without a message";
         let own = base.rigs.iter().find(|rig| rig.file.stem() == "default").unwrap_or(rig);

@@ -1,7 +1,7 @@
 //! The presets of a triangle must sum to 1.
 
+use super::super::cause::overlay::has_sliders;
 use super::super::{Check, Rule, RuleCx};
-use super::has_sliders;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, Pattern, View};
 

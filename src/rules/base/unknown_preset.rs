@@ -1,8 +1,9 @@
 //! Patterns, groups and entries named in `base.json` must exist.
 
+use super::super::cause::overlay::has_sliders;
 use super::super::{Check, Rule, RuleCx};
+use super::NO_MEASURE;
 use super::names::{Names, Unknown};
-use super::{NO_MEASURE, has_sliders};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::formats::base_json::{BaseJson, Random};
 use crate::repo::FileFacts;

@@ -2,11 +2,12 @@
 
 use std::collections::BTreeMap;
 
+use super::super::cause::is_generated;
 use super::super::{Check, Rule, RuleCx};
-use super::loader::{is_generated, misnamed};
 use super::named::{Cause, alike, causes, differs_in_form, effect, is_known_by, written};
 use super::spelling::{as_on_disk, differing, folder_on_disk, found, plain};
 use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Place, RuleInfo};
+use crate::discover::opened::misnamed;
 use crate::repo::{Reference, Resolution, View, makehuman2};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -112,8 +113,8 @@ fn fix(view: &makehuman2::View<'_>, cause: &Cause<'_, '_>, title: &str) -> Fix {
 /// A file that MakeHuman 2 looks for by a fixed name.
 fn fixed_names(view: &makehuman2::View<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers.checked;
-    for file in layer.files.values().filter(|file| !is_generated(view, file)) {
-        let Some(right) = misnamed(layer, &file.rel) else { continue };
+    for file in layer.files.values().filter(|file| !is_generated(view.layers, &file.rel)) {
+        let Some(right) = misnamed(&file.rel, |rel| layer.file(rel).is_some()) else { continue };
         let (name, wanted) = (file.file_name(), right.rsplit('/').next().unwrap_or_default());
         let message = format!("`{name}` is looked for as `{wanted}`");
         let effect = if right.starts_with("base/") {

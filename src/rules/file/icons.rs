@@ -5,6 +5,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::super::cause::overlay::has_sliders;
 use crate::diag::Sought;
 use crate::repo::makehuman2::{Base, TargetFolder, View};
 use crate::repo::{FileFacts, Reference, ReferenceKind, Resolution};
@@ -17,8 +18,7 @@ pub(super) fn is_store(view: &View<'_>, file: &FileFacts) -> bool {
         })
     };
     view.bases.iter().any(|base| {
-        let known =
-            base.modelling.winner().is_some() && !base.modelling.contarget.is_refused() && !base.has_unreadable_icons();
+        let known = has_sliders(base) && !base.has_unreadable_icons();
         (known && inside(base.targets)) || inside(base.user_targets)
     })
 }

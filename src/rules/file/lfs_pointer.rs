@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use super::super::cause::consequence::{Damage, consequence};
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Evidence, Finding, Level, RuleInfo};
 use crate::repo::{FileFacts, View};
@@ -29,7 +30,8 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         folders.entry((folder, file.kind.is_text())).or_default().push(file);
     }
     for ((folder, parsed), files) in folders {
-        let level = if parsed { Level::Error } else { Level::Warning };
+        let losses = files.iter().filter_map(|file| consequence(view, &file.rel, Damage::Pointer));
+        let Some(loss) = losses.max_by_key(|loss| loss.level) else { continue };
         let finding = match files.as_slice() {
             [file] => RULE.in_layer(layer, &file.rel, format!("`{}` is a Git LFS pointer", file.file_name())),
             several => {
@@ -40,9 +42,8 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         };
         let evidence = Evidence::of_cases(files.iter().map(|file| file.file_name()));
         out.push(
-            finding
+            loss.of(finding)
                 .asset(layer.display(folder))
-                .level(level)
                 .key(if parsed { "parsed" } else { "" })
                 .evidence(evidence)
                 .over_each(files.iter().map(|file| &file.path))

@@ -4,9 +4,9 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx};
 use super::icons;
-use super::loader::{extension, misnamed, opens};
 use crate::diag::{Application, Evidence, Finding, Level, RuleInfo, Sight};
 use crate::discover::Kind;
+use crate::discover::opened::{extension, misnamed, opens};
 use crate::repo::{FileFacts, Resolution, View, makehuman2};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -102,7 +102,7 @@ fn reason(view: &makehuman2::View<'_>, file: &FileFacts, references: &References
         return idle.then(|| ("icon".to_owned(), "no slider has this icon".to_owned()));
     }
     // `file-case-mismatch` names a file that takes the place of one that is needed.
-    if misnamed(view.layers.checked, &file.rel).is_some()
+    if misnamed(&file.rel, |rel| view.layers.checked.file(rel).is_some()).is_some()
         || references.used_icons.contains(&file.rel)
         || references.mean(file)
         || !is_judged_folder(&file.rel)

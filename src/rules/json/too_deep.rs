@@ -1,5 +1,6 @@
 //! Nesting has a limit.
 
+use super::super::cause::consequence::{Damage, consequence};
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::formats::Content;
@@ -23,12 +24,12 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(view) = view.makehuman2() else { return };
-    for file in view.layers.checked.files.values() {
+    for file in view.layers().checked.files.values() {
         let Content::Broken(JsonFault::Syntax(fault)) = &file.content else { continue };
         if fault.kind == SyntaxKind::TooDeep {
             let finding = RULE.at(file, Place::Span(fault.span.clone()), fault.to_string());
-            out.push(finding.help("no format needs more than ten levels; replace the file"));
+            let finding = finding.help("no format needs more than ten levels; replace the file");
+            out.extend(consequence(view, &file.rel, Damage::TooDeep).map(|loss| loss.of(finding)));
         }
     }
 }

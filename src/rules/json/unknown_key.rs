@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::super::cause::{is_generated_for, is_ignored_override};
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
@@ -27,7 +28,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(view) = view.makehuman2() else { return };
-    for file in view.layers.checked.files.values().filter(|file| !file.is_ignored_override()) {
+    for file in view.layers.checked.files.values().filter(|file| !is_ignored_override(file)) {
         let mut by_key: BTreeMap<(&str, Option<&str>), Vec<&UnknownKey>> = BTreeMap::new();
         let sliders = told_sliders(view, file);
         for unknown in file.schema.unknown.iter().filter(|unknown| !is_told(file, &sliders, unknown)) {
@@ -43,7 +44,7 @@ type Told<'f> = BTreeSet<(String, &'f str)>;
 /// The misspelt keys for which entries of `modelling.json` are said to have no effect.
 fn told_sliders<'f>(view: &makehuman2::View<'_>, file: &'f FileFacts) -> Told<'f> {
     // Generated entries are not judged for their effect.
-    let generated = |base: &Base<'_>| base.user_modelling.file().is_some_and(|own| std::ptr::eq(own, file));
+    let generated = |base: &Base<'_>| is_generated_for(base, file);
     match &file.content {
         Content::Modelling(model) if !view.bases.iter().any(generated) => {
             let sliders = model.sliders.iter();

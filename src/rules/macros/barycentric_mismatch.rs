@@ -1,8 +1,8 @@
 //! `sum` of a component must be the `barycentric` list of its slider.
 
+use super::super::cause::component::is_even;
 use super::super::{Check, Rule, RuleCx};
 use super::component::{patterns, sound_components, weigh};
-use super::judgeable::is_even;
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, BoundSlider, Pattern, View};
 

@@ -1,5 +1,6 @@
 //! What the rules on components and their patterns share.
 
+use super::super::cause::component::is_sound_component;
 use crate::diag::{Finding, Level};
 use crate::formats::macro_json::{Component, MacroFile};
 use crate::repo::FileFacts;
@@ -11,18 +12,6 @@ pub(super) fn weigh(finding: Finding, macros: &MacroFile, component: &Component)
         return finding;
     }
     finding.level(Level::Info).effect("nothing yet: no macrodef uses the component")
-}
-
-/// Whether the schema has nothing against the value at a pointer or below it; else the model lacks a part of it.
-pub(super) fn is_sound(file: &FileFacts, pointer: &str) -> bool {
-    let below = |fault: &str| fault.strip_prefix(pointer).is_some_and(|rest| rest.is_empty() || rest.starts_with('/'));
-    !file.schema.faults.iter().any(|fault| below(&fault.pointer))
-}
-
-/// The same for a component.
-pub(super) fn is_sound_component(file: &FileFacts, component: &Component) -> bool {
-    let name = component.name.replace('~', "~0").replace('/', "~1");
-    is_sound(file, &format!("/components/{name}"))
 }
 
 /// The components that the schema has nothing against.

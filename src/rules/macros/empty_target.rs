@@ -111,5 +111,5 @@ fn moves_nothing(file: &FileFacts) -> bool {
         let damaged = facts.unreadable_rows + facts.non_finite.count + facts.field_count.count;
         facts.moving == 0 && damaged == 0
     };
-    file.encoding.invalid_utf8_at.is_none() && file.target().is_some_and(judged)
+    file.target().is_some_and(judged)
 }

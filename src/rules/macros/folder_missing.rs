@@ -1,7 +1,7 @@
 //! The folder of a macro definition must be given and exist.
 
+use super::super::cause::schema::is_sound;
 use super::super::{Check, Rule, RuleCx};
-use super::component::is_sound;
 use super::links::{MacroLink, links};
 use super::lost_folder::{holds_files, is_lost};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo, Sight, nearest};

@@ -1,9 +1,10 @@
 //! `macro_influence` should be the macro definitions that really read the slider.
 
+use super::super::cause::schema::is_sound;
 use super::super::{Check, Rule, RuleCx};
-use super::component::{is_sound, patterns, unknown_patterns};
+use super::component::{patterns, unknown_patterns};
 use super::judgeable::clear_space;
-use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo, pointer};
 use crate::formats::macro_json::{MacroFile, Macrodef};
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, BoundSlider, Pattern, View};
@@ -87,8 +88,7 @@ fn is_doubled(base: &Base<'_>, names: &[String]) -> bool {
 
 /// Whether the schema refuses an element of the list, or the list.
 fn is_misshapen(bound: &BoundSlider<'_>) -> bool {
-    let key = bound.slider.key.replace('~', "~0").replace('/', "~1");
-    !is_sound(bound.file, &format!("/{key}/macro_influence"))
+    !is_sound(bound.file, &pointer(&[&bound.slider.key, "macro_influence"]))
 }
 
 fn index(macrodef: &Macrodef) -> i64 {

@@ -80,8 +80,7 @@ pub(super) fn unreferenced<'s>(view: &'s View<'_>, base: &'s Base<'_>) -> Vec<&'
     let faulty = FaultyEntries::of(view, base);
     let readable = |file: &&FileFacts| file.target().is_some_and(|facts| facts.unreadable_rows == 0);
     let free = folder.targets().filter(|file| base.is_in_macro_folder(file) && !named.contains(file.rel.as_str()));
-    let free = free.filter(|file| file.encoding.invalid_utf8_at.is_none()).filter(readable);
-    free.filter(|file| !faulty.mean(base, file)).collect()
+    free.filter(readable).filter(|file| !faulty.mean(base, file)).collect()
 }
 
 /// Entries that lead to no file, for which something is reported.

@@ -1,8 +1,8 @@
 //! `steps` of a component must run from 0 to 1.
 
+use super::super::cause::component::has_special_step;
 use super::super::{Check, Rule, RuleCx};
 use super::component::{sound_components, weigh};
-use super::judgeable::has_special_step;
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 use std::cmp::Ordering;

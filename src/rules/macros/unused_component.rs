@@ -1,7 +1,7 @@
 //! A component that no macro definition uses.
 
+use super::super::cause::schema::is_sound;
 use super::super::{Check, Rule, RuleCx};
-use super::component::is_sound;
 use super::judgeable::clear_space;
 use super::space::Space;
 use crate::diag::{Application, Finding, Level, Place, RuleInfo, nearest};

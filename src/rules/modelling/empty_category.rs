@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use super::super::cause::schema::is_misshapen;
 use super::super::{Check, Rule, RuleCx};
 use super::groups::{self, Groups, USER_CATEGORY};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
@@ -52,9 +53,8 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
 /// The generated file must hold the category that MakeHuman 2 takes from it.
 fn without_user(base: &Base<'_>) -> Option<Finding> {
     let (file, model) = base.user_categories.accepted()?;
-    let sound = !file.schema.faults.iter().any(|fault| fault.pointer.is_empty());
     let there = model.categories.iter().any(|category| category.name == USER_CATEGORY);
-    (sound && !there).then(|| {
+    (!is_misshapen(file) && !there).then(|| {
         RULE.at(file, Place::File, "the generated target_cat.json has no category `User`")
             .key("generated")
             .level(Level::Error)

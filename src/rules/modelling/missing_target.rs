@@ -1,5 +1,6 @@
 //! `incr` and `decr` must name targets that exist.
 
+use super::super::cause::is_generated_for;
 use super::super::{Check, Rule, RuleCx};
 use super::missing::{self, Group, Neighbours};
 use crate::diag::{Application, Evidence, Finding, Level, RuleInfo};
@@ -48,7 +49,7 @@ fn finding(
         .key(format!("{key} {}", if group.folder.is_some() { "" } else { side(first) }).trim_end())
         .evidence(Evidence::of_cases(group.references.iter().map(|reference| reference.text)));
     finding = finding.help(help(view, first, neighbours));
-    if is_generated(base, first) {
+    if is_generated_for(base, first.from) {
         finding = finding.level(Level::Warning).help(
             "this file is generated: delete both generated JSON files, MakeHuman 2 writes them anew from the targets",
         );
@@ -85,10 +86,6 @@ fn help(view: &View<'_>, reference: &Reference<'_>, neighbours: &Neighbours<'_, 
 fn packed<'a>(view: &View<'a>, reference: &Reference<'_>) -> Option<&'a str> {
     let rel = format!("{}.gz", reference.rel);
     view.layers.strongest_first().find_map(|layer| layer.file(&rel)).map(FileFacts::file_name)
-}
-
-fn is_generated(base: &Base<'_>, reference: &Reference<'_>) -> bool {
-    base.user_modelling.file().is_some_and(|file| std::ptr::eq(file, reference.from))
 }
 
 fn is_unused(base: &Base<'_>, reference: &Reference<'_>) -> bool {

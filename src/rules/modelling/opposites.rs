@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 
+use super::super::cause::schema::is_faulty;
 use super::super::{Check, Rule, RuleCx};
 use super::with_patterns;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
-use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, BoundSlider, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -25,7 +25,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, settings)) = base.settings() else { return };
-    if is_damaged_list(file) {
+    if is_faulty(file, "target-opposites") {
         return;
     }
     let sliders = with_patterns(base).unwrap_or_default();
@@ -65,13 +65,6 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
                 .evidence(Evidence::of_cases(sliders.iter().map(|slider| &slider.slider.key))),
         );
     }
-}
-
-/// Whether `target-opposites` is there with a fault in it, or under a misspelt key: that is a finding of its own.
-fn is_damaged_list(file: &FileFacts) -> bool {
-    let is_fault = |pointer: &str| pointer == "/target-opposites" || pointer.starts_with("/target-opposites/");
-    file.schema.faults.iter().any(|fault| is_fault(&fault.pointer))
-        || file.schema.unknown.iter().any(|key| key.nearest.as_deref() == Some("target-opposites"))
 }
 
 /// The part of a target's name behind its last `-`.

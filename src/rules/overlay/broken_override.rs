@@ -1,5 +1,6 @@
 //! An override that the application ignores.
 
+use super::super::cause::is_ignored_override;
 use super::super::{Check, Rule, RuleCx};
 use super::{Override, SystemFolder, overrides, system_folder};
 use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Place, Rewrite, RuleInfo, Sight};
@@ -30,7 +31,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for each in overrides(base) {
-        let Some(file) = each.file.filter(|file| file.is_ignored_override()) else { continue };
+        let Some(file) = each.file.filter(|file| is_ignored_override(file)) else { continue };
         let (place, fault, help) = fault(file);
         let message = format!("the override `{}` is ignored: {fault}", file.rel);
         let finding = RULE.at(file, place, message).key(each.name).help(help);

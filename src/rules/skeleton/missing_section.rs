@@ -1,5 +1,6 @@
 //! A skeleton needs `bones` and `joints`, a bone `head` and `tail`.
 
+use super::super::cause::schema::misspelt;
 use super::super::{Check, Rule, RuleCx};
 use super::{Rig, rigs};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
@@ -66,8 +67,7 @@ fn missing_sections(rig: &Rig<'_>, out: &mut Vec<Finding>) {
 }
 
 fn help(file: &FileFacts, section: &str) -> String {
-    let misspelt = file.schema.unknown.iter().find(|key| key.nearest.as_deref() == Some(section));
-    match misspelt {
+    match misspelt(file, section) {
         Some(key) => format!("is `{}` meant to be `{section}`?", key.key),
         None => format!("add an object `{section}`"),
     }

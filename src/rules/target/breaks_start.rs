@@ -1,6 +1,6 @@
 //! A target that nothing uses and that stops the program all the same.
 
-use super::super::archived::weigh;
+use super::super::cause::archived::weigh;
 use super::super::{Check, Rule, RuleCx};
 use super::{targets, unreadable_fields};
 use crate::diag::{Application, Finding, Level, RuleInfo};

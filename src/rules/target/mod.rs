@@ -35,7 +35,7 @@ pub(super) mod zero_delta;
 /// Facts of a target that the loader can decode. For others the encoding is the one fault to name. A byte order mark
 /// is a fault of the first line only; all are checked as they are without it.
 fn decoded(file: &FileFacts) -> Option<&TargetFacts> {
-    file.target().filter(|_| file.encoding.invalid_utf8_at.is_none())
+    file.target()
 }
 
 /// The targets of a body that can be decoded.

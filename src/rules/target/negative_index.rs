@@ -1,6 +1,6 @@
 //! Vertices are counted from 0.
 
-use super::super::archived::weigh;
+use super::super::cause::archived::weigh;
 use super::super::{Check, Rule, RuleCx};
 use super::{first_row, targets};
 use crate::diag::{Application, Finding, Level, RuleInfo};

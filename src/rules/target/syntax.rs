@@ -1,6 +1,6 @@
 //! Every field of a target row must be a number.
 
-use super::super::archived::weigh;
+use super::super::cause::archived::weigh;
 use super::super::{Check, Rule, RuleCx};
 use super::targets;
 use super::unreadable_fields::finding;

@@ -1,6 +1,6 @@
 //! Rows of a target name vertices that the base mesh has.
 
-use super::super::archived::weigh;
+use super::super::cause::archived::weigh;
 use super::super::{Check, Rule, RuleCx};
 use super::{first_row, targets};
 use crate::diag::{Application, Finding, Level, RuleInfo, Tally};

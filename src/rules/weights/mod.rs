@@ -18,6 +18,7 @@ pub(super) mod unknown_bone;
 pub(super) mod unweighted_vertex;
 pub(super) mod vertex_out_of_range;
 
+use super::cause::weights::{has_unusable_entries, unusable_entries};
 use crate::diag::{Evidence, Place};
 use crate::formats::mhw::{PairTally, Weights};
 use crate::repo::FileFacts;
@@ -25,21 +26,6 @@ use crate::repo::FileFacts;
 /// The weights in a file, if they are an object of bones.
 fn bones_of(file: &FileFacts) -> Option<&Weights> {
     file.weights().filter(|weights| weights.has_weights)
-}
-
-/// Whether entries cannot be used, so that what is missing or off beside them may be their doing.
-///
-/// Such entries have findings of their own: malformed, out of range, not finite, or against the schema. What else is
-/// wrong in the file (its metadata, say) does not matter.
-fn has_unusable_entries(weights: &Weights) -> bool {
-    unusable_entries(weights).is_none_or(|count| count > 0)
-}
-
-/// How many entries cannot be used; `None` if nobody can tell.
-fn unusable_entries(weights: &Weights) -> Option<u64> {
-    let facts = &weights.facts;
-    let countable = weights.has_weights && !weights.has_shapeless_bone;
-    countable.then_some(facts.malformed.count + facts.out_of_range.count + facts.non_finite.count)
 }
 
 /// Whether no bone has a single entry.
