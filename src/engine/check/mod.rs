@@ -115,7 +115,7 @@ pub(super) fn check_upkeep(
     }
     findings.retain_mut(|finding| {
         let Verdict::At(level) = selection.verdict(finding.rule, finding.level, None) else { return false };
-        finding.level = level;
+        finding.regrade(level);
         finding.fingerprint = fingerprint(finding.rule, &ignores.asset(&finding.path), &finding.key, 0);
         true
     });
