@@ -6,7 +6,6 @@ use super::super::cause::consequence::{Damage, consequence};
 use super::super::cause::schema::is_of_wrong_type;
 use super::super::cause::{self, is_generated, is_override, is_unmet};
 use super::super::{Check, Rule, RuleCx};
-
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
 use crate::repo::{FileFacts, ReferenceKind, Resolution, View, makehuman2};
