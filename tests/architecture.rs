@@ -26,8 +26,8 @@ const IMPORTS: &[(&str, &[&str])] = &[
     ("cli", &["diag", "json", "source", "config", "fix", "engine", "report"]),
 ];
 
-/// Where files may be opened; `engine/input.rs` turns PATH arguments into trees.
-const MAY_OPEN_FILES: [&str; 4] = ["source/", "fix/", "cli/", "engine/input.rs"];
+/// Where files may be opened; `engine/load/input.rs` turns PATH arguments into trees.
+const MAY_OPEN_FILES: [&str; 4] = ["source/", "fix/", "cli/", "engine/load/input.rs"];
 
 /// Libraries that only one place may know.
 const LIBRARIES: [(&str, &str); 8] = [

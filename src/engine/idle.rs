@@ -1,6 +1,6 @@
 //! Globs of the configuration that fit nothing: the files have gone, or they were never called so.
 
-use super::input::Input;
+use super::load::Input;
 use super::scope::Scope;
 use crate::config::{Config, PathGlob};
 use crate::diag::{IdleGlob, Place};

@@ -4,8 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::caught::caught;
 use super::compose::{Composed, Rows, compose};
-use super::data::Data;
 use super::gauge::gauge;
+use super::load::Data;
 use super::load::load_targets;
 use crate::config::Config;
 use crate::eval::measures::Measures;

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 
 use super::changed;
-use super::input::{Input, open, open_system};
+use super::load::{Input, open, open_system};
 use super::outcome::{Error, Outcome};
 use super::run::lint_inputs;
 use crate::config::Config;

@@ -6,18 +6,18 @@ use std::time::Instant;
 
 use super::caught::caught;
 use super::changed::{Change, explain, narrow};
-use super::data::{Data, Loaded};
 use super::heard::{Filter, Heard};
 use super::idle::idle;
-use super::input::{Input, open};
 use super::judge::{judge, look_after};
 use super::known::{Known, Placed};
+use super::load::moved;
+use super::load::{Data, Loaded};
+use super::load::{Input, open};
+use super::load::{Roots, check_bases, summarise};
 use super::locate::locate;
-use super::loose::moved;
 use super::measure::measure_bases;
 use super::mute::Muting;
 use super::outcome::{Error, Outcome, Timing};
-use super::roots::{Roots, check_bases, summarise};
 use super::scope::Scope;
 use super::select::Selection;
 use crate::config::Config;
@@ -32,7 +32,7 @@ use crate::source::{Limits, Tree};
 /// When a path cannot be read, or an option names nothing that exists.
 pub fn lint(paths: &[PathBuf], options: &Config) -> Result<Outcome, Error> {
     let inputs = open(paths)?;
-    let system = options.system.as_deref().map(super::input::open_system).transpose()?;
+    let system = options.system.as_deref().map(super::load::open_system).transpose()?;
     lint_inputs(&inputs, system.as_ref(), options)
 }
 

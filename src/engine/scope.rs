@@ -1,6 +1,6 @@
 //! What a run looks at: the PATHs, without what the configuration excludes.
 
-use super::input::Input;
+use super::load::Input;
 use crate::config::Config;
 use crate::source::{Folder, is_below};
 

@@ -4,7 +4,7 @@ use super::error::Error;
 use super::files::read_cause;
 use super::open::Evaluation;
 use crate::engine::compose::is_usable;
-use crate::engine::read;
+use crate::engine::load::read;
 use crate::eval::component::ComponentFault;
 use crate::eval::macro_eval::MacroResult;
 use crate::eval::macros::{MacroError, MacroTable};

@@ -2,17 +2,17 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::super::outcome::Outcome;
 use super::input::Input;
-use super::outcome::Outcome;
 use crate::config::Config;
 use crate::discover::{DataRoot, loose_place};
 use crate::source::{EntryKind, Tree};
 
 /// Places below a user's data root by path from the top of the tree.
-pub(super) type Moved = BTreeMap<String, String>;
+pub(in crate::engine) type Moved = BTreeMap<String, String>;
 
 /// Where the files of each input would be kept; nothing for inputs that hold data roots.
-pub(super) fn moved(
+pub(in crate::engine) fn moved(
     inputs: &[Input],
     roots: &[Vec<DataRoot>],
     system: Option<&Tree>,

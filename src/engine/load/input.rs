@@ -2,26 +2,26 @@
 
 use std::path::{Path, PathBuf};
 
-use super::outcome::Error;
+use super::super::outcome::Error;
 use super::roots::roots_of;
 use crate::discover::{is_read_though_hidden, root_above};
 use crate::source::{Tree, folder_of, slashed};
 
 /// A tree to look for data roots in.
-pub(super) struct Input {
-    pub(super) tree: Tree,
+pub(in crate::engine) struct Input {
+    pub(in crate::engine) tree: Tree,
     /// Report only below these printed paths; empty for everything.
-    pub(super) narrow: Vec<String>,
+    pub(in crate::engine) narrow: Vec<String>,
 }
 
 impl Input {
-    pub(super) fn whole(tree: Tree) -> Self {
+    pub(in crate::engine) fn whole(tree: Tree) -> Self {
         Self { tree, narrow: Vec::new() }
     }
 }
 
 /// Opens the paths. A path given twice, or inside another, is opened once.
-pub(super) fn open(paths: &[PathBuf]) -> Result<Vec<Input>, Error> {
+pub(in crate::engine) fn open(paths: &[PathBuf]) -> Result<Vec<Input>, Error> {
     let mut inputs: Vec<(PathBuf, Input)> = Vec::new();
     for path in paths {
         let (place, input) = open_one(path)?;
@@ -35,7 +35,7 @@ pub(super) fn open(paths: &[PathBuf]) -> Result<Vec<Input>, Error> {
 }
 
 /// Opens `--system`.
-pub(super) fn open_system(path: &Path) -> Result<Tree, Error> {
+pub(in crate::engine) fn open_system(path: &Path) -> Result<Tree, Error> {
     canonical(path)?;
     Ok(Tree::on_disk(label(path), path, is_read_though_hidden))
 }

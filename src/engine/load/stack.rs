@@ -1,12 +1,12 @@
 //! Which data roots lie over which: system data below, user data on top.
 
 use super::data::Loaded;
-use super::load::Place;
+use super::layer::Place;
 use crate::repo::Layer;
 
 /// The part a data root plays.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Role {
+pub(in crate::engine) enum Role {
     /// Holds base meshes and no `contarget/`: what the application calls its system data.
     System,
     /// Holds base meshes and `contarget/`: a user's folder with bases of its own, or both in one.
@@ -17,7 +17,7 @@ pub(super) enum Role {
 
 impl Role {
     /// The role of a data root.
-    pub(super) fn of(place: Place<'_>) -> Self {
+    pub(in crate::engine) fn of(place: Place<'_>) -> Self {
         let has = |test: fn(&[&str]) -> bool| {
             let mut below = place.below().map(|(_, rel)| rel.split('/').collect::<Vec<_>>());
             below.any(|parts| test(&parts))
@@ -34,7 +34,7 @@ impl Role {
 
 /// The roles of data roots that are judged together. `contarget/` is read in the user's folder only: beside another
 /// root, the one whose bases have their targets in `target/` is the system, and its `contarget/` counts for nothing.
-pub(super) fn roles(places: &[Place<'_>]) -> Vec<Role> {
+pub(in crate::engine) fn roles(places: &[Place<'_>]) -> Vec<Role> {
     let mut roles: Vec<Role> = places.iter().map(|place| Role::of(*place)).collect();
     if places.len() > 1 && !roles.contains(&Role::System) {
         let is_system = |(place, role): (&Place<'_>, &Role)| *role == Role::Both && has_own_targets(*place);
@@ -62,10 +62,10 @@ fn has_own_targets(place: Place<'_>) -> bool {
 }
 
 /// System layer, user layer and judged root of every repository to judge.
-pub(super) type Stack<'a, 't> = (Option<&'a Layer>, Option<&'a Layer>, &'a Loaded<'t>);
+pub(in crate::engine) type Stack<'a, 't> = (Option<&'a Layer>, Option<&'a Layer>, &'a Loaded<'t>);
 
 /// The repositories that `loaded` makes. With `system` given, every root lies over it.
-pub(super) fn stacks<'a, 't>(loaded: &'a [Loaded<'t>], system: Option<&'a Layer>) -> Vec<Stack<'a, 't>> {
+pub(in crate::engine) fn stacks<'a, 't>(loaded: &'a [Loaded<'t>], system: Option<&'a Layer>) -> Vec<Stack<'a, 't>> {
     let stack = |root: &'a Loaded<'t>| -> Stack<'a, 't> {
         if let Some(system) = system {
             return (Some(system), Some(&root.layer), root);

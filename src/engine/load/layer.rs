@@ -8,7 +8,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use rayon::prelude::*;
 
-use super::compose::Rows;
+use super::super::compose::Rows;
 use super::loose::Moved;
 use super::read;
 use crate::discover::{Kind, kind_of};
@@ -17,20 +17,20 @@ use crate::repo::{FileFacts, Layer};
 use crate::source::{Entry, EntryKind, Limits, Tree, WalkFault, WalkFaultKind};
 
 /// Sizes of base meshes by name.
-pub(super) type MeshSizes = BTreeMap<String, MeshSize>;
+pub(in crate::engine) type MeshSizes = BTreeMap<String, MeshSize>;
 
 /// A data root in its tree.
 #[derive(Clone, Copy)]
-pub(super) struct Place<'t> {
-    pub(super) tree: &'t Tree,
+pub(in crate::engine) struct Place<'t> {
+    pub(in crate::engine) tree: &'t Tree,
     /// Path from the top of the tree.
-    pub(super) root: &'t str,
+    pub(in crate::engine) root: &'t str,
     /// Where files that lie loose in the tree would be kept; a real root has none.
-    pub(super) moved: Option<&'t Moved>,
+    pub(in crate::engine) moved: Option<&'t Moved>,
 }
 
 /// Reads everything in a data root but its targets. Sizes of meshes that only `system` has are taken from there.
-pub(super) fn load(place: Place<'_>, limits: &Limits, system: Option<&MeshSizes>) -> (Layer, MeshSizes) {
+pub(in crate::engine) fn load(place: Place<'_>, limits: &Limits, system: Option<&MeshSizes>) -> (Layer, MeshSizes) {
     let others = || place.files().filter(|(_, rel)| kind_of(rel).0 != Kind::Target);
     let of = |late: bool| others().filter(move |(_, rel)| waits_for_mesh(rel) == late).collect();
     let (mut files, _) = read_all(place.tree, of(false), limits, &|_| None, false);
@@ -45,7 +45,7 @@ pub(super) fn load(place: Place<'_>, limits: &Limits, system: Option<&MeshSizes>
 }
 
 /// Reads the targets of one base (`None`: of no base) into `layer`; gives their rows by printed path if they are to be kept.
-pub(super) fn load_targets(
+pub(in crate::engine) fn load_targets(
     place: Place<'_>,
     layer: &mut Layer,
     base: Option<&str>,
@@ -64,7 +64,7 @@ pub(super) fn load_targets(
 }
 
 /// Enters the targets into `layer` without reading them.
-pub(super) fn list_targets(place: Place<'_>, layer: &mut Layer) {
+pub(in crate::engine) fn list_targets(place: Place<'_>, layer: &mut Layer) {
     for (entry, rel) in place.files().filter(|(_, rel)| kind_of(rel).0 == Kind::Target) {
         layer.files.insert(rel.to_owned(), read::empty(place.tree, entry, rel));
     }
@@ -72,7 +72,7 @@ pub(super) fn list_targets(place: Place<'_>, layer: &mut Layer) {
 
 impl<'t> Place<'t> {
     /// Path of the root as reports print it.
-    pub(super) fn path(self) -> String {
+    pub(in crate::engine) fn path(self) -> String {
         join(self.tree.label(), self.root)
     }
 
@@ -81,7 +81,7 @@ impl<'t> Place<'t> {
     }
 
     /// Entries below the root with their path relative to it.
-    pub(super) fn below(self) -> impl Iterator<Item = (&'t Entry, &'t str)> {
+    pub(in crate::engine) fn below(self) -> impl Iterator<Item = (&'t Entry, &'t str)> {
         let prefix = self.prefix();
         self.tree.entries().iter().filter_map(move |entry| match self.moved {
             Some(moved) => Some((entry, moved.get(&entry.path)?.as_str())),
@@ -94,7 +94,7 @@ impl<'t> Place<'t> {
     }
 
     /// Names of the bases that have targets here.
-    pub(super) fn target_bases(self) -> BTreeSet<Option<&'t str>> {
+    pub(in crate::engine) fn target_bases(self) -> BTreeSet<Option<&'t str>> {
         let kinds = self.files().map(|(_, rel)| kind_of(rel));
         kinds.filter(|(kind, _)| *kind == Kind::Target).map(|(_, base)| base).collect()
     }

@@ -1,24 +1,24 @@
 //! The data roots of a run with their layers, and which lies over which.
 
-use super::load::{MeshSizes, Place, load};
+use super::layer::{MeshSizes, Place, load};
 use super::stack::{Role, Stack, roles, stacks};
 use crate::repo::Layer;
 use crate::source::{Limits, is_below};
 
 /// A data root with its facts.
-pub(super) struct Loaded<'t> {
-    pub(super) place: Place<'t>,
-    pub(super) layer: Layer,
-    pub(super) role: Role,
+pub(in crate::engine) struct Loaded<'t> {
+    pub(in crate::engine) place: Place<'t>,
+    pub(in crate::engine) layer: Layer,
+    pub(in crate::engine) role: Role,
     narrow: Vec<String>,
 }
 
 /// All data of a run.
-pub(super) struct Data<'t> {
+pub(in crate::engine) struct Data<'t> {
     /// `--system`: read, not judged.
-    pub(super) system: Option<Loaded<'t>>,
+    pub(in crate::engine) system: Option<Loaded<'t>>,
     /// The roots to judge.
-    pub(super) roots: Vec<Loaded<'t>>,
+    pub(in crate::engine) roots: Vec<Loaded<'t>>,
     /// Sizes of meshes, of each root with those below it.
     sizes: Vec<MeshSizes>,
     system_sizes: MeshSizes,
@@ -30,20 +30,24 @@ impl<'t> Loaded<'t> {
     }
 
     /// The parts of a data root that alone are asked for; none for the whole of it. A loose file is a whole.
-    pub(super) fn parts(&self) -> impl Iterator<Item = &str> {
+    pub(in crate::engine) fn parts(&self) -> impl Iterator<Item = &str> {
         let narrow = if self.place.moved.is_none() { self.narrow.as_slice() } else { &[] };
         narrow.iter().map(String::as_str)
     }
 
     /// Whether a path is one that the PATHs ask for.
-    pub(super) fn is_asked_for(&self, path: &str) -> bool {
+    pub(in crate::engine) fn is_asked_for(&self, path: &str) -> bool {
         self.narrow.is_empty() || self.narrow.iter().any(|narrow| is_below(path, narrow))
     }
 }
 
 impl<'t> Data<'t> {
     /// Reads everything but targets.
-    pub(super) fn load(places: Vec<(Place<'t>, Vec<String>)>, system: Option<Place<'t>>, limits: &Limits) -> Self {
+    pub(in crate::engine) fn load(
+        places: Vec<(Place<'t>, Vec<String>)>,
+        system: Option<Place<'t>>,
+        limits: &Limits,
+    ) -> Self {
         let (system, system_sizes) = match system {
             Some(place) => {
                 let (layer, sizes) = load(place, limits, None);
@@ -70,24 +74,24 @@ impl<'t> Data<'t> {
     }
 
     /// The repositories to judge, in order of the roots.
-    pub(super) fn stacks(&self) -> Vec<Stack<'_, 't>> {
+    pub(in crate::engine) fn stacks(&self) -> Vec<Stack<'_, 't>> {
         stacks(&self.roots, self.system.as_ref().map(|system| &system.layer))
     }
 
     /// Every root, the system's first, with the sizes of its meshes.
-    pub(super) fn all_mut(&mut self) -> impl Iterator<Item = (&mut Loaded<'t>, &MeshSizes)> {
+    pub(in crate::engine) fn all_mut(&mut self) -> impl Iterator<Item = (&mut Loaded<'t>, &MeshSizes)> {
         let system = self.system.iter_mut().map(|system| (system, &self.system_sizes));
         system.chain(self.roots.iter_mut().zip(&self.sizes))
     }
 
     /// Paths of the files that a bug of ours kept from being read.
-    pub(super) fn failed_files(&self) -> Vec<String> {
+    pub(in crate::engine) fn failed_files(&self) -> Vec<String> {
         let files = self.all().flat_map(|root| root.layer.files.values());
         files.filter(|file| file.failed).map(|file| file.path.clone()).collect()
     }
 
     /// Every root, the system's first.
-    pub(super) fn all(&self) -> impl Iterator<Item = &Loaded<'t>> {
+    pub(in crate::engine) fn all(&self) -> impl Iterator<Item = &Loaded<'t>> {
         self.system.iter().chain(&self.roots)
     }
 }

@@ -2,11 +2,11 @@
 
 use std::collections::BTreeSet;
 
+use super::super::outcome::{Error, Outcome, RootSummary};
+use super::super::scope::Scope;
 use super::input::Input;
-use super::load::Place;
+use super::layer::Place;
 use super::loose::Moved;
-use super::outcome::{Error, Outcome, RootSummary};
-use super::scope::Scope;
 use crate::config::Config;
 use crate::diag::Application;
 use crate::discover::{DataRoot, find_roots};
@@ -14,28 +14,28 @@ use crate::repo::Repository;
 use crate::source::{EntryKind, Tree};
 
 /// The data roots of a run.
-pub(super) struct Roots<'t> {
+pub(in crate::engine) struct Roots<'t> {
     inputs: &'t [Input],
     /// Those of each input.
-    pub(super) found: Vec<Vec<DataRoot>>,
+    pub(in crate::engine) found: Vec<Vec<DataRoot>>,
     system: Option<(&'t Tree, Vec<DataRoot>)>,
 }
 
 /// The data roots in a tree.
-pub(super) fn roots_of(tree: &Tree) -> Vec<DataRoot> {
+pub(in crate::engine) fn roots_of(tree: &Tree) -> Vec<DataRoot> {
     let files = tree.entries().iter().filter(|entry| entry.kind == EntryKind::File);
     find_roots(files.map(|entry| entry.path.as_str()))
 }
 
 impl<'t> Roots<'t> {
     /// Looks for them.
-    pub(super) fn of(inputs: &'t [Input], system: Option<&'t Tree>) -> Self {
+    pub(in crate::engine) fn of(inputs: &'t [Input], system: Option<&'t Tree>) -> Self {
         let found = inputs.iter().map(|input| roots_of(&input.tree)).collect();
         Self { inputs, found, system: system.map(|tree| (tree, roots_of(tree))) }
     }
 
     /// The data root of `--system`, unless it is all there is to judge.
-    pub(super) fn system_place(&self, outcome: &mut Outcome) -> Result<Option<Place<'_>>, Error> {
+    pub(in crate::engine) fn system_place(&self, outcome: &mut Outcome) -> Result<Option<Place<'_>>, Error> {
         let Some((tree, roots)) = &self.system else { return Ok(None) };
         let root = roots.iter().find(|root| root.application == Application::Makehuman2);
         let root = root.ok_or_else(|| Error::Path {
@@ -65,7 +65,7 @@ impl<'t> Roots<'t> {
     }
 
     /// What to judge, with what to report of each: data roots and, as `moved` has them, files outside of any.
-    pub(super) fn places<'p>(
+    pub(in crate::engine) fn places<'p>(
         &'p self,
         moved: &'p [Moved],
         system: Option<Place<'_>>,
@@ -111,7 +111,7 @@ fn note_unjudged(path: &str, application: Application, outcome: &mut Outcome) {
 }
 
 /// Says that a repository was judged, and which base meshes it has.
-pub(super) fn summarise(repository: &Repository<'_>, outcome: &mut Outcome) {
+pub(in crate::engine) fn summarise(repository: &Repository<'_>, outcome: &mut Outcome) {
     let judged = repository.judged;
     let own = |name: &str| judged.files.values().any(|file| file.base.as_deref() == Some(name));
     let bases = repository.bases.iter().map(|base| base.name).filter(|name| own(name));
@@ -124,7 +124,7 @@ pub(super) fn summarise(repository: &Repository<'_>, outcome: &mut Outcome) {
 }
 
 /// Refuses `--base` with a name that no data root has.
-pub(super) fn check_bases(options: &Config, outcome: &Outcome) -> Result<(), Error> {
+pub(in crate::engine) fn check_bases(options: &Config, outcome: &Outcome) -> Result<(), Error> {
     let known: BTreeSet<&String> = outcome.roots.iter().flat_map(|root| &root.bases).collect();
     let unknown = options.bases.iter().find(|name| !known.contains(name));
     unknown.filter(|_| outcome.judged_anything()).map_or(Ok(()), |name| {

@@ -16,13 +16,19 @@ use crate::source::{Encoding, Entry, Limits, Tree, try_gunzip, zip_bomb};
 const STAND_IN_BYTES: u64 = 512;
 
 /// A file read: its facts, and its rows if it is a target.
-pub(super) struct Reading {
-    pub(super) facts: FileFacts,
-    pub(super) rows: Vec<Row>,
+pub(in crate::engine) struct Reading {
+    pub(in crate::engine) facts: FileFacts,
+    pub(in crate::engine) rows: Vec<Row>,
 }
 
 /// Reads one file. `rel` is its path below the data root; `mesh` the size of the mesh it is for.
-pub(super) fn read(tree: &Tree, entry: &Entry, rel: &str, limits: &Limits, mesh: Option<MeshSize>) -> Reading {
+pub(in crate::engine) fn read(
+    tree: &Tree,
+    entry: &Entry,
+    rel: &str,
+    limits: &Limits,
+    mesh: Option<MeshSize>,
+) -> Reading {
     let mut reading = Reading { facts: empty(tree, entry, rel), rows: Vec::new() };
     if !is_read(&reading.facts) {
         return reading;
@@ -35,12 +41,12 @@ pub(super) fn read(tree: &Tree, entry: &Entry, rel: &str, limits: &Limits, mesh:
 }
 
 /// Hash of a file's bytes, for files that only their content matters of.
-pub(super) fn hash(tree: &Tree, entry: &Entry, limits: &Limits) -> Option<u64> {
+pub(in crate::engine) fn hash(tree: &Tree, entry: &Entry, limits: &Limits) -> Option<u64> {
     tree.read(entry, limits).ok().map(|bytes| xxh3_64(&bytes))
 }
 
 /// The facts of a file that is not read.
-pub(super) fn empty(tree: &Tree, entry: &Entry, rel: &str) -> FileFacts {
+pub(in crate::engine) fn empty(tree: &Tree, entry: &Entry, rel: &str) -> FileFacts {
     let (kind, base) = kind_of(rel);
     let path = if tree.label().is_empty() { entry.path.clone() } else { format!("{}/{}", tree.label(), entry.path) };
     FileFacts {
@@ -168,7 +174,7 @@ fn model(kind: Kind, document: &Document) -> Content {
 }
 
 /// Name of the schema of a kind.
-pub(super) fn schema_of(kind: Kind) -> Option<&'static str> {
+pub(in crate::engine) fn schema_of(kind: Kind) -> Option<&'static str> {
     match kind {
         Kind::BaseJson => Some("base"),
         Kind::Geometry => Some("geometry"),
@@ -198,7 +204,7 @@ fn fill_weights(facts: &mut FileFacts, bytes: &[u8], mesh: Option<MeshSize>) {
 }
 
 /// A stand-in for a file on which a parser of ours panicked.
-pub(super) fn panicked(tree: &Tree, entry: &Entry, rel: &str) -> Reading {
+pub(in crate::engine) fn panicked(tree: &Tree, entry: &Entry, rel: &str) -> Reading {
     let mut facts = empty(tree, entry, rel);
     let reason = "mhlint itself failed on this file; please report it with the file".to_owned();
     facts.unreadable = Some(crate::source::ReadFault::Unreadable(reason));
