@@ -8,6 +8,7 @@ use std::sync::OnceLock;
 use serde::Serialize;
 use serde_json::Value as Plain;
 
+use super::finder::Sorted;
 use super::naming::named;
 use super::{Document, Node, Value, schema_fault, unknown_key};
 
@@ -110,8 +111,9 @@ pub fn check(name: &str, document: &Document) -> SchemaFaults {
         faults: empty_objects_once(&plain, faults),
         unknown: unknown_key::find(&document.root, &schema.tree),
     };
-    found.faults.iter_mut().for_each(|fault| fault.name = named(document, &fault.pointer));
-    found.unknown.iter_mut().for_each(|unknown| unknown.name = named(document, &unknown.pointer));
+    let sorted = &mut Sorted::default();
+    found.faults.iter_mut().for_each(|fault| fault.name = named(document, sorted, &fault.pointer));
+    found.unknown.iter_mut().for_each(|unknown| unknown.name = named(document, sorted, &unknown.pointer));
     found
 }
 

@@ -124,8 +124,11 @@ impl Memory {
 
     /// Takes a file, or a folder with everything in it: what is behind `path`, with bytes for a file.
     fn take(&mut self, path: &str) -> Vec<(String, Option<Arc<[u8]>>)> {
-        let below = |found: &str| found.strip_prefix(path).filter(|rest| rest.is_empty() || rest.starts_with('/')).map(str::to_owned);
-        let files = self.files.extract_if(.., |found, _| below(found).is_some()).map(|(found, bytes)| (found, Some(bytes)));
+        let below = |found: &str| {
+            found.strip_prefix(path).filter(|rest| rest.is_empty() || rest.starts_with('/')).map(str::to_owned)
+        };
+        let files =
+            self.files.extract_if(.., |found, _| below(found).is_some()).map(|(found, bytes)| (found, Some(bytes)));
         let mut taken: Vec<_> = files.collect();
         taken.extend(self.folders.extract_if(.., |found| below(found).is_some()).map(|found| (found, None)));
         taken.into_iter().filter_map(|(found, bytes)| Some((below(&found)?, bytes))).collect()
