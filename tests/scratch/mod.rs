@@ -165,6 +165,14 @@ pub fn project(path: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
 }
 
+/// A folder of the corpora, which are not part of the project: tests that need them are ignored unless asked for.
+pub fn corpus(name: &str) -> PathBuf {
+    let corpora = std::env::var_os("MHLINT_CORPORA").expect("MHLINT_CORPORA names the folder that holds the corpora");
+    let path = PathBuf::from(corpora).join(name);
+    assert!(path.is_dir(), "{} is missing", path.display());
+    path
+}
+
 /// Copies a folder with everything in it.
 pub fn copy_folder(from: &Path, to: &Path) {
     fs::create_dir_all(to).unwrap();
