@@ -21,7 +21,7 @@
 //! the formats of the command line, [`engine::evaluate`] computes what the application would show, [`eval`] the same on
 //! plain arrays.
 //!
-//! [`mend`] judges and mends in memory; [`fix::write_all`] brings the changes to disk, each file as a whole.
+//! [`lint_and_fix`] checks and fixes in memory; [`fix::write_all`] brings the changes to disk, each file as a whole.
 //!
 //! Two channels are never mixed: damaged data are [`Finding`]s, [`Error`] means that the run could not be
 //! done. No input makes the library panic; where one of its own bugs does, the file, rule or base mesh is
@@ -46,5 +46,5 @@ pub mod source;
 
 pub use config::Config;
 pub use diag::{Application, Finding, Level};
-pub use engine::{Error, Mended, Outcome, lint, lint_trees, mend, rule_infos};
+pub use engine::{Error, Fixed, Outcome, lint, lint_and_fix, lint_trees, rule_infos};
 pub use source::Tree;

@@ -9,7 +9,7 @@ use super::exit::Failure;
 use super::patch::{Names, names};
 use super::terminal::Terminal;
 use crate::config::Config;
-use crate::engine::{self, Mended, Outcome, mendable};
+use crate::engine::{self, Fixed, Outcome, fixable};
 use crate::fix::{FileChange, unified, unpack, write_all};
 use crate::report::{Paint, count, printable};
 use crate::source::Limits;
@@ -46,7 +46,7 @@ pub(super) fn check(paths: &[PathBuf], options: &Config, args: FixArgs) -> Resul
         let outcome = engine::lint(paths, options)?;
         return Ok(Checked { outcome, fixed: Vec::new(), outside: 0, spared: 0, changes: Vec::new() });
     }
-    let Mended { outcome, fixed, outside, spared, changes } = engine::mend(paths, options, args.unsafe_fixes)?;
+    let Fixed { outcome, fixed, outside, spared, changes } = engine::lint_and_fix(paths, options, args.unsafe_fixes)?;
     Ok(Checked { outcome, fixed, outside, spared, changes })
 }
 
@@ -107,7 +107,7 @@ impl Checked {
                 "mhlint: {more} would be mended in files that are muted or beside the PATHs; those stay as they are"
             )?;
         }
-        let (_, risky) = mendable(&self.outcome.findings);
+        let (_, risky) = fixable(&self.outcome.findings);
         if risky > 0 && !args.unsafe_fixes {
             writeln!(
                 err,

@@ -91,7 +91,7 @@ fn item(rule: &RuleInfo) -> Item {
         level: rule.level,
         summary: rule.summary,
         fix: rule.fix.word(),
-        unmutable: rule.unmutable,
+        unmutable: rule.cannot_be_ignored,
         breaks: breaks.collect(),
         options: options
             .map(|option| OptionItem { name: option.name, default: option.default, docs: option.docs })

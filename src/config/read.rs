@@ -139,7 +139,7 @@ impl Reader<'_> {
         let help = "a rule such as `macro-steps-length`, or a glob such as `macro-*`";
         let selector =
             self.take(selector.map_err(|why| (span.clone(), format!("`{text}` is no glob: {why}"), help.to_owned())))?;
-        if mutes && self.rules.iter().any(|rule| rule.id == text && rule.unmutable) {
+        if mutes && self.rules.iter().any(|rule| rule.id == text && rule.cannot_be_ignored) {
             let why = "it guards against running foreign code, leaving the data or filling memory";
             let message = format!("`{text}` cannot be muted or lowered: {why}");
             self.fault((span.clone(), message, "remove this entry, and what the rule finds".to_owned()));

@@ -16,7 +16,7 @@ pub struct Fix {
     pub title: String,
     /// What is changed; all of it or nothing.
     pub steps: Vec<Step>,
-    /// Files of the steps that are not to be written, because of a mute or of the PATHs; filled by the engine.
+    /// Files of the steps that are not to be written, because of an ignore or of the PATHs; filled by the engine.
     pub spared: Vec<String>,
 }
 

@@ -21,4 +21,4 @@ pub use level::{Application, Confidence, Level};
 pub use nearest::{Sought, Suggestions, nearest};
 pub use place::{Element, Excerpt, Location, Place};
 pub use rule_info::{FixKind, OptionInfo, RuleInfo, Sight};
-pub use upkeep::{BaselineUse, IdleGlob, Mute, MuteState, UnknownRule, Upkeep};
+pub use upkeep::{BaselineUse, IdleGlob, IgnoreState, IgnoreUse, UnknownRule, Upkeep};

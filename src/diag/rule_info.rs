@@ -13,8 +13,8 @@ pub struct RuleInfo {
     pub level: Level,
     /// Whether and how it can be repaired automatically.
     pub fix: FixKind,
-    /// Cannot be muted or lowered: a matter of safety.
-    pub unmutable: bool,
+    /// Cannot be ignored or lowered: a matter of safety.
+    pub cannot_be_ignored: bool,
     /// What each application does with it.
     pub breaks: &'static [(Application, &'static str)],
     /// How far it sees; `None` for what is usual with the kind of its check.
@@ -77,8 +77,8 @@ pub struct OptionInfo {
 impl RuleInfo {
     /// A rule with nothing but the obligatory parts; the rest by struct update.
     pub const fn new(id: &'static str, level: Level, summary: &'static str) -> Self {
-        let (fix, unmutable) = (FixKind::None, false);
-        Self { id, summary, level, fix, unmutable, breaks: &[], sight: None, options: &[], docs: "" }
+        let (fix, cannot_be_ignored) = (FixKind::None, false);
+        Self { id, summary, level, fix, cannot_be_ignored, breaks: &[], sight: None, options: &[], docs: "" }
     }
 
     /// The part of the id before the first dash.

@@ -1,26 +1,26 @@
-//! What became of the mutes of a run: facts for the rules that look after them.
+//! What became of the ignores of a run: facts for the rules that check them.
 
 use super::Place;
 
 /// Mutes, settings and baseline after everything was judged.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Upkeep {
-    /// Every mute, of the configuration and in the assets.
-    pub mutes: Vec<Mute>,
+    /// Every ignore, of the configuration and in the assets.
+    pub ignores: Vec<IgnoreUse>,
     /// Settings for rules that do not exist.
     pub unknown: Vec<UnknownRule>,
     /// Globs of the configuration that fit nothing.
     pub idle: Vec<IdleGlob>,
     /// The baseline, if there is one.
     pub baseline: Option<BaselineUse>,
-    /// Whether errors were found that neither a mute nor the baseline hides. A file that cannot be read hides what
+    /// Whether errors were found that neither a ignore nor the baseline hides. A file that cannot be read hides what
     /// else was found in it and of it, so what is not found any more need not be mended.
     pub errors: bool,
 }
 
-/// One mute: an `[[ignore]]` of the configuration, or a comment in an asset.
+/// One ignore: an `[[ignore]]` of the configuration, or a comment in an asset.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Mute {
+pub struct IgnoreUse {
     /// The file that it stands in.
     pub path: String,
     /// Where in it.
@@ -30,18 +30,18 @@ pub struct Mute {
     /// The files that it is for, where it does not stand in one of them.
     pub covers: Option<String>,
     /// What became of it.
-    pub state: MuteState,
+    pub state: IgnoreState,
 }
 
-/// What became of a mute.
+/// What became of a ignore.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum MuteState {
+pub enum IgnoreState {
     /// It hides something.
     Used,
     /// There is nothing that it could hide.
     Unused,
     /// This run did not look at all of what it is for.
-    NotJudged,
+    NotChecked,
     /// Without a reason it does not count.
     NoReason,
     /// Its last day is over.
@@ -49,13 +49,13 @@ pub enum MuteState {
         /// That day.
         until: String,
     },
-    /// The comment is not written as a mute has to be.
+    /// The comment is not written as a ignore has to be.
     Malformed {
         /// What it says.
         words: String,
     },
     /// The rule is a matter of safety.
-    Unmutable,
+    CannotBeIgnored,
     /// There is no such rule.
     UnknownRule {
         /// One that may be meant.

@@ -8,7 +8,7 @@ pub fn rule_infos() -> Vec<&'static RuleInfo> {
     RULES.iter().map(|rule| &rule.info).collect()
 }
 
-/// Whether a rule is about mutes, settings and the baseline, and about no asset.
+/// Whether a rule is about ignores, settings and the baseline, and about no asset.
 pub fn is_upkeep(rule: &str) -> bool {
     RULES.iter().any(|known| known.info.id == rule && matches!(known.check, Check::Upkeep(_)))
 }

@@ -1,4 +1,4 @@
-//! The rules on one repository, and at the end on the mutes and the baseline.
+//! The rules on one repository, and at the end on the ignores and the baseline.
 
 use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -7,9 +7,9 @@ use std::time::{Duration, Instant};
 use rayon::prelude::*;
 
 use super::caught::caught;
-use super::mute::Muting;
 use super::outcome::{Outcome, Timing};
-use super::select::{Selection, Verdict};
+use super::settle::Ignores;
+use super::settle::{Selection, Verdict};
 use crate::config::Config;
 use crate::diag::{Finding, Upkeep, fingerprint};
 use crate::eval::measures::Measures;
@@ -70,11 +70,11 @@ fn run_rule(
     findings
 }
 
-/// Findings on the mutes themselves. Rules that panicked are noted in `failed`.
+/// findings on the ignores themselves. Rules that panicked are noted in `failed`.
 pub(super) fn look_after(
     upkeep: &Upkeep,
     selection: &Selection<'_>,
-    muting: &Muting<'_>,
+    ignores: &Ignores<'_>,
     options: &Config,
     failed: &mut Vec<String>,
 ) -> Vec<Finding> {
@@ -88,7 +88,7 @@ pub(super) fn look_after(
     findings.retain_mut(|finding| {
         let Verdict::At(level) = selection.verdict(finding.rule, finding.level, None) else { return false };
         finding.level = level;
-        finding.fingerprint = fingerprint(finding.rule, &muting.asset(&finding.path), &finding.key, 0);
+        finding.fingerprint = fingerprint(finding.rule, &ignores.asset(&finding.path), &finding.key, 0);
         true
     });
     findings

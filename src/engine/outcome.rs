@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use serde::Serialize;
 
-use super::baseline::Baseline;
+use super::settle::Baseline;
 use crate::config::Config;
 use crate::diag::{Application, Finding, Level};
 use crate::discover::{Kind, kind_of, loose_place, root_above};

@@ -1,30 +1,20 @@
 //! A run: inputs to data roots, roots to repositories, repositories through the rules to an outcome.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::time::Instant;
 
-use super::caught::caught;
 use super::changed::{Change, explain, narrow};
-use super::heard::{Filter, Heard};
-use super::idle::idle;
 use super::judge::{judge, look_after};
-use super::known::{Known, Placed};
-use super::load::moved;
-use super::load::{Data, Loaded};
-use super::load::{Input, open};
-use super::load::{Roots, check_bases, summarise};
-use super::locate::locate;
+use super::load::{Data, Input, Loaded, Roots, check_bases, moved, open, summarise};
 use super::measure::measure_bases;
-use super::mute::Muting;
 use super::outcome::{Error, Outcome, Timing};
-use super::scope::Scope;
-use super::select::Selection;
+use super::settle::{Ignores, Keeper, Known, Placed, Scope, Selection, idle, place_and_sort};
 use crate::config::Config;
-use crate::diag::{Application, Finding, IdleGlob, Level, Over, Upkeep, fingerprint};
+use crate::diag::{Application, IdleGlob, Level, Upkeep};
 use crate::eval::measures::Measures;
-use crate::repo::{Layer, Repository};
-use crate::source::{Limits, Tree};
+use crate::repo::Repository;
+use crate::source::Tree;
 
 /// Judges data roots found at `paths`.
 ///
@@ -56,16 +46,16 @@ struct Asked<'c> {
 
 /// Judges what the inputs hold.
 pub(super) fn lint_inputs(inputs: &[Input], system: Option<&Tree>, options: &Config) -> Result<Outcome, Error> {
-    let scope = Scope::new(inputs, options);
+    let scope = Scope::new(inputs.iter().flat_map(Input::paths).collect(), options);
     let asked = Asked {
         options,
         selection: Selection::new(options)?,
-        idle: idle(options, inputs, system, &scope),
+        idle: idle(options, inputs.iter().map(|input| &input.tree).chain(system), &scope),
         scope,
         change: options.changed.as_deref().map(Change::new),
     };
     let known = Known::open(options)?;
-    let mut muting = Muting::new(options);
+    let mut ignores = Ignores::new(options);
     let mut outcome = Outcome::default();
     let started = Instant::now();
     let roots = Roots::of(inputs, system);
@@ -80,15 +70,17 @@ pub(super) fn lint_inputs(inputs: &[Input], system: Option<&Tree>, options: &Con
     outcome.failed_files = data.failed_files();
     outcome.timings.push(timing("targets and evaluation", started));
     let started = Instant::now();
-    let found = judge_all(&data, &measures, &asked, &mut muting, &mut outcome);
+    let found = judge_all(&data, &measures, &asked, &mut ignores, &mut outcome);
     check_bases(options, &outcome)?;
-    settle(found, known, &data, &asked, &muting, &mut outcome)?;
+    settle(found, known, &data, &asked, &ignores, &mut outcome)?;
     outcome.timings.push(timing("rules", started));
     let started = Instant::now();
     let settings = options.file.as_ref().map(|file| (file.path.clone(), file.text.clone().into_bytes()));
     let settings = Tree::in_memory("", settings);
     let trees: Vec<&Tree> = inputs.iter().map(|input| &input.tree).chain(system).chain([&settings]).collect();
-    finish(&mut outcome, &trees, &options.limits);
+    outcome.roots.sort_by(|a, b| (&a.path, a.application).cmp(&(&b.path, b.application)));
+    place_and_sort(&mut outcome.findings, &trees, &options.limits, &mut outcome.failed_steps);
+    outcome.count();
     outcome.timings.push(timing("places", started));
     Ok(outcome)
 }
@@ -148,7 +140,7 @@ fn judge_all(
     data: &Data<'_>,
     measures: &[BTreeMap<String, Measures>],
     asked: &Asked<'_>,
-    muting: &mut Muting<'_>,
+    ignores: &mut Ignores<'_>,
     outcome: &mut Outcome,
 ) -> Vec<Placed> {
     let Asked { options, selection, scope, change, .. } = asked;
@@ -162,24 +154,27 @@ fn judge_all(
         if let Some(change) = change {
             explain(&repository, &mut findings, change);
         }
-        let reporter = Reporter { repository: &repository, judged, selection, scope, options };
-        found.extend(reporter.report(findings, muting, outcome));
+        let is_asked_for = |path: &str| judged.is_asked_for(path);
+        let keeper = Keeper { repository: &repository, is_asked_for: &is_asked_for, selection, scope, options };
+        let (kept, hidden) = keeper.keep(findings, ignores);
+        outcome.summary.suppressed += hidden;
+        found.extend(kept);
     }
     found
 }
 
-/// Hides what the baseline knows, adds what is to be said of mutes and baseline, and narrows all to the change.
+/// Hides what the baseline knows, adds what is to be said of ignores and baseline, and narrows all to the change.
 fn settle(
     found: Vec<Placed>,
     known: Option<Known>,
     data: &Data<'_>,
     asked: &Asked<'_>,
-    muting: &Muting<'_>,
+    ignores: &Ignores<'_>,
     outcome: &mut Outcome,
 ) -> Result<(), Error> {
     let Asked { options, selection, scope, change, idle } = asked;
-    let mutes = muting.mutes(selection, scope);
-    let mut upkeep = Upkeep { mutes, unknown: muting.unknown(), idle: idle.clone(), ..Upkeep::default() };
+    let uses = ignores.uses(selection, scope);
+    let mut upkeep = Upkeep { ignores: uses, unknown: ignores.unknown(), idle: idle.clone(), ..Upkeep::default() };
     if let Some(known) = known {
         let roots = data.roots.iter().map(|root| root.layer.path.as_str());
         let compared = known.compare(found, roots, selection, scope)?;
@@ -191,116 +186,12 @@ fn settle(
     } else {
         outcome.findings = found.into_iter().map(|placed| placed.finding).collect();
     }
-    // Known and muted errors hid what they hide when the baseline and the mutes were written, too.
+    // Known and ignored errors hid what they hide when the baseline and the ignores were written, too.
     let taken_over = outcome.taken_over.is_some_and(|taken_over| taken_over.errors > 0);
     upkeep.errors = taken_over || outcome.has_at_least(Level::Error);
-    outcome.findings.extend(look_after(&upkeep, selection, muting, options, &mut outcome.failed_rules));
+    outcome.findings.extend(look_after(&upkeep, selection, ignores, options, &mut outcome.failed_rules));
     if let Some(change) = change {
         narrow(outcome, change);
     }
     Ok(())
-}
-
-/// What is reported of one repository.
-struct Reporter<'r, 't> {
-    repository: &'r Repository<'r>,
-    judged: &'r Loaded<'t>,
-    selection: &'r Selection<'r>,
-    scope: &'r Scope<'r>,
-    options: &'r Config,
-}
-
-impl Reporter<'_, '_> {
-    /// Keeps what is to be reported for the judged layer and gives it level and fingerprint.
-    fn report(&self, findings: Vec<Finding>, muting: &mut Muting<'_>, outcome: &mut Outcome) -> Vec<Placed> {
-        let files = self.repository.judged.files.values();
-        let commented = files.filter(|file| !file.ignores.is_empty() && self.is_reported(&file.path));
-        commented.for_each(|file| muting.note(file, self.selection, self.scope));
-        let filter = self.filter();
-        let mut kept = Vec::new();
-        for mut finding in findings.into_iter().filter(|finding| self.is_wanted(finding)) {
-            let consequence = finding.level;
-            match filter.of(&mut finding, muting) {
-                Heard::At(level) => {
-                    let spared = self.spared(&filter.spared(&finding, muting), &finding);
-                    finding.fix.iter_mut().for_each(|fix| fix.spared.clone_from(&spared));
-                    finding.level = level;
-                    kept.push((finding, consequence));
-                }
-                Heard::Hidden => outcome.summary.suppressed += 1,
-                Heard::Off | Heard::Excluded => {}
-            }
-        }
-        self.identify(kept)
-    }
-
-    fn filter(&self) -> Filter<'_> {
-        let Self { repository, selection, scope, options, .. } = self;
-        Filter { layer: repository.judged, selection, scope, options }
-    }
-
-    /// Files of a fix that are not to be written: those for which the rule is muted, and those beside the PATHs.
-    fn spared(&self, muted: &[String], finding: &Finding) -> Vec<String> {
-        let steps = finding.fix.iter().flat_map(|fix| fix.steps.iter().map(|step| &step.path));
-        let files: BTreeSet<&String> =
-            muted.iter().chain(steps.filter(|path| !self.judged.is_asked_for(path))).collect();
-        files.into_iter().cloned().collect()
-    }
-
-    fn is_wanted(&self, finding: &Finding) -> bool {
-        let Some(rel) = own_path(self.repository, &finding.path) else { return false };
-        let asked = |base: &str| self.options.asks_for_base(base);
-        // One finding may speak for several files; who names one of them is told.
-        let others = match &finding.over {
-            Over::Own => [].as_slice(),
-            Over::Each(files) | Over::Between(files) => files.as_slice(),
-        };
-        let mut files = std::iter::once(&finding.path).chain(others);
-        files.any(|file| self.judged.is_asked_for(file)) && crate::discover::kind_of(rel).1.is_none_or(asked)
-    }
-
-    fn is_reported(&self, path: &str) -> bool {
-        self.judged.is_asked_for(path) && !self.scope.excludes(path)
-    }
-
-    /// Fingerprints. Keys tell findings of one rule on one asset apart; the ordinal is for those that do not.
-    fn identify(&self, findings: Vec<(Finding, Level)>) -> Vec<Placed> {
-        let mut ordinals: BTreeMap<(&str, String, String), u32> = BTreeMap::new();
-        // What names the fault may be part of the system data, such as the mesh.
-        let below = |asset: &str| {
-            let system = || self.repository.system?.relative(asset);
-            own_path(self.repository, asset).or_else(system).unwrap_or_default().to_owned()
-        };
-        let identified = findings.into_iter().map(|(mut finding, consequence)| {
-            let asset = finding.asset.clone().unwrap_or_else(|| finding.path.clone());
-            let rel = below(&asset);
-            let ordinal = ordinals.entry((finding.rule, rel.clone(), finding.key.clone())).or_default();
-            finding.fingerprint = fingerprint(finding.rule, &rel, &finding.key, *ordinal);
-            *ordinal += 1;
-            let Some(whole) = finding.whole.clone() else {
-                return Placed { known_as: finding.fingerprint.clone(), finding, asset, rel, consequence };
-            };
-            let rel = below(&whole);
-            Placed { known_as: fingerprint(finding.rule, &rel, "", 0), finding, asset: whole, rel, consequence }
-        });
-        identified.collect()
-    }
-}
-
-/// Path below the judged root, if the file belongs to it and not to a layer inside or beside it.
-fn own_path<'p>(repository: &Repository<'_>, path: &'p str) -> Option<&'p str> {
-    let judged = repository.judged;
-    let deeper = |layer: &&Layer| layer.path.len() > judged.path.len() && layer.holds(path);
-    let foreign = [repository.system, repository.user].into_iter().flatten().any(|layer| deeper(&layer));
-    if foreign { None } else { judged.relative(path) }
-}
-
-/// Brings everything into its order, with the places of findings.
-fn finish(outcome: &mut Outcome, trees: &[&Tree], limits: &Limits) {
-    outcome.roots.sort_by(|a, b| (&a.path, a.application).cmp(&(&b.path, b.application)));
-    outcome.findings.sort_by(|a, b| (&a.path, a.rule, &a.key).cmp(&(&b.path, b.rule, &b.key)));
-    caught("places of findings", &mut outcome.failed_steps, || locate(&mut outcome.findings, trees, limits));
-    let place = |finding: &Finding| (finding.location.line, finding.location.column);
-    outcome.findings.sort_by(|a, b| (&a.path, place(a), a.rule, &a.key).cmp(&(&b.path, place(b), b.rule, &b.key)));
-    outcome.count();
 }

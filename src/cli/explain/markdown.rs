@@ -24,7 +24,7 @@ pub(super) fn write_rule(rule: &RuleInfo, out: &mut dyn Write) -> Result<(), Fai
         writeln!(out, "- **{application}:** {effect}")?;
     }
     writeln!(out, "- **Automatic fix:** {}", fix(rule.fix))?;
-    if rule.unmutable {
+    if rule.cannot_be_ignored {
         writeln!(out, "- {SAFETY}")?;
     }
     for option in rule.options {

@@ -65,7 +65,7 @@ fn write_rule(rule: &RuleInfo, page: Page, out: &mut dyn Write) -> Result<(), Fa
         writeln!(out, "{}", hang(&format!("{application}: "), effect, width))?;
     }
     writeln!(out, "{}", hang("Automatic fix: ", fix(rule.fix), width))?;
-    if rule.unmutable {
+    if rule.cannot_be_ignored {
         writeln!(out, "{SAFETY}")?;
     }
     for option in rule.options {

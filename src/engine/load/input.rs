@@ -18,6 +18,11 @@ impl Input {
     pub(in crate::engine) fn whole(tree: Tree) -> Self {
         Self { tree, narrow: Vec::new() }
     }
+
+    /// What is asked for in it, as printed.
+    pub(in crate::engine) fn paths(&self) -> Vec<String> {
+        if self.narrow.is_empty() { vec![self.tree.label().to_owned()] } else { self.narrow.clone() }
+    }
 }
 
 /// Opens the paths. A path given twice, or inside another, is opened once.

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::super::outcome::{Error, Outcome, RootSummary};
-use super::super::scope::Scope;
+use super::super::settle::Scope;
 use super::input::Input;
 use super::layer::Place;
 use super::loose::Moved;

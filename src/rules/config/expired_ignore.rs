@@ -1,7 +1,7 @@
-//! A mute that has ended.
+//! An ignore that has ended.
 
 use super::on;
-use crate::diag::{Finding, Level, MuteState, RuleInfo, Upkeep};
+use crate::diag::{Finding, IgnoreState, Level, RuleInfo, Upkeep};
 use crate::rules::{Check, Rule, RuleCx};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -15,10 +15,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(upkeep: &Upkeep, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for mute in &upkeep.mutes {
-        if let MuteState::Expired { until } = &mute.state {
-            let message = format!("the mute of `{}` ended on {until} and does not count any more", mute.rule);
-            out.push(on(&RULE, mute, message).help("mend what it hid and remove it, or set a later day"));
+    for ignore in &upkeep.ignores {
+        if let IgnoreState::Expired { until } = &ignore.state {
+            let message = format!("the mute of `{}` ended on {until} and does not count any more", ignore.rule);
+            out.push(on(&RULE, ignore, message).help("mend what it hid and remove it, or set a later day"));
         }
     }
 }

@@ -1,7 +1,7 @@
-//! A mute without a reason.
+//! An ignore without a reason.
 
 use super::on;
-use crate::diag::{Finding, Level, MuteState, RuleInfo, Upkeep};
+use crate::diag::{Finding, IgnoreState, Level, RuleInfo, Upkeep};
 use crate::rules::{Check, Rule, RuleCx};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -15,12 +15,12 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(upkeep: &Upkeep, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for mute in upkeep.mutes.iter().filter(|mute| mute.state == MuteState::NoReason) {
-        let message = format!("the mute of `{}` has no reason and does not count", mute.rule);
-        let help = match mute.covers {
+    for ignore in upkeep.ignores.iter().filter(|ignore| ignore.state == IgnoreState::NoReason) {
+        let message = format!("the mute of `{}` has no reason and does not count", ignore.rule);
+        let help = match ignore.covers {
             Some(_) => "add `reason = \"…\"`: why is this finding fine?",
             None => "write the reason behind the name of the rule",
         };
-        out.push(on(&RULE, mute, message).help(help));
+        out.push(on(&RULE, ignore, message).help(help));
     }
 }

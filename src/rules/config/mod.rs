@@ -1,4 +1,4 @@
-//! The tool's own inputs: mutes and settings that do not do what they were written for.
+//! The tool's own inputs: ignores and settings that do not do what they were written for.
 
 pub(super) mod baseline_stale;
 pub(super) mod expired_ignore;
@@ -8,19 +8,19 @@ pub(super) mod unused_glob;
 pub(super) mod unused_ignore;
 
 use super::Rule;
-use crate::diag::{Finding, Mute};
+use crate::diag::{Finding, IgnoreUse};
 
 /// What to do about something that is not found any more, while there are errors.
 const MEND_FIRST: &str = "mend the errors first: what they hide may still be there";
 
-/// A finding of `rule` on a mute.
-fn on(rule: &Rule, mute: &Mute, message: String) -> Finding {
-    let covers = mute.covers.as_deref().unwrap_or_default();
-    let finding = Finding::new(&rule.info, mute.path.clone(), mute.place.clone(), message);
-    finding.key(format!("{} {covers}", mute.rule).trim_end())
+/// A finding of `rule` on an ignore.
+fn on(rule: &Rule, ignore: &IgnoreUse, message: String) -> Finding {
+    let covers = ignore.covers.as_deref().unwrap_or_default();
+    let finding = Finding::new(&rule.info, ignore.path.clone(), ignore.place.clone(), message);
+    finding.key(format!("{} {covers}", ignore.rule).trim_end())
 }
 
-/// ` in PATH` for a mute that names its files.
-fn where_of(mute: &Mute) -> String {
-    mute.covers.as_ref().map_or_else(|| " in this file".to_owned(), |covers| format!(" in `{covers}`"))
+/// ` in PATH` for an ignore that names its files.
+fn where_of(ignore: &IgnoreUse) -> String {
+    ignore.covers.as_ref().map_or_else(|| " in this file".to_owned(), |covers| format!(" in `{covers}`"))
 }

@@ -1,7 +1,7 @@
-//! A setting or mute for a rule that does not exist.
+//! A setting or ignore for a rule that does not exist.
 
 use super::on;
-use crate::diag::{Finding, Level, MuteState, RuleInfo, Upkeep};
+use crate::diag::{Finding, IgnoreState, Level, RuleInfo, Upkeep};
 use crate::rules::{Check, Rule, RuleCx};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -21,10 +21,10 @@ fn run(upkeep: &Upkeep, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let finding = Finding::new(&RULE.info, unknown.path.clone(), unknown.place.clone(), message);
         out.push(finding.key(format!("{} {}", unknown.setting, unknown.rule)).help(help(unknown.nearest)));
     }
-    for mute in &upkeep.mutes {
-        if let MuteState::UnknownRule { nearest } = mute.state {
-            let message = format!("the mute names `{}`, and there is no such rule", mute.rule);
-            out.push(on(&RULE, mute, message).help(help(nearest)));
+    for ignore in &upkeep.ignores {
+        if let IgnoreState::UnknownRule { nearest } = ignore.state {
+            let message = format!("the mute names `{}`, and there is no such rule", ignore.rule);
+            out.push(on(&RULE, ignore, message).help(help(nearest)));
         }
     }
 }

@@ -1,7 +1,7 @@
-//! A mute without effect.
+//! An ignore without effect.
 
 use super::{MEND_FIRST, on, where_of};
-use crate::diag::{Finding, Level, MuteState, RuleInfo, Upkeep};
+use crate::diag::{Finding, IgnoreState, Level, RuleInfo, Upkeep};
 use crate::rules::{Check, Rule, RuleCx};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -19,23 +19,27 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(upkeep: &Upkeep, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for mute in &upkeep.mutes {
-        if let MuteState::Malformed { words } = &mute.state {
+    for ignore in &upkeep.ignores {
+        if let IgnoreState::Malformed { words } = &ignore.state {
             let message = format!("the comment `{words}` is no mute");
-            out.push(on(&RULE, mute, message).key(words).help("write `mhlint: ignore RULE reason` behind the `#`"));
+            out.push(on(&RULE, ignore, message).key(words).help("write `mhlint: ignore RULE reason` behind the `#`"));
             continue;
         }
-        let (message, help) = match mute.state {
-            MuteState::Unused => (
-                format!("the mute of `{}` hides nothing: nothing of the kind is found{}", mute.rule, where_of(mute)),
+        let (message, help) = match ignore.state {
+            IgnoreState::Unused => (
+                format!(
+                    "the mute of `{}` hides nothing: nothing of the kind is found{}",
+                    ignore.rule,
+                    where_of(ignore)
+                ),
                 if upkeep.errors { MEND_FIRST } else { "remove the mute" },
             ),
-            MuteState::Unmutable => (
-                format!("`{}` is a matter of safety and cannot be muted; the mute has no effect", mute.rule),
+            IgnoreState::CannotBeIgnored => (
+                format!("`{}` is a matter of safety and cannot be muted; the mute has no effect", ignore.rule),
                 "remove the mute, and mend what the rule finds",
             ),
             _ => continue,
         };
-        out.push(on(&RULE, mute, message).help(help));
+        out.push(on(&RULE, ignore, message).help(help));
     }
 }

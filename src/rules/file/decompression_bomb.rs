@@ -7,7 +7,7 @@ use crate::source::GzipFault;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        unmutable: true,
+        cannot_be_ignored: true,
         breaks: &[(Application::Makehuman2, "unpacks archives without a limit: memory runs out")],
         docs: "A small packed file can hold gigabytes of zeros. Loaders unpack without asking, and the computer runs out of memory. \
             Packed assets shrink three to ten times; `mhlint` gives up beyond 512 MiB, or beyond 200 times the packed size once \

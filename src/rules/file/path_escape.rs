@@ -8,7 +8,7 @@ use crate::source::WalkFaultKind;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        unmutable: true,
+        cannot_be_ignored: true,
         breaks: &[(Application::Makehuman2, "opens whatever file lies there, or finds nothing on another computer")],
         docs: "A name with `..`, or a symbolic link, that leads out of the data folder. On the computer of its author that may work; on \
             any other it finds nothing, or a foreign file that was never meant.\n\n`mhlint` neither follows nor reads what lies outside. \

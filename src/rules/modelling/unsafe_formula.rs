@@ -7,7 +7,7 @@ use crate::repo::{Base, BoundSlider, Repository};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        unmutable: true,
+        cannot_be_ignored: true,
         breaks: &[(
             Application::Makehuman2,
             "evaluates it as Python with all rights of the user, at every move of a slider",

@@ -6,6 +6,7 @@ use std::ops::Range;
 use rayon::prelude::*;
 
 use crate::diag::{Finding, Location, Place, Related};
+use crate::engine::caught::caught;
 use crate::json::{self, Finder};
 use crate::source::{Limits, Lines, Tree};
 
@@ -16,8 +17,21 @@ struct Text<'b> {
     finder: Option<Finder>,
 }
 
-/// Fills the locations of findings and their related places. `trees` are asked for each path in turn.
-pub(super) fn locate(findings: &mut [Finding], trees: &[&Tree], limits: &Limits) {
+/// Fills the places of findings and sorts them by path, place, rule and key. `trees` are asked for each path in turn.
+pub(in crate::engine) fn place_and_sort(
+    findings: &mut [Finding],
+    trees: &[&Tree],
+    limits: &Limits,
+    failed: &mut Vec<String>,
+) {
+    findings.sort_by(|a, b| (&a.path, a.rule, &a.key).cmp(&(&b.path, b.rule, &b.key)));
+    caught("places of findings", failed, || locate(findings, trees, limits));
+    let place = |finding: &Finding| (finding.location.line, finding.location.column);
+    findings.sort_by(|a, b| (&a.path, place(a), a.rule, &a.key).cmp(&(&b.path, place(b), b.rule, &b.key)));
+}
+
+/// Fills the locations of findings and their related places.
+fn locate(findings: &mut [Finding], trees: &[&Tree], limits: &Limits) {
     // Each text is read once, whichever findings point into it.
     let mut by_path: BTreeMap<&str, Vec<(&Place, &mut Location)>> = BTreeMap::new();
     for finding in findings {

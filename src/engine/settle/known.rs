@@ -4,29 +4,17 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use super::baseline::{Baseline, Entry, Found, placed};
-use super::outcome::{Error, TakenOver};
+use super::identify::Placed;
 use super::scope::Scope;
-use super::select::{Selection, is_unmutable};
+use super::select::{Selection, cannot_be_ignored};
 use crate::config::Config;
 use crate::diag::{BaselineUse, Finding, Level};
+use crate::engine::outcome::{Error, TakenOver};
 use crate::rules::RULES;
 use crate::source::{Folder, holds, slashed};
 
-/// A finding with the place of its asset.
-pub(super) struct Placed {
-    pub(super) finding: Finding,
-    /// Printed path of what a baseline names: the asset of the fingerprint, or what it is a part of.
-    pub(super) asset: String,
-    /// The same below its data root.
-    pub(super) rel: String,
-    /// Fingerprint that a baseline knows it by.
-    pub(super) known_as: String,
-    /// How bad it is, whatever the settings make of it.
-    pub(super) consequence: Level,
-}
-
 /// The baseline of a run, read before it begins.
-pub(super) struct Known {
+pub(in crate::engine) struct Known {
     path: PathBuf,
     folder: Folder,
     old: Baseline,
@@ -35,19 +23,19 @@ pub(super) struct Known {
 }
 
 /// What a baseline did.
-pub(super) struct Compared {
-    pub(super) kept: Vec<Finding>,
-    pub(super) hidden: usize,
-    pub(super) used: BaselineUse,
+pub(in crate::engine) struct Compared {
+    pub(in crate::engine) kept: Vec<Finding>,
+    pub(in crate::engine) hidden: usize,
+    pub(in crate::engine) used: BaselineUse,
     /// The one to write.
-    pub(super) new: Option<Baseline>,
+    pub(in crate::engine) new: Option<Baseline>,
     /// What that one changes.
-    pub(super) taken_over: Option<TakenOver>,
+    pub(in crate::engine) taken_over: Option<TakenOver>,
 }
 
 impl Known {
     /// Reads the baseline, if there is to be one. To write the first one none need be there.
-    pub(super) fn open(config: &Config) -> Result<Option<Self>, Error> {
+    pub(in crate::engine) fn open(config: &Config) -> Result<Option<Self>, Error> {
         let Some(path) = config.baseline.clone() else { return Ok(None) };
         let inside = path.parent().unwrap_or(Path::new("")).to_owned();
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
@@ -57,7 +45,7 @@ impl Known {
     }
 
     /// Hides what is known. `roots` are printed paths of the judged data roots.
-    pub(super) fn compare<'r>(
+    pub(in crate::engine) fn compare<'r>(
         &self,
         found: Vec<Placed>,
         roots: impl Iterator<Item = &'r str>,
@@ -66,7 +54,7 @@ impl Known {
     ) -> Result<Compared, Error> {
         let roots: BTreeSet<String> = roots.map(|root| placed(&self.folder, root)).collect();
         let (safe, rest): (Vec<Placed>, Vec<Placed>) =
-            found.into_iter().partition(|placed| is_unmutable(placed.finding.rule));
+            found.into_iter().partition(|placed| cannot_be_ignored(placed.finding.rule));
         let entries: Vec<Found> = rest.iter().map(|placed| self.found(placed)).collect();
         let (known, lost) = self.old.compare(&entries, &roots, |entry| self.is_there(&entry.path));
         // Data in memory have no places on disk to look for.

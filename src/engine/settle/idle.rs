@@ -1,6 +1,5 @@
 //! Globs of the configuration that fit nothing: the files have gone, or they were never called so.
 
-use super::load::Input;
 use super::scope::Scope;
 use crate::config::{Config, PathGlob};
 use crate::diag::{IdleGlob, Place};
@@ -17,13 +16,16 @@ struct Waiting<'c> {
 
 /// The globs of `[[path]]` and `exclude` that fit nothing of what there is. Of a run that looks at a part no more can
 /// be said.
-pub(super) fn idle(config: &Config, inputs: &[Input], system: Option<&Tree>, scope: &Scope<'_>) -> Vec<IdleGlob> {
+pub(in crate::engine) fn idle<'t>(
+    config: &Config,
+    trees: impl Iterator<Item = &'t Tree>,
+    scope: &Scope<'_>,
+) -> Vec<IdleGlob> {
     let Some(file) = config.file.as_ref().filter(|_| config.changed.is_none()) else { return Vec::new() };
     let blocks = file.blocks.iter().map(|block| ("[[path]]", &block.glob));
     let globs = file.exclude.iter().map(|glob| ("exclude", glob)).chain(blocks);
     let judged = globs.filter(|(_, glob)| scope.covers(&file.folder, glob.folder()) && !is_hidden(&glob.text));
     let mut waiting: Vec<Waiting<'_>> = judged.map(|(setting, glob)| Waiting::new(setting, glob)).collect();
-    let trees = inputs.iter().map(|input| &input.tree).chain(system);
     for path in trees.flat_map(paths) {
         if waiting.is_empty() {
             break;

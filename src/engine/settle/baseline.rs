@@ -5,9 +5,9 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
-use super::outcome::Error;
 use super::parts::{Names, packed};
 use crate::diag::Level;
+use crate::engine::outcome::Error;
 use crate::source::{Folder, Limits, ReadFault, read_file};
 
 const FORMAT: &str = "mhlint-baseline/1";

@@ -1,4 +1,4 @@
-//! Fixes: judge, change in memory, judge again, until nothing is left that can be mended; writing comes after.
+//! Fixes: check, change in memory, check again, until nothing is left that can be fixed; writing comes after.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
@@ -17,29 +17,29 @@ use crate::source::{Limits, Tree, resolved};
 /// Turns at most; what still asks for fixes then is left as it is and said.
 const TURNS: usize = 20;
 
-/// What mending came to.
+/// What fixing came to.
 #[derive(Debug, Default)]
-pub struct Mended {
-    /// What remains, judged after the last change.
+pub struct Fixed {
+    /// What remains, checked after the last change.
     pub outcome: Outcome,
-    /// What is mended: rules in the order of the work, one entry for each finding.
+    /// What is fixed: rules in the order of the work, one entry for each finding.
     pub fixed: Vec<&'static str>,
-    /// Findings that were not mended, or not all of what they speak of, because files outside of the change
+    /// Findings that were not fixed, or not all of what they speak of, because files outside of the change
     /// ([`Config::changed`]) would have to be written.
     pub outside: usize,
-    /// The same because of files for which the rule is muted, or which the PATHs leave out.
+    /// The same because of files for which the rule is ignored, or which the PATHs leave out.
     pub spared: usize,
     /// Files that differ from what is on disk, by path; nothing was written.
     pub changes: Vec<FileChange>,
 }
 
-/// Judges data roots found at `paths` and mends in memory what can be: unsafe fixes too, if `with_unsafe`.
-/// Only what would be reported is mended, never a file of the system data, one for which the rule is muted or one that
+/// Checks data roots found at `paths` and fixes in memory what can be: unsafe fixes too, if `with_unsafe`.
+/// Only what would be reported is fixed, never a file of the system data, one for which the rule is ignored or one that
 /// the PATHs leave out, and in a run that is narrowed to a change only files of the change.
 ///
 /// # Errors
 /// As [`super::lint`].
-pub fn mend(paths: &[PathBuf], options: &Config, with_unsafe: bool) -> Result<Mended, Error> {
+pub fn lint_and_fix(paths: &[PathBuf], options: &Config, with_unsafe: bool) -> Result<Fixed, Error> {
     let mut inputs = open(paths)?;
     inputs.iter_mut().for_each(|input| input.tree.watch());
     let system = options.system.as_deref().map(open_system).transpose()?;
@@ -48,28 +48,28 @@ pub fn mend(paths: &[PathBuf], options: &Config, with_unsafe: bool) -> Result<Me
         with_unsafe,
         system: options.system.clone(),
         change: options.changed.as_deref().map(changed::Change::new),
-        judged: BTreeMap::new(),
+        checked: BTreeMap::new(),
     };
-    let mut mended = Mended::default();
+    let mut all = Fixed::default();
     for turn in 0.. {
-        mended.outcome = lint_inputs(&inputs, system.as_ref(), options)?;
-        let (plan, fixed) = work.plan(&inputs, &mended.outcome);
+        all.outcome = lint_inputs(&inputs, system.as_ref(), options)?;
+        let (plan, fixed) = work.plan(&inputs, &all.outcome);
         if plan.is_empty() {
             break;
         }
         if turn == TURNS {
             let note = format!("fixes did not come to an end in {TURNS} turns; run mhlint again for the rest");
-            mended.outcome.notes.push(note);
+            all.outcome.notes.push(note);
             break;
         }
-        mended.fixed.extend(fixed);
+        all.fixed.extend(fixed);
         for (path, patch) in plan.into_files() {
             work.change(&mut inputs, &path, &patch);
         }
     }
-    (mended.outside, mended.spared) = work.left_out(&mended.outcome.findings);
-    mended.changes = work.changes(&inputs);
-    Ok(mended)
+    (all.outside, all.spared) = work.left_out(&all.outcome.findings);
+    all.changes = work.changes(&inputs);
+    Ok(all)
 }
 
 /// What is kept from turn to turn.
@@ -79,12 +79,12 @@ struct Work {
     system: Option<PathBuf>,
     /// The files that may be written, if not all.
     change: Option<changed::Change>,
-    /// What was judged first of the files that change, by printed path.
-    judged: BTreeMap<String, Judged>,
+    /// What was checked first of the files that change, by printed path.
+    checked: BTreeMap<String, Checked>,
 }
 
-/// A file as it was judged first.
-struct Judged {
+/// A file as it was checked first.
+struct Checked {
     hash: u64,
     bytes: Vec<u8>,
     /// Place on disk and the folder it was found in.
@@ -124,7 +124,7 @@ impl Work {
         self.change.as_ref().is_none_or(|change| change.holds(path))
     }
 
-    /// How many findings could be mended by writing files outside of the change, and how many of the others by
+    /// How many findings could be fixed by writing files outside of the change, and how many of the others by
     /// writing files that are spared.
     fn left_out(&self, findings: &[Finding]) -> (usize, usize) {
         let fixes = findings.iter().filter_map(|finding| finding.fix.as_ref()).filter(|fix| self.may(fix));
@@ -151,7 +151,7 @@ impl Work {
         changes.into_iter().map(patch).collect()
     }
 
-    /// Whether a file belongs to the system data, unless the folder that is judged lies inside of them.
+    /// Whether a file belongs to the system data, unless the folder that is checked lies inside of them.
     fn is_system(&self, tree: &Tree, rel: &str) -> bool {
         let (Some(system), Some(root)) = (self.system.as_deref().map(resolved), tree.root().map(resolved)) else {
             return false;
@@ -173,8 +173,8 @@ impl Work {
             }
         };
         if let (Some(hash), Some(file), Some(root)) = (tree.seen(rel), disk_path(tree, rel), tree.root()) {
-            let judged = || Judged { hash, bytes: stored, file, root: root.to_owned() };
-            self.judged.entry(path.to_owned()).or_insert_with(judged);
+            let checked = || Checked { hash, bytes: stored, file, root: root.to_owned() };
+            self.checked.entry(path.to_owned()).or_insert_with(checked);
         }
         for input in inputs {
             if let Some(rel) = below(&input.tree, path).map(str::to_owned) {
@@ -187,12 +187,12 @@ impl Work {
     fn changes(self, inputs: &[Input]) -> Vec<FileChange> {
         let mut changes: Vec<FileChange> = Vec::new();
         let mut known = BTreeSet::new();
-        for (path, judged) in self.judged {
+        for (path, checked) in self.checked {
             let after = find(inputs, &path).and_then(|(tree, rel)| tree.read(tree.entry(rel)?, &self.limits).ok());
-            if after.as_ref() == Some(&judged.bytes) || !known.insert(resolved(&judged.file)) {
+            if after.as_ref() == Some(&checked.bytes) || !known.insert(resolved(&checked.file)) {
                 continue;
             }
-            let Judged { hash, bytes, file, root } = judged;
+            let Checked { hash, bytes, file, root } = checked;
             changes.push(FileChange { path, file, root, judged: hash, before: bytes, after });
         }
         changes
@@ -250,8 +250,8 @@ fn rewritten(rewrite: Rewrite, text: &[u8]) -> Vec<Edit> {
     }
 }
 
-/// How many findings `--fix` alone could mend, and how many need `--unsafe-fixes`.
-pub fn mendable(findings: &[Finding]) -> (usize, usize) {
+/// How many findings `--fix` alone could fix, and how many need `--unsafe-fixes`.
+pub fn fixable(findings: &[Finding]) -> (usize, usize) {
     let of = |kind| findings.iter().filter(|one| one.fix.as_ref().is_some_and(|fix| fix.kind == kind)).count();
     (of(FixKind::Safe), of(FixKind::Unsafe))
 }

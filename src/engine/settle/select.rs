@@ -5,14 +5,14 @@
 
 use globset::{Glob, GlobMatcher};
 
-use super::catalogue::is_upkeep;
-use super::outcome::Error;
 use crate::config::{Config, ConfigFile, Selector};
 use crate::diag::{Level, nearest};
+use crate::engine::catalogue::is_upkeep;
+use crate::engine::outcome::Error;
 use crate::rules::{Check, RULES};
 
 /// Compiled selectors of a run.
-pub(super) struct Selection<'c> {
+pub(in crate::engine) struct Selection<'c> {
     only: Vec<GlobMatcher>,
     skip: Vec<GlobMatcher>,
     levels: Vec<(GlobMatcher, Option<Level>)>,
@@ -22,7 +22,7 @@ pub(super) struct Selection<'c> {
 
 /// What becomes of a finding.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Verdict {
+pub(in crate::engine) enum Verdict {
     /// Reported at this level.
     At(Level),
     /// The rule is off.
@@ -39,7 +39,7 @@ enum Say {
 
 impl<'c> Selection<'c> {
     /// Compiles the selectors; one that fits no rule is refused.
-    pub(super) fn new(config: &'c Config) -> Result<Self, Error> {
+    pub(in crate::engine) fn new(config: &'c Config) -> Result<Self, Error> {
         let all = |texts: &[String]| texts.iter().map(|text| selector(text)).collect::<Result<Vec<_>, _>>();
         let selection = Self {
             only: all(&config.only)?,
@@ -52,16 +52,16 @@ impl<'c> Selection<'c> {
             file: config.file.as_ref(),
             no_eval: config.no_eval,
         };
-        refuse_muted_safety(config)?;
+        refuse_ignored_safety(config)?;
         refuse_empty_select(config)?;
         Ok(selection)
     }
 
     /// Whether a rule runs at all: whether there is a path for which it is on.
-    pub(super) fn runs(&self, rule: &str) -> bool {
+    pub(in crate::engine) fn runs(&self, rule: &str) -> bool {
         let blocks = || self.file.iter().flat_map(|file| &file.blocks);
         let turned_on = || blocks().any(|block| matches!(say(&block.skip, &block.levels, rule), Some(Say::On(_))));
-        is_unmutable(rule)
+        cannot_be_ignored(rule)
             || match self.command_line(rule) {
                 Some(Say::Off) => false,
                 Some(Say::On(_)) => true,
@@ -70,8 +70,8 @@ impl<'c> Selection<'c> {
     }
 
     /// What becomes of a finding of a rule; `rel` is its path relative to the configuration file.
-    pub(super) fn verdict(&self, rule: &str, level: Level, rel: Option<&str>) -> Verdict {
-        if is_unmutable(rule) {
+    pub(in crate::engine) fn verdict(&self, rule: &str, level: Level, rel: Option<&str>) -> Verdict {
+        if cannot_be_ignored(rule) {
             return Verdict::At(level);
         }
         let general = self.for_all_paths(rule);
@@ -91,7 +91,7 @@ impl<'c> Selection<'c> {
     }
 
     /// Whether the command line keeps a rule from saying all that it would say.
-    pub(super) fn is_silenced(&self, rule: &str) -> bool {
+    pub(in crate::engine) fn is_silenced(&self, rule: &str) -> bool {
         let numeric = || RULES.iter().any(|r| r.info.id == rule && matches!(r.check, Check::Numeric(_)));
         matches!(self.command_line(rule), Some(Say::Off)) || self.no_eval && numeric()
     }
@@ -135,10 +135,10 @@ fn fits(selectors: &[Selector], rule: &str) -> bool {
     selectors.iter().any(|selector| selector.fits(rule))
 }
 
-/// Naming a safety rule to mute it is refused aloud; a wide glob just does not reach it.
-fn refuse_muted_safety(config: &Config) -> Result<(), Error> {
+/// Naming a safety rule to ignore it is refused aloud; a wide glob just does not reach it.
+fn refuse_ignored_safety(config: &Config) -> Result<(), Error> {
     let levels = config.levels.iter().map(|(text, _)| text);
-    let named = config.skip.iter().chain(levels).find(|text| is_unmutable(text));
+    let named = config.skip.iter().chain(levels).find(|text| cannot_be_ignored(text));
     named.map_or(Ok(()), |text| {
         Err(Error::Selector {
             text: text.clone(),
@@ -161,8 +161,8 @@ fn refuse_empty_select(config: &Config) -> Result<(), Error> {
 }
 
 /// Whether a rule is a matter of safety.
-pub(super) fn is_unmutable(rule: &str) -> bool {
-    RULES.iter().any(|known| known.info.id == rule && known.info.unmutable)
+pub(in crate::engine) fn cannot_be_ignored(rule: &str) -> bool {
+    RULES.iter().any(|known| known.info.id == rule && known.info.cannot_be_ignored)
 }
 
 fn selector(text: &str) -> Result<GlobMatcher, Error> {

@@ -1,37 +1,37 @@
-//! Mutes act on findings after judging, so that those without effect are known.
+//! Ignores act on findings after the rules, so that those without effect are known.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::scope::Scope;
-use super::select::{Selection, is_unmutable};
+use super::select::{Selection, cannot_be_ignored};
 use crate::config::{Config, Date, Ignore, Selector};
-use crate::diag::{Mute, MuteState, Place, UnknownRule, nearest};
+use crate::diag::{IgnoreState, IgnoreUse, Place, UnknownRule, nearest};
 use crate::repo::FileFacts;
 use crate::rules::RULES;
 
-/// The mutes of a run, and what became of them so far.
-pub(super) struct Muting<'c> {
+/// The ignores of a run, and what became of them so far.
+pub(in crate::engine) struct Ignores<'c> {
     config: &'c Config,
     today: Date,
     /// For each `[[ignore]]` whether it hid something.
     hits: Vec<bool>,
     /// Comments of the files that were reported on.
-    inline: Vec<Mute>,
+    inline: Vec<IgnoreUse>,
     /// File and line of the comments that hid something.
     used: BTreeSet<(String, u32)>,
     /// Paths below the data root of the files with comments.
     assets: BTreeMap<String, String>,
 }
 
-impl<'c> Muting<'c> {
-    pub(super) fn new(config: &'c Config) -> Self {
+impl<'c> Ignores<'c> {
+    pub(in crate::engine) fn new(config: &'c Config) -> Self {
         let ignores = config.file.as_ref().map_or(0, |file| file.ignores.len());
         let hits = vec![false; ignores];
         Self { config, today: Date::today(), hits, inline: Vec::new(), used: BTreeSet::new(), assets: BTreeMap::new() }
     }
 
-    /// Whether a rule is muted for a file or folder, whose facts are `file`. The mutes count as used.
-    pub(super) fn hides(&mut self, rule: &str, path: &str, file: Option<&FileFacts>) -> bool {
+    /// Whether a rule is ignored for a file or folder, whose facts are `file`. The ignores count as used.
+    pub(in crate::engine) fn hides(&mut self, rule: &str, path: &str, file: Option<&FileFacts>) -> bool {
         let mut hidden = self.is_ignored(rule, path);
         let comments = file.into_iter().flat_map(|file| &file.ignores);
         for comment in comments.filter(|comment| !comment.reason.is_empty()) {
@@ -57,40 +57,40 @@ impl<'c> Muting<'c> {
     }
 
     /// Notes the comments of a file that is reported on.
-    pub(super) fn note(&mut self, file: &FileFacts, selection: &Selection<'_>, scope: &Scope<'_>) {
+    pub(in crate::engine) fn note(&mut self, file: &FileFacts, selection: &Selection<'_>, scope: &Scope<'_>) {
         for comment in &file.ignores {
             let state = match standing(&comment.rule) {
-                _ if comment.rule.is_empty() => MuteState::Malformed { words: comment.reason.clone() },
+                _ if comment.rule.is_empty() => IgnoreState::Malformed { words: comment.reason.clone() },
                 Some(state) => state,
-                None if comment.reason.is_empty() => MuteState::NoReason,
-                None if scope.is_whole() && !is_silenced(&comment.rule, selection) => MuteState::Unused,
-                None => MuteState::NotJudged,
+                None if comment.reason.is_empty() => IgnoreState::NoReason,
+                None if scope.is_whole() && !is_silenced(&comment.rule, selection) => IgnoreState::Unused,
+                None => IgnoreState::NotChecked,
             };
             let (path, place) = (file.path.clone(), Place::Line(comment.line));
-            self.inline.push(Mute { path, place, rule: comment.rule.clone(), covers: None, state });
+            self.inline.push(IgnoreUse { path, place, rule: comment.rule.clone(), covers: None, state });
             self.assets.insert(file.path.clone(), file.rel.clone());
         }
     }
 
-    /// All mutes with what became of them.
-    pub(super) fn mutes(&self, selection: &Selection<'_>, scope: &Scope<'_>) -> Vec<Mute> {
+    /// All ignores with what became of them.
+    pub(in crate::engine) fn uses(&self, selection: &Selection<'_>, scope: &Scope<'_>) -> Vec<IgnoreUse> {
         let file = self.config.file.iter();
         let ignores = file.flat_map(|file| file.ignores.iter().zip(&self.hits).map(move |each| (file, each)));
-        let mut mutes: Vec<Mute> = ignores
+        let mut uses: Vec<IgnoreUse> = ignores
             .map(|(file, (ignore, hit))| {
                 let state = match standing(&ignore.rule.text) {
-                    _ if *hit => MuteState::Used,
+                    _ if *hit => IgnoreState::Used,
                     Some(state) => state,
-                    None if ignore.reason.is_none() => MuteState::NoReason,
+                    None if ignore.reason.is_none() => IgnoreState::NoReason,
                     None => match ignore.until.filter(|until| *until < self.today) {
-                        Some(until) => MuteState::Expired { until: until.to_string() },
-                        None if is_silenced(&ignore.rule.text, selection) => MuteState::NotJudged,
-                        None if !scope.covers(&file.folder, ignore.path.folder()) => MuteState::NotJudged,
-                        None => MuteState::Unused,
+                        Some(until) => IgnoreState::Expired { until: until.to_string() },
+                        None if is_silenced(&ignore.rule.text, selection) => IgnoreState::NotChecked,
+                        None if !scope.covers(&file.folder, ignore.path.folder()) => IgnoreState::NotChecked,
+                        None => IgnoreState::Unused,
                     },
                 };
-                let span = if let MuteState::Expired { .. } = state { &ignore.until_span } else { &ignore.rule.span };
-                Mute {
+                let span = if let IgnoreState::Expired { .. } = state { &ignore.until_span } else { &ignore.rule.span };
+                IgnoreUse {
                     path: file.path.clone(),
                     place: Place::Span(span.clone()),
                     rule: ignore.rule.text.clone(),
@@ -99,15 +99,16 @@ impl<'c> Muting<'c> {
                 }
             })
             .collect();
-        mutes.extend(self.inline.iter().map(|mute| {
-            let is_used = matches!(mute.place, Place::Line(line) if self.used.contains(&(mute.path.clone(), line)));
-            Mute { state: if is_used { MuteState::Used } else { mute.state.clone() }, ..mute.clone() }
+        uses.extend(self.inline.iter().map(|comment| {
+            let is_used =
+                matches!(comment.place, Place::Line(line) if self.used.contains(&(comment.path.clone(), line)));
+            IgnoreUse { state: if is_used { IgnoreState::Used } else { comment.state.clone() }, ..comment.clone() }
         }));
-        mutes
+        uses
     }
 
     /// Settings of the file for rules that do not exist.
-    pub(super) fn unknown(&self) -> Vec<UnknownRule> {
+    pub(in crate::engine) fn unknown(&self) -> Vec<UnknownRule> {
         let Some(file) = &self.config.file else { return Vec::new() };
         let unknown = file.unknown.iter().map(|unknown| UnknownRule {
             path: file.path.clone(),
@@ -119,29 +120,29 @@ impl<'c> Muting<'c> {
         unknown.collect()
     }
 
-    /// What a fingerprint calls the file of a finding on mutes: not where it lies, but what it is.
-    pub(super) fn asset(&self, path: &str) -> String {
+    /// What a fingerprint calls the file of a finding on ignores: not where it lies, but what it is.
+    pub(in crate::engine) fn asset(&self, path: &str) -> String {
         let name = || path.rsplit('/').next().unwrap_or(path).to_owned();
         self.assets.get(path).cloned().unwrap_or_else(name)
     }
 }
 
-/// Whether a mute has a reason and has not ended.
+/// Whether an ignore has a reason and has not ended.
 fn counts(ignore: &Ignore, today: Date) -> bool {
     ignore.reason.is_some() && ignore.until.is_none_or(|until| today <= until)
 }
 
-/// What can be said of a mute by its rule alone.
-fn standing(rule: &str) -> Option<MuteState> {
-    if is_unmutable(rule) {
-        return Some(MuteState::Unmutable);
+/// What can be said of an ignore by its rule alone.
+fn standing(rule: &str) -> Option<IgnoreState> {
+    if cannot_be_ignored(rule) {
+        return Some(IgnoreState::CannotBeIgnored);
     }
     let known = Selector::new(rule, 0..0).is_ok_and(|selector| RULES.iter().any(|rule| selector.fits(rule.info.id)));
     let nearest = || nearest(rule, RULES.iter().map(|rule| rule.info.id));
-    (!known).then(|| MuteState::UnknownRule { nearest: nearest() })
+    (!known).then(|| IgnoreState::UnknownRule { nearest: nearest() })
 }
 
-/// Whether the command line silenced a rule that the mute is for.
+/// Whether the command line silenced a rule that the ignore is for.
 fn is_silenced(rule: &str, selection: &Selection<'_>) -> bool {
     let Ok(selector) = Selector::new(rule, 0..0) else { return true };
     RULES.iter().any(|rule| selector.fits(rule.info.id) && selection.is_silenced(rule.info.id))

@@ -1,15 +1,15 @@
-//! Which findings get through: levels, exclusions and mutes are for files, a finding may speak for several.
+//! Which findings get through: levels, exclusions and ignores are for files, a finding may speak for several.
 
-use super::mute::Muting;
+use super::ignore::Ignores;
 use super::scope::Scope;
-use super::select::{Selection, Verdict, is_unmutable};
+use super::select::{Selection, Verdict, cannot_be_ignored};
 use crate::config::Config;
 use crate::diag::{Finding, Level, Over};
 use crate::repo::Layer;
 
 /// What becomes of a finding, or of its part in one file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Heard {
+pub(in crate::engine) enum Heard {
     /// Reported at this level.
     At(Level),
     /// Hidden by somebody's wish, and counted.
@@ -21,17 +21,17 @@ pub(super) enum Heard {
 }
 
 /// All that can keep a finding on the files of a layer from being reported, but for the PATHs.
-pub(super) struct Filter<'r> {
-    pub(super) layer: &'r Layer,
-    pub(super) selection: &'r Selection<'r>,
-    pub(super) scope: &'r Scope<'r>,
-    pub(super) options: &'r Config,
+pub(in crate::engine) struct Filter<'r> {
+    pub(in crate::engine) layer: &'r Layer,
+    pub(in crate::engine) selection: &'r Selection<'r>,
+    pub(in crate::engine) scope: &'r Scope<'r>,
+    pub(in crate::engine) options: &'r Config,
 }
 
 impl Filter<'_> {
-    /// What becomes of a finding. Where it stays although some of its files are muted, it says so.
-    pub(super) fn of(&self, finding: &mut Finding, muting: &mut Muting<'_>) -> Heard {
-        let own = self.at(finding, &finding.path, muting);
+    /// What becomes of a finding. Where it stays although some of its files are ignored, it says so.
+    pub(in crate::engine) fn of(&self, finding: &mut Finding, ignores: &mut Ignores<'_>) -> Heard {
+        let own = self.at(finding, &finding.path, ignores);
         let (files, fewest) = match &finding.over {
             Over::Own => return own,
             Over::Each(files) => (files, 1),
@@ -42,7 +42,7 @@ impl Filter<'_> {
         if is_folder && matches!(own, Heard::Hidden | Heard::Excluded) {
             return own;
         }
-        let all: Vec<Heard> = files.iter().map(|file| self.at(finding, file, muting)).collect();
+        let all: Vec<Heard> = files.iter().map(|file| self.at(finding, file, ignores)).collect();
         let heard: Vec<Heard> = all.iter().copied().filter(|heard| matches!(heard, Heard::At(_))).collect();
         let silent = all.len() - heard.len();
         match heard.first() {
@@ -60,17 +60,17 @@ impl Filter<'_> {
     }
 
     /// Files of its fix for which the rule of a finding is not heard.
-    pub(super) fn spared(&self, finding: &Finding, muting: &mut Muting<'_>) -> Vec<String> {
+    pub(in crate::engine) fn spared(&self, finding: &Finding, ignores: &mut Ignores<'_>) -> Vec<String> {
         let steps = finding.fix.iter().flat_map(|fix| &fix.steps);
         let mut files: Vec<&String> = steps.map(|step| &step.path).collect();
         files.sort_unstable();
         files.dedup();
-        files.retain(|file| !matches!(self.at(finding, file, muting), Heard::At(_)));
+        files.retain(|file| !matches!(self.at(finding, file, ignores), Heard::At(_)));
         files.into_iter().cloned().collect()
     }
 
-    fn at(&self, finding: &Finding, path: &str, muting: &mut Muting<'_>) -> Heard {
-        if is_unmutable(finding.rule) {
+    fn at(&self, finding: &Finding, path: &str, ignores: &mut Ignores<'_>) -> Heard {
+        if cannot_be_ignored(finding.rule) {
             return Heard::At(finding.level);
         }
         // What is excluded is out of sight; but what is dangerous is told wherever the run looks.
@@ -84,6 +84,6 @@ impl Filter<'_> {
             Verdict::At(level) => level,
         };
         let file = self.layer.relative(path).and_then(|rel| self.layer.file(rel));
-        if muting.hides(finding.rule, path, file) { Heard::Hidden } else { Heard::At(level) }
+        if ignores.hides(finding.rule, path, file) { Heard::Hidden } else { Heard::At(level) }
     }
 }

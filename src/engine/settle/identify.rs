@@ -1,0 +1,50 @@
+//! What a finding is known by: the place of its asset below the data root, and the fingerprint of that.
+
+use std::collections::BTreeMap;
+
+use crate::diag::{Finding, Level, fingerprint};
+use crate::repo::{Layer, Repository};
+
+/// A finding with the place of its asset.
+pub(in crate::engine) struct Placed {
+    pub(in crate::engine) finding: Finding,
+    /// Printed path of what a baseline names: the asset of the fingerprint, or what it is a part of.
+    pub(in crate::engine) asset: String,
+    /// The same below its data root.
+    pub(in crate::engine) rel: String,
+    /// Fingerprint that a baseline knows it by.
+    pub(in crate::engine) known_as: String,
+    /// How bad it is, whatever the settings make of it.
+    pub(in crate::engine) consequence: Level,
+}
+
+/// Fingerprints. Keys tell findings of one rule on one asset apart; the ordinal is for those that do not.
+pub(super) fn identify(repository: &Repository<'_>, findings: Vec<(Finding, Level)>) -> Vec<Placed> {
+    let mut ordinals: BTreeMap<(&str, String, String), u32> = BTreeMap::new();
+    // What names the fault may be part of the system data, such as the mesh.
+    let below = |asset: &str| {
+        let system = || repository.system?.relative(asset);
+        own_path(repository, asset).or_else(system).unwrap_or_default().to_owned()
+    };
+    let identified = findings.into_iter().map(|(mut finding, consequence)| {
+        let asset = finding.asset.clone().unwrap_or_else(|| finding.path.clone());
+        let rel = below(&asset);
+        let ordinal = ordinals.entry((finding.rule, rel.clone(), finding.key.clone())).or_default();
+        finding.fingerprint = fingerprint(finding.rule, &rel, &finding.key, *ordinal);
+        *ordinal += 1;
+        let Some(whole) = finding.whole.clone() else {
+            return Placed { known_as: finding.fingerprint.clone(), finding, asset, rel, consequence };
+        };
+        let rel = below(&whole);
+        Placed { known_as: fingerprint(finding.rule, &rel, "", 0), finding, asset: whole, rel, consequence }
+    });
+    identified.collect()
+}
+
+/// Path below the judged root, if the file belongs to it and not to a layer inside or beside it.
+pub(super) fn own_path<'p>(repository: &Repository<'_>, path: &'p str) -> Option<&'p str> {
+    let judged = repository.judged;
+    let deeper = |layer: &&Layer| layer.path.len() > judged.path.len() && layer.holds(path);
+    let foreign = [repository.system, repository.user].into_iter().flatten().any(|layer| deeper(&layer));
+    if foreign { None } else { judged.relative(path) }
+}

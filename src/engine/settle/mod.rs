@@ -1,0 +1,25 @@
+//! What becomes of findings after the rules: levels, ignores, scope, baseline, fingerprints, places and order.
+//!
+//! Imports no other wing of the engine; what it needs of a run is handed to it.
+
+mod baseline;
+mod heard;
+mod identify;
+mod idle;
+mod ignore;
+mod keep;
+mod known;
+mod locate;
+mod parts;
+mod scope;
+mod select;
+
+pub use baseline::{Baseline, Entry};
+pub(super) use identify::Placed;
+pub(super) use idle::idle;
+pub(super) use ignore::Ignores;
+pub(super) use keep::Keeper;
+pub(super) use known::Known;
+pub(super) use locate::place_and_sort;
+pub(super) use scope::Scope;
+pub(super) use select::{Selection, Verdict};
