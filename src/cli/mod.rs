@@ -12,6 +12,7 @@ mod git;
 mod harmless;
 mod init;
 mod list;
+mod one_of;
 mod output;
 mod panics;
 mod patch;
