@@ -16,30 +16,34 @@ const IMPORTS: &[(&str, &[&str])] = &[
     ("json", &["diag"]),
     ("source", &["diag"]),
     ("config", &["diag", "source", "json"]),
-    ("discover", &["diag"]),
-    ("formats", &["diag", "json", "source"]),
+    ("discover", &["diag", "source"]),
+    ("formats", &["diag", "json", "source", "discover"]),
     ("repo", &["diag", "json", "source", "discover", "formats"]),
     ("fix", &["diag", "source"]),
     ("eval", &[]),
+    ("evaluate", &["diag", "json", "source", "config", "discover", "formats", "repo", "eval"]),
     ("rules", &["diag", "json", "source", "discover", "formats", "repo", "eval"]),
-    ("engine", &["diag", "json", "source", "config", "fix", "discover", "formats", "repo", "eval", "rules"]),
-    ("report", &["diag", "engine"]),
-    ("cli", &["diag", "json", "source", "config", "fix", "eval", "engine", "report"]),
+    (
+        "engine",
+        &["diag", "json", "source", "config", "fix", "discover", "formats", "repo", "eval", "evaluate", "rules"],
+    ),
+    ("report", &["diag"]),
+    ("cli", &["diag", "json", "source", "config", "fix", "eval", "evaluate", "engine", "report"]),
 ];
 
 /// Where files may be opened; `engine/load/input.rs` turns PATH arguments into trees.
 const MAY_OPEN_FILES: [&str; 4] = ["source/", "fix/", "cli/", "engine/load/input.rs"];
 
-/// Libraries that only one place may know.
-const LIBRARIES: [(&str, &str); 8] = [
-    ("clap", "cli/"),
-    ("maud", "report/html/"),
-    ("miette", "report/human/block.rs"),
-    ("percent_encoding", "report/sarif.rs"),
-    ("quick_xml", "report/junit.rs"),
-    ("rayon", "engine/"),
-    ("tempfile", "fix/"),
-    ("textwrap", "report/human/block.rs"),
+/// Libraries that only some places may know.
+const LIBRARIES: [(&str, &[&str]); 8] = [
+    ("clap", &["cli/"]),
+    ("maud", &["report/html/"]),
+    ("miette", &["report/human/block.rs"]),
+    ("percent_encoding", &["report/sarif.rs"]),
+    ("quick_xml", &["report/junit.rs"]),
+    ("rayon", &["engine/", "evaluate/gauge"]),
+    ("tempfile", &["fix/"]),
+    ("textwrap", &["report/human/block.rs"]),
 ];
 
 /// Hard bounds in lines without tests.
@@ -48,7 +52,10 @@ const FILE_LINES: usize = 400;
 const MAIN_LINES: usize = 40;
 
 /// The wings of `engine`, and what each may import of the others.
-const WINGS: &[(&str, &[&str])] = &[("evaluate", &["load"]), ("load", &["settle"]), ("settle", &[])];
+const WINGS: &[(&str, &[&str])] = &[("load", &["settle"]), ("settle", &[])];
+
+/// Folders of which a part belongs to an application.
+const OF_APPLICATIONS: [&str; 5] = ["discover", "eval", "evaluate", "repo", "rules"];
 
 /// A file of `src/` without its tests.
 struct Source {
@@ -162,13 +169,14 @@ fn wings_of_the_engine_import_only_what_the_table_allows() {
     assert_eq!(folders.collect::<BTreeSet<_>>(), known, "the table of wings");
 }
 
-/// Folders below folders, each with what lies beside it.
+/// Folders below folders, each with what lies beside it. Of what all applications have and what is one's own each knows
+/// the other: those folders are left out.
 #[test]
 fn folders_and_the_files_beside_them_import_in_no_circle() {
     let folders: BTreeSet<String> =
         sources().iter().filter_map(|source| Some(source.path.rsplit_once('/')?.0.to_owned())).collect();
-    let with_folders =
-        folders.iter().filter(|folder| folders.iter().any(|other| room(&format!("{other}/x"), folder).is_some()));
+    let inner = |folder: &&String| folders.iter().any(|other| room(&format!("{other}/x"), folder).is_some());
+    let with_folders = folders.iter().filter(inner).filter(|folder| !OF_APPLICATIONS.contains(&folder.as_str()));
     let mut found = Vec::new();
     for folder in with_folders {
         let edges = rooms(folder);
@@ -216,11 +224,11 @@ fn files_are_opened_in_few_places() {
 
 #[test]
 fn libraries_stay_behind_their_file() {
-    for (library, place) in LIBRARIES {
+    for (library, places) in LIBRARIES {
         let names = |source: &Source| source.lines().any(|line| line.contains(&format!("{library}::")));
         let users = sources().into_iter().filter(names).map(|source| source.path);
-        let strangers: Vec<String> = users.filter(|path| !path.starts_with(place)).collect();
-        assert_eq!(strangers, Vec::<String>::new(), "{library} belongs to {place}");
+        let strangers: Vec<String> = users.filter(|path| !places.iter().any(|place| path.starts_with(place))).collect();
+        assert_eq!(strangers, Vec::<String>::new(), "{library} belongs to {places:?}");
     }
 }
 

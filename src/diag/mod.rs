@@ -3,22 +3,32 @@
 //! A leaf of the house: imports nothing of ours, no terminal types, no borrowed sources. Rules make
 //! [`Finding`]s, the engine places and sorts them, reports only say them.
 
+mod baseline;
+mod because;
 mod evidence;
 mod finding;
 mod fix;
 mod key;
 mod level;
 mod nearest;
+mod note;
+mod outcome;
 mod place;
 mod rule_info;
 mod upkeep;
 
+pub use baseline::{Baseline, Entry};
+pub use because::Because;
 pub use evidence::{EXAMPLES, Evidence, Tally, Worst};
 pub use finding::{Break, Finding, Over, Related};
 pub use fix::{Change, Edit, Fix, Rewrite, Step};
 pub use key::{fingerprint, structural};
 pub use level::{Application, Confidence, Level};
 pub use nearest::{Sought, Suggestions, nearest};
+pub use note::Note;
+pub use outcome::{
+    ApplicationVerdict, NotChecked, Outcome, RootSummary, Scope, Summary, TakenOver, Timing, Unchecked, Verdict,
+};
 pub use place::{Element, Excerpt, Location, Place};
 pub use rule_info::{FixKind, OptionInfo, RuleInfo, Sight};
 pub use upkeep::{BaselineUse, IdleGlob, IgnoreState, IgnoreUse, UnknownRule, Upkeep};

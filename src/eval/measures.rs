@@ -1,7 +1,8 @@
 //! What evaluation measures on a scene, in plain data with names, which outlives the scene. Rules judge it.
 
-use super::macro_survey::{DeadRange, Jump, SumOff};
+use super::makehuman2::macro_survey::{DeadRange, Jump, SumOff};
 use super::rig_measure::{BoneMeasure, WeightMeasure};
+use super::settings::SliderSetting;
 use super::symmetry::MirrorDifference;
 use super::target_measure::TargetMeasure;
 
@@ -31,10 +32,6 @@ pub struct Measures {
 /// What was seen over the slider space.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct SpaceMeasure {
-    /// Settings looked at.
-    pub settings: usize,
-    /// Setting at which the application stops.
-    pub stopped: Option<String>,
     /// Vertices that are not finite.
     pub non_finite: Option<Seen>,
     /// Visible faces without area.
@@ -64,8 +61,8 @@ pub struct Seen {
     pub count: usize,
     /// All that are concerned at some setting, by name: vertices, faces with their group, groups, joints, bones.
     pub all: Vec<String>,
-    /// The setting, in the application's own slider names.
-    pub setting: String,
+    /// What differs from the defaults at that setting.
+    pub setting: Vec<SliderSetting>,
     /// Printed path of the target that moves the element most at that setting.
     pub target: Option<String>,
 }
@@ -80,7 +77,7 @@ pub struct MacroMeasure {
     /// Jumps between two sides of a step.
     pub jumps: Vec<Jump>,
     /// Macrodef, weight lost to the cut-off at worst, and the setting.
-    pub losses: Vec<(usize, f64, String)>,
+    pub losses: Vec<(usize, f64, Vec<SliderSetting>)>,
 }
 
 /// A left target and its right partner.

@@ -1,5 +1,6 @@
 //! Findings in words that every format for people uses: places, evidence, and the whole as lines of plain text.
 
+use super::because::because;
 use super::{count, printable};
 use crate::diag::{Confidence, Evidence, Finding, Fix, FixKind, Location};
 
@@ -34,8 +35,8 @@ pub(super) fn lines(finding: &Finding) -> Vec<Line> {
     if let Some(fix) = &finding.fix {
         lines.push(line("fix", &mends(fix)));
     }
-    if let Some(because) = &finding.because {
-        lines.push(line("shown because", because));
+    if let Some(reason) = &finding.because {
+        lines.push(line("shown because", &because(reason)));
     }
     lines
 }

@@ -35,7 +35,7 @@ impl Keeper<'_> {
                 Heard::At(level) => {
                     let spared = self.spared(&filter.spared(&finding, ignores), &finding);
                     finding.fix.iter_mut().for_each(|fix| fix.spared.clone_from(&spared));
-                    finding.level = level;
+                    finding.regrade(level);
                     kept.push((finding, consequence));
                 }
                 Heard::Hidden => ignored += 1,
@@ -66,7 +66,7 @@ impl Keeper<'_> {
             Over::Each(files) | Over::Between(files) => files.as_slice(),
         };
         let mut files = std::iter::once(&finding.path).chain(others);
-        files.any(|file| (self.is_asked_for)(file)) && crate::discover::kind_of(rel).1.is_none_or(asked)
+        files.any(|file| (self.is_asked_for)(file)) && self.repository.judged.base_at(rel).as_deref().is_none_or(asked)
     }
 
     fn is_reported(&self, path: &str) -> bool {

@@ -6,7 +6,9 @@ use super::super::{Check, Rule, RuleCx};
 use super::loader::{extension, is_generated, is_met, is_override, refused_json};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
-use crate::repo::{Content, FileFacts, ReferenceKind, Repository, Resolution};
+use crate::formats::Content;
+use crate::json::SchemaFault;
+use crate::repo::{FileFacts, ReferenceKind, Repository, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -50,7 +52,7 @@ fn counts_as_missing(repository: &Repository<'_>, file: &FileFacts) -> Option<&'
     let wanted = matches!(file.kind, Kind::BaseJson | Kind::MacroJson | Kind::ModellingJson | Kind::TargetCategories);
     let usual = file.kind == Kind::ModellingJson && is_generated(repository, file);
     let read = !matches!(file.content, Content::Broken(_) | Content::Unread);
-    let is_object = !file.schema.faults.iter().any(|fault| fault.pointer.is_empty() && fault.keyword == "/type");
+    let is_object = !file.schema.faults.iter().any(SchemaFault::is_wrong_root);
     let what =
         if is_object { " (`{}` counts as no file)" } else { " (null, 0, false and empty values count as no file)" };
     (wanted && !usual && read && file.json.falsy).then_some(what)
@@ -58,7 +60,7 @@ fn counts_as_missing(repository: &Repository<'_>, file: &FileFacts) -> Option<&'
 
 /// Whether the file is the `macro.json` of a base without a macro slider, which does as well without.
 fn needs_no_macros(repository: &Repository<'_>, file: &FileFacts) -> bool {
-    let mut bases = repository.bases.iter().filter(|base| file.base.as_deref() == Some(base.name));
+    let mut bases = repository.bases.iter().filter(|base| file.base() == Some(base.name));
     file.kind == Kind::MacroJson && bases.all(|base| !base.sliders.iter().any(|slider| slider.slider.is_macro()))
 }
 
@@ -94,16 +96,16 @@ fn consequence(repository: &Repository<'_>, file: &FileFacts) -> Option<(Level, 
         // `archive-malformed` speaks.
         (Kind::TargetArchive, _) => return None,
         (Kind::BaseMesh, _) => (Level::Error, "stops at start: there is no base mesh"),
-        (Kind::Text, "mhmat") => (Level::Warning, "shows the default white material"),
-        (Kind::Text, "mhm") => (Level::Warning, "loads a model without a setting"),
-        (Kind::Text, "meta") => (Level::Warning, "names the pose after its file"),
-        (Kind::Text, "bvh") => (Level::Error, "stops with an IndexError when the pose is used"),
-        (Kind::Text, _) => (Level::Error, "cannot attach the asset"),
+        (Kind::Material, _) => (Level::Warning, "shows the default white material"),
+        (Kind::Model, _) => (Level::Warning, "loads a model without a setting"),
+        (Kind::MotionMeta, _) => (Level::Warning, "names the pose after its file"),
+        (Kind::Motion, _) => (Level::Error, "stops with an IndexError when the pose is used"),
+        (Kind::Clothes | Kind::AssetMesh, _) => (Level::Error, "cannot attach the asset"),
         (Kind::Image | Kind::TargetIcon, _) => (Level::Warning, "shows no picture"),
-        (Kind::Other, "mhbin") if file.rel.starts_with("base/") => {
+        (Kind::Packed, "mhbin") if file.rel.starts_with("base/") => {
             (Level::Error, "stops with an EOFError when it loads the base")
         }
-        (Kind::PackedTarget | Kind::Other, "mhbin") => (Level::Error, "stops at start while it scans the assets"),
+        (Kind::Packed, "mhbin") => (Level::Error, "stops at start while it scans the assets"),
         _ => return None,
     })
 }

@@ -5,9 +5,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
+use crate::formats::Content;
 use crate::formats::mhskel::{Bone, RotationPlane, Section};
 use crate::json::UnknownKey;
-use crate::repo::{Base, Content, FileFacts, Repository};
+use crate::repo::{Base, FileFacts, Repository};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -59,8 +60,7 @@ fn pointer_of(key: &str) -> String {
 fn is_told(file: &FileFacts, sliders: &Told<'_>, unknown: &UnknownKey) -> bool {
     let Some(nearest) = unknown.nearest.as_deref() else { return false };
     let (owner, _) = unknown.pointer.rsplit_once('/').unwrap_or_default();
-    let wanted = format!(" has no `{nearest}`");
-    if file.schema.faults.iter().any(|fault| fault.pointer == owner && fault.message.ends_with(&wanted)) {
+    if file.schema.faults.iter().any(|fault| fault.lacks(owner, nearest)) {
         return true;
     }
     match &file.content {
