@@ -15,6 +15,9 @@ pub struct RuleInfo {
     pub fix: FixKind,
     /// Cannot be ignored or lowered: a matter of safety.
     pub cannot_be_ignored: bool,
+    /// A fingerprint names the file at which a finding stands in place of its asset: several findings may have one asset
+    /// and key, and are told apart by their parts.
+    pub told_apart: bool,
     /// What each application does with it.
     pub breaks: &'static [(Application, &'static str)],
     /// How far it sees; `None` for what is usual with the kind of its check.
@@ -77,8 +80,19 @@ pub struct OptionInfo {
 impl RuleInfo {
     /// A rule with nothing but the obligatory parts; the rest by struct update.
     pub const fn new(id: &'static str, level: Level, summary: &'static str) -> Self {
-        let (fix, cannot_be_ignored) = (FixKind::None, false);
-        Self { id, summary, level, fix, cannot_be_ignored, breaks: &[], sight: None, options: &[], docs: "" }
+        let (fix, cannot_be_ignored, told_apart) = (FixKind::None, false, false);
+        Self {
+            id,
+            summary,
+            level,
+            fix,
+            cannot_be_ignored,
+            told_apart,
+            breaks: &[],
+            sight: None,
+            options: &[],
+            docs: "",
+        }
     }
 
     /// The part of the id before the first dash.

@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 use super::catalogue::is_upkeep;
 use super::outcome::Outcome;
 use super::sight::{is_numeric, sight};
-use crate::diag::{Finding, Place, Sight};
+use crate::diag::{Finding, Name, Place, Sight};
 use crate::repo::{Layer, Reference, Repository, Resolution};
 use crate::source::{folder_of, link_targets, resolved, slashed};
 
@@ -230,9 +230,13 @@ impl<'a> Reach<'a> {
             return Some(format!("`{changed}` in it changed"));
         }
         let others = finding.related.iter().map(|other| other.path.as_str());
+        let names = finding.subject.parts.iter().filter_map(|(name, _)| match name {
+            Name::Text(name) => Some(name),
+            Name::Numbers(..) => None,
+        });
         let parts: Vec<String> =
-            layers(repository).flat_map(|layer| finding.parts.iter().map(|part| layer.display(part))).collect();
-        let mut spoken_of = others.chain(finding.parts.iter().chain(&parts).map(String::as_str)).chain([path]);
+            names.flat_map(|name| layers(repository).map(|layer| layer.display(name)).chain([name.clone()])).collect();
+        let mut spoken_of = others.chain(parts.iter().map(String::as_str)).chain([path]);
         if let Some(changed) = spoken_of.find_map(|other| self.holding(other)) {
             return Some(format!("`{changed}` changed"));
         }

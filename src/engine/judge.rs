@@ -70,7 +70,7 @@ fn run_rule(
     findings
 }
 
-/// findings on the ignores themselves. Rules that panicked are noted in `failed`.
+/// Findings on the ignores themselves. Rules that panicked are noted in `failed`.
 pub(super) fn look_after(
     upkeep: &Upkeep,
     selection: &Selection<'_>,
@@ -88,7 +88,7 @@ pub(super) fn look_after(
     findings.retain_mut(|finding| {
         let Verdict::At(level) = selection.verdict(finding.rule, finding.level, None) else { return false };
         finding.level = level;
-        finding.fingerprint = fingerprint(finding.rule, &ignores.asset(&finding.path), &finding.key, 0);
+        finding.fingerprint = fingerprint(finding.rule, &ignores.asset(&finding.path), &finding.subject.key, 0);
         true
     });
     findings

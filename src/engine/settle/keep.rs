@@ -8,7 +8,7 @@ use super::ignore::Ignores;
 use super::scope::Scope;
 use super::select::Selection;
 use crate::config::Config;
-use crate::diag::{Finding, Over};
+use crate::diag::Finding;
 use crate::repo::Repository;
 
 /// All that decides what is reported of a repository.
@@ -61,11 +61,7 @@ impl Keeper<'_> {
         let Some(rel) = own_path(self.repository, &finding.path) else { return false };
         let asked = |base: &str| self.options.asks_for_base(base);
         // One finding may speak for several files; who names one of them is told.
-        let others = match &finding.over {
-            Over::Own => [].as_slice(),
-            Over::Each(files) | Over::Between(files) => files.as_slice(),
-        };
-        let mut files = std::iter::once(&finding.path).chain(others);
+        let mut files = std::iter::once(&finding.path).chain(finding.files());
         files.any(|file| (self.is_asked_for)(file)) && crate::discover::kind_of(rel).1.is_none_or(asked)
     }
 

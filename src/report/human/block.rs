@@ -13,7 +13,7 @@ use miette::{
 use textwrap::{WordSeparator, WordSplitter};
 
 use crate::diag::{Break, Finding, Level, Location};
-use crate::report::phrase::{bare_place, doubt, lines};
+use crate::report::phrase::{self, bare_place, doubt, lines};
 use crate::report::snippet::{Snippet, snippet};
 use crate::report::{Paint, View, hang, printable};
 
@@ -76,7 +76,7 @@ struct Shown<'a> {
 
 impl fmt::Display for Shown<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&printable(&self.finding.message))
+        f.write_str(&printable(&phrase::message(self.finding)))
     }
 }
 

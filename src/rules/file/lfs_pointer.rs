@@ -43,8 +43,8 @@ fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 .asset(layer.display(folder))
                 .level(level)
                 .key(if parsed { "parsed" } else { "" })
+                .parts_in(files.iter().map(|file| (file.file_name(), &file.path)))
                 .evidence(evidence)
-                .over_each(files.iter().map(|file| &file.path))
                 .help("run `git lfs pull`"),
         );
     }

@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::meshes;
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::repo::Layer;
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -33,7 +33,7 @@ fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         out.push(
             RULE.at(file, Place::Line(*line), message)
                 .help("number vertices from 1; export the mesh again if lines are missing")
-                .evidence(Evidence { examples: lines.collect(), ..tally.evidence(mesh.faces.len()) }),
+                .evidence(tally.evidence(mesh.faces.len()).showing(lines)),
         );
     }
 }

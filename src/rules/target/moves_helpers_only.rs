@@ -36,7 +36,7 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &Ru
     };
     let evidence = Evidence::of_cases(hidden.iter().map(|(_, target)| &target.name)).out_of(measures.targets.len());
     let mut finding = RULE.at(file, Place::File, message).key(base.name).asset(file.root()).evidence(evidence);
-    finding = finding.over_each(hidden.iter().map(|(file, _)| &file.path));
+    finding = finding.parts_in(hidden.iter().map(|(file, target)| (&target.name, &file.path)));
     for (file, target) in hidden.iter().skip(1) {
         finding = finding.related(&file.path, Place::File, moved(target.joints, target.helpers));
     }
