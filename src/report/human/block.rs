@@ -175,7 +175,7 @@ mod tests {
     #[test]
     fn evidence_other_places_and_help_follow_the_message() {
         let mut finding = finding().confidence(Confidence::Medium).help("mend it");
-        finding.evidence = Some(Evidence::of_cases(["x"; 7]).out_of(9).with_worst(0.123_456, "vertex 3"));
+        finding.evidence = Some(Evidence::of_unnamed(["x"; 7]).out_of(9).with_worst(0.123_456, "vertex 3"));
         finding = finding.related("data/b.target", Place::File, "the other one");
         finding.location.line = Some(4);
         finding.location.element = Some(Element { kind: "vertex", index: 17 });
