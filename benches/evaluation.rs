@@ -8,11 +8,8 @@ use std::path::PathBuf;
 use std::sync::LazyLock;
 
 use divan::Bencher;
-use mhlint::engine::evaluate::Evaluation;
-use mhlint::eval::joints::joint_positions;
-use mhlint::eval::macro_eval::MacroResult;
+use mhlint::eval::macros::MacroWork;
 use mhlint::eval::scene::Scene;
-use mhlint::eval::skeleton::rest_bones;
 use mhlint::eval::skin::{pose_bones, skin};
 
 fn main() {
@@ -32,7 +29,7 @@ static SCENES: LazyLock<Vec<Loaded>> = LazyLock::new(|| {
         places.push(("hm08", PathBuf::from(corpora).join("makehuman2/data")));
     }
     let load = |(name, root): (&'static str, PathBuf)| {
-        let mut evaluation = Evaluation::open(&root, None, Some(name)).unwrap();
+        let mut evaluation = mhlint::open_base(&root, None, Some(name)).unwrap();
         let defaults = evaluation.scene().defaults();
         evaluation.morphed(&defaults).unwrap();
         Loaded { name, scene: evaluation.scene().clone() }
@@ -51,9 +48,9 @@ fn scene(name: &str) -> &'static Scene {
 #[divan::bench(args = names())]
 fn macro_setting(bencher: Bencher<'_, '_>, name: &str) {
     let scene = scene(name);
-    let table = scene.macros.as_ref().unwrap();
-    let mut result = MacroResult::default();
-    bencher.bench_local(|| table.evaluate(&scene.macro_defaults, &mut result).is_ok());
+    let macros = scene.macros.as_ref().unwrap();
+    let mut work = MacroWork::default();
+    bencher.bench_local(|| macros.factors(&scene.macro_defaults, &mut work).is_ok());
 }
 
 #[divan::bench(args = names())]
@@ -66,8 +63,8 @@ fn morph_defaults(bencher: Bencher<'_, '_>, name: &str) {
 fn skin_rest(bencher: Bencher<'_, '_>, name: &str) {
     let scene = scene(name);
     let skeleton = scene.skeleton.as_ref().unwrap();
-    let joints = joint_positions(&scene.positions, skeleton.joints.iter().map(Vec::as_slice)).unwrap();
-    let rest = rest_bones(&joints, &skeleton.bones).unwrap();
+    let joints = skeleton.joint_positions(&scene.positions).unwrap();
+    let rest = skeleton.rest_bones(&joints).unwrap();
     let posed = pose_bones(&skeleton.bones, &rest, &vec![None; skeleton.bones.len()]).unwrap();
     let moved: Vec<_> = posed.iter().map(|bone| bone.moved).collect();
     let weights = &scene.weights.as_ref().unwrap().bones;

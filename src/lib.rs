@@ -18,7 +18,7 @@
 //!
 //! [`Config::load`] reads the settings of a repository (`mhlint.toml`), [`config::find`] finds them.
 //! [`lint_trees`] does the same without a disk, on [`Tree`]s in memory. [`report`] writes an [`Outcome`] in
-//! the formats of the command line, [`engine::evaluate`] computes what the application would show, [`eval`] the same on
+//! the formats of the command line, [`evaluate`] computes what the application would show, [`eval`] the same on
 //! plain arrays.
 //!
 //! [`lint_and_fix`] checks and fixes in memory; [`fix::write_all`] brings the changes to disk, each file as a whole.
@@ -36,6 +36,7 @@ pub mod diag;
 pub mod discover;
 pub mod engine;
 pub mod eval;
+pub mod evaluate;
 pub mod fix;
 pub mod formats;
 pub mod json;
@@ -45,6 +46,6 @@ mod rules;
 pub mod source;
 
 pub use config::Config;
-pub use diag::{Application, Finding, Level};
-pub use engine::{Error, Fixed, Outcome, lint, lint_and_fix, lint_trees, rule_infos};
+pub use diag::{Application, Finding, Level, Outcome};
+pub use engine::{Error, Fixed, lint, lint_and_fix, lint_trees, open_base, rule_infos};
 pub use source::Tree;

@@ -20,25 +20,29 @@ const IMPORTS: &[(&str, &[&str])] = &[
     ("repo", &["diag", "json", "source", "discover", "formats"]),
     ("fix", &["diag", "source"]),
     ("eval", &[]),
+    ("evaluate", &["diag", "json", "source", "config", "discover", "formats", "repo", "eval"]),
     ("rules", &["diag", "json", "source", "discover", "formats", "repo", "eval"]),
-    ("engine", &["diag", "json", "source", "config", "fix", "discover", "formats", "repo", "eval", "rules"]),
-    ("report", &["diag", "engine"]),
-    ("cli", &["diag", "json", "source", "config", "fix", "engine", "report"]),
+    (
+        "engine",
+        &["diag", "json", "source", "config", "fix", "discover", "formats", "repo", "eval", "evaluate", "rules"],
+    ),
+    ("report", &["diag"]),
+    ("cli", &["diag", "json", "source", "config", "fix", "evaluate", "engine", "report"]),
 ];
 
 /// Where files may be opened; `engine/load/input.rs` turns PATH arguments into trees.
 const MAY_OPEN_FILES: [&str; 4] = ["source/", "fix/", "cli/", "engine/load/input.rs"];
 
-/// Libraries that only one place may know.
-const LIBRARIES: [(&str, &str); 8] = [
-    ("clap", "cli/"),
-    ("maud", "report/html/"),
-    ("miette", "report/human/block.rs"),
-    ("percent_encoding", "report/sarif.rs"),
-    ("quick_xml", "report/junit.rs"),
-    ("rayon", "engine/"),
-    ("tempfile", "fix/"),
-    ("textwrap", "report/human/block.rs"),
+/// Libraries that only some places may know.
+const LIBRARIES: [(&str, &[&str]); 8] = [
+    ("clap", &["cli/"]),
+    ("maud", &["report/html/"]),
+    ("miette", &["report/human/block.rs"]),
+    ("percent_encoding", &["report/sarif.rs"]),
+    ("quick_xml", &["report/junit.rs"]),
+    ("rayon", &["engine/", "evaluate/gauge"]),
+    ("tempfile", &["fix/"]),
+    ("textwrap", &["report/human/block.rs"]),
 ];
 
 /// Hard bounds in lines without tests.
@@ -150,11 +154,11 @@ fn files_are_opened_in_few_places() {
 
 #[test]
 fn libraries_stay_behind_their_file() {
-    for (library, place) in LIBRARIES {
+    for (library, places) in LIBRARIES {
         let names = |source: &Source| source.lines().any(|line| line.contains(&format!("{library}::")));
         let users = sources().into_iter().filter(names).map(|source| source.path);
-        let strangers: Vec<String> = users.filter(|path| !path.starts_with(place)).collect();
-        assert_eq!(strangers, Vec::<String>::new(), "{library} belongs to {place}");
+        let strangers: Vec<String> = users.filter(|path| !places.iter().any(|place| path.starts_with(place))).collect();
+        assert_eq!(strangers, Vec::<String>::new(), "{library} belongs to {places:?}");
     }
 }
 

@@ -8,9 +8,6 @@ mod scratch;
 
 use std::path::PathBuf;
 
-use mhlint::engine::evaluate::Evaluation;
-use mhlint::eval::joints::joint_positions;
-use mhlint::eval::skeleton::rest_bones;
 use mhlint::eval::skin::{pose_bones, skin};
 use mhlint::eval::vector::distance;
 use scratch::mhlint;
@@ -60,13 +57,13 @@ fn said<'r>(report: &'r serde_json::Value, rule: &str, path: &str) -> Vec<&'r st
 fn skinning_the_rest_pose_gives_the_meshes_back() {
     let Some(corpus) = corpus("makehuman2") else { return };
     for base in ["hm08", "mh2bot"] {
-        let mut evaluation = Evaluation::open(&corpus.join("data"), None, Some(base)).unwrap();
+        let mut evaluation = mhlint::open_base(&corpus.join("data"), None, Some(base)).unwrap();
         let defaults = evaluation.scene().defaults();
         let mesh = evaluation.morphed(&defaults).unwrap();
         let scene = evaluation.scene();
         let skeleton = scene.skeleton.as_ref().unwrap();
-        let joints = joint_positions(&mesh, skeleton.joints.iter().map(Vec::as_slice)).unwrap();
-        let rest = rest_bones(&joints, &skeleton.bones).unwrap();
+        let joints = skeleton.joint_positions(&mesh).unwrap();
+        let rest = skeleton.rest_bones(&joints).unwrap();
         let posed = pose_bones(&skeleton.bones, &rest, &vec![None; skeleton.bones.len()]).unwrap();
         let moved: Vec<_> = posed.iter().map(|bone| bone.moved).collect();
         let weights = scene.weights.as_ref().unwrap();

@@ -42,6 +42,24 @@ fn json_reports_fit_their_schema() {
 }
 
 #[test]
+fn json_has_a_verdict_for_what_was_checked_and_names_what_was_not() {
+    let repository = broken();
+    fs::create_dir_all(repository.path().join("other/targets")).unwrap();
+    fs::write(repository.path().join("other/targets/target.json"), "{}").unwrap();
+    let report: Value = serde_json::from_str(&run(repository.path(), &["--report", "json"])).unwrap();
+    assert_eq!(report["applications"], serde_json::json!([{ "application": "makehuman2", "verdict": "fail" }]));
+    let examples = ["other/targets/target.json"];
+    let unchecked = serde_json::json!({
+        "application": "mpfb", "what": "application", "count": 1, "examples": examples,
+    });
+    assert_eq!(report["not_checked"], serde_json::json!([unchecked]));
+    for finding in report["findings"].as_array().unwrap() {
+        let levels: Vec<&Value> = finding["breaks"].as_array().unwrap().iter().map(|one| &one["level"]).collect();
+        assert_eq!(levels, [&finding["level"]], "one application, one level");
+    }
+}
+
+#[test]
 fn json_counts_what_it_lists() {
     let report: Value = serde_json::from_str(&run(broken().path(), &["--report", "json"])).unwrap();
     let listed = report["findings"].as_array().unwrap();

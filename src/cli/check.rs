@@ -18,8 +18,8 @@ use super::step_summary;
 use super::terminal::Terminal;
 use super::workspace::placed;
 use crate::config::Config;
-use crate::diag::nearest;
-use crate::engine::{Baseline, Error, Outcome, TakenOver, rule_infos};
+use crate::diag::{Baseline, Outcome, TakenOver, nearest};
+use crate::engine::{Error, rule_infos};
 use crate::report::{self, Format, View};
 
 pub(super) fn run(
@@ -146,7 +146,7 @@ fn difference(taken_over: TakenOver) -> String {
 fn exit(outcome: &Outcome, config: &Config, panics: &[String]) -> Exit {
     if !panics.is_empty() || !outcome.is_whole() {
         Exit::CannotWork
-    } else if !outcome.judged_anything() {
+    } else if !outcome.checked_anything() {
         Exit::NothingToCheck
     } else if outcome.passes(config) {
         Exit::Clean
@@ -206,7 +206,7 @@ fn tell(
     let nothing = exit == Exit::NothingToCheck;
     if nothing || (!args.quiet && !targets.iter().any(reported)) {
         for note in &outcome.notes {
-            writeln!(err, "mhlint: {}", report::printable(note))?;
+            writeln!(err, "mhlint: {}", report::printable(&report::note(note)))?;
         }
     }
     if nothing {

@@ -5,7 +5,7 @@ use std::io;
 use std::process::ExitCode;
 
 use crate::report::printable;
-use crate::{config, engine};
+use crate::{config, engine, evaluate};
 
 /// How the command ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -41,7 +41,7 @@ pub(super) enum Failure {
     /// The arguments cannot be meant so; the text names the remedy.
     Usage(String),
     /// An evaluation could not be done.
-    Eval(engine::evaluate::Error),
+    Eval(evaluate::Error),
     /// Writing failed.
     Io(io::Error),
 }
@@ -65,8 +65,8 @@ impl From<config::Error> for Failure {
     }
 }
 
-impl From<engine::evaluate::Error> for Failure {
-    fn from(error: engine::evaluate::Error) -> Self {
+impl From<evaluate::Error> for Failure {
+    fn from(error: evaluate::Error) -> Self {
         Self::Eval(error)
     }
 }

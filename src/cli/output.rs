@@ -6,7 +6,8 @@ use std::path::{Path, PathBuf};
 use super::args::not_one_of;
 use super::exit::Failure;
 use crate::config::Config;
-use crate::engine::Outcome;
+use crate::diag::Outcome;
+use crate::engine::holds_asset;
 use crate::fix::replace;
 use crate::report::Format;
 use crate::source::{folder_of, link_targets, resolved};
@@ -108,7 +109,7 @@ pub(super) fn refuse_asset(
     let system = config.system.as_deref();
     let is_path = |file: &Path| paths.iter().any(|path| path.is_file() && resolved(path) == resolved(file));
     let mut files = targets.iter().filter_map(|target| target.file.as_deref());
-    files.find(|file| file.is_file() && (is_path(file) || outcome.has_asset(file, system))).map_or(Ok(()), |file| {
+    files.find(|file| file.is_file() && (is_path(file) || holds_asset(outcome, file, system))).map_or(Ok(()), |file| {
         let (shown, remedy) = (file.display(), "name another file, outside of the data");
         Err(Failure::Usage(format!(
             "cannot write a report to `{shown}`: that is an asset, and would be lost; {remedy}"

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use super::exit::Failure;
 use super::output::remedy;
-use crate::engine::Outcome;
+use crate::diag::Outcome;
 use crate::report::{self, View};
 
 /// GitHub drops the summary of a step as a whole when it is larger than 1 MiB.

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::env;
 use std::path::{Path, PathBuf};
 
-use crate::engine::Outcome;
+use crate::diag::Outcome;
 use crate::report::Format;
 use crate::source::slashed;
 

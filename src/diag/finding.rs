@@ -2,14 +2,16 @@
 
 use serde::Serialize;
 
-use super::{Application, Cases, Confidence, Evidence, Fix, Level, Location, Name, Parts, Place, RuleInfo, Subject};
+use super::{
+    Application, Because, Cases, Confidence, Evidence, Fix, Level, Location, Name, Parts, Place, RuleInfo, Subject,
+};
 
 /// Something wrong in an asset repository.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Finding {
     /// Id of the rule.
     pub rule: &'static str,
-    /// Level after everything that lowers or raises it.
+    /// The worst level in the applications of [`Finding::breaks`], after everything that lowers or raises it.
     pub level: Level,
     /// How sure the rule is.
     pub confidence: Confidence,
@@ -40,7 +42,7 @@ pub struct Finding {
     /// Stable identity, filled by the engine.
     pub fingerprint: String,
     /// Why a change can affect it, where the run is narrowed to a change; filled by the engine.
-    pub because: Option<String>,
+    pub because: Option<Because>,
 }
 
 /// How many of the files that a finding speaks for are ignored.
@@ -57,6 +59,8 @@ pub struct IgnoredFiles {
 pub struct Break {
     /// Who.
     pub application: Application,
+    /// How bad it is there.
+    pub level: Level,
     /// What happens to its user.
     pub effect: String,
 }
@@ -75,9 +79,14 @@ pub struct Related {
 }
 
 impl Finding {
-    /// A finding of `rule` at `place` of the file `path`, with the level and consequences of the rule.
+    /// A finding of `rule` at `place` of the file `path`, with the levels and consequences of the rule.
     pub fn new(rule: &RuleInfo, path: impl Into<String>, place: Place, message: impl Into<String>) -> Self {
-        Self {
+        let breaks = rule.breaks.iter().map(|(application, effect)| Break {
+            application: *application,
+            level: rule.level_in(*application),
+            effect: (*effect).to_owned(),
+        });
+        let finding = Self {
             rule: rule.id,
             level: rule.level,
             confidence: Confidence::High,
@@ -86,11 +95,7 @@ impl Finding {
             location: Location::default(),
             message: message.into(),
             help: None,
-            breaks: rule
-                .breaks
-                .iter()
-                .map(|(application, effect)| Break { application: *application, effect: (*effect).to_owned() })
-                .collect(),
+            breaks: breaks.collect(),
             evidence: None,
             related: Vec::new(),
             fix: None,
@@ -99,7 +104,8 @@ impl Finding {
             ignored: None,
             fingerprint: String::new(),
             because: None,
-        }
+        };
+        finding.at_worst()
     }
 
     /// Says what to do.
@@ -159,7 +165,40 @@ impl Finding {
     #[must_use]
     pub fn level(mut self, level: Level) -> Self {
         self.level = level;
+        self.breaks.iter_mut().for_each(|one| one.level = level);
         self
+    }
+
+    /// The same for one application.
+    #[must_use]
+    pub fn level_in(mut self, application: Application, level: Level) -> Self {
+        self.breaks.iter_mut().filter(|one| one.application == application).for_each(|one| one.level = level);
+        self.at_worst()
+    }
+
+    /// Keeps the consequences in these applications.
+    #[must_use]
+    pub fn only_in(mut self, applications: &[Application]) -> Self {
+        self.breaks.retain(|one| applications.contains(&one.application));
+        self.at_worst()
+    }
+
+    fn at_worst(mut self) -> Self {
+        self.level = self.breaks.iter().map(|one| one.level).max().unwrap_or(self.level);
+        self
+    }
+
+    /// Takes the level that the settings say, in every application, where they say another one.
+    pub fn regrade(&mut self, level: Level) {
+        if level != self.level {
+            self.level = level;
+            self.breaks.iter_mut().for_each(|one| one.level = level);
+        }
+    }
+
+    /// Whether it is about ignores, settings or the baseline: a matter of no application.
+    pub fn is_upkeep(&self) -> bool {
+        self.breaks.is_empty()
     }
 
     /// Marks a heuristic.
@@ -174,7 +213,7 @@ impl Finding {
     pub fn evidence(mut self, evidence: impl Into<Cases>) -> Self {
         let Cases { evidence, parts } = evidence.into();
         self.evidence = Some(evidence);
-        if self.subject.parts.is_empty() && self.files().is_empty() {
+        if self.subject.parts.is_empty() && self.subject.parts.files().is_empty() {
             self.subject.parts = parts.if_few();
         }
         self
@@ -183,8 +222,11 @@ impl Finding {
     /// Replaces the usual consequence by the one of this case.
     #[must_use]
     pub fn breaks(mut self, application: Application, effect: impl Into<String>) -> Self {
-        self.breaks.retain(|other| other.application != application);
-        self.breaks.push(Break { application, effect: effect.into() });
+        let effect = effect.into();
+        match self.breaks.iter_mut().find(|one| one.application == application) {
+            Some(one) => one.effect = effect,
+            None => self.breaks.push(Break { application, level: self.level, effect }),
+        }
         self
     }
 

@@ -3,24 +3,34 @@
 //! A leaf of the house: imports nothing of ours, no terminal types, no borrowed sources. Rules make
 //! [`Finding`]s, the engine places and sorts them, reports only say them.
 
+mod baseline;
+mod because;
 mod evidence;
 mod finding;
 mod fix;
 mod key;
 mod level;
 mod nearest;
+mod note;
+mod outcome;
 mod parts;
 mod place;
 mod rule_info;
 mod subject;
 mod upkeep;
 
+pub use baseline::{Baseline, Entry};
+pub use because::Because;
 pub use evidence::{Cases, EXAMPLES, Evidence, Tally, Worst};
 pub use finding::{Break, Finding, IgnoredFiles, Related};
 pub use fix::{Change, Edit, Fix, Rewrite, Step};
 pub use key::{fingerprint, structural};
 pub use level::{Application, Confidence, Level};
 pub use nearest::{Sought, Suggestions, nearest};
+pub use note::Note;
+pub use outcome::{
+    ApplicationVerdict, NotChecked, Outcome, RootSummary, Scope, Summary, TakenOver, Timing, Unchecked, Verdict,
+};
 pub use parts::{Name, Parts};
 pub use place::{Element, Excerpt, Location, Place};
 pub use rule_info::{FixKind, OptionInfo, RuleInfo, Sight};

@@ -11,6 +11,8 @@ pub struct RuleInfo {
     pub summary: &'static str,
     /// The usual (worst) level.
     pub level: Level,
+    /// The usual level in applications where it is another one.
+    pub levels: &'static [(Application, Level)],
     /// Whether and how it can be repaired automatically.
     pub fix: FixKind,
     /// Cannot be ignored or lowered: a matter of safety.
@@ -81,18 +83,14 @@ impl RuleInfo {
     /// A rule with nothing but the obligatory parts; the rest by struct update.
     pub const fn new(id: &'static str, level: Level, summary: &'static str) -> Self {
         let (fix, cannot_be_ignored, told_apart) = (FixKind::None, false, false);
-        Self {
-            id,
-            summary,
-            level,
-            fix,
-            cannot_be_ignored,
-            told_apart,
-            breaks: &[],
-            sight: None,
-            options: &[],
-            docs: "",
-        }
+        let (levels, breaks, options) = (&[], &[], &[]);
+        Self { id, summary, level, levels, fix, cannot_be_ignored, told_apart, breaks, sight: None, options, docs: "" }
+    }
+
+    /// The usual level in an application.
+    pub fn level_in(&self, application: Application) -> Level {
+        let own = self.levels.iter().find(|(other, _)| *other == application);
+        own.map_or(self.level, |(_, level)| *level)
     }
 
     /// The part of the id before the first dash.

@@ -9,6 +9,6 @@ pub fn rule_infos() -> Vec<&'static RuleInfo> {
 }
 
 /// Whether a rule is about ignores, settings and the baseline, and about no asset.
-pub fn is_upkeep(rule: &str) -> bool {
+pub(super) fn is_upkeep(rule: &str) -> bool {
     RULES.iter().any(|known| known.info.id == rule && matches!(known.check, Check::Upkeep(_)))
 }

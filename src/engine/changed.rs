@@ -10,10 +10,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Bound;
 use std::path::{Path, PathBuf};
 
-use super::catalogue::is_upkeep;
-use super::outcome::Outcome;
 use super::sight::{is_numeric, sight};
-use crate::diag::{Finding, Name, Place, Sight};
+use crate::diag::{Because, Finding, Name, Note, Outcome, Place, Sight};
 use crate::repo::{Layer, Reference, Repository, Resolution};
 use crate::source::{folder_of, link_targets, resolved, slashed};
 
@@ -88,24 +86,15 @@ pub(super) fn explain(repository: &Repository<'_>, findings: &mut [Finding], cha
 pub(super) fn narrow(outcome: &mut Outcome, change: &Change) {
     let all = outcome.findings.len();
     // Mutes and entries of the baseline can fall out of use by any change.
-    outcome.findings.retain(|finding| finding.because.is_some() || is_upkeep(finding.rule));
+    outcome.findings.retain(|finding| finding.because.is_some() || finding.is_upkeep());
     outcome.left_out = all - outcome.findings.len();
-    let files = match change.files {
-        1 => "1 changed file".to_owned(),
-        count => format!("{count} changed files"),
-    };
-    let others = match outcome.left_out {
-        0 => String::new(),
-        1 => "; 1 other finding is not shown".to_owned(),
-        count => format!("; {count} other findings are not shown"),
-    };
-    outcome.notes.push(format!("narrowed to what {files} can affect{others}"));
+    outcome.notes.push(Note::Narrowed { changed: change.files, left_out: outcome.left_out });
 }
 
 /// What a change reaches in one repository.
 struct Reach<'a> {
     /// Why everything can be a matter of the change.
-    whole: Option<String>,
+    whole: Option<Because>,
     /// Changed files, by their path as reports print it, and links to them.
     changed: BTreeSet<String>,
     /// The same in lower case.
@@ -218,16 +207,16 @@ impl<'a> Reach<'a> {
     }
 
     /// Why a finding can be a matter of the change.
-    fn reason(&self, repository: &Repository<'_>, finding: &Finding) -> Option<String> {
+    fn reason(&self, repository: &Repository<'_>, finding: &Finding) -> Option<Because> {
         if let Some(whole) = &self.whole {
             return Some(whole.clone());
         }
         let path = finding.path.as_str();
         if self.changed.contains(path) {
-            return Some("the file changed".to_owned());
+            return Some(Because::Own);
         }
         if let Some(changed) = self.below(path).or_else(|| first_below(&self.folded, &path.to_lowercase())) {
-            return Some(format!("`{changed}` in it changed"));
+            return Some(Because::Inside(changed.to_owned()));
         }
         let others = finding.related.iter().map(|other| other.path.as_str());
         let names = finding.subject.parts.iter().filter_map(|(name, _)| match name {
@@ -238,26 +227,26 @@ impl<'a> Reach<'a> {
             names.flat_map(|name| layers(repository).map(|layer| layer.display(name)).chain([name.clone()])).collect();
         let mut spoken_of = others.chain(parts.iter().map(String::as_str)).chain([path]);
         if let Some(changed) = spoken_of.find_map(|other| self.holding(other)) {
-            return Some(format!("`{changed}` changed"));
+            return Some(Because::SpokenOf(changed.to_owned()));
         }
         if self.folded.contains(&path.to_lowercase()) {
-            return Some("a file of this name in other capitals changed".to_owned());
+            return Some(Because::OtherCapitals);
         }
         if let Some(from) = self.named.get(path) {
-            return Some(format!("`{from}`, which names it, changed"));
+            return Some(Because::NamedBy((*from).to_owned()));
         }
         if let Some(changed) = self.naming.get(path).and_then(|places| named_at(places, finding)) {
-            return Some(format!("it names `{changed}`, which changed"));
+            return Some(Because::Names(changed.to_owned()));
         }
         self.of_its_base(&self.rel(repository, path), finding)
     }
 
     /// Why a finding at `rel` can come from another file of its base mesh.
-    fn of_its_base(&self, rel: &str, finding: &Finding) -> Option<String> {
+    fn of_its_base(&self, rel: &str, finding: &Finding) -> Option<Because> {
         let base = rel.split('/').nth(1)?;
         let changed = self.of_base.get(base)?;
         if let Some(changed) = changed.iter().find(|changed| changed.decides) {
-            return Some(format!("`{}`, which decides over all of `{base}`, changed", changed.path));
+            return Some(Because::Decides { changed: changed.path.clone(), base: base.to_owned() });
         }
         let is_rig = |changed: &&Changed| changed.folder == "rigs";
         let folder = |path: &str| path.rsplit_once('/').map_or(String::new(), |(folder, _)| folder.to_owned());
@@ -274,7 +263,7 @@ impl<'a> Reach<'a> {
             }
             Sight::Base => changed.first(),
         };
-        counts.map(|changed| format!("`{}`, which also belongs to `{base}`, changed", changed.path))
+        counts.map(|changed| Because::SameBase { changed: changed.path.clone(), base: base.to_owned() })
     }
 
     /// The changed file, link or linked folder that a path is or lies in.
@@ -290,13 +279,13 @@ impl<'a> Reach<'a> {
 }
 
 /// Why everything in a repository can be a matter of the change, if so.
-fn whole(repository: &Repository<'_>, change: &Change) -> Option<String> {
+fn whole(repository: &Repository<'_>, change: &Change) -> Option<Because> {
     if let Some(layer) = layers(repository).find(|layer| change.replaces(layer)) {
-        return Some(format!("the folder `{}`, or one that it lies in, changed as a whole", layer.path));
+        return Some(Because::WholeFolder(layer.path.clone()));
     }
     let path = change.restacking(repository)?;
     let name = path.rsplit('/').next().unwrap_or_default();
-    Some(format!("a `{name}` changed that can decide which data lie over which"))
+    Some(Because::Layers(name.to_owned()))
 }
 
 /// The first of the paths that lies below a folder.

@@ -4,11 +4,11 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 
 use super::changed;
+use super::error::Error;
 use super::load::{Input, open, open_system};
-use super::outcome::{Error, Outcome};
 use super::run::lint_inputs;
 use crate::config::Config;
-use crate::diag::{Change, Edit, Finding, Fix, FixKind, Rewrite, Step};
+use crate::diag::{Change, Edit, Finding, Fix, FixKind, Note, Outcome, Rewrite, Step};
 use crate::fix::{FileChange, Patch, Plan, apply, is_packed, pack, unpack};
 use crate::formats::{mhw_edit, target_edit};
 use crate::json;
@@ -58,8 +58,7 @@ pub fn lint_and_fix(paths: &[PathBuf], options: &Config, with_unsafe: bool) -> R
             break;
         }
         if turn == TURNS {
-            let note = format!("fixes did not come to an end in {TURNS} turns; run mhlint again for the rest");
-            all.outcome.notes.push(note);
+            all.outcome.notes.push(Note::Unfinished { turns: TURNS });
             break;
         }
         all.fixed.extend(fixed);

@@ -7,11 +7,10 @@ use std::time::{Duration, Instant};
 use rayon::prelude::*;
 
 use super::caught::caught;
-use super::outcome::{Outcome, Timing};
 use super::settle::Ignores;
 use super::settle::{Selection, Verdict};
 use crate::config::Config;
-use crate::diag::{Finding, Upkeep, fingerprint};
+use crate::diag::{Finding, Outcome, Timing, Upkeep, fingerprint};
 use crate::eval::measures::Measures;
 use crate::repo::Repository;
 use crate::rules::{Check, RULES, Rule, RuleCx};
@@ -87,7 +86,7 @@ pub(super) fn look_after(
     }
     findings.retain_mut(|finding| {
         let Verdict::At(level) = selection.verdict(finding.rule, finding.level, None) else { return false };
-        finding.level = level;
+        finding.regrade(level);
         finding.fingerprint = fingerprint(finding.rule, &ignores.asset(&finding.path), &finding.subject.key, 0);
         true
     });

@@ -3,12 +3,11 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::caught::caught;
-use super::compose::{Composed, Rows, compose};
-use super::gauge::gauge;
 use super::load::Data;
 use super::load::load_targets;
 use crate::config::Config;
 use crate::eval::measures::Measures;
+use crate::evaluate::{self, Rows};
 use crate::repo::Base;
 
 /// Reads the targets of all bases and measures each base of each repository: one map a repository. What could not be
@@ -65,10 +64,7 @@ fn measure_base(
         let base = Base::resolve(name, system, user);
         // Repositories over the same system data share its rows; the last one takes them.
         let own = if Some(number) == last { &mut rows } else { &mut rows.clone() };
-        let evaluate = || {
-            let Composed { scene, rigs } = compose(&base, own)?;
-            Some(gauge(&scene, &rigs, options))
-        };
+        let evaluate = || evaluate::measure(&base, own, options);
         if let Some(Some(measured)) = caught(&format!("evaluation of `{name}`"), failed, evaluate) {
             found.insert(name.to_owned(), measured);
         }

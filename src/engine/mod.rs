@@ -5,22 +5,20 @@
 mod catalogue;
 mod caught;
 mod changed;
-mod compose;
-pub mod evaluate;
+mod error;
 mod fix;
-mod gauge;
 mod judge;
 mod load;
 mod measure;
-mod outcome;
-mod references;
 mod run;
 mod settle;
 mod sight;
+mod verdict;
 
 pub use crate::eval::settings::DEFAULT_SAMPLES;
-pub use catalogue::{is_upkeep, rule_infos};
+pub use catalogue::rule_infos;
+pub use error::{BaselineFault, Error, PathFault, SelectorFault};
 pub use fix::{Fixed, fixable, lint_and_fix};
-pub use outcome::{Error, Outcome, RootSummary, Summary, TakenOver, Timing};
+pub use load::open_base;
 pub use run::{lint, lint_trees};
-pub use settle::{Baseline, Entry};
+pub use verdict::holds_asset;

@@ -5,13 +5,14 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use super::changed::{Change, explain, narrow};
+use super::error::Error;
 use super::judge::{judge, look_after};
 use super::load::{Data, Input, Loaded, Roots, check_bases, moved, open, summarise};
 use super::measure::measure_bases;
-use super::outcome::{Error, Outcome, Timing};
 use super::settle::{Ignores, Keeper, Known, Placed, Scope, Selection, idle, place_and_sort};
-use crate::config::Config;
-use crate::diag::{Application, IdleGlob, Level, Upkeep};
+use super::verdict::conclude;
+use crate::config::{Config, Selector};
+use crate::diag::{self, Application, IdleGlob, Level, Outcome, Timing, Upkeep};
 use crate::eval::measures::Measures;
 use crate::repo::Repository;
 use crate::source::Tree;
@@ -63,7 +64,7 @@ pub(super) fn lint_inputs(inputs: &[Input], system: Option<&Tree>, options: &Con
     let moved = moved(inputs, &roots.found, system, options, &mut outcome);
     let places = roots.places(&moved, system_place, &asked.scope, options, &mut outcome);
     let mut data = Data::load(places, system_place, &options.limits);
-    outcome.only = asked_for(&data, options);
+    outcome.scope = asked_for(&data, options);
     outcome.timings.push(timing("read", started));
     let started = Instant::now();
     let measures = measure_bases(&mut data, options, &mut outcome.failed_steps);
@@ -80,44 +81,33 @@ pub(super) fn lint_inputs(inputs: &[Input], system: Option<&Tree>, options: &Con
     let trees: Vec<&Tree> = inputs.iter().map(|input| &input.tree).chain(system).chain([&settings]).collect();
     outcome.roots.sort_by(|a, b| (&a.path, a.application).cmp(&(&b.path, b.application)));
     place_and_sort(&mut outcome.findings, &trees, &options.limits, &mut outcome.failed_steps);
-    outcome.count();
+    conclude(&mut outcome, options);
     outcome.timings.push(timing("places", started));
     Ok(outcome)
 }
 
-/// What the PATHs, `--base`, `exclude` and the rules that are on leave of the data to report on, in words.
-fn asked_for(data: &Data<'_>, options: &Config) -> Vec<String> {
-    let names = |before: &str, names: &[&str]| {
-        let shown: Vec<String> = names.iter().take(NAMED).map(|name| format!("`{name}`")).collect();
-        let more = match names.len().saturating_sub(NAMED) {
-            0 => String::new(),
-            more => format!(" and {more} more"),
-        };
-        (!names.is_empty()).then(|| format!("{before} {}{more}", shown.join(", ")))
-    };
-    let paths: Vec<&str> = data.roots.iter().flat_map(Loaded::parts).collect();
-    let bases: Vec<&str> = options.bases.iter().map(String::as_str).collect();
-    let of_file = || options.file.iter().flat_map(|file| &file.select).map(|selector| selector.text.as_str());
-    let rules: Vec<&str> =
-        if options.only.is_empty() { of_file().collect() } else { options.only.iter().map(String::as_str).collect() };
-    let rules = if rules.contains(&"*") { Vec::new() } else { rules };
-    let mut without: Vec<&String> = options.skip.iter().chain(off(&options.levels, |name| name)).collect();
+/// What the PATHs, `--base`, `exclude` and the rules that are on leave of the data to report on.
+fn asked_for(data: &Data<'_>, options: &Config) -> diag::Scope {
+    let file = || options.file.iter();
+    let texts = |selectors: &[Selector]| selectors.iter().map(|one| one.text.clone()).collect::<Vec<_>>();
+    let mut rules = options.only.clone();
+    let mut without: Vec<String> = options.skip.iter().chain(off(&options.levels, |name| name)).cloned().collect();
     // `--only` takes the place of what the file says of rules.
-    for file in options.file.iter().filter(|_| options.only.is_empty()) {
-        without.extend(file.skip.iter().map(|selector| &selector.text));
-        without.extend(off(&file.levels, |selector| &selector.text));
+    for file in file().filter(|_| options.only.is_empty()) {
+        rules = texts(&file.select);
+        without.extend(texts(&file.skip));
+        without.extend(off(&file.levels, |selector| &selector.text).cloned());
     }
-    let without: Vec<&str> = without.into_iter().map(String::as_str).collect();
-    let excluded: Vec<&str> =
-        options.file.iter().flat_map(|file| &file.exclude).map(|glob| glob.text.as_str()).collect();
-    let parts = [
-        names("in", &paths),
-        names("outside of", &excluded),
-        names("on the base mesh", &bases),
-        names("by the rules", &rules),
-        names("without the rules", &without),
-    ];
-    parts.into_iter().flatten().collect()
+    if rules.iter().any(|rule| rule == "*") {
+        rules.clear();
+    }
+    diag::Scope {
+        paths: data.roots.iter().flat_map(Loaded::parts).map(str::to_owned).collect(),
+        excluded: file().flat_map(|file| &file.exclude).map(|glob| glob.text.clone()).collect(),
+        bases: options.bases.clone(),
+        rules,
+        without,
+    }
 }
 
 /// The rules whose level is `off`, by what they were named with.
@@ -127,9 +117,6 @@ fn off<'l, T>(
 ) -> impl Iterator<Item = &'l String> {
     levels.iter().filter(|(_, level)| level.is_none()).map(move |(rules, _)| name(rules))
 }
-
-/// Names that a sentence holds.
-const NAMED: usize = 3;
 
 fn timing(what: &str, started: Instant) -> Timing {
     Timing { what: what.to_owned(), time: started.elapsed() }

@@ -1,6 +1,6 @@
 //! Which target moves something most at a setting: where the author of a fault has to look.
 
-use super::macro_eval::MacroResult;
+use super::macros::MacroWork;
 use super::scene::{Scene, Setting};
 use super::vector::{Point, Vec3, add, scale, sub, widen};
 
@@ -8,8 +8,8 @@ use super::vector::{Point, Vec3, add, scale, sub, widen};
 /// what its factor is more or less than there. What moves several vertices alike does no harm to the face or bone
 /// between them, so only differences count then. Suspects are left out. `None` if nothing moves them.
 pub fn most_moving(scene: &Scene, setting: &Setting, vertices: &[u32]) -> Option<usize> {
-    let factors = scene.factors(setting, &mut MacroResult::default()).ok()?;
-    let rest = scene.factors(&scene.defaults(), &mut MacroResult::default()).ok()?;
+    let factors = scene.factors(setting, &mut MacroWork::default()).ok()?;
+    let rest = scene.factors(&scene.defaults(), &mut MacroWork::default()).ok()?;
     let at_rest =
         |place: usize| rest.iter().filter(|(other, _)| *other == place).map(|(_, factor)| factor).sum::<f64>();
     let moved = factors.into_iter().filter_map(|(place, factor)| {

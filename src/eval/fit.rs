@@ -1,16 +1,10 @@
-//! Assets fitted to a base mesh: positions, scales, hidden vertices, weights taken from the body.
+//! Assets fitted to a base mesh.
 //!
-//! Gets reference lines of an asset as numbers and the base mesh; returns arrays. Source: MakeHuman 2, proxy fitting
-//! (formats/makehuman2.md §15.2).
+//! Gets reference lines of an asset as numbers and the base mesh; returns positions.
 
 use super::error::EvalError;
-use super::influences::Influences;
-use super::joints::point;
+use super::mesh::point;
 use super::vector::{Point, Vec3, add, narrow, scale, widen};
-use super::weights::{BoneWeights, Entry, LoadedWeights, WEIGHT_LIMIT, load, merge_duplicates};
-
-/// Distances below this give no scale, and then the asset is not scaled at all. In mesh units.
-pub const SMALLEST_DISTANCE: f32 = 0.01;
 
 /// One vertex of an asset, in terms of the base mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,26 +33,6 @@ pub struct ScaleLine {
     pub distance: f32,
 }
 
-/// Scales of the x, y and z axis on a mesh; `None` (no scaling) unless all three lines are there with distances of at
-/// least `SMALLEST_DISTANCE`. Assets of type proxy are never scaled: pass `None` to `fit` for them.
-///
-/// # Errors
-/// A vertex outside the mesh.
-pub fn axis_scales(positions: &[Point], lines: [Option<ScaleLine>; 3]) -> Result<Option<Vec3>, EvalError> {
-    let [Some(x), Some(y), Some(z)] = lines else { return Ok(None) };
-    let mut scales = [1.0; 3];
-    for (axis, line) in [x, y, z].into_iter().enumerate() {
-        // False for NaN.
-        let long_enough = line.distance >= SMALLEST_DISTANCE;
-        if !long_enough {
-            return Ok(None);
-        }
-        let at = |i: usize| point(positions, line.vertices[i]).map(|p| f64::from(p[axis]));
-        scales[axis] = (at(0)? - at(1)?).abs() / f64::from(line.distance);
-    }
-    Ok(Some(scales))
-}
-
 /// Positions of the asset's vertices on a mesh. The application measures the scales once, when the asset is attached,
 /// and keeps them when the mesh changes.
 ///
@@ -78,82 +52,11 @@ fn fitted(positions: &[Point], reference: &Reference, scales: Vec3) -> Result<Po
     Ok(narrow(sum))
 }
 
-/// Base vertices that the asset hides. `ranges` holds (first, last), both included; a single index is a range of one,
-/// a descending range counts as its first index alone, a negative index counts from the end.
-///
-/// # Errors
-/// An index outside the mesh.
-pub fn deleted_vertices(ranges: &[(i64, i64)], vertex_count: usize) -> Result<Vec<bool>, EvalError> {
-    let mut deleted = vec![false; vertex_count];
-    let place = |index: i64| {
-        let outside = EvalError::VertexOutOfRange { vertex: index, count: vertex_count };
-        let from_end = usize::try_from(index.unsigned_abs()).ok().and_then(|i| vertex_count.checked_sub(i));
-        let found = if index < 0 { from_end } else { usize::try_from(index).ok() };
-        found.filter(|i| *i < vertex_count).ok_or(outside)
-    };
-    for (first, last) in ranges {
-        let first = place(*first)?;
-        let last = place(*last)?.max(first);
-        deleted[first..=last].fill(true);
-    }
-    Ok(deleted)
-}
-
-/// Number of faces whose vertices are all deleted: the hidden ones, where faces are triangles as the application
-/// draws them.
-pub fn hidden_faces<'a>(faces: impl IntoIterator<Item = &'a [u32]>, deleted: &[bool]) -> usize {
-    let hidden = |vertex: &u32| deleted.get(*vertex as usize).copied().unwrap_or(false);
-    faces.into_iter().filter(|face| !face.is_empty() && face.iter().all(hidden)).count()
-}
-
-/// Weights of an asset without own weights: body weights times reference weights, products not above `WEIGHT_LIMIT`
-/// dropped, then as `weights::load`, then entries of one vertex added up. Vertices left without weight go to `root`.
-///
-/// # Errors
-/// None that data can cause: references outside `body` have no weights.
-pub fn derived_weights(references: &[Reference], body: &Influences, root: usize) -> Result<LoadedWeights, EvalError> {
-    let mut lists: Vec<BoneWeights> = Vec::new();
-    let mut places: Vec<Option<usize>> = Vec::new();
-    for (vertex, reference) in (0..).zip(references) {
-        for (base, share) in reference.vertices.iter().zip(reference.weights) {
-            for (bone, weight) in body.of(*base) {
-                let product = share * weight;
-                if product > WEIGHT_LIMIT {
-                    entries_of(*bone, &mut places, &mut lists).push((vertex, product));
-                }
-            }
-        }
-    }
-    lists.sort_by_key(|list| list.bone);
-    let slices: Vec<(usize, &[Entry])> = lists.iter().map(|list| (list.bone, list.entries.as_slice())).collect();
-    let mut loaded = load(&slices, root, references.len())?;
-    for list in &mut loaded.bones {
-        // The root's additions are unsorted, but no vertex among them occurs before.
-        merge_duplicates(&mut list.entries);
-    }
-    Ok(loaded)
-}
-
-fn entries_of<'a>(bone: usize, places: &mut Vec<Option<usize>>, lists: &'a mut Vec<BoneWeights>) -> &'a mut Vec<Entry> {
-    if places.len() <= bone {
-        places.resize(bone + 1, None);
-    }
-    let place = *places[bone].get_or_insert_with(|| {
-        lists.push(BoneWeights { bone, entries: Vec::new() });
-        lists.len() - 1
-    });
-    &mut lists[place].entries
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     const MESH: [Point; 4] = [[0.0; 3], [2.0, 0.0, 0.0], [0.0, 4.0, 0.0], [0.0, 0.0, 8.0]];
-
-    fn line(a: u32, b: u32, distance: f32) -> ScaleLine {
-        ScaleLine { vertices: [a, b], distance }
-    }
 
     #[test]
     fn exact_reference_is_the_vertex_itself() {
@@ -175,70 +78,7 @@ mod tests {
     }
 
     #[test]
-    fn scales_need_all_three_lines() {
-        let (x, y, z) = (line(0, 1, 1.0), line(2, 0, 8.0), line(0, 3, 8.0));
-        let scales = |y: ScaleLine, z: ScaleLine| axis_scales(&MESH, [Some(x), Some(y), Some(z)]);
-        assert_eq!(scales(y, z), Ok(Some([2.0, 0.5, 1.0])));
-        assert_eq!(axis_scales(&MESH, [Some(x), Some(y), None]), Ok(None));
-        assert_eq!(scales(line(2, 0, 0.009), z), Ok(None));
-        assert_eq!(scales(line(2, 0, f32::NAN), z), Ok(None));
-        assert!(scales(line(2, 0, SMALLEST_DISTANCE), z).unwrap().is_some());
-        assert_eq!(scales(y, line(0, 9, 1.0)), Err(EvalError::vertex(9, 4)));
-    }
-
-    #[test]
     fn reference_outside_the_mesh_is_an_error() {
         assert_eq!(fit(&MESH, &[Reference::exact(4)], None), Err(EvalError::vertex(4, 4)));
-    }
-
-    #[test]
-    fn delete_ranges_as_the_application_reads_them() {
-        let count = |ranges: &[(i64, i64)]| deleted_vertices(ranges, 10).map(|d| d.iter().filter(|d| **d).count());
-        assert_eq!(count(&[(2, 4), (4, 5), (9, 9)]), Ok(5));
-        assert_eq!(count(&[(7, 3)]), Ok(1));
-        assert_eq!(deleted_vertices(&[(-1, -1)], 3), Ok(vec![false, false, true]));
-        assert!(count(&[(0, 10)]).is_err() && count(&[(-11, -11)]).is_err() && count(&[(i64::MIN, i64::MAX)]).is_err());
-    }
-
-    #[test]
-    fn face_is_hidden_when_all_its_vertices_are() {
-        let deleted = deleted_vertices(&[(0, 2)], 4).unwrap();
-        assert_eq!(hidden_faces([&[0, 1, 2][..], &[1, 2, 3], &[], &[9, 9, 9]], &deleted), 1);
-    }
-
-    fn body(lists: &[&[(u32, f32)]]) -> Influences {
-        let bones: Vec<_> = (0..).zip(lists).map(|(bone, l)| BoneWeights { bone, entries: l.to_vec() }).collect();
-        Influences::new(&bones, 4).unwrap()
-    }
-
-    #[test]
-    fn exact_reference_takes_the_weights_of_its_vertex() {
-        let body = body(&[&[(0, 0.25), (1, 1.0)], &[(0, 0.75)]]);
-        let found = derived_weights(&[Reference::exact(0)], &body, 9).unwrap();
-        assert_eq!(found.bones[0], BoneWeights { bone: 0, entries: vec![(0, 0.25)] });
-        assert_eq!(found.bones[1], BoneWeights { bone: 1, entries: vec![(0, 0.75)] });
-    }
-
-    #[test]
-    fn equal_bones_of_the_references_are_added() {
-        let body = body(&[&[(0, 1.0), (1, 1.0), (2, 0.5)], &[(2, 0.5)]]);
-        let reference = Reference { vertices: [0, 1, 2], weights: [0.25, 0.25, 0.5], offset: [0.0; 3] };
-        let found = derived_weights(&[reference], &body, 9).unwrap();
-        assert_eq!(found.bones[0].entries, [(0, 0.75)]);
-        assert_eq!(found.bones[1].entries, [(0, 0.25)]);
-    }
-
-    #[test]
-    fn negative_and_small_products_are_dropped_before_normalising() {
-        let body = body(&[&[(0, 1.0)], &[(1, 1.0)], &[(2, 1.0)]]);
-        let reference = Reference { vertices: [0, 1, 2], weights: [0.5, -0.5, 1e-4], offset: [0.0; 3] };
-        let found = derived_weights(&[reference], &body, 9).unwrap();
-        assert_eq!(found.bones, [BoneWeights { bone: 0, entries: vec![(0, 1.0)] }]);
-    }
-
-    #[test]
-    fn asset_vertex_without_weights_goes_to_the_root() {
-        let found = derived_weights(&[Reference::exact(3), Reference::exact(77)], &body(&[&[(0, 1.0)]]), 9).unwrap();
-        assert_eq!(found.bones, [BoneWeights { bone: 9, entries: vec![(0, 1.0), (1, 1.0)] }]);
     }
 }

@@ -284,9 +284,9 @@ impl Faces {
 
 #[cfg(test)]
 mod tests {
-    use super::super::macro_eval::MacroResult;
-    use super::super::scene::{MorphTarget, Scene, SceneSkeleton, SceneSlider, Setting, SliderKind};
-    use super::super::skeleton::Bone;
+    use super::super::macros::MacroWork;
+    use super::super::scene::{MorphTarget, Scene, SceneSlider, Setting, SliderKind};
+    use super::super::skeleton::{Bone, SceneSkeleton};
     use super::super::walk::in_order;
     use super::*;
 
@@ -323,7 +323,7 @@ mod tests {
     fn stops(surveyor: &Surveyor<'_>, settings: &[&[f64]]) -> Vec<Stop> {
         let setting = |details: &&[f64]| Setting { macros: Vec::new(), details: details.to_vec() };
         let settings = settings.iter().map(setting).enumerate();
-        settings.map(|(at, setting)| surveyor.stop(at, &setting, &mut MacroResult::default()).unwrap()).collect()
+        settings.map(|(at, setting)| surveyor.stop(at, &setting, &mut MacroWork::default()).unwrap()).collect()
     }
 
     /// Collapses the first face, throws a vertex far away, folds the bone.

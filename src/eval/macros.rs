@@ -1,272 +1,42 @@
-//! A macro system with its names resolved once, so that a setting is evaluated with numbers only.
+//! The macros of a scene: positions of sliders to targets with factors, by the formulas of their application.
 //!
-//! Gets components, macrodefs and the sliders registered for patterns; returns a `MacroTable` that holds for every
-//! possible combination of every macrodef what its name leads to. `macro_eval` walks it. Source: MakeHuman 2, macro
-//! calculation (formats/makehuman2.md §3.2, §3.3).
+//! Surveys ask nothing else of them. Where an application calculates macros in another way, that is another variant.
 
-use std::collections::HashMap;
-use std::fmt;
+use super::makehuman2::{MacroError, MacroResult, MacroTable, macro_survey};
+use super::measures::MacroMeasure;
+use super::scene::{Scene, Setting};
 
-use super::component::{ComponentFault, ComponentState, DropReason, barycentric, stepped};
-use super::macro_def::{Blend, Component, Macrodef, Slider};
-
-/// More combinations than this (over all macrodefs) are not tabulated; the largest shipped system has about six
-/// thousand.
-pub const MAX_COMBINATIONS: usize = 1 << 20;
-/// Longest `comp` list that is evaluated; the largest shipped one has six entries.
-pub const MAX_COMPONENTS: usize = 32;
-
-/// What the name of a combination leads to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Link {
-    /// No macrodef lists the name.
-    Missing,
-    /// Listed with null.
-    Null,
-    /// The target of this number.
-    Target(u32),
+/// The macros of a scene.
+#[derive(Debug, Clone)]
+pub enum Macros {
+    /// Components, macrodefs and their targets.
+    Makehuman2(MacroTable),
 }
 
-/// Why a macro system or a setting has no result.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum MacroError {
-    /// A component stops the application at this setting.
-    Component {
-        /// Number of the component.
-        component: usize,
-        /// What is wrong with it.
-        fault: ComponentFault,
-    },
-    /// This macrodef passes `MAX_COMPONENTS` or `MAX_COMBINATIONS`: a limit of this evaluation, not of the application.
-    TooLarge {
-        /// Number of the macrodef.
-        macrodef: usize,
-    },
+/// Room for calculating macros, meant to be reused.
+#[derive(Debug, Default)]
+pub struct MacroWork {
+    makehuman2: MacroResult,
 }
 
-impl fmt::Display for MacroError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Component { component, fault } => write!(f, "component number {component}: {fault}"),
-            Self::TooLarge { macrodef } => {
-                write!(f, "macrodef number {macrodef} has too many combinations to evaluate")
-            }
-        }
-    }
-}
-
-impl std::error::Error for MacroError {}
-
-/// The compiled system: see the module.
-#[derive(Clone, Debug)]
-pub struct MacroTable {
-    components: Vec<Compiled>,
-    pub(super) macrodefs: Vec<MacrodefTable>,
-    target_count: usize,
-}
-
-#[derive(Clone, Debug)]
-struct Compiled {
-    values: Vec<String>,
-    source: Source,
-    used: bool,
-}
-
-#[derive(Clone, Debug)]
-enum Source {
-    Unregistered,
-    Steps { slider: Slider, steps: Vec<f64> },
-    Sum(Vec<Corner>),
-}
-
-/// One value of a sum component: where its number is, or the fault of asking for it.
-type Corner = Result<Option<usize>, ComponentFault>;
-
-/// The combinations of one macrodef. A combination is a number: for each position 0 (left out) or 1 + value number,
-/// times the stride.
-#[derive(Clone, Debug)]
-pub(super) struct MacrodefTable {
-    pub(super) positions: Vec<Position>,
-    pub(super) links: Vec<Link>,
-    /// Positions of `comp` whose component is not defined.
-    pub(super) undefined: Vec<usize>,
-}
-
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Position {
-    /// Place in `comp`.
-    pub(super) place: usize,
-    pub(super) component: usize,
-    radix: usize,
-    pub(super) stride: usize,
-}
-
-impl MacroTable {
-    /// Resolves all names. `slider` says which slider is registered under a pattern, if any.
-    ///
-    /// Of two components or links with one name the last counts, links across all macrodefs.
+impl Macros {
+    /// Numbers of the targets of a setting, places in [`Scene::macro_targets`], with their factors.
     ///
     /// # Errors
-    /// `TooLarge`; nothing else, since a faulty component matters only at the settings that reach the fault.
-    pub fn new(
-        components: &[Component],
-        macrodefs: &[Macrodef],
-        slider: impl Fn(&str) -> Option<Slider>,
-    ) -> Result<Self, MacroError> {
-        let links: HashMap<&str, Option<u32>> = macrodefs.iter().flat_map(|m| m.links.iter().copied()).collect();
-        let by_name: HashMap<&str, usize> = components.iter().enumerate().map(|(i, c)| (c.name, i)).collect();
-        let target_count =
-            macrodefs.iter().flat_map(|m| &m.links).filter_map(|l| l.1).max().map_or(0, |t| t as usize + 1);
-        let components = components.iter().map(|c| Compiled::new(c, &slider)).collect();
-        let mut table = Self { components, macrodefs: Vec::new(), target_count };
-        let mut room = MAX_COMBINATIONS;
-        for (number, macrodef) in macrodefs.iter().enumerate() {
-            let too_large = MacroError::TooLarge { macrodef: number };
-            let mut compiled = table.positions(macrodef, &by_name, room).ok_or(too_large)?;
-            compiled.links = vec![Link::Missing; compiled.combination_count()];
-            room -= compiled.links.len();
-            table.fill(&mut compiled, &links);
-            table.macrodefs.push(compiled);
-        }
-        Ok(table)
-    }
-
-    /// Highest target number plus one.
-    pub fn target_count(&self) -> usize {
-        self.target_count
-    }
-
-    /// Number of macrodefs.
-    pub fn macrodef_count(&self) -> usize {
-        self.macrodefs.len()
-    }
-
-    /// Number of combinations of a macrodef, those with components left out included.
-    pub fn combination_count(&self, macrodef: usize) -> usize {
-        self.macrodefs.get(macrodef).map_or(0, |table| table.links.len())
-    }
-
-    /// Name of a combination: its values joined by `-`; components left out have no part.
-    pub fn name(&self, macrodef: usize, combination: usize) -> String {
-        let Some(table) = self.macrodefs.get(macrodef) else { return String::new() };
-        let parts: Vec<&str> = table.positions.iter().filter_map(|p| self.value_name(p, combination)).collect();
-        parts.join("-")
-    }
-
-    /// What a combination leads to; `None` if there is no such combination.
-    pub fn link(&self, macrodef: usize, combination: usize) -> Option<Link> {
-        self.macrodefs.get(macrodef)?.links.get(combination).copied()
-    }
-
-    /// The value of each defined component in a combination; `None` where the component is left out.
-    pub fn values(&self, macrodef: usize, combination: usize) -> impl Iterator<Item = Option<usize>> {
-        let positions = self.macrodefs.get(macrodef).map(|table| table.positions.as_slice()).unwrap_or_default();
-        positions.iter().map(move |position| position.digit(combination).checked_sub(1))
-    }
-
-    pub(super) fn component_count(&self) -> usize {
-        self.components.len()
-    }
-
-    /// The state of a component at a setting; `None` if no macrodef uses it: the application does not look at it then.
-    pub(super) fn state(&self, component: usize, settings: &[f64]) -> Option<Result<ComponentState, MacroError>> {
-        let compiled = self.components.get(component).filter(|c| c.used)?;
-        Some(compiled.state(settings).map_err(|fault| MacroError::Component { component, fault }))
-    }
-
-    fn value_name(&self, position: &Position, combination: usize) -> Option<&str> {
-        let value = position.digit(combination).checked_sub(1)?;
-        self.components.get(position.component)?.values.get(value).map(String::as_str)
-    }
-
-    fn positions(&mut self, macrodef: &Macrodef, by_name: &HashMap<&str, usize>, room: usize) -> Option<MacrodefTable> {
-        if macrodef.components.len() > MAX_COMPONENTS {
-            return None;
-        }
-        let mut table = MacrodefTable { positions: Vec::new(), links: Vec::new(), undefined: Vec::new() };
-        for (place, name) in macrodef.components.iter().enumerate() {
-            let Some(&component) = by_name.get(name) else {
-                table.undefined.push(place);
-                continue;
-            };
-            let stride = table.combination_count();
-            let compiled = &mut self.components[component];
-            compiled.used = true;
-            table.positions.push(Position { place, component, radix: compiled.values.len() + 1, stride });
-            if table.combination_count() > room {
-                return None;
-            }
-        }
-        (table.combination_count() <= room).then_some(table)
-    }
-
-    fn fill(&self, table: &mut MacrodefTable, links: &HashMap<&str, Option<u32>>) {
-        let mut name = String::new();
-        for combination in 0..table.links.len() {
-            name.clear();
-            for (i, part) in table.positions.iter().filter_map(|p| self.value_name(p, combination)).enumerate() {
-                name.push_str(if i > 0 { "-" } else { "" });
-                name.push_str(part);
-            }
-            table.links[combination] = match links.get(name.as_str()) {
-                None => Link::Missing,
-                Some(None) => Link::Null,
-                Some(Some(target)) => Link::Target(*target),
-            };
-        }
-    }
-}
-
-impl MacrodefTable {
-    fn combination_count(&self) -> usize {
-        self.positions.last().map_or(1, |p| p.stride.saturating_mul(p.radix))
-    }
-}
-
-impl Position {
-    fn digit(&self, combination: usize) -> usize {
-        combination / self.stride % self.radix
-    }
-}
-
-impl Compiled {
-    fn new(component: &Component, slider: &impl Fn(&str) -> Option<Slider>) -> Self {
-        let source = match &component.blend {
-            Blend::Steps(steps) => match slider(component.pattern) {
-                Some(slider) => Source::Steps { slider, steps: steps.clone() },
-                None => Source::Unregistered,
-            },
-            Blend::Sum(sum) => {
-                Source::Sum((0..component.values.len()).map(|i| corner(component.pattern, sum, i, slider)).collect())
-            }
-        };
-        Self { values: component.values.iter().map(ToString::to_string).collect(), source, used: false }
-    }
-
-    fn state(&self, settings: &[f64]) -> Result<ComponentState, ComponentFault> {
-        let at = |place: usize| settings.get(place).copied().ok_or(ComponentFault::MissingSetting(place));
-        match &self.source {
-            Source::Unregistered => Ok(ComponentState::Dropped(DropReason::UnknownPattern)),
-            Source::Steps { slider: Slider::Value(place), steps } => stepped(at(*place)?, steps, self.values.len()),
-            // The own position of a triangle entry is never set from a model file.
-            Source::Steps { slider: Slider::Barycentric(_), steps } => stepped(0.0, steps, self.values.len()),
-            Source::Sum(corners) => {
-                let numbers: Result<Vec<_>, _> = corners.iter().map(|corner| (*corner)?.map(at).transpose()).collect();
-                Ok(ComponentState::Shares(barycentric(numbers?)))
+    /// Where the macros stop the application.
+    pub fn factors<'w>(&self, settings: &[f64], work: &'w mut MacroWork) -> Result<&'w [(u32, f64)], MacroError> {
+        match self {
+            Self::Makehuman2(table) => {
+                table.evaluate(settings, &mut work.makehuman2)?;
+                Ok(&work.makehuman2.factors)
             }
         }
     }
-}
 
-/// Value number `i` takes number `i` of the triangle that is registered under pattern + `sum[i]`: by place, not by
-/// name.
-fn corner(pattern: &str, sum: &[&str], i: usize, slider: impl Fn(&str) -> Option<Slider>) -> Corner {
-    let Some(entry) = sum.get(i) else { return Err(ComponentFault::MissingSum(i)) };
-    match slider(&format!("{pattern}{entry}")) {
-        None => Ok(None),
-        Some(Slider::Value(_)) => Err(ComponentFault::NotBarycentric(i)),
-        Some(Slider::Barycentric(places)) => {
-            places.get(i).map_or(Err(ComponentFault::FourthCorner), |place| Ok(Some(*place)))
+    /// What the macros of a scene do over the range of their sliders; what is thrown away is looked for in `settings`.
+    pub fn measure(&self, scene: &Scene, settings: &[Setting]) -> MacroMeasure {
+        match self {
+            Self::Makehuman2(table) => macro_survey::measure(table, scene, settings),
         }
     }
 }

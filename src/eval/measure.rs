@@ -3,7 +3,7 @@
 //! Source: MakeHuman 2, measure (formats/makehuman2.md §4.6).
 
 use super::error::EvalError;
-use super::joints::point;
+use super::mesh::point;
 use super::vector::{Point, distance};
 
 /// Length of the chain in mesh units: distances of consecutive vertices; the chain is not closed. An empty chain is 0

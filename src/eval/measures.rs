@@ -1,7 +1,8 @@
 //! What evaluation measures on a scene, in plain data with names, which outlives the scene. Rules judge it.
 
-use super::macro_survey::{DeadRange, Jump, SumOff};
+use super::makehuman2::macro_survey::{DeadRange, Jump, SumOff};
 use super::rig_measure::{BoneMeasure, WeightMeasure};
+use super::settings::SliderSetting;
 use super::symmetry::MirrorDifference;
 use super::target_measure::TargetMeasure;
 
@@ -31,10 +32,6 @@ pub struct Measures {
 /// What was seen over the slider space.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct SpaceMeasure {
-    /// Settings looked at.
-    pub settings: usize,
-    /// Setting at which the application stops.
-    pub stopped: Option<String>,
     /// Vertices that are not finite.
     pub non_finite: Option<Seen>,
     /// Visible faces without area.
@@ -66,8 +63,8 @@ pub struct Seen {
     pub elements: Vec<usize>,
     /// The same by name: faces with their group, groups, joints, bones. Vertices have none.
     pub all: Vec<String>,
-    /// The setting, in the application's own slider names.
-    pub setting: String,
+    /// What differs from the defaults at that setting.
+    pub setting: Vec<SliderSetting>,
     /// Printed path of the target that moves the element most at that setting.
     pub target: Option<String>,
 }
@@ -82,7 +79,7 @@ pub struct MacroMeasure {
     /// Jumps between two sides of a step.
     pub jumps: Vec<Jump>,
     /// Macrodef, weight lost to the cut-off at worst, and the setting.
-    pub losses: Vec<(usize, f64, String)>,
+    pub losses: Vec<(usize, f64, Vec<SliderSetting>)>,
 }
 
 /// A left target and its right partner.

@@ -7,10 +7,11 @@
 //! `Err`; data that the application skips is skipped, and the function says so. Non-finite numbers pass through: what
 //! the application would turn into NaN is NaN here.
 //!
-//! Formulas are those of MakeHuman 2 (formats/makehuman2.md) unless a function names another application.
+//! What applications calculate alike, and what is measured on it, is here; where they differ, each has a folder with
+//! its formulas (`makehuman2`).
 //!
 //! ```
-//! use mhlint::eval::joints::joint_position;
+//! use mhlint::eval::makehuman2::joints::joint_position;
 //! use mhlint::eval::morph::morphed;
 //!
 //! let mesh = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0]];
@@ -31,20 +32,17 @@
     )
 )]
 
-pub mod component;
 pub mod culprit;
 pub mod error;
 pub mod fit;
 mod grid;
 pub mod influences;
-pub mod joints;
 pub mod look;
-pub mod macro_def;
-pub mod macro_eval;
-pub mod macro_survey;
 pub mod macros;
+pub mod makehuman2;
 pub mod measure;
 pub mod measures;
+pub mod mesh;
 pub mod morph;
 pub mod proportion;
 pub mod rig_measure;
@@ -52,12 +50,10 @@ pub mod scene;
 pub mod settings;
 pub mod skeleton;
 pub mod skin;
-pub mod surface;
 pub mod survey;
 pub mod surveyor;
 pub mod symmetry;
 pub mod target_measure;
-pub mod transfer;
 pub mod vector;
 pub mod walk;
 pub mod weights;

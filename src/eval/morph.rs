@@ -70,18 +70,6 @@ where
     Ok(positions)
 }
 
-/// Gives the duplicates along texture seams the position of their source; `seams` holds (source, duplicate). Needed
-/// after every morph where the duplicates are kept behind the vertices of the file. Pairs outside the mesh are
-/// skipped: they cannot come from a loaded mesh.
-pub fn copy_seams(positions: &mut [Point], seams: &[(u32, u32)]) {
-    for (source, duplicate) in seams {
-        let source = positions.get(*source as usize).copied();
-        if let (Some(source), Some(place)) = (source, positions.get_mut(*duplicate as usize)) {
-            *place = source;
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -143,12 +131,5 @@ mod tests {
     fn non_finite_delta_reaches_the_mesh() {
         let mesh = morphed(&MESH, [(rows(&[(0, [f32::NAN, 0.0, f32::INFINITY])]), 1.0)]).unwrap();
         assert!(mesh[0][0].is_nan() && mesh[0][2].is_infinite());
-    }
-
-    #[test]
-    fn seam_duplicates_follow_their_source() {
-        let mut mesh = MESH;
-        copy_seams(&mut mesh, &[(1, 2), (7, 0), (0, 7)]);
-        assert_eq!(mesh, [MESH[0], MESH[1], MESH[1]]);
     }
 }

@@ -3,7 +3,7 @@
 //! Gets a few numbers of a target, says whether its longest displacement can be meant. Used where such targets are
 //! reported and where they would spoil everything else that is measured.
 
-use super::surface::bounding_box;
+use super::mesh::bounding_box;
 use super::vector::Point;
 
 /// How many times its target's median displacement a vertex may move, unless somebody says otherwise.

@@ -1,9 +1,7 @@
 //! What a skeleton and its weights come to on a mesh: lengths, planes, rolls, influences, losses, rest pose.
 
 use super::influences::Influences;
-use super::joints::joint_positions;
-use super::scene::SceneSkeleton;
-use super::skeleton::{DEFAULT_NORMAL, plane_normal, plane_sine, rest_bones, roll_sine};
+use super::skeleton::{SceneSkeleton, plane_sine, roll_sine};
 use super::skin::{pose_bones, skin};
 use super::symmetry::{Mirror, MirrorMap};
 use super::vector::{Point, distance};
@@ -55,7 +53,7 @@ pub struct AsymmetricPair {
 
 /// Every bone of a skeleton on a mesh, in its order. `None` if a joint has no vertices in the mesh.
 pub fn bones(skeleton: &SceneSkeleton, positions: &[Point]) -> Option<Vec<BoneMeasure>> {
-    let joints = joint_positions(positions, skeleton.joints.iter().map(Vec::as_slice)).ok()?;
+    let joints = skeleton.joint_positions(positions).ok()?;
     let at = |joint: usize| joints.get(joint).copied();
     let mut measures = Vec::with_capacity(skeleton.bones.len());
     for (name, bone) in skeleton.names.iter().zip(&skeleton.bones) {
@@ -64,7 +62,7 @@ pub fn bones(skeleton: &SceneSkeleton, positions: &[Point]) -> Option<Vec<BoneMe
             Some([a, b, c]) => Some((at(a)?, at(b)?, at(c)?)),
             None => None,
         };
-        let normal = plane.map_or(DEFAULT_NORMAL, |(a, b, c)| plane_normal(a, b, c));
+        let normal = skeleton.normal(&joints, bone).ok()?;
         measures.push(BoneMeasure {
             name: name.clone(),
             length: distance(head, tail),
@@ -133,8 +131,8 @@ fn asymmetry(
 /// measured by their loss, so the sum is made whole here, and entries of one vertex, of which skinning uses one, are
 /// added: what is left is the fault of the matrices.
 fn rest_distance(loaded: &LoadedWeights, skeleton: &SceneSkeleton, positions: &[Point]) -> Option<(u32, f64)> {
-    let joints = joint_positions(positions, skeleton.joints.iter().map(Vec::as_slice)).ok()?;
-    let rest = rest_bones(&joints, &skeleton.bones).ok()?;
+    let joints = skeleton.joint_positions(positions).ok()?;
+    let rest = skeleton.rest_bones(&joints).ok()?;
     let posed = pose_bones(&skeleton.bones, &rest, &vec![None; skeleton.bones.len()]).ok()?;
     let moved: Vec<_> = posed.iter().map(|bone| bone.moved).collect();
     let mut bones = loaded.bones.clone();
@@ -173,8 +171,8 @@ pub fn bone_pairs(names: &[String]) -> Vec<(usize, usize)> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::makehuman2::weights::load;
     use super::super::skeleton::Bone;
-    use super::super::weights::load;
     use super::*;
 
     const POSITIONS: [Point; 4] = [[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [1.0, 2.0, 0.0], [-1.0, 2.0, 0.0]];
@@ -186,6 +184,7 @@ mod tests {
             bones: vec![bone(None, 0, 1), bone(Some(0), 0, 2), bone(Some(0), 1, 3)],
             joint_names: ["a", "b", "c", "d"].map(str::to_owned).to_vec(),
             joints: vec![vec![0], vec![1], vec![2], vec![3]],
+            ..SceneSkeleton::default()
         }
     }
 

@@ -4,11 +4,11 @@
 //! application: MakeHuman 2, morph evaluation (formats/makehuman2.md §24).
 
 use super::error::EvalError;
-use super::macro_eval::MacroResult;
-use super::macros::{MacroError, MacroTable};
+use super::macros::{MacroWork, Macros};
+use super::makehuman2::MacroError;
 use super::morph::{Side, apply, detail_factor};
 use super::settings::Dimension;
-use super::skeleton::Bone;
+use super::skeleton::SceneSkeleton;
 use super::vector::Point;
 use super::weights::LoadedWeights;
 
@@ -31,16 +31,14 @@ pub struct Scene {
     pub targets: Vec<MorphTarget>,
     /// Sliders in the order in which the application applies them.
     pub sliders: Vec<SceneSlider>,
-    /// The compiled macros; `None` without a macro system.
-    pub macros: Option<MacroTable>,
+    /// The macros; `None` without a macro system.
+    pub macros: Option<Macros>,
     /// For each target number of the macros its place in `targets`.
     pub macro_targets: Vec<usize>,
     /// Macro settings after a reset.
     pub macro_defaults: Vec<f64>,
-    /// Sliders of the components of each macrodef, in order of its `comp`.
-    pub macrodefs: Vec<Vec<Dimension>>,
-    /// Number of values of those components.
-    pub value_counts: Vec<Vec<usize>>,
+    /// Macro sliders that work together: of each macrodef those of its components, in order of its `comp`.
+    pub products: Vec<Vec<Dimension>>,
     /// The pose skeleton.
     pub skeleton: Option<SceneSkeleton>,
     /// Weights of the pose skeleton, bones numbered as in `skeleton`; bones the skeleton lacks are left out.
@@ -85,19 +83,6 @@ pub enum SliderKind {
         /// Whether the window offers negative values.
         two_sided: bool,
     },
-}
-
-/// The pose skeleton, parents before children.
-#[derive(Debug, Clone, Default)]
-pub struct SceneSkeleton {
-    /// Names of the bones.
-    pub names: Vec<String>,
-    /// The bones.
-    pub bones: Vec<Bone>,
-    /// Names of the joints.
-    pub joint_names: Vec<String>,
-    /// Vertices of the joints.
-    pub joints: Vec<Vec<u32>>,
 }
 
 /// Positions of all sliders.
@@ -162,9 +147,9 @@ impl Scene {
     ///
     /// # Errors
     /// Where the macros stop the application.
-    pub fn factors(&self, setting: &Setting, macros: &mut MacroResult) -> Result<Vec<(usize, f64)>, SettingError> {
+    pub fn factors(&self, setting: &Setting, work: &mut MacroWork) -> Result<Vec<(usize, f64)>, SettingError> {
         let mut factors: Vec<(usize, f64)> = self.detail_factors(setting).collect();
-        factors.extend(self.macro_factors(setting, macros)?);
+        factors.extend(self.macro_factors(setting, work)?);
         Ok(factors)
     }
 
@@ -182,12 +167,12 @@ impl Scene {
     pub(super) fn macro_factors(
         &self,
         setting: &Setting,
-        macros: &mut MacroResult,
+        work: &mut MacroWork,
     ) -> Result<Vec<(usize, f64)>, SettingError> {
-        let Some(table) = &self.macros else { return Ok(Vec::new()) };
-        table.evaluate(&setting.macros, macros).map_err(SettingError::Macro)?;
+        let Some(macros) = &self.macros else { return Ok(Vec::new()) };
+        let factors = macros.factors(&setting.macros, work).map_err(SettingError::Macro)?;
         let place = |(number, factor): &(u32, f64)| Some((*self.macro_targets.get(*number as usize)?, *factor));
-        Ok(macros.factors.iter().filter_map(place).collect())
+        Ok(factors.iter().filter_map(place).collect())
     }
 
     /// Adds targets with their factors to positions.
@@ -208,7 +193,7 @@ impl Scene {
     /// # Errors
     /// As [`Scene::factors`] and [`Scene::add`].
     pub fn morphed(&self, setting: &Setting) -> Result<Vec<Point>, SettingError> {
-        let factors = self.factors(setting, &mut MacroResult::default())?;
+        let factors = self.factors(setting, &mut MacroWork::default())?;
         let mut positions = self.positions.clone();
         self.add(&mut positions, &factors)?;
         Ok(positions)

@@ -19,7 +19,7 @@ const SAMPLED_DETAILS: usize = 3;
 /// Seed of the sample: any number, always the same.
 const SEED: u64 = 0x6d68_6c69_6e74;
 
-/// A dimension of the macro system: the slider positions of one component.
+/// Sliders that are moved as one: the positions of one component of the macros.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Dimension {
     /// A slider with its steps: place in the macro settings.
@@ -34,14 +34,14 @@ pub enum Dimension {
 }
 
 /// The settings to look at, without repetition, in a fixed order.
-pub fn plan(scene: &Scene, macrodefs: &[Vec<Dimension>], samples: usize, exhaustive: bool) -> Vec<Setting> {
+pub fn plan(scene: &Scene, samples: usize, exhaustive: bool) -> Vec<Setting> {
     let mut plan = Plan { settings: vec![scene.defaults()], seen: BTreeSet::new() };
-    let dimensions = distinct(macrodefs);
+    let dimensions = distinct(&scene.products);
     for dimension in &dimensions {
         plan.alone(scene, dimension);
     }
-    for macrodef in macrodefs {
-        plan.corners(scene, macrodef);
+    for product in &scene.products {
+        plan.corners(scene, product);
     }
     if exhaustive {
         plan.corners(scene, &dimensions);
@@ -100,9 +100,9 @@ fn put(setting: &mut Setting, place: usize, value: f64) {
     }
 }
 
-fn distinct(macrodefs: &[Vec<Dimension>]) -> Vec<Dimension> {
+fn distinct(products: &[Vec<Dimension>]) -> Vec<Dimension> {
     let mut all: Vec<Dimension> = Vec::new();
-    for dimension in macrodefs.iter().flatten() {
+    for dimension in products.iter().flatten() {
         if !all.contains(dimension) {
             all.push(dimension.clone());
         }
@@ -228,31 +228,18 @@ impl Random {
     }
 }
 
-/// What differs from the defaults, in the application's own slider names: `macrodetails/Age = 0`.
-pub fn describe(scene: &Scene, setting: &Setting) -> String {
+/// A slider by its name, and its value.
+pub type SliderSetting = (String, f64);
+
+/// The sliders that do not stand at their defaults, in the application's own names.
+pub fn moved(scene: &Scene, setting: &Setting) -> Vec<SliderSetting> {
     let defaults = scene.defaults();
-    let mut parts: Vec<String> = Vec::new();
-    for (number, slider) in scene.sliders.iter().enumerate() {
-        let (value, default) = (scene.value(setting, number), scene.value(&defaults, number));
-        if let Some(value) = value.filter(|_| value != default) {
-            parts.push(format!("{} = {}", slider.pattern, short(value)));
-        }
-    }
-    let more = parts.len().saturating_sub(MOST_NAMED);
-    if parts.is_empty() {
-        return "all sliders at their defaults".to_owned();
-    }
-    parts.truncate(MOST_NAMED);
-    let named = parts.join(", ");
-    if more == 0 { named } else { format!("{named} and {more} more (`mhlint eval` has the whole setting)") }
-}
-
-/// More sliders than this are not spelled out: only sampled settings have so many.
-const MOST_NAMED: usize = 12;
-
-fn short(value: f64) -> String {
-    let text = format!("{value:.4}");
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    let sliders = scene.sliders.iter().enumerate();
+    let moved = sliders.filter_map(|(number, slider)| {
+        let value = scene.value(setting, number)?;
+        (Some(value) != scene.value(&defaults, number)).then(|| (slider.pattern.clone(), value))
+    });
+    moved.collect()
 }
 
 #[cfg(test)]
@@ -276,6 +263,7 @@ mod tests {
                 },
             ],
             macro_defaults: vec![0.5, 0.5],
+            products: vec![dimensions()],
             ..Scene::default()
         }
     }
@@ -290,7 +278,7 @@ mod tests {
     #[test]
     fn corners_middles_and_sides_are_there_once() {
         let scene = scene();
-        let plan = plan(&scene, &[dimensions()], 3, false);
+        let plan = plan(&scene, 3, false);
         let has = |age: f64, gender: f64| plan.iter().filter(|s| s.macros == [age, gender]).count();
         assert_eq!([has(0.0, 0.0), has(0.25, 1.0), has(1.0, 1.0)], [1, 1, 1]);
         assert_eq!([has(0.625, 0.5), has(0.25 - BESIDE, 0.5), has(0.25 + BESIDE, 0.5)], [1, 1, 1]);
@@ -300,16 +288,16 @@ mod tests {
     #[test]
     fn the_sample_is_always_the_same() {
         let scene = scene();
-        assert_eq!(plan(&scene, &[dimensions()], 5, false), plan(&scene, &[dimensions()], 5, false));
+        assert_eq!(plan(&scene, 5, false), plan(&scene, 5, false));
     }
 
     #[test]
     fn a_setting_is_told_by_what_differs() {
         let scene = scene();
         let mut setting = scene.defaults();
-        assert_eq!(describe(&scene, &setting), "all sliders at their defaults");
+        assert_eq!(moved(&scene, &setting), []);
         scene.set(&mut setting, 0, 0.0);
         scene.set(&mut setting, 2, 1.0);
-        assert_eq!(describe(&scene, &setting), "Age = 0, nose = 1");
+        assert_eq!(moved(&scene, &setting), [("Age".to_owned(), 0.0), ("nose".to_owned(), 1.0)]);
     }
 }

@@ -87,7 +87,7 @@ pub fn skin(positions: &[Point], weights: &[BoneWeights], moved: &[Mat4]) -> Res
 
 #[cfg(test)]
 mod tests {
-    use super::super::skeleton::rest_bones;
+    use super::super::makehuman2::rest::rest_bones;
     use super::*;
 
     const MESH: [Point; 3] = [[0.0, 1.0, 0.0], [0.5, 2.0, 0.25], [-1.0, 3.0, 2.0]];

@@ -1,11 +1,10 @@
 //! A scene made ready to be looked at in many settings: what the default character is like, and which faces, joints
 //! and bones depend on which vertices.
 
-use super::joints::joint_positions;
-use super::macro_eval::MacroResult;
+use super::macros::MacroWork;
+use super::mesh::bounding_box;
 use super::scene::{Scene, Setting};
 use super::skeleton::{PARALLEL_SINE, plane_sine};
-use super::surface::bounding_box;
 use super::survey::{COLLAPSE_RATIO, EXPLOSION_DIAGONALS, SHORTEST_BONE};
 use super::vector::{Point, distance};
 use super::walk::{Addable, Stop, Walk};
@@ -70,7 +69,7 @@ impl<'s> Surveyor<'s> {
     /// or is not finite, which is reported by other means.
     pub fn new(scene: &'s Scene) -> Option<Self> {
         let targets = Addable::new(scene);
-        let defaults = targets.stop(0, &scene.defaults(), &mut MacroResult::default())?;
+        let defaults = targets.stop(0, &scene.defaults(), &mut MacroWork::default())?;
         let rest = {
             let mut walk = Walk::new(&targets);
             walk.to(&defaults, None);
@@ -97,8 +96,8 @@ impl<'s> Surveyor<'s> {
     }
 
     /// What a setting adds to the mesh. `None` where the application stops.
-    pub fn stop(&self, number: usize, setting: &Setting, macros: &mut MacroResult) -> Option<Stop> {
-        self.targets.stop(number, setting, macros)
+    pub fn stop(&self, number: usize, setting: &Setting, work: &mut MacroWork) -> Option<Stop> {
+        self.targets.stop(number, setting, work)
     }
 
     fn measure(&mut self, rest: &[Point]) -> Option<()> {
@@ -210,7 +209,7 @@ impl<'s> Surveyor<'s> {
 
     pub(super) fn joints(&self, positions: &[Point]) -> Option<Vec<Point>> {
         let skeleton = self.scene.skeleton.as_ref()?;
-        joint_positions(positions, skeleton.joints.iter().map(Vec::as_slice)).ok()
+        skeleton.joint_positions(positions).ok()
     }
 }
 

@@ -5,7 +5,7 @@
 //! decide. `MirrorComparison` compares targets by it.
 
 use super::grid::Grid;
-use super::surface::bounding_box;
+use super::mesh::bounding_box;
 use super::vector::{Point, distance};
 
 /// Partner of a vertex.

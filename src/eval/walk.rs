@@ -6,7 +6,7 @@
 
 use std::borrow::Cow;
 
-use super::macro_eval::MacroResult;
+use super::macros::MacroWork;
 use super::scene::{Scene, Setting};
 use super::vector::{Point, round_to_f32};
 
@@ -50,8 +50,8 @@ impl<'s> Addable<'s> {
     }
 
     /// What a setting adds. `None` where the application stops.
-    pub(super) fn stop(&self, number: usize, setting: &Setting, macros: &mut MacroResult) -> Option<Stop> {
-        let mut factors = self.scene.macro_factors(setting, macros).ok()?;
+    pub(super) fn stop(&self, number: usize, setting: &Setting, work: &mut MacroWork) -> Option<Stop> {
+        let mut factors = self.scene.macro_factors(setting, work).ok()?;
         factors.extend(self.scene.detail_factors(setting));
         factors.retain(|(target, _)| !self.scene.targets.get(*target).is_some_and(|target| target.suspect));
         let addend = |(target, factor): (usize, f64)| {
@@ -229,7 +229,7 @@ mod tests {
         let mut walk = Walk::new(&targets);
         for details in [[0.3, 0.7, 0.0, 0.0], [0.3, 0.1, 0.0, 0.0], [0.0, 0.9, 0.0, 0.0], [0.0; 4]] {
             let setting = setting(details);
-            walk.to(&targets.stop(0, &setting, &mut MacroResult::default()).unwrap(), None);
+            walk.to(&targets.stop(0, &setting, &mut MacroWork::default()).unwrap(), None);
             assert_eq!(walk.positions(), scene.morphed(&setting).unwrap());
         }
     }
@@ -240,7 +240,7 @@ mod tests {
         let targets = Addable::new(&scene);
         let mut walk = Walk::new(&targets);
         let mut go = |details| {
-            let stop = targets.stop(0, &setting(details), &mut MacroResult::default()).unwrap();
+            let stop = targets.stop(0, &setting(details), &mut MacroWork::default()).unwrap();
             walk.to(&stop, Some(&stop));
             (walk.moved().collect::<Vec<u32>>(), walk.moved_count())
         };
@@ -254,7 +254,7 @@ mod tests {
     fn a_target_that_cannot_be_added_stops_the_settings_that_need_it() {
         let scene = scene();
         let targets = Addable::new(&scene);
-        let stop = |details| targets.stop(0, &setting(details), &mut MacroResult::default());
+        let stop = |details| targets.stop(0, &setting(details), &mut MacroWork::default());
         assert_eq!(stop([1.0, 0.0, 0.5, 0.0]), None);
         assert_eq!(stop([1.0, 0.0, 0.0, 0.5]), None);
         assert!(stop([1.0, 0.0, 0.0, -0.5]).is_some());
@@ -264,7 +264,7 @@ mod tests {
     fn settings_that_add_the_same_are_one_stop() {
         let scene = scene();
         let targets = Addable::new(&scene);
-        let stop = |number, value| targets.stop(number, &setting([value, 0.0, 0.0, 0.0]), &mut MacroResult::default());
+        let stop = |number, value| targets.stop(number, &setting([value, 0.0, 0.0, 0.0]), &mut MacroWork::default());
         let stops = in_order([stop(0, 0.5), stop(1, 0.25), stop(2, 0.5)].map(Option::unwrap).to_vec());
         assert_eq!(stops.iter().map(|stop| stop.setting).collect::<Vec<_>>(), [1, 0]);
     }

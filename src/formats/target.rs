@@ -12,6 +12,7 @@ pub use super::target_facts::{Largest, TargetFacts, UnreadableField};
 use super::target_repeats::{moves, repeats};
 use super::target_row::fast_row;
 use super::{python_float, python_int};
+use crate::source::Encoding;
 
 /// A parsed target.
 #[derive(Debug, Clone, Default)]
@@ -50,6 +51,21 @@ const ROWS_PER_OUTLIER: usize = 50;
 /// Parses a target. `mesh` is the size of the mesh it is for.
 pub fn parse(text: &[u8], mesh: Option<MeshSize>) -> Target {
     parse_by(fast_row, text, mesh)
+}
+
+/// Parses a file with its encoding. `None` if it is no UTF-8: the application decodes the whole file before it uses a
+/// row, so nothing of it counts.
+pub fn parse_file(bytes: &[u8], encoding: &Encoding, mesh: Option<MeshSize>) -> Option<Target> {
+    if encoding.invalid_utf8_at.is_some() {
+        return None;
+    }
+    if !encoding.byte_order_mark {
+        return Some(parse(bytes, mesh));
+    }
+    // The mark is a fault of its own; blanks in its place keep it out of the first row and all offsets right.
+    let mut unmarked = bytes.to_vec();
+    unmarked.iter_mut().take(3).for_each(|byte| *byte = b' ');
+    Some(parse(&unmarked, mesh))
 }
 
 /// `fast` reads the lines it knows; tests take it away.

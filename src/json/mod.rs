@@ -17,4 +17,5 @@ pub use document::{Document, Duplicate, Member, Node, Value, parse};
 pub use edit::{removals, remove_elements, set_value};
 pub use finder::Finder;
 pub use reader::{Reader, SyntaxFault, SyntaxKind};
-pub use schema::{SchemaFault, SchemaFaults, UnknownKey, check, schema_names, schema_text};
+pub use schema::{SchemaFaults, UnknownKey, check, schema_names, schema_text};
+pub use schema_fault::{Bound, Found, Misfit, SchemaFault, Shape};

@@ -1,18 +1,18 @@
 //! Embedded JSON Schemas: what they hold, and what they say on a document.
 //!
-//! Validators are built once, on first use. How a fault is worded is in [`super::schema_fault`], which
-//! keys nobody reads in [`super::unknown_key`].
+//! Validators are built once, on first use. What a fault is made of is in [`super::schema_fault`],
+//! which keys nobody reads in [`super::unknown_key`].
 
 use std::sync::OnceLock;
 
-use serde::Serialize;
 use serde_json::Value as Plain;
 
 use super::naming::named;
-use super::{Document, Node, Value, schema_fault, unknown_key};
+use super::schema_fault::{Misfit, SchemaFault, describe};
+use super::{Document, Node, Value, unknown_key};
 
 /// What a schema has to say on a document.
-#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct SchemaFaults {
     /// Values of a wrong shape.
     pub faults: Vec<SchemaFault>,
@@ -20,29 +20,12 @@ pub struct SchemaFaults {
     pub unknown: Vec<UnknownKey>,
 }
 
-/// A value that does not fit.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-pub struct SchemaFault {
-    /// Pointer to the value.
-    pub pointer: String,
-    /// The same with names for positions in lists.
-    #[serde(skip)]
-    pub name: String,
-    /// Place in the schema that it fails at: equal for equal faults of different values.
-    pub keyword: String,
-    /// What was found and what is allowed.
-    pub message: String,
-    /// What the schema says about the value.
-    pub description: Option<String>,
-}
-
 /// A key that no application reads.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct UnknownKey {
     /// Pointer to the member.
     pub pointer: String,
     /// The same with names for positions in lists.
-    #[serde(skip)]
     pub name: String,
     /// The key.
     pub key: String,
@@ -105,7 +88,7 @@ pub fn check(name: &str, document: &Document) -> SchemaFaults {
     let Some(schema) = find(name).map(Schema::compiled) else { return SchemaFaults::default() };
     let plain = plain(&document.root);
     let errors = schema.validator.iter_errors(&plain);
-    let faults = errors.map(|error| schema_fault::describe(&error, &schema.tree)).collect();
+    let faults = errors.map(|error| describe(&error, &schema.tree)).collect();
     let mut found = SchemaFaults {
         faults: empty_objects_once(&plain, faults),
         unknown: unknown_key::find(&document.root, &schema.tree),
@@ -117,26 +100,18 @@ pub fn check(name: &str, document: &Document) -> SchemaFaults {
 
 /// An object without any member lacks all its keys for one reason: the first of them stands for all.
 fn empty_objects_once(root: &Plain, faults: Vec<SchemaFault>) -> Vec<SchemaFault> {
-    let is_empty = |fault: &SchemaFault| {
-        fault.keyword.ends_with("/required")
-            && root.pointer(&fault.pointer).and_then(Plain::as_object).is_some_and(serde_json::Map::is_empty)
-    };
+    let is_empty =
+        |pointer: &str| root.pointer(pointer).and_then(Plain::as_object).is_some_and(serde_json::Map::is_empty);
     let mut once: Vec<SchemaFault> = Vec::with_capacity(faults.len());
     for fault in faults {
-        match once.last_mut() {
-            Some(first) if first.pointer == fault.pointer && is_empty(&fault) && is_empty(first) => {
-                if !first.message.ends_with(NOR_ELSE) {
-                    first.message.push_str(NOR_ELSE);
-                }
-            }
+        let first = once.last_mut().filter(|first| first.pointer == fault.pointer && fault.missing().is_some());
+        match first.map(|first| &mut first.fault) {
+            Some(Misfit::Missing { and_more, .. }) if *and_more || is_empty(&fault.pointer) => *and_more = true,
             _ => once.push(fault),
         }
     }
     once
 }
-
-/// Said of an object that lacks several keys and has none.
-const NOR_ELSE: &str = ", nor anything else";
 
 fn find(name: &str) -> Option<&'static Schema> {
     SCHEMAS.iter().find(|schema| schema.name == name)
@@ -163,17 +138,25 @@ fn real(number: f64) -> Plain {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::json::parse;
+    use crate::json::{Found, Shape, parse};
 
-    fn faults(name: &str, text: &str) -> Vec<(String, String)> {
+    fn faults(name: &str, text: &str) -> Vec<(String, Misfit)> {
         let found = check(name, &parse(text.as_bytes()).unwrap());
-        found.faults.into_iter().map(|fault| (fault.pointer, fault.message)).collect()
+        found.faults.into_iter().map(|fault| (fault.pointer, fault.fault)).collect()
     }
 
-    fn fault(name: &str, text: &str) -> (String, String) {
+    fn fault(name: &str, text: &str) -> (String, Misfit) {
         let all = faults(name, text);
         assert_eq!(all.len(), 1, "{all:?}");
         all.into_iter().next().unwrap()
+    }
+
+    fn wrong_type(found: Found, wanted: &[Shape]) -> Misfit {
+        Misfit::Type { found, wanted: wanted.to_vec() }
+    }
+
+    fn lacks(key: &str, and_more: bool) -> Misfit {
+        Misfit::Missing { key: key.to_owned(), and_more }
     }
 
     #[test]
@@ -187,41 +170,48 @@ mod tests {
 
     #[test]
     fn a_wrong_type_says_what_is_there_and_what_is_wanted() {
+        let half = Found::Text(Some("half".to_owned()));
         assert_eq!(
             fault("modelling", r#"{"Age": {"default": "half"}}"#),
-            ("/Age/default".to_owned(), "`default` of `Age` is the text `half`; a number is wanted".to_owned())
+            ("/Age/default".to_owned(), wrong_type(half, &[Shape::Number]))
         );
+        let number = |text: &str| Found::Number(text.to_owned());
         assert_eq!(
-            fault("modelling", r#"{"Age": {"measure": [1, 2.5]}}"#).1,
-            "`measure[1]` of `Age` is the number 2.5; a whole number is wanted"
+            fault("modelling", r#"{"Age": {"measure": [1, 2.5]}}"#),
+            ("/Age/measure/1".to_owned(), wrong_type(number("2.5"), &[Shape::Integer]))
         );
-        assert_eq!(fault("macro", "[1]").1, "the file is a list; an object is wanted");
         assert_eq!(
             fault("modelling", r#"{"Age": {"rsym": 1}}"#).1,
-            "`rsym` of `Age` is the number 1; a text or null is wanted"
+            wrong_type(number("1"), &[Shape::Text, Shape::Null])
         );
+        let root = check("macro", &parse(b"[1]").unwrap()).faults;
+        assert!(matches!(root.as_slice(), [root] if root.is_wrong_root() && !root.lacks("", "x")));
     }
 
     #[test]
     fn a_missing_key_is_named() {
         let text = r#"{"components": {}, "macrodef": [{"comp": [], "targets": [{"name": "a"}]}]}"#;
-        assert_eq!(
-            fault("macro", text),
-            ("/macrodef/0/targets/0".to_owned(), "`targets[0]` of `macrodef[0]` has no `t`".to_owned())
-        );
-        assert_eq!(fault("macro", r#"{"macrodef": [{"comp": []}]}"#).1, "the file has no `components`");
+        assert_eq!(fault("macro", text), ("/macrodef/0/targets/0".to_owned(), lacks("t", false)));
+        assert_eq!(fault("macro", r#"{"macrodef": [{"comp": []}]}"#), (String::new(), lacks("components", false)));
+    }
+
+    #[test]
+    fn an_empty_object_is_one_fault() {
+        let text = r#"{"components": {"a": {}}, "macrodef": []}"#;
+        let all = faults("macro", text);
+        assert_eq!(all.iter().filter(|(pointer, _)| pointer == "/components/a").count(), 1, "{all:?}");
+        assert!(all.iter().any(|(_, fault)| matches!(fault, Misfit::Missing { and_more: true, .. })), "{all:?}");
     }
 
     #[test]
     fn of_branches_the_closest_speaks() {
-        let (pointer, message) = fault("base", r#"{"modifier-presets": {"a/b": "much"}}"#);
-        assert_eq!(pointer, "/modifier-presets/a~1b");
-        assert_eq!(
-            message,
-            "`a/b` of `modifier-presets` is the text `much`; number as text is wanted (1 other form is allowed)"
-        );
-        let (_, message) = fault("base", r#"{"modifier-presets": {"a": []}}"#);
-        assert_eq!(message, "`a` of `modifier-presets` is an empty list; a number or a text is wanted");
+        let presets = check("base", &parse(br#"{"modifier-presets": {"a/b": "much"}}"#).unwrap()).faults;
+        let [much] = presets.as_slice() else { panic!("{presets:?}") };
+        assert_eq!((much.pointer.as_str(), much.other_forms), ("/modifier-presets/a~1b", 1));
+        let form = Some("number as text".to_owned());
+        assert_eq!(much.fault, Misfit::Pattern { found: Found::Text(Some("much".to_owned())), form });
+        let (_, fault) = fault("base", r#"{"modifier-presets": {"a": []}}"#);
+        assert_eq!(fault, wrong_type(Found::List { is_empty: true }, &[Shape::Number, Shape::Text]));
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! A validation error in plain words: what was found, what is allowed, what the schema says about it.
+//! A validation error as a fact: what was found and what is allowed. Its words are the rules' (`rules/json`).
 //!
 //! Of the branches of `anyOf` and `oneOf` only the one that comes closest speaks, as people read one
 //! sentence and not a tree of alternatives.
@@ -7,29 +7,166 @@ use jsonschema::error::{TypeKind, ValidationErrorKind};
 use jsonschema::{JsonType, ValidationError};
 use serde_json::Value;
 
-use super::SchemaFault;
-
 /// Longest text that is quoted, in characters.
 const QUOTED: usize = 40;
+
+/// A value that does not fit.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct SchemaFault {
+    /// Pointer to the value.
+    pub pointer: String,
+    /// The same with names for positions in lists.
+    pub name: String,
+    /// Place in the schema that it fails at: equal for equal faults of different values.
+    pub keyword: String,
+    /// What does not fit.
+    pub fault: Misfit,
+    /// Forms that the schema allows besides the one that the fault is about.
+    pub other_forms: usize,
+    /// What the schema says about the value.
+    pub description: Option<String>,
+}
+
+/// What does not fit.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Misfit {
+    /// An object lacks a key.
+    Missing {
+        /// The key, the first of several where the object is empty.
+        key: String,
+        /// Whether the object is empty and lacks more keys.
+        and_more: bool,
+    },
+    /// A value of another type.
+    Type {
+        /// What is there.
+        found: Found,
+        /// The types that would fit, the usual one first.
+        wanted: Vec<Shape>,
+    },
+    /// A text of another form.
+    Pattern {
+        /// What is there.
+        found: Found,
+        /// What the schema calls the form.
+        form: Option<String>,
+    },
+    /// None of a few values.
+    Enum {
+        /// What is there.
+        found: Found,
+        /// The values, as JSON.
+        allowed: Vec<String>,
+    },
+    /// A list with too few or too many elements.
+    Length {
+        /// How many it has.
+        found: usize,
+        /// How many are allowed.
+        bound: Bound,
+    },
+    /// A number that is too small or too large.
+    Range {
+        /// What is there.
+        found: Found,
+        /// What is allowed.
+        bound: Bound,
+    },
+    /// Anything else, as the validator puts it.
+    Other(String),
+}
+
+/// A limit, as JSON.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Bound {
+    /// No less.
+    Least(String),
+    /// No more.
+    Most(String),
+}
+
+/// A value that is there.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Found {
+    /// `null`.
+    Null,
+    /// `true` or `false`.
+    Bool(bool),
+    /// A number, as JSON.
+    Number(String),
+    /// A text; `None` if it is long.
+    Text(Option<String>),
+    /// A list.
+    List {
+        /// Whether it is empty.
+        is_empty: bool,
+    },
+    /// An object.
+    Object,
+}
+
+/// A type of JSON.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Shape {
+    /// `true` or `false`.
+    Bool,
+    /// A whole number.
+    Integer,
+    /// A number.
+    Number,
+    /// A text.
+    Text,
+    /// A list.
+    List,
+    /// An object.
+    Object,
+    /// `null`.
+    Null,
+}
+
+impl SchemaFault {
+    /// The key that the object lacks, if that is the fault.
+    pub fn missing(&self) -> Option<&str> {
+        if let Misfit::Missing { key, .. } = &self.fault { Some(key) } else { None }
+    }
+
+    /// Whether the object at `pointer` lacks `key`.
+    pub fn lacks(&self, pointer: &str, key: &str) -> bool {
+        self.pointer == pointer && self.missing() == Some(key)
+    }
+
+    /// Whether the whole file is of another type.
+    pub fn is_wrong_root(&self) -> bool {
+        self.pointer.is_empty() && matches!(self.fault, Misfit::Type { .. })
+    }
+
+    /// The value that is there, where it as a whole does not fit.
+    pub fn found(&self) -> Option<&Found> {
+        match &self.fault {
+            Misfit::Type { found, .. }
+            | Misfit::Pattern { found, .. }
+            | Misfit::Enum { found, .. }
+            | Misfit::Range { found, .. } => Some(found),
+            Misfit::Missing { .. } | Misfit::Length { .. } | Misfit::Other(_) => None,
+        }
+    }
+}
 
 /// Describes an error of a validator made from `schema`.
 pub(super) fn describe(error: &ValidationError<'_>, schema: &Value) -> SchemaFault {
     let (closest, hidden) = closest(error);
-    let pointer = closest.instance_path().to_string();
     let keyword = closest.schema_path().to_string();
-    let wanted = alternatives(error).unwrap_or_else(|| allowed(closest, schema));
-    let others = match hidden {
-        _ if hidden == 0 || alternatives(error).is_some() => String::new(),
-        1 => " (1 other form is allowed)".to_owned(),
-        count => format!(" ({count} other forms are allowed)"),
+    let (fault, other_forms) = match alternatives(error) {
+        Some(wanted) => (Misfit::Type { found: found(error.instance()), wanted }, 0),
+        None => (misfit(closest, schema), hidden),
     };
-    let message = format!("{} {wanted}{others}", subject(&pointer));
     SchemaFault {
-        pointer,
+        pointer: closest.instance_path().to_string(),
         name: String::new(),
         description: text_at(schema, &keyword, "description"),
         keyword,
-        message,
+        fault,
+        other_forms,
     }
 }
 
@@ -71,104 +208,78 @@ fn is_type(error: &ValidationError<'_>) -> bool {
 }
 
 /// If every branch refuses the type of the value itself, the types of all.
-fn alternatives(error: &ValidationError<'_>) -> Option<String> {
-    let branches = branches(error);
-    let types = branches.iter().map(|branch| match branch.as_slice() {
+fn alternatives(error: &ValidationError<'_>) -> Option<Vec<Shape>> {
+    let types = branches(error).iter().map(|branch| match branch.as_slice() {
         [inner] if inner.instance_path() == error.instance_path() => types(inner.kind()),
         _ => None,
     });
-    let types: Vec<&'static str> = types.collect::<Option<Vec<_>>>()?.into_iter().flatten().collect();
-    (!types.is_empty()).then(|| format!("is {}; {} is wanted", found(error.instance()), types.join(" or ")))
+    let types = types.collect::<Option<Vec<_>>>()?.concat();
+    (!types.is_empty()).then_some(types)
 }
 
-/// What is there and what is allowed, to follow the name of the value.
-fn allowed(error: &ValidationError<'_>, schema: &Value) -> String {
-    let is = found(error.instance());
+fn misfit(error: &ValidationError<'_>, schema: &Value) -> Misfit {
+    let found = found(error.instance());
+    let length = || error.instance().as_array().map_or(0, Vec::len);
     match error.kind() {
-        kind @ ValidationErrorKind::Type { .. } => {
-            format!("is {is}; {} is wanted", types(kind).unwrap_or_default().join(" or "))
+        kind @ ValidationErrorKind::Type { .. } => Misfit::Type { found, wanted: types(kind).unwrap_or_default() },
+        ValidationErrorKind::Required { property } => {
+            Misfit::Missing { key: property.as_str().unwrap_or_default().to_owned(), and_more: false }
         }
-        ValidationErrorKind::Required { property } => format!("has no `{}`", property.as_str().unwrap_or_default()),
         ValidationErrorKind::Pattern { .. } => {
-            let title = text_at(schema, &error.schema_path().to_string(), "title");
-            format!("is {is}; {} is wanted", title.as_deref().unwrap_or("another form"))
+            Misfit::Pattern { found, form: text_at(schema, &error.schema_path().to_string(), "title") }
         }
-        ValidationErrorKind::Enum { options } => format!("is {is}; allowed: {}", listed(options)),
-        ValidationErrorKind::Constant { expected_value } => format!("is {is}; allowed: {expected_value}"),
-        ValidationErrorKind::MinItems { limit } => format!("has {}; at least {limit} are wanted", length(error)),
-        ValidationErrorKind::MaxItems { limit } => format!("has {}; at most {limit} are allowed", length(error)),
-        ValidationErrorKind::Minimum { limit } => format!("is {is}; at least {limit} is wanted"),
-        ValidationErrorKind::Maximum { limit } => format!("is {is}; at most {limit} is allowed"),
-        _ => format!("does not fit its format: {error}"),
+        ValidationErrorKind::Enum { options } => {
+            let options = options.as_array().map(Vec::as_slice).unwrap_or_default();
+            Misfit::Enum { found, allowed: options.iter().map(Value::to_string).collect() }
+        }
+        ValidationErrorKind::Constant { expected_value } => {
+            Misfit::Enum { found, allowed: vec![expected_value.to_string()] }
+        }
+        ValidationErrorKind::MinItems { limit } => {
+            Misfit::Length { found: length(), bound: Bound::Least(limit.to_string()) }
+        }
+        ValidationErrorKind::MaxItems { limit } => {
+            Misfit::Length { found: length(), bound: Bound::Most(limit.to_string()) }
+        }
+        ValidationErrorKind::Minimum { limit } => Misfit::Range { found, bound: Bound::Least(limit.to_string()) },
+        ValidationErrorKind::Maximum { limit } => Misfit::Range { found, bound: Bound::Most(limit.to_string()) },
+        _ => Misfit::Other(error.to_string()),
     }
 }
 
-fn types(kind: &ValidationErrorKind) -> Option<Vec<&'static str>> {
+fn types(kind: &ValidationErrorKind) -> Option<Vec<Shape>> {
     let ValidationErrorKind::Type { kind } = kind else { return None };
     Some(match kind {
-        TypeKind::Single(one) => vec![type_name(*one)],
+        TypeKind::Single(one) => vec![shape(*one)],
         TypeKind::Multiple(set) => {
-            let mut names: Vec<_> = set.iter().map(type_name).collect();
+            let mut shapes: Vec<Shape> = set.iter().map(shape).collect();
             // The usual form first: `null` only says that the key may be there without a value.
-            names.sort_by_key(|name| *name == "null");
-            names
+            shapes.sort_by_key(|shape| *shape == Shape::Null);
+            shapes
         }
     })
 }
 
-fn type_name(kind: JsonType) -> &'static str {
+fn shape(kind: JsonType) -> Shape {
     match kind {
-        JsonType::Null => "null",
-        JsonType::Boolean => "true or false",
-        JsonType::Integer => "a whole number",
-        JsonType::Number => "a number",
-        JsonType::String => "a text",
-        JsonType::Array => "a list",
-        JsonType::Object => "an object",
+        JsonType::Null => Shape::Null,
+        JsonType::Boolean => Shape::Bool,
+        JsonType::Integer => Shape::Integer,
+        JsonType::Number => Shape::Number,
+        JsonType::String => Shape::Text,
+        JsonType::Array => Shape::List,
+        JsonType::Object => Shape::Object,
     }
 }
 
-fn found(value: &Value) -> String {
+fn found(value: &Value) -> Found {
     match value {
-        Value::Null => "null".to_owned(),
-        Value::Bool(value) => format!("`{value}`"),
-        Value::Number(number) => format!("the number {number}"),
-        Value::String(text) if text.is_empty() => "an empty text".to_owned(),
-        Value::String(text) if text.chars().count() > QUOTED => "a long text".to_owned(),
-        Value::String(text) => format!("the text `{text}`"),
-        Value::Array(elements) if elements.is_empty() => "an empty list".to_owned(),
-        Value::Array(_) => "a list".to_owned(),
-        Value::Object(_) => "an object".to_owned(),
-    }
-}
-
-fn listed(options: &Value) -> String {
-    let options = options.as_array().map(Vec::as_slice).unwrap_or_default();
-    options.iter().map(Value::to_string).collect::<Vec<_>>().join(", ")
-}
-
-fn length(error: &ValidationError<'_>) -> String {
-    match error.instance().as_array().map_or(0, Vec::len) {
-        0 => "no element".to_owned(),
-        1 => "1 element".to_owned(),
-        count => format!("{count} elements"),
-    }
-}
-
-/// `b[1]` of `a` for `/…/a/b/1`: the value and what it belongs to.
-fn subject(pointer: &str) -> String {
-    let mut names: Vec<String> = Vec::new();
-    for step in pointer.split('/').skip(1) {
-        let step = step.replace("~1", "/").replace("~0", "~");
-        match names.last_mut() {
-            Some(name) if step.bytes().all(|byte| byte.is_ascii_digit()) => *name = format!("{name}[{step}]"),
-            _ => names.push(step),
-        }
-    }
-    match names.as_slice() {
-        [] => "the file".to_owned(),
-        [name] => format!("`{name}`"),
-        [.., owner, name] => format!("`{name}` of `{owner}`"),
+        Value::Null => Found::Null,
+        Value::Bool(value) => Found::Bool(*value),
+        Value::Number(number) => Found::Number(number.to_string()),
+        Value::String(text) => Found::Text((text.chars().nth(QUOTED).is_none()).then(|| text.clone())),
+        Value::Array(elements) => Found::List { is_empty: elements.is_empty() },
+        Value::Object(_) => Found::Object,
     }
 }
 

@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use super::phrase::{self, colons};
 use super::{View, count, printable};
-use crate::engine::Outcome;
+use crate::diag::Outcome;
 
 /// Writes the findings, then a line of counts unless quiet.
 pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> io::Result<()> {

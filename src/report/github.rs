@@ -6,8 +6,7 @@
 use std::io::{self, Write};
 
 use super::{View, count, phrase, verdict};
-use crate::diag::{Finding, Level};
-use crate::engine::Outcome;
+use crate::diag::{Finding, Level, Outcome};
 
 /// Annotations of one level that GitHub shows for one step.
 const SHOWN: usize = 10;

@@ -6,8 +6,7 @@ use std::io::{self, Write};
 use serde::Serialize;
 
 use super::phrase;
-use crate::diag::{Finding, Level, fingerprint};
-use crate::engine::Outcome;
+use crate::diag::{Finding, Level, Outcome, fingerprint};
 
 #[derive(Serialize)]
 struct Issue<'a> {

@@ -6,20 +6,25 @@ use std::io::{self, Write};
 use serde::Serialize;
 
 use super::View;
+use super::because::because;
 use super::phrase::message;
-use crate::diag::{Break, Confidence, Evidence, Finding, Level, Location};
-use crate::engine::{Outcome, RootSummary, Summary};
+use crate::diag::{
+    ApplicationVerdict, Break, Confidence, Evidence, Finding, Level, Location, NotChecked, Outcome, RootSummary,
+    Summary, Verdict,
+};
 
 #[derive(Serialize)]
 struct Report<'a> {
     format: &'static str,
     tool: Tool,
-    verdict: &'static str,
+    verdict: Verdict,
     roots: &'a [RootSummary],
     summary: &'a Summary,
+    applications: &'a [ApplicationVerdict],
+    not_checked: &'a [NotChecked],
     findings: Vec<Item<'a>>,
-    #[serde(skip_serializing_if = "<[_]>::is_empty")]
-    notes: &'a [String],
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    notes: Vec<String>,
 }
 
 #[derive(Serialize)]
@@ -43,7 +48,7 @@ struct Item<'a> {
     fix: Option<FixItem<'a>>,
     fingerprint: &'a str,
     #[serde(skip_serializing_if = "Option::is_none")]
-    because: Option<&'a str>,
+    because: Option<String>,
 }
 
 #[derive(Serialize)]
@@ -64,11 +69,13 @@ pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> 
     let report = Report {
         format: "mhlint-report/1",
         tool: Tool { name: env!("CARGO_PKG_NAME"), version: env!("CARGO_PKG_VERSION") },
-        verdict: if view.pass { "pass" } else { "fail" },
+        verdict: if view.pass { Verdict::Pass } else { Verdict::Fail },
         roots: &outcome.roots,
         summary: &outcome.summary,
+        applications: &outcome.applications,
+        not_checked: &outcome.not_checked,
         findings: outcome.findings.iter().map(item).collect(),
-        notes: &outcome.notes,
+        notes: outcome.notes.iter().map(super::note).collect(),
     };
     serde_json::to_writer_pretty(&mut *out, &report)?;
     writeln!(out)
@@ -92,7 +99,7 @@ fn item(finding: &Finding) -> Item<'_> {
             .collect(),
         fix: finding.fix.as_ref().map(|fix| FixItem { kind: fix.kind.word(), title: &fix.title }),
         fingerprint: &finding.fingerprint,
-        because: finding.because.as_deref(),
+        because: finding.because.as_ref().map(because),
     }
 }
 

@@ -9,8 +9,7 @@ use quick_xml::Writer;
 use quick_xml::events::{BytesDecl, BytesText, Event};
 
 use super::{View, phrase, printable, verdict};
-use crate::diag::Finding;
-use crate::engine::Outcome;
+use crate::diag::{Finding, Outcome};
 
 /// Writes the report.
 pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> io::Result<()> {
@@ -43,7 +42,7 @@ fn write_run<W: Write>(outcome: &Outcome, view: &View<'_>, run_fails: bool, writ
     let words = printable(&verdict::words(outcome, view));
     let mut said = vec![format!("{} in {}", verdict::tally(outcome), verdict::files(&outcome.summary))];
     said.extend(verdict::roots(outcome));
-    said.extend(outcome.notes.iter().map(|note| format!("note: {note}")));
+    said.extend(outcome.notes.iter().map(|note| format!("note: {}", super::note(note))));
     let said: Vec<String> = said.iter().map(|line| printable(line)).collect();
     suite("mhlint", 1, usize::from(run_fails), writer, |writer| {
         let case = writer.create_element("testcase").with_attributes([("name", "run"), ("classname", "mhlint")]);

@@ -5,8 +5,7 @@ use std::io::{self, Write};
 use super::phrase::{self, Piece, pieces};
 use super::snippet::snippet;
 use super::{View, printable, verdict};
-use crate::diag::Finding;
-use crate::engine::Outcome;
+use crate::diag::{Finding, Outcome};
 
 /// Columns of quoted source lines.
 const WIDTH: usize = 100;
@@ -84,7 +83,8 @@ fn head(outcome: &Outcome, view: &View<'_>) -> String {
 }
 
 fn notes(outcome: &Outcome) -> String {
-    let lines: Vec<String> = outcome.notes.iter().map(|note| format!("- {}\n", inline(&printable(note)))).collect();
+    let lines: Vec<String> =
+        outcome.notes.iter().map(|note| format!("- {}\n", inline(&printable(&super::note(note))))).collect();
     if lines.is_empty() { String::new() } else { format!("\n### Not judged\n\n{}", lines.concat()) }
 }
 

@@ -1,5 +1,6 @@
 //! An outcome as text. One file a format; no writer computes, sorts or reads anything.
 
+mod because;
 mod concise;
 mod github;
 mod gitlab;
@@ -8,6 +9,7 @@ mod human;
 mod json;
 mod junit;
 mod markdown;
+mod note;
 mod paint;
 mod phrase;
 mod printable;
@@ -18,10 +20,10 @@ mod wrap;
 
 use std::io::{self, Write};
 
-use crate::diag::{Level, RuleInfo};
-use crate::engine::Outcome;
+use crate::diag::{Level, Outcome, RuleInfo};
 
 pub use markdown::summary;
+pub use note::note;
 pub(crate) use paint::Paint;
 pub(crate) use printable::printable;
 pub(crate) use wrap::{count, hang, paragraphs};

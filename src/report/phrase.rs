@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 
+use super::because::because;
 use super::{count, printable};
 use crate::diag::{Confidence, Evidence, Finding, Fix, FixKind, IgnoredFiles, Location};
 
@@ -36,8 +37,8 @@ pub(super) fn lines(finding: &Finding) -> Vec<Line> {
     if let Some(fix) = &finding.fix {
         lines.push(line("fix", &mends(fix)));
     }
-    if let Some(because) = &finding.because {
-        lines.push(line("shown because", because));
+    if let Some(reason) = &finding.because {
+        lines.push(line("shown because", &because(reason)));
     }
     lines
 }

@@ -6,8 +6,7 @@ use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, utf8_percent_encode};
 use serde_json::{Map, Value, json};
 
 use super::{View, phrase, printable};
-use crate::diag::{Finding, Level, Location, Related, RuleInfo};
-use crate::engine::Outcome;
+use crate::diag::{Finding, Level, Location, Outcome, Related, RuleInfo};
 
 /// Results that GitHub accepts in one run; it refuses the whole file beyond.
 const RESULTS: usize = 25_000;
@@ -169,7 +168,8 @@ fn region(location: &Location) -> Option<Value> {
 
 fn notifications(outcome: &Outcome, shown: usize) -> Vec<Value> {
     let note = |text: String, level: &str| json!({ "level": level, "message": { "text": text } });
-    let mut notes: Vec<Value> = outcome.notes.iter().map(|one| note(text(&printable(one)), "note")).collect();
+    let mut notes: Vec<Value> =
+        outcome.notes.iter().map(|one| note(text(&printable(&super::note(one))), "note")).collect();
     let left = outcome.findings.len() - shown;
     if left > 0 {
         notes.push(note(format!("{left} findings are left out: code scanning accepts {RESULTS}"), "warning"));

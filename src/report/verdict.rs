@@ -1,8 +1,10 @@
 //! The last lines: what was looked at, and one sentence that says how it ended.
 
 use super::{Paint, View, count, hang, phrase, printable};
-use crate::diag::{Application, Finding, Level};
-use crate::engine::{Outcome, Summary, is_upkeep};
+use crate::diag::{Application, Finding, Level, Outcome, Scope, Summary};
+
+/// Names that a sentence holds, and errors that are named at the end.
+const NAMED: usize = 3;
 
 /// What was judged, and how many findings of each level there are.
 pub(super) fn counts(outcome: &Outcome, view: &View<'_>) -> String {
@@ -40,8 +42,8 @@ pub(super) fn files(summary: &Summary) -> String {
 
 /// The judged data roots: path, application, base meshes. Not made harmless yet.
 pub(super) fn roots(outcome: &Outcome) -> Vec<String> {
-    let judged = outcome.roots.iter().filter(|root| root.judged);
-    judged
+    let checked = outcome.checked();
+    checked
         .map(|root| {
             let bases = if root.bases.is_empty() { String::new() } else { format!(": {}", root.bases.join(", ")) };
             format!("{} ({}{bases})", root.path, root.application)
@@ -62,7 +64,6 @@ pub(super) fn sentence(outcome: &Outcome, view: &View<'_>) -> String {
 
 /// Where the first errors are, for who reads only the end of a long report.
 pub(super) fn first_errors(outcome: &Outcome) -> Vec<String> {
-    const NAMED: usize = 3;
     if outcome.findings.len() <= NAMED {
         return Vec::new();
     }
@@ -81,7 +82,7 @@ pub(super) fn words(outcome: &Outcome, view: &View<'_>) -> String {
     if !outcome.is_whole() {
         return "No verdict: mhlint itself failed on these data.".to_owned();
     }
-    if !outcome.judged_anything() {
+    if !outcome.checked_anything() {
         return "Nothing to check: no data of MakeHuman 2 were found.".to_owned();
     }
     let only = only(outcome);
@@ -110,14 +111,31 @@ pub(super) fn words(outcome: &Outcome, view: &View<'_>) -> String {
 
 /// Where or by what alone something could be found, with a blank before it; empty where nothing was left out.
 fn only(outcome: &Outcome) -> String {
-    let parts: Vec<String> = outcome.only.iter().map(|part| printable(part)).collect();
-    if parts.is_empty() { String::new() } else { format!(" {}", parts.join(" ")) }
+    let Scope { paths, excluded, bases, rules, without } = &outcome.scope;
+    let parts = [
+        ("in", paths),
+        ("outside of", excluded),
+        ("on the base mesh", bases),
+        ("by the rules", rules),
+        ("without the rules", without),
+    ];
+    let parts = parts.into_iter().filter(|(_, names)| !names.is_empty());
+    parts.map(|(before, names)| format!(" {before} {}", printable(&listed(names)))).collect()
+}
+
+/// `a`, `b`, `c` and 2 more.
+fn listed(names: &[String]) -> String {
+    let shown: Vec<String> = names.iter().take(NAMED).map(|name| format!("`{name}`")).collect();
+    let more = match names.len().saturating_sub(NAMED) {
+        0 => String::new(),
+        more => format!(" and {more} more"),
+    };
+    shown.join(", ") + &more
 }
 
 /// What the gravest findings on assets mean. Those on the settings of mhlint concern no application.
 fn harm(outcome: &Outcome) -> String {
-    let (settings, assets): (Vec<&Finding>, Vec<&Finding>) =
-        outcome.findings.iter().partition(|one| is_upkeep(one.rule));
+    let (settings, assets): (Vec<&Finding>, Vec<&Finding>) = outcome.findings.iter().partition(|one| one.is_upkeep());
     let Some(worst) = assets.iter().map(|finding| finding.level).max() else {
         let (found, only) = (about_settings(&settings), only(outcome));
         let data = if only.is_empty() { " in the data" } else { &only };
@@ -160,7 +178,7 @@ fn applications(outcome: &Outcome, gravest: &[&Finding]) -> String {
     let mut named: Vec<Application> =
         gravest.iter().flat_map(|finding| finding.breaks.iter().map(|one| one.application)).collect();
     if named.is_empty() {
-        named.extend(outcome.roots.iter().filter(|root| root.judged).map(|root| root.application));
+        named.extend(outcome.checked().map(|root| root.application));
     }
     named.sort_unstable();
     named.dedup();

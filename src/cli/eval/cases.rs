@@ -6,7 +6,8 @@ use std::path::PathBuf;
 use super::args::CasesArgs;
 use super::write;
 use crate::cli::exit::{Exit, Failure};
-use crate::engine::evaluate::{CaseRun, Comparison, Deviation, Error, Roots, read_text, run_cases};
+use crate::engine::open_base;
+use crate::evaluate::{CaseRun, Comparison, Deviation, Error, Roots, read_text, run_cases};
 use crate::report::printable;
 
 /// Differences that are listed of a case.
@@ -16,7 +17,7 @@ pub(super) fn run(args: &CasesArgs, out: &mut dyn Write, err: &mut dyn Write) ->
     let roots = args.roots.iter().map(|text| root(text)).collect::<Result<Vec<_>, _>>()?;
     let roots = Roots::new(roots)?;
     let text = read_text(&args.file)?;
-    let cases = run_cases(&args.file.to_string_lossy(), &text, &roots)?;
+    let cases = run_cases(&args.file.to_string_lossy(), &text, &roots, open_base)?;
     for report in &cases.reports {
         for note in &report.notes {
             writeln!(err, "mhlint: {}", printable(&format!("case {}: {note}", report.name)))?;

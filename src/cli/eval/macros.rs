@@ -5,7 +5,7 @@ use std::io::Write;
 use super::args::MacrosArgs;
 use super::{document, open, write};
 use crate::cli::exit::Failure;
-use crate::engine::evaluate::macros_json;
+use crate::evaluate::macros_json;
 
 pub(super) fn run(args: &MacrosArgs, out: &mut dyn Write) -> Result<(), Failure> {
     let opened = open(&args.base)?;

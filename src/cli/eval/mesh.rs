@@ -5,7 +5,7 @@ use std::io::Write;
 use super::args::MeshArgs;
 use super::{document, open, write};
 use crate::cli::exit::Failure;
-use crate::engine::evaluate::{mesh_json, with_positions};
+use crate::evaluate::{mesh_json, with_positions};
 
 pub(super) fn run(args: &MeshArgs, out: &mut dyn Write) -> Result<(), Failure> {
     let mut opened = open(&args.base)?;

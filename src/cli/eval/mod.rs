@@ -17,7 +17,8 @@ use serde_json::{Map, Value};
 pub(super) use args::EvalCommand;
 
 use super::exit::{Exit, Failure};
-use crate::engine::evaluate::{Error, Evaluation, Setting, object, parse_setting, read_settings};
+use crate::engine::open_base;
+use crate::evaluate::{Error, Evaluation, Setting, object, parse_setting, read_settings};
 use args::{BaseArgs, SettingArgs};
 
 /// Runs one of the commands.
@@ -46,7 +47,7 @@ fn open(args: &BaseArgs) -> Result<Opened, Error> {
 }
 
 fn open_root(root: &std::path::Path, args: &SettingArgs) -> Result<Opened, Error> {
-    let evaluation = Evaluation::open(root, args.system.as_deref(), args.base.as_deref())?;
+    let evaluation = open_base(root, args.system.as_deref(), args.base.as_deref())?;
     let mut values = args.settings.as_deref().map(read_settings).transpose()?.unwrap_or_default();
     for text in &args.set {
         values.push(parse_setting(text)?);

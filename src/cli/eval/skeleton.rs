@@ -7,7 +7,7 @@ use serde_json::Value;
 use super::args::SkeletonArgs;
 use super::{document, open, write};
 use crate::cli::exit::Failure;
-use crate::engine::evaluate::{read_skeleton, skeleton_json};
+use crate::evaluate::{read_skeleton, skeleton_json};
 
 pub(super) fn run(args: &SkeletonArgs, out: &mut dyn Write) -> Result<(), Failure> {
     let mut opened = open(&args.base)?;

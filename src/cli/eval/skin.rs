@@ -7,7 +7,7 @@ use serde_json::Value;
 use super::args::SkinArgs;
 use super::{document, open, write};
 use crate::cli::exit::Failure;
-use crate::engine::evaluate::{read_poses, skin_json, with_positions};
+use crate::evaluate::{read_poses, skin_json, with_positions};
 
 pub(super) fn run(args: &SkinArgs, out: &mut dyn Write) -> Result<(), Failure> {
     let mut opened = open(&args.base)?;

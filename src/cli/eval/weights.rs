@@ -7,7 +7,7 @@ use serde_json::Value;
 use super::args::WeightsArgs;
 use super::{document, write};
 use crate::cli::exit::Failure;
-use crate::engine::evaluate::{
+use crate::evaluate::{
     load_json, object, read_skeleton, read_weights, reduction_json, to_mhw, transferred, weights_json,
 };
 

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use super::super::outcome::Error;
+use super::super::error::{Error, PathFault};
 use super::roots::roots_of;
 use crate::discover::{is_read_though_hidden, root_above};
 use crate::source::{Tree, folder_of, slashed};
@@ -99,8 +99,10 @@ fn label_above(path: &Path, here: &str, levels: usize) -> String {
 }
 
 fn canonical(path: &Path) -> Result<PathBuf, Error> {
-    std::fs::canonicalize(path)
-        .map_err(|error| Error::Path { path: path.display().to_string(), reason: error.to_string() })
+    std::fs::canonicalize(path).map_err(|error| Error::Path {
+        path: path.display().to_string(),
+        fault: PathFault::Unreadable(error.to_string()),
+    })
 }
 
 /// The path as reports print it: forward slashes, no `./`, empty for the working directory.

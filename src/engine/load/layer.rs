@@ -8,10 +8,10 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use rayon::prelude::*;
 
-use super::super::compose::Rows;
 use super::loose::Moved;
 use super::read;
 use crate::discover::{Kind, kind_of};
+use crate::evaluate::Rows;
 use crate::formats::target::MeshSize;
 use crate::repo::{FileFacts, Layer};
 use crate::source::{Entry, EntryKind, Limits, Tree, WalkFault, WalkFaultKind};
@@ -76,6 +76,11 @@ impl<'t> Place<'t> {
         join(self.tree.label(), self.root)
     }
 
+    /// Path of a file as reports print it.
+    pub(super) fn printed(self, file: &Entry) -> String {
+        join(self.tree.label(), &file.path)
+    }
+
     fn prefix(self) -> String {
         if self.root.is_empty() { String::new() } else { format!("{}/", self.root) }
     }
@@ -89,7 +94,8 @@ impl<'t> Place<'t> {
         })
     }
 
-    fn files(self) -> impl Iterator<Item = (&'t Entry, &'t str)> {
+    /// Files below the root with their path relative to it.
+    pub(super) fn files(self) -> impl Iterator<Item = (&'t Entry, &'t str)> {
         self.below().filter(|(entry, _)| entry.kind != EntryKind::Folder)
     }
 

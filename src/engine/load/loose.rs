@@ -2,9 +2,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::super::outcome::Outcome;
 use super::input::Input;
 use crate::config::Config;
+use crate::diag::{Note, Outcome};
 use crate::discover::{DataRoot, loose_place};
 use crate::source::{EntryKind, Tree};
 
@@ -26,16 +26,7 @@ pub(in crate::engine) fn moved(
     };
     let all: Vec<Moved> = inputs.iter().zip(roots).map(moved).collect();
     if base.is_none() && all.iter().any(|moved| !moved.is_empty()) {
-        outcome.notes.push(match bases.len() {
-            0 => {
-                "files outside a data folder are judged alone; `--system DIR` judges them against MakeHuman's own data"
-                    .to_owned()
-            }
-            _ => format!(
-                "files outside a data folder are judged alone; say which base mesh they are for: `--base {}`",
-                bases.iter().cloned().collect::<Vec<_>>().join("|")
-            ),
-        });
+        outcome.notes.push(Note::Alone { bases: bases.into_iter().collect() });
     }
     all
 }

@@ -92,11 +92,9 @@ impl Reading {
         }
         match facts.kind {
             Kind::PackedTarget => facts.gzip_fault = try_gunzip(bytes, limits).err(),
-            // The application decodes the whole file before it uses a row, so nothing of it counts.
-            Kind::Target if facts.encoding.invalid_utf8_at.is_none() => self.rows = fill_target(facts, bytes, mesh),
+            Kind::Target => self.rows = fill_target(facts, bytes, mesh),
             Kind::BaseMesh => fill_mesh(facts, bytes),
             Kind::Weights => fill_weights(facts, bytes, mesh),
-            Kind::Target => {}
             kind if kind.is_json() => fill_json(facts, bytes),
             Kind::TargetArchive => {
                 facts.gzip_fault = zip_bomb(bytes, limits);
@@ -126,14 +124,7 @@ fn stand_in(kind: Kind) -> Content {
 }
 
 fn fill_target(facts: &mut FileFacts, bytes: &[u8], mesh: Option<MeshSize>) -> Vec<Row> {
-    let parsed = if facts.encoding.byte_order_mark {
-        // The mark is a fault of its own; blanks in its place keep it out of the first row and all offsets right.
-        let mut unmarked = bytes.to_vec();
-        unmarked.iter_mut().take(3).for_each(|byte| *byte = b' ');
-        target::parse(&unmarked, mesh)
-    } else {
-        target::parse(bytes, mesh)
-    };
+    let Some(parsed) = target::parse_file(bytes, &facts.encoding, mesh) else { return Vec::new() };
     facts.content_hash = Some(parsed.facts.displacement);
     facts.ignores = parsed.ignores;
     facts.content = Content::Target(Box::new(parsed.facts));

@@ -2,16 +2,16 @@
 
 use std::collections::BTreeSet;
 
-use super::super::outcome::{Error, Outcome, RootSummary};
+use super::super::error::{Error, PathFault};
 use super::super::settle::Scope;
 use super::input::Input;
 use super::layer::Place;
 use super::loose::Moved;
 use crate::config::Config;
-use crate::diag::Application;
+use crate::diag::{Application, EXAMPLES, NotChecked, Note, Outcome, RootSummary, Unchecked};
 use crate::discover::{DataRoot, find_roots};
 use crate::repo::Repository;
-use crate::source::{EntryKind, Tree};
+use crate::source::{Entry, EntryKind, Tree};
 
 /// The data roots of a run.
 pub(in crate::engine) struct Roots<'t> {
@@ -40,12 +40,12 @@ impl<'t> Roots<'t> {
         let root = roots.iter().find(|root| root.application == Application::Makehuman2);
         let root = root.ok_or_else(|| Error::Path {
             path: tree.label().to_owned(),
-            reason: "holds no MakeHuman 2 data (a folder with base/<name>/base.json in it is wanted)".to_owned(),
+            fault: PathFault::NoDataOf(Application::Makehuman2),
         })?;
         let place = Place { tree, root: &root.path, moved: None };
         let path = place.path();
         if self.is_all_there_is(&path) {
-            outcome.notes.push(format!("`--system` names the data to judge itself; {} is judged", shown(&path)));
+            outcome.notes.push(Note::SystemIsChecked { path: shown(&path).to_owned() });
             return Ok(None);
         }
         Ok(Some(place))
@@ -83,7 +83,7 @@ impl<'t> Roots<'t> {
             if root.application == Application::Makehuman2 {
                 want(&mut wanted, place, &input.narrow);
             } else {
-                note_unjudged(&path, root.application, outcome);
+                note_unchecked(place, root.application, outcome);
             }
         }
         for (input, moved) in self.inputs.iter().zip(moved).filter(|(_, moved)| !moved.is_empty()) {
@@ -104,10 +104,18 @@ fn want<'t>(wanted: &mut Vec<(Place<'t>, Vec<String>)>, place: Place<'t>, narrow
     }
 }
 
-fn note_unjudged(path: &str, application: Application, outcome: &mut Outcome) {
-    let path = shown(path);
-    outcome.notes.push(format!("{path}: {application} data, which this version does not judge yet"));
-    outcome.roots.push(RootSummary { path: path.to_owned(), application, bases: Vec::new(), judged: false });
+fn note_unchecked(place: Place<'_>, application: Application, outcome: &mut Outcome) {
+    let root = place.path();
+    let path = shown(&root).to_owned();
+    let files: Vec<&Entry> = place.files().map(|(file, _)| file).collect();
+    outcome.not_checked.push(NotChecked {
+        application: Some(application),
+        what: Unchecked::Application,
+        count: files.len(),
+        examples: files.iter().take(EXAMPLES).map(|file| place.printed(file)).collect(),
+    });
+    outcome.notes.push(Note::NotYet { path: path.clone(), application });
+    outcome.roots.push(RootSummary { path, application, bases: Vec::new(), checked: false });
 }
 
 /// Says that a repository was judged, and which base meshes it has.
@@ -119,7 +127,7 @@ pub(in crate::engine) fn summarise(repository: &Repository<'_>, outcome: &mut Ou
         path: shown(&judged.path).to_owned(),
         application: repository.application,
         bases: bases.map(str::to_owned).collect(),
-        judged: true,
+        checked: true,
     });
 }
 
@@ -127,7 +135,7 @@ pub(in crate::engine) fn summarise(repository: &Repository<'_>, outcome: &mut Ou
 pub(in crate::engine) fn check_bases(options: &Config, outcome: &Outcome) -> Result<(), Error> {
     let known: BTreeSet<&String> = outcome.roots.iter().flat_map(|root| &root.bases).collect();
     let unknown = options.bases.iter().find(|name| !known.contains(name));
-    unknown.filter(|_| outcome.judged_anything()).map_or(Ok(()), |name| {
+    unknown.filter(|_| outcome.checked_anything()).map_or(Ok(()), |name| {
         Err(Error::UnknownBase { name: name.clone(), known: known.into_iter().cloned().collect() })
     })
 }

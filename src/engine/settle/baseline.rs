@@ -3,45 +3,12 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
-use serde::{Deserialize, Serialize};
-
 use super::compare::Claim;
-use crate::diag::{Level, Parts};
-use crate::engine::outcome::Error;
+use crate::diag::{Baseline, Entry};
+use crate::engine::error::{BaselineFault, Error};
 use crate::source::{Folder, Limits, ReadFault, read_file};
 
 const FORMAT: &str = "mhlint-baseline/1";
-
-/// Known findings. [`Baseline::text`] is the file.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Baseline {
-    /// Sorted by path, rule and key.
-    pub entries: Vec<Entry>,
-}
-
-/// One known finding.
-#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
-pub struct Entry {
-    /// The asset, relative to the folder of the file. For people, and to tell equal data roots apart.
-    pub path: String,
-    /// Id of the rule.
-    pub rule: String,
-    /// Structural name of the fault in the asset. For people.
-    #[serde(default, skip_serializing_if = "String::is_empty")]
-    pub key: String,
-    /// What it is recognised by.
-    pub fingerprint: String,
-    /// How bad it was by its consequence, whatever the settings made of it. What has become worse is not known.
-    #[serde(default = "worst")]
-    pub level: Level,
-    /// Everything it spoke for, by name, numbers in a row as `first-last`; empty where that is one thing.
-    #[serde(default, skip_serializing_if = "Parts::is_empty")]
-    pub parts: Parts,
-}
-
-fn worst() -> Level {
-    Level::Error
-}
 
 /// A finding as the baseline compares it.
 pub(super) struct Found {
@@ -54,31 +21,22 @@ pub(super) struct Found {
 impl Baseline {
     /// Reads a baseline.
     pub(super) fn read(path: &Path) -> Result<Self, Error> {
-        let refuse = |reason: &str| Error::Baseline { path: path.display().to_string(), reason: reason.to_owned() };
+        let refuse = |fault| Error::Baseline { path: path.display().to_string(), fault };
         let bytes = read_file(path, &Limits::default()).map_err(|fault| match fault {
-            ReadFault::Unreadable(reason) => {
-                refuse(&format!("cannot be read: {reason}; `--write-baseline` writes one"))
-            }
-            ReadFault::TooLarge { .. } => refuse("is too large for a baseline"),
+            ReadFault::Unreadable(reason) => refuse(BaselineFault::Unreadable(reason)),
+            ReadFault::TooLarge { .. } => refuse(BaselineFault::TooLarge),
         })?;
         if is_conflict(&bytes) {
-            return Err(refuse(
-                "holds a merge conflict that was not resolved; keep the entries of both sides, or remove the file and \
-                 write it anew with `--write-baseline`",
-            ));
+            return Err(refuse(BaselineFault::Conflict));
         }
-        let damaged = |error: serde_json::Error| {
-            refuse(&format!("is damaged ({error}); restore it, or remove it and write it anew with `--write-baseline`"))
-        };
+        let damaged = |error: serde_json::Error| refuse(BaselineFault::Damaged(error.to_string()));
         let mut file: serde_json::Value = serde_json::from_slice(&bytes).map_err(damaged)?;
         match file.get("format").and_then(|format| format.as_str()) {
             Some(FORMAT) => {}
             Some(other) if other.starts_with("mhlint-baseline/") => {
-                return Err(refuse(&format!(
-                    "has the format `{other}`, this version reads `{FORMAT}`; remove it and write it anew with `--write-baseline`"
-                )));
+                return Err(refuse(BaselineFault::Format { found: other.to_owned(), read: FORMAT }));
             }
-            _ => return Err(refuse("is no baseline of mhlint; name another file with `--baseline`")),
+            _ => return Err(refuse(BaselineFault::Other)),
         }
         let entries = file.get_mut("entries").map(serde_json::Value::take).unwrap_or_default();
         let entries = serde_json::from_value(entries).map_err(damaged)?;
@@ -162,6 +120,7 @@ pub(super) fn placed(folder: &Folder, path: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::diag::{Level, Parts};
 
     fn entry(path: &str, parts: &[&str]) -> Entry {
         let [rule, key, fingerprint] = ["r", "", "f"].map(str::to_owned);

@@ -35,7 +35,7 @@ impl Keeper<'_> {
                 Heard::At(level) => {
                     let spared = self.spared(&filter.spared(&finding, ignores), &finding);
                     finding.fix.iter_mut().for_each(|fix| fix.spared.clone_from(&spared));
-                    finding.level = level;
+                    finding.regrade(level);
                     kept.push((finding, consequence));
                 }
                 Heard::Hidden => ignored += 1,

@@ -3,14 +3,14 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use super::baseline::{Baseline, Entry, Found, placed};
+use super::baseline::{Found, placed};
 use super::compare::{Claim, Comparison, Standing, compare};
 use super::identify::Placed;
 use super::scope::Scope;
 use super::select::{Selection, cannot_be_ignored};
 use crate::config::Config;
-use crate::diag::{BaselineUse, Finding, Level};
-use crate::engine::outcome::{Error, TakenOver};
+use crate::diag::{Baseline, BaselineUse, Entry, Finding, Level, TakenOver};
+use crate::engine::error::{BaselineFault, Error};
 use crate::rules::RULES;
 use crate::source::{Folder, holds, slashed};
 
@@ -113,12 +113,8 @@ impl Known {
         if !entries.iter().all(|entry| !selection.is_silenced(&entry.rule) && is_gone(entry)) {
             return Ok(());
         }
-        let reason = format!(
-            "seems to be that of another repository: nothing that it names is here, neither `{}` nor its folder; \
-             name another file with `--baseline`, or remove this one and write it anew with `--write-baseline`",
-            first.path
-        );
-        Err(Error::Baseline { path: self.path.display().to_string(), reason })
+        let fault = BaselineFault::Foreign { first: first.path.clone() };
+        Err(Error::Baseline { path: self.path.display().to_string(), fault })
     }
 
     fn found(&self, placed_at: &Placed) -> Found {

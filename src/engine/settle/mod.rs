@@ -14,7 +14,6 @@ mod locate;
 mod scope;
 mod select;
 
-pub use baseline::{Baseline, Entry};
 pub(super) use identify::Placed;
 pub(super) use idle::idle;
 pub(super) use ignore::Ignores;

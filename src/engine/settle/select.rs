@@ -8,7 +8,7 @@ use globset::{Glob, GlobMatcher};
 use crate::config::{Config, ConfigFile, Selector};
 use crate::diag::{Level, nearest};
 use crate::engine::catalogue::is_upkeep;
-use crate::engine::outcome::Error;
+use crate::engine::error::{Error, SelectorFault};
 use crate::rules::{Check, RULES};
 
 /// Compiled selectors of a run.
@@ -139,14 +139,7 @@ fn fits(selectors: &[Selector], rule: &str) -> bool {
 fn refuse_ignored_safety(config: &Config) -> Result<(), Error> {
     let levels = config.levels.iter().map(|(text, _)| text);
     let named = config.skip.iter().chain(levels).find(|text| cannot_be_ignored(text));
-    named.map_or(Ok(()), |text| {
-        Err(Error::Selector {
-            text: text.clone(),
-            reason:
-                "this rule guards against running foreign code, leaving the data or filling memory and cannot be muted"
-                    .to_owned(),
-        })
-    })
+    named.map_or(Ok(()), |text| Err(Error::Selector { text: text.clone(), fault: SelectorFault::Safety }))
 }
 
 /// A file that selects no rule at all would pass everything.
@@ -156,8 +149,9 @@ fn refuse_empty_select(config: &Config) -> Result<(), Error> {
     if RULES.iter().any(|rule| fits(&file.select, rule.info.id)) {
         return Ok(());
     }
-    let place = format!("`select` in {}:{}", file.path, file.line_at(&first.span));
-    Err(Error::Selector { text: first.text.clone(), reason: format!("{place} {}", fits_none(&first.text)) })
+    let place = format!("{}:{}", file.path, file.line_at(&first.span));
+    let fault = SelectorFault::EmptySelect { place, nearest: like(&first.text) };
+    Err(Error::Selector { text: first.text.clone(), fault })
 }
 
 /// Whether a rule is a matter of safety.
@@ -166,17 +160,16 @@ pub(in crate::engine) fn cannot_be_ignored(rule: &str) -> bool {
 }
 
 fn selector(text: &str) -> Result<GlobMatcher, Error> {
-    let refuse = |reason: String| Error::Selector { text: text.to_owned(), reason };
-    let glob = Glob::new(text).map_err(|error| refuse(error.kind().to_string()))?.compile_matcher();
+    let refuse = |fault| Error::Selector { text: text.to_owned(), fault };
+    let no_glob = |error: globset::Error| refuse(SelectorFault::NoGlob(error.kind().to_string()));
+    let glob = Glob::new(text).map_err(no_glob)?.compile_matcher();
     if RULES.iter().any(|rule| glob.is_match(rule.info.id)) {
         return Ok(glob);
     }
-    Err(refuse(fits_none(text)))
+    Err(refuse(SelectorFault::NoRule { nearest: like(text) }))
 }
 
-fn fits_none(text: &str) -> String {
-    nearest(text, RULES.iter().map(|rule| rule.info.id)).map_or_else(
-        || "fits no rule; `mhlint rules` lists them".to_owned(),
-        |name| format!("fits no rule; did you mean `{name}`?"),
-    )
+/// A rule that may be meant.
+fn like(text: &str) -> Option<&'static str> {
+    nearest(text, RULES.iter().map(|rule| rule.info.id))
 }

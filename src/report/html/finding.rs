@@ -4,6 +4,7 @@ use maud::{Markup, html};
 
 use super::inline;
 use crate::diag::{Finding, Location, Related};
+use crate::report::because::because;
 use crate::report::phrase::{self, bare_place, colons, doubt, evidence_line, mends};
 use crate::report::printable;
 use crate::report::snippet::snippet;
@@ -39,8 +40,8 @@ pub(super) fn article(finding: &Finding, id: &str, open: bool) -> Markup {
                     @if let Some(fix) = &finding.fix {
                         div .help { dt { "Fix" } dd { (inline(&printable(&mends(fix)))) } }
                     }
-                    @if let Some(because) = &finding.because {
-                        div { dt { "Shown because" } dd { (inline(&printable(because))) } }
+                    @if let Some(reason) = &finding.because {
+                        div { dt { "Shown because" } dd { (inline(&printable(&because(reason)))) } }
                     }
                     (evidence(finding))
                     (related(&finding.related))

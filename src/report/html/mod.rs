@@ -12,8 +12,7 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use super::phrase::{self, Piece, pieces};
 use super::{View, count, printable, verdict};
-use crate::diag::{Application, Finding, Level, RuleInfo};
-use crate::engine::Outcome;
+use crate::diag::{Application, Finding, Level, Outcome, RuleInfo};
 
 const STYLE: &str = include_str!("page.css");
 const SCRIPT: &str = include_str!("page.js");
@@ -91,7 +90,7 @@ fn top(outcome: &Outcome, view: &View<'_>) -> Markup {
             @if !outcome.notes.is_empty() {
                 section .notes aria-label="Not judged" {
                     h2 { "Not judged" }
-                    ul { @for note in &outcome.notes { li { (inline(&printable(note))) } } }
+                    ul { @for note in &outcome.notes { li { (inline(&printable(&super::note(note)))) } } }
                 }
             }
         }

@@ -9,8 +9,7 @@ use std::collections::BTreeSet;
 use std::io::{self, Write};
 
 use super::{Paint, View, count, hang, printable, verdict};
-use crate::diag::{Finding, Level};
-use crate::engine::Outcome;
+use crate::diag::{Break, Finding, Level, Note, Outcome};
 use pick::Picked;
 
 /// Writes the report.
@@ -48,7 +47,7 @@ fn write_findings(
     let paint = Paint { color: view.color };
     let mut before: Option<&Finding> = None;
     for finding in file {
-        let repeats = before.is_some_and(|before| before.rule == finding.rule && before.breaks == finding.breaks);
+        let repeats = before.is_some_and(|before| before.rule == finding.rule && same_effects(before, finding));
         out.write_all(block::render(finding, repeats, view).as_bytes())?;
         if explained.insert(finding.rule) && !view.quiet {
             writeln!(out, "  {}", paint.dim(&format!("more: mhlint explain {}", finding.rule)))?;
@@ -65,6 +64,11 @@ fn write_findings(
     }
 }
 
+fn same_effects(one: &Finding, other: &Finding) -> bool {
+    let same = |(one, other): (&Break, &Break)| one.application == other.application && one.effect == other.effect;
+    one.breaks.len() == other.breaks.len() && one.breaks.iter().zip(&other.breaks).all(same)
+}
+
 /// `: 2 errors, 1 warning` behind the name of a file with more than one finding.
 fn tally(findings: &[&Finding]) -> String {
     if findings.len() < 2 {
@@ -77,9 +81,9 @@ fn tally(findings: &[&Finding]) -> String {
     format!(": {}", parts.into_iter().flatten().collect::<Vec<_>>().join(", "))
 }
 
-fn write_notes(notes: &[String], view: &View<'_>, out: &mut dyn Write) -> io::Result<()> {
+fn write_notes(notes: &[Note], view: &View<'_>, out: &mut dyn Write) -> io::Result<()> {
     for note in notes {
-        writeln!(out, "{}", hang("note: ", &printable(note), view.width))?;
+        writeln!(out, "{}", hang("note: ", &printable(&super::note(note)), view.width))?;
     }
     if notes.is_empty() { Ok(()) } else { writeln!(out) }
 }

@@ -6,6 +6,7 @@ use super::super::{Check, Rule, RuleCx};
 use super::loader::{extension, is_generated, is_met, is_override, refused_json};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
+use crate::json::SchemaFault;
 use crate::repo::{Content, FileFacts, ReferenceKind, Repository, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -50,7 +51,7 @@ fn counts_as_missing(repository: &Repository<'_>, file: &FileFacts) -> Option<&'
     let wanted = matches!(file.kind, Kind::BaseJson | Kind::MacroJson | Kind::ModellingJson | Kind::TargetCategories);
     let usual = file.kind == Kind::ModellingJson && is_generated(repository, file);
     let read = !matches!(file.content, Content::Broken(_) | Content::Unread);
-    let is_object = !file.schema.faults.iter().any(|fault| fault.pointer.is_empty() && fault.keyword == "/type");
+    let is_object = !file.schema.faults.iter().any(SchemaFault::is_wrong_root);
     let what =
         if is_object { " (`{}` counts as no file)" } else { " (null, 0, false and empty values count as no file)" };
     (wanted && !usual && read && file.json.falsy).then_some(what)

@@ -3,6 +3,7 @@
 pub(super) mod duplicate_key;
 pub(super) mod schema;
 mod schema_effects;
+mod schema_words;
 pub(super) mod syntax;
 pub(super) mod too_deep;
 pub(super) mod unknown_key;

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
 use super::schema_effects::effect_of;
+use super::schema_words::{lack, sentence};
 use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
 use crate::json::SchemaFault;
@@ -28,11 +29,12 @@ pub(in crate::rules) static RULE: Rule = Rule {
 fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let judged = layer.files.values().filter(|file| !file.is_ignored_override() && !counts_as_missing(file));
     for file in judged {
-        let mut by_keyword: BTreeMap<(&str, String), Vec<&SchemaFault>> = BTreeMap::new();
+        let mut by_keyword: BTreeMap<(&str, Option<String>), Vec<&SchemaFault>> = BTreeMap::new();
         for fault in &file.schema.faults {
-            by_keyword.entry((&fault.keyword, missing(fault))).or_default().push(fault);
+            // Two missing keys of one object fail at the same keyword; they are two faults.
+            by_keyword.entry((&fault.keyword, lack(fault))).or_default().push(fault);
         }
-        out.extend(by_keyword.into_iter().filter_map(|((keyword, _), all)| judge(file, keyword, &all)));
+        out.extend(by_keyword.into_iter().filter_map(|((keyword, lack), all)| judge(file, keyword, lack, &all)));
     }
 }
 
@@ -43,27 +45,22 @@ fn counts_as_missing(file: &FileFacts) -> bool {
     wanted && file.json.falsy
 }
 
-/// Two missing keys of one object fail at the same keyword; they are two faults.
-fn missing(fault: &SchemaFault) -> String {
-    fault.message.split_once(" has no ").map(|(_, key)| key.to_owned()).unwrap_or_default()
-}
-
 /// One finding for all values that fail in the same way.
-fn judge(file: &FileFacts, keyword: &str, all: &[&SchemaFault]) -> Option<Finding> {
+fn judge(file: &FileFacts, keyword: &str, lack: Option<String>, all: &[&SchemaFault]) -> Option<Finding> {
     let first = all.first()?;
     let message = match all.len() {
-        1 => first.message.clone(),
-        count => format!("{} ({count} values like it)", first.message),
+        1 => sentence(first),
+        count => format!("{} ({count} values like it)", sentence(first)),
     };
     let mut finding = RULE.at(file, Place::Pointer(first.pointer.clone()), message);
-    finding = finding.key(format!("{keyword}{}", missing(first))).help(help(file, first));
+    finding = finding.key(format!("{keyword}{}", lack.unwrap_or_default())).help(help(file, first));
     // Of values that fail in the same way the worst counts.
-    let each = all.iter().map(|fault| effect_of(file.kind, keyword, &fault.message));
+    let each = all.iter().map(|fault| effect_of(file.kind, fault));
     if let Some(Some((level, effect))) = each.max_by_key(|effect| effect.map_or(Level::Error, |(level, _)| level)) {
         finding = finding.level(level).breaks(Application::Makehuman2, effect);
     }
     for other in all.iter().skip(1).take(EXAMPLES - 1) {
-        finding = finding.related(file.path.clone(), Place::Pointer(other.pointer.clone()), other.message.clone());
+        finding = finding.related(file.path.clone(), Place::Pointer(other.pointer.clone()), sentence(other));
     }
     let parts = all.iter().map(|fault| &fault.name);
     Some(finding.parts(parts).evidence(Evidence::of_cases(all.iter().map(|fault| &fault.pointer))))
@@ -73,8 +70,7 @@ fn help(file: &FileFacts, fault: &SchemaFault) -> String {
     // A key that is missing under its name may be there under a misspelt one.
     let meant = file.schema.unknown.iter().find(|unknown| {
         let owner = unknown.pointer.rsplit_once('/').map(|(owner, _)| owner);
-        let wanted = unknown.nearest.as_ref().map(|nearest| format!(" has no `{nearest}`"));
-        owner == Some(fault.pointer.as_str()) && wanted.is_some_and(|wanted| fault.message.ends_with(&wanted))
+        owner.zip(unknown.nearest.as_deref()).is_some_and(|(owner, nearest)| fault.lacks(owner, nearest))
     });
     if let Some((key, nearest)) = meant.and_then(|unknown| Some((&unknown.key, unknown.nearest.as_ref()?))) {
         return format!("is `{key}` meant to be `{nearest}`?");

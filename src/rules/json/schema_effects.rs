@@ -3,32 +3,36 @@
 
 use crate::diag::Level;
 use crate::discover::Kind;
+use crate::json::{Found, SchemaFault};
 
 /// A row; the first that fits counts.
 struct Row {
     kind: Kind,
     /// Beginning of the place in the schema.
     keyword: &'static str,
-    /// What was found, as the message calls it; empty for anything.
-    found: &'static [&'static str],
+    /// What was found.
+    found: Test,
     level: Level,
     effect: &'static str,
 }
 
-const TEXT: &[&str] = &["is the text", "is an empty text", "is a long text"];
-const TEXT_OR_LIST: &[&str] = &["is the text", "is an empty text", "is a long text", "is a list", "is an empty list"];
-const LIST: &[&str] = &["is a list", "is an empty list"];
-/// What Python takes for false, and the loader for no file.
-const EMPTY: &[&str] = &["is null", "is an empty list", "is an empty text", "is the number 0;", "is `false`"];
-const ANY: &[&str] = &[];
+type Test = fn(Option<&Found>) -> bool;
 
-const fn row(
-    kind: Kind,
-    keyword: &'static str,
-    found: &'static [&'static str],
-    level: Level,
-    effect: &'static str,
-) -> Row {
+const TEXT: Test = |found| matches!(found, Some(Found::Text(_)));
+const LIST: Test = |found| matches!(found, Some(Found::List { .. }));
+const TEXT_OR_LIST: Test = |found| TEXT(found) || LIST(found);
+const NUMBER: Test = |found| matches!(found, Some(Found::Number(_)));
+const NULL: Test = |found| found == Some(&Found::Null);
+/// What Python takes for false, and the loader for no file.
+const EMPTY: Test = |found| match found {
+    Some(Found::Null | Found::Bool(false) | Found::List { is_empty: true }) => true,
+    Some(Found::Text(text)) => text.as_ref().is_some_and(String::is_empty),
+    Some(Found::Number(number)) => number == "0",
+    _ => false,
+};
+const ANY: Test = |_| true;
+
+const fn row(kind: Kind, keyword: &'static str, found: Test, level: Level, effect: &'static str) -> Row {
     Row { kind, keyword, found, level, effect }
 }
 
@@ -50,7 +54,7 @@ static ROWS: [Row; 33] = [
     row(ModellingJson, "/$defs/entry/type", TEXT_OR_LIST, Warning,
         "takes it for an entry without keys: the slider is gone, without a word"),
     row(ModellingJson, "/$defs/entry/type", ANY, Error, "stops at start with a TypeError"),
-    row(ModellingJson, "/$defs/entry/properties/macro_influence/items/type", &["is the number"], Level::Info,
+    row(ModellingJson, "/$defs/entry/properties/macro_influence/items/type", NUMBER, Level::Info,
         "nothing: it only asks whether the list is empty"),
     row(ModellingJson, "/$defs/entry/properties/macro_influence", ANY, Error, "stops at start with a TypeError"),
     row(ModellingJson, "/$defs/entry/properties/default/type", TEXT, Error,
@@ -72,7 +76,7 @@ static ROWS: [Row; 33] = [
     row(Skeleton, "/type", ANY, Error, "stops at start, while it scans the assets"),
     row(Skeleton, "/properties/name/type", ANY, Error, "stops at start, while it scans the assets (TypeError)"),
     row(Skeleton, "/properties/tags/type", TEXT, Warning, "makes a tag of every letter"),
-    row(Skeleton, "/properties/tags/type", &["is null"], Error,
+    row(Skeleton, "/properties/tags/type", NULL, Error,
         "stops at start, while it scans the assets (TypeError)"),
     row(Weights, "/required", ANY, Error, "loads no weights at all: in pose mode the mesh collapses to the origin"),
     row(Weights, "/type", EMPTY, Error, "loads no weights at all: in pose mode the mesh collapses to the origin"),
@@ -80,11 +84,7 @@ static ROWS: [Row; 33] = [
 ];
 
 /// Level and effect of a fault, where the table has it.
-pub(super) fn effect_of(kind: Kind, keyword: &str, message: &str) -> Option<(Level, &'static str)> {
-    let fits = |row: &&Row| {
-        row.kind == kind
-            && keyword.starts_with(row.keyword)
-            && (row.found.is_empty() || row.found.iter().any(|found| message.contains(found)))
-    };
+pub(super) fn effect_of(kind: Kind, fault: &SchemaFault) -> Option<(Level, &'static str)> {
+    let fits = |row: &&Row| row.kind == kind && fault.keyword.starts_with(row.keyword) && (row.found)(fault.found());
     ROWS.iter().find(fits).map(|row| (row.level, row.effect))
 }

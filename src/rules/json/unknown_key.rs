@@ -59,8 +59,7 @@ fn pointer_of(key: &str) -> String {
 fn is_told(file: &FileFacts, sliders: &Told<'_>, unknown: &UnknownKey) -> bool {
     let Some(nearest) = unknown.nearest.as_deref() else { return false };
     let (owner, _) = unknown.pointer.rsplit_once('/').unwrap_or_default();
-    let wanted = format!(" has no `{nearest}`");
-    if file.schema.faults.iter().any(|fault| fault.pointer == owner && fault.message.ends_with(&wanted)) {
+    if file.schema.faults.iter().any(|fault| fault.lacks(owner, nearest)) {
         return true;
     }
     match &file.content {

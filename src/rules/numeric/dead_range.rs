@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use super::{component, has_sound_steps, title};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
-use crate::eval::macro_survey::DeadRange;
+use crate::eval::makehuman2::macro_survey::DeadRange;
 use crate::eval::measures::Measures;
 use crate::formats::macro_json::{Component, MacroFile, Macrodef};
 use crate::repo::{Base, Repository};

@@ -6,6 +6,7 @@
 
 use crate::diag::{Finding, Place};
 use crate::eval::measures::{Seen, SpaceMeasure};
+use crate::eval::settings::SliderSetting;
 use crate::formats::macro_json::{Component, MacroFile, Macrodef};
 use crate::repo::Base;
 
@@ -27,12 +28,28 @@ fn at_setting(rule: &Rule, base: &Base<'_>, seen: &Seen, message: &str) -> Findi
     let mesh = || base.mesh.map(|(file, _)| file.path.clone());
     let path = seen.target.clone().or_else(mesh).unwrap_or_default();
     let asset = mesh().unwrap_or_default();
-    Finding::new(&rule.info, path, Place::File, format!("{message}; shown by {}", setting(&seen.setting))).asset(asset)
+    Finding::new(&rule.info, path, Place::File, format!("{message}; shown by {}", worded(&seen.setting))).asset(asset)
 }
 
-/// A setting as a message shows it.
-fn setting(text: &str) -> String {
-    if text.contains(" = ") { format!("`{text}`") } else { text.to_owned() }
+/// More sliders than this are not spelled out: only sampled settings have so many.
+const MOST_NAMED: usize = 12;
+
+/// What differs from the defaults, as a message shows it: `macrodetails/Age = 0`.
+fn worded(setting: &[SliderSetting]) -> String {
+    if setting.is_empty() {
+        return "all sliders at their defaults".to_owned();
+    }
+    let named = setting.iter().take(MOST_NAMED).map(|(slider, value)| format!("{slider} = {}", short(*value)));
+    let named = named.collect::<Vec<_>>().join(", ");
+    match setting.len().saturating_sub(MOST_NAMED) {
+        0 => format!("`{named}`"),
+        more => format!("`{named} and {more} more (`mhlint eval` has the whole setting)`"),
+    }
+}
+
+fn short(value: f64) -> String {
+    let text = format!("{value:.4}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
 /// What was seen, the gravest first.
@@ -63,13 +80,10 @@ fn gravest<'s>(space: &SpaceMeasure, seen: &'s Seen) -> Option<&'s Seen> {
 
 /// Whether a setting moves a slider of a component whose steps have a finding of their own: outside of them, weights
 /// go to any size.
-fn is_of_unsound_steps(base: &Base<'_>, setting: &str) -> bool {
+fn is_of_unsound_steps(base: &Base<'_>, setting: &[SliderSetting]) -> bool {
     let components = base.macro_file().map(|(_, file)| file.components.as_slice()).unwrap_or_default();
     let mut unsound = components.iter().filter(|component| component.steps.is_some() && !has_sound_steps(component));
-    unsound.any(|component| {
-        let moves = |pattern: &String| setting.split(", ").any(|part| part.split(" = ").next() == Some(pattern));
-        component.pattern.as_ref().is_some_and(moves)
-    })
+    unsound.any(|component| setting.iter().any(|(slider, _)| component.pattern.as_ref() == Some(slider)))
 }
 
 /// A component of a macrodef by its position in `comp`.
@@ -113,7 +127,7 @@ mod tests {
             name: String::new(),
             count: 1,
             all: Vec::new(),
-            setting: String::new(),
+            setting: Vec::new(),
             target: Some(target.to_owned()),
         })
     }
@@ -125,5 +139,12 @@ mod tests {
         assert!(space.short_bone.as_ref().and_then(|seen| gravest(&space, seen)).is_some());
         assert!(space.flat_plane.as_ref().and_then(|seen| gravest(&space, seen)).is_some());
         assert!(space.drifted.as_ref().and_then(|seen| gravest(&space, seen)).is_none());
+    }
+    #[test]
+    fn a_setting_is_worded_by_what_differs() {
+        assert_eq!(worded(&[]), "all sliders at their defaults");
+        let setting = |count: usize| (0..count).map(|at| (format!("s{at}"), 0.25)).collect::<Vec<_>>();
+        assert_eq!(worded(&[("Age".to_owned(), 0.0), ("nose".to_owned(), 1.0)]), "`Age = 0, nose = 1`");
+        assert!(worded(&setting(13)).ends_with("s11 = 0.25 and 1 more (`mhlint eval` has the whole setting)`"));
     }
 }

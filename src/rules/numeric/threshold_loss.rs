@@ -1,9 +1,10 @@
 //! What the cut-off of small factors throws away.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{percent, setting, title};
+use super::{percent, title, worded};
 use crate::diag::{Application, Evidence, Finding, Level, OptionInfo, Place, RuleInfo};
 use crate::eval::measures::Measures;
+use crate::eval::settings::SliderSetting;
 use crate::repo::{Base, Repository};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -33,9 +34,9 @@ fn run(_: &Repository<'_>, base: &Base<'_>, measures: &Measures, cx: &RuleCx<'_>
     let (title, share) = (title(macrodef), percent(*lost));
     let message = format!(
         "macrodef `{title}` loses {share} of its weight to the cut-off of factors up to 0.01, at {}",
-        setting(at)
+        worded(at)
     );
-    let named = |(number, lost, _): &(usize, f64, String)| {
+    let named = |(number, lost, _): &(usize, f64, Vec<SliderSetting>)| {
         let name = macros.macrodefs.get(*number).map(super::title).unwrap_or_default();
         format!("{name}: {}", percent(*lost))
     };

@@ -8,6 +8,7 @@ pub(super) mod targets_not_in_layer;
 pub(super) mod user_key_clash;
 pub(super) mod user_target_too_deep;
 
+use crate::json::SchemaFault;
 use crate::repo::{Base, Candidate, FileFacts, Layer, Overlaid, Reference, Repository, Resolution};
 
 /// One of the three files that contarget can override, whatever is in it.
@@ -28,9 +29,7 @@ fn overrides<'a>(base: &Base<'a>) -> [Override<'a>; 3] {
     fn of<'a, T>(name: &'static str, both: &Overlaid<'a, T>) -> Override<'a> {
         let system = both.system.accepted().map(|(file, _)| file);
         let file = both.contarget.file();
-        let wrong_root = |file: &FileFacts| {
-            file.schema.faults.iter().any(|fault| fault.pointer.is_empty() && fault.keyword == "/type")
-        };
+        let wrong_root = |file: &FileFacts| file.schema.faults.iter().any(SchemaFault::is_wrong_root);
         Override { name, file, active: both.is_overridden() && !file.is_some_and(wrong_root), system }
     }
     [of("macro.json", &base.macros), of("modelling.json", &base.modelling), of("target_cat.json", &base.categories)]

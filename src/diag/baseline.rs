@@ -1,0 +1,36 @@
+//! The known findings of `mhlint-baseline/1`.
+
+use serde::{Deserialize, Serialize};
+
+use super::{Level, Parts};
+
+/// Known findings. [`Baseline::text`] is the file.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Baseline {
+    /// Sorted by path, rule and key.
+    pub entries: Vec<Entry>,
+}
+
+/// One known finding.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+pub struct Entry {
+    /// The asset, relative to the folder of the file. For people, and to tell equal data roots apart.
+    pub path: String,
+    /// Id of the rule.
+    pub rule: String,
+    /// Structural name of the fault in the asset. For people.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub key: String,
+    /// What it is recognised by.
+    pub fingerprint: String,
+    /// How bad it was by its consequence, whatever the settings made of it. What has become worse is not known.
+    #[serde(default = "worst")]
+    pub level: Level,
+    /// Everything it spoke for, by name, numbers in a row as `first-last`; empty where that is one thing.
+    #[serde(default, skip_serializing_if = "Parts::is_empty")]
+    pub parts: Parts,
+}
+
+fn worst() -> Level {
+    Level::Error
+}

@@ -1,0 +1,37 @@
+//! What a reader should know of a run besides findings.
+
+use super::Application;
+
+/// Something to know. `report` has the words.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Note {
+    /// `--system` names the data to check itself, which are checked then.
+    SystemIsChecked {
+        /// Their path as printed.
+        path: String,
+    },
+    /// Files outside of a data root are checked alone.
+    Alone {
+        /// The base meshes that they may be for; empty where no system data were given.
+        bases: Vec<String>,
+    },
+    /// Data of an application that this version does not check.
+    NotYet {
+        /// Path of the data root as printed.
+        path: String,
+        /// Whose they are.
+        application: Application,
+    },
+    /// The run was narrowed to what a change can affect.
+    Narrowed {
+        /// Files of the change.
+        changed: usize,
+        /// Findings that are not shown.
+        left_out: usize,
+    },
+    /// Fixes gave rise to fixes until the run gave up.
+    Unfinished {
+        /// Turns that it took.
+        turns: usize,
+    },
+}

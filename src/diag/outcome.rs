@@ -1,0 +1,176 @@
+//! What a run gives back: plain data, made for several applications.
+
+use std::time::Duration;
+
+use serde::Serialize;
+
+use super::{Application, Baseline, Finding, Level, Note};
+
+/// Result of a run.
+#[derive(Debug, Clone, Default)]
+pub struct Outcome {
+    /// The data roots that were found.
+    pub roots: Vec<RootSummary>,
+    /// How the run ended for each application of which something was checked.
+    pub applications: Vec<ApplicationVerdict>,
+    /// What was not checked, and why.
+    pub not_checked: Vec<NotChecked>,
+    /// Findings, sorted by path, place and rule.
+    pub findings: Vec<Finding>,
+    /// What a reader should know besides findings.
+    pub notes: Vec<Note>,
+    /// Counts.
+    pub summary: Summary,
+    /// Time per phase and rule, in order of the run.
+    pub timings: Vec<Timing>,
+    /// The baseline to write, where one was asked for: [`Config::write_baseline`](crate::Config::write_baseline).
+    pub baseline: Option<Baseline>,
+    /// What [`Outcome::baseline`] changes, where there was one before.
+    pub taken_over: Option<TakenOver>,
+    /// Findings that the baseline hides; [`Summary::suppressed`] counts them with the ignored ones.
+    pub in_baseline: usize,
+    /// Findings that are not shown because the change cannot affect them.
+    pub left_out: usize,
+    /// What alone was reported on.
+    pub scope: Scope,
+    /// Rules that panicked: bugs of ours, whose findings are missing.
+    pub failed_rules: Vec<String>,
+    /// Files on which a reader of ours panicked, by path: bugs of ours, whose findings are missing.
+    pub failed_files: Vec<String>,
+    /// Other work that panicked, such as the evaluation of a base mesh.
+    pub failed_steps: Vec<String>,
+}
+
+/// A data root.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct RootSummary {
+    /// Its path as printed.
+    pub path: String,
+    /// Whose data it is.
+    pub application: Application,
+    /// Base meshes in it.
+    pub bases: Vec<String>,
+    /// Whether this version checks it.
+    #[serde(skip)]
+    pub checked: bool,
+}
+
+/// How a run ended for one application.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct ApplicationVerdict {
+    /// Whose data were checked.
+    pub application: Application,
+    /// Whether its own findings reach the limits of the run.
+    pub verdict: Verdict,
+}
+
+/// How a run ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Verdict {
+    /// No limit was reached.
+    Pass,
+    /// A limit was reached, or something is missing because of a bug of ours.
+    Fail,
+}
+
+/// Files of which something was not checked.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct NotChecked {
+    /// The application that it was not checked for; none where that is not known.
+    pub application: Option<Application>,
+    /// What was not checked of them, and why.
+    pub what: Unchecked,
+    /// How many they are.
+    pub count: usize,
+    /// The first few, by path.
+    pub examples: Vec<String>,
+}
+
+/// What was not checked of a file, and why.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Unchecked {
+    /// Anything: no rule is about files of its kind.
+    Kind,
+    /// Anything: this version does not check the application.
+    Application,
+    /// Vertex numbers: the base mesh is not known.
+    NoBaseMesh,
+    /// References: no system data were given.
+    NoSystem,
+}
+
+/// What alone was reported on, where that is not all of the data. Empty lists narrow nothing.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Scope {
+    /// Parts of data roots that alone were asked for, as printed.
+    pub paths: Vec<String>,
+    /// Globs of paths that are excluded.
+    pub excluded: Vec<String>,
+    /// Base meshes that alone were asked for.
+    pub bases: Vec<String>,
+    /// Rules that alone were asked for, by what they were named with.
+    pub rules: Vec<String>,
+    /// Rules that are off, by what they were named with.
+    pub without: Vec<String>,
+}
+
+/// Counts of a run.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+pub struct Summary {
+    /// Findings of level error.
+    pub error: usize,
+    /// Findings of level warning.
+    pub warning: usize,
+    /// Findings of level info.
+    pub info: usize,
+    /// Findings that were ignored, or are in the baseline.
+    pub suppressed: usize,
+    /// Files of the checked roots.
+    pub files: usize,
+    /// Their size in bytes.
+    pub bytes: u64,
+}
+
+/// How a new baseline differs from the one that it takes the place of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct TakenOver {
+    /// Findings that were not in the old one.
+    pub new: usize,
+    /// Those of them that are errors.
+    pub errors: usize,
+    /// Entries of the old one that were not found again.
+    pub gone: usize,
+}
+
+/// Time spent on something.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Timing {
+    /// Phase or rule.
+    pub what: String,
+    /// How long, added up over threads for rules.
+    pub time: Duration,
+}
+
+impl Outcome {
+    /// Whether something at or above `limit` was found.
+    pub fn has_at_least(&self, limit: Level) -> bool {
+        self.findings.iter().any(|finding| finding.level >= limit)
+    }
+
+    /// Whether all of the work was done: no bug of ours took a file, a rule or a step away.
+    pub fn is_whole(&self) -> bool {
+        [&self.failed_rules, &self.failed_files, &self.failed_steps].iter().all(|failed| failed.is_empty())
+    }
+
+    /// Whether any root was checked.
+    pub fn checked_anything(&self) -> bool {
+        self.checked().next().is_some()
+    }
+
+    /// The roots that were checked.
+    pub fn checked(&self) -> impl Iterator<Item = &RootSummary> {
+        self.roots.iter().filter(|root| root.checked)
+    }
+}

@@ -1,0 +1,164 @@
+//! Why a run could not be done at all.
+
+use std::fmt;
+
+use crate::diag::Application;
+
+/// Why a run could not be done at all.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Error {
+    /// A PATH or `--system` that is of no use.
+    Path {
+        /// As given.
+        path: String,
+        /// Why.
+        fault: PathFault,
+    },
+    /// `--base` that no root has.
+    UnknownBase {
+        /// As given.
+        name: String,
+        /// The bases there are.
+        known: Vec<String>,
+    },
+    /// A selector that matches no rule that it may, or no glob at all.
+    Selector {
+        /// As given.
+        text: String,
+        /// Why.
+        fault: SelectorFault,
+    },
+    /// A baseline that cannot be used.
+    Baseline {
+        /// The file.
+        path: String,
+        /// Why.
+        fault: BaselineFault,
+    },
+}
+
+/// Why a path is of no use.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum PathFault {
+    /// As the system says it.
+    Unreadable(String),
+    /// Nothing in it is data of this application.
+    NoDataOf(Application),
+}
+
+/// Why a selector cannot be used.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum SelectorFault {
+    /// It is no glob, as the library says it.
+    NoGlob(String),
+    /// It matches no rule.
+    NoRule {
+        /// One that may be meant.
+        nearest: Option<&'static str>,
+    },
+    /// All of `select` in the configuration file matches no rule.
+    EmptySelect {
+        /// The file, with the line.
+        place: String,
+        /// A rule that may be meant.
+        nearest: Option<&'static str>,
+    },
+    /// It turns off or lowers a rule that is a matter of safety.
+    Safety,
+}
+
+/// Why a baseline cannot be used.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum BaselineFault {
+    /// It cannot be read, as the system says it.
+    Unreadable(String),
+    /// It is too large for a baseline.
+    TooLarge,
+    /// git left the lines of both sides of a merge in it.
+    Conflict,
+    /// It is not what it says, as the reader puts it.
+    Damaged(String),
+    /// It has a format that this version does not read.
+    Format {
+        /// That format.
+        found: String,
+        /// The one that it reads.
+        read: &'static str,
+    },
+    /// It is no baseline.
+    Other,
+    /// Nothing that it names is here.
+    Foreign {
+        /// The first path that it names.
+        first: String,
+    },
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Path { path, fault } => write!(f, "cannot read `{path}`: {fault}"),
+            Self::UnknownBase { name, known } if known.is_empty() => write!(f, "there is no base mesh `{name}`"),
+            Self::UnknownBase { name, known } => {
+                write!(f, "there is no base mesh `{name}`; known: {}", known.join(", "))
+            }
+            Self::Baseline { path, fault } => write!(f, "the baseline `{path}` {fault}"),
+            Self::Selector { text, fault } => write!(f, "`{text}`: {fault}"),
+        }
+    }
+}
+
+impl fmt::Display for PathFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Unreadable(reason) => f.write_str(reason),
+            Self::NoDataOf(application) => {
+                write!(f, "holds no {application} data (a folder with base/<name>/base.json in it is wanted)")
+            }
+        }
+    }
+}
+
+impl fmt::Display for SelectorFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let meant = |nearest: &Option<&str>| match nearest {
+            Some(name) => format!("did you mean `{name}`?"),
+            None => "`mhlint rules` lists them".to_owned(),
+        };
+        match self {
+            Self::NoGlob(reason) => f.write_str(reason),
+            Self::NoRule { nearest } => write!(f, "fits no rule; {}", meant(nearest)),
+            Self::EmptySelect { place, nearest } => write!(f, "`select` in {place} fits no rule; {}", meant(nearest)),
+            Self::Safety => f.write_str(
+                "this rule guards against running foreign code, leaving the data or filling memory and cannot be muted",
+            ),
+        }
+    }
+}
+
+impl fmt::Display for BaselineFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let anew = "write it anew with `--write-baseline`";
+        match self {
+            Self::Unreadable(reason) => write!(f, "cannot be read: {reason}; `--write-baseline` writes one"),
+            Self::TooLarge => f.write_str("is too large for a baseline"),
+            Self::Conflict => write!(
+                f,
+                "holds a merge conflict that was not resolved; keep the entries of both sides, or remove the file and \
+                 {anew}"
+            ),
+            Self::Damaged(reason) => write!(f, "is damaged ({reason}); restore it, or remove it and {anew}"),
+            Self::Format { found, read } => {
+                write!(f, "has the format `{found}`, this version reads `{read}`; remove it and {anew}")
+            }
+            Self::Other => f.write_str("is no baseline of mhlint; name another file with `--baseline`"),
+            Self::Foreign { first } => write!(
+                f,
+                "seems to be that of another repository: nothing that it names is here, neither `{first}` nor its \
+                 folder; name another file with `--baseline`, or remove this one and {anew}"
+            ),
+        }
+    }
+}
+
+impl std::error::Error for Error {}

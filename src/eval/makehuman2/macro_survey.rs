@@ -1,0 +1,396 @@
+//! What a macro system does over the range of its sliders: stretches in which a macrodef applies nothing, weights
+//! that do not add up to one, jumps, and what the cut-off of small factors throws away.
+//!
+//! Source: MakeHuman 2, macro calculation (formats/makehuman2.md §3.3, §3.4).
+
+use super::super::measures::MacroMeasure;
+use super::super::scene::{Scene, Setting};
+use super::super::settings::{Dimension, moved};
+use super::component::{ComponentState, stepped};
+use super::macro_eval::{FACTOR_LIMIT, Fate, MacroResult};
+use super::macro_table::{Link, MacroTable};
+
+/// Distance from a step at which both of its sides are compared.
+const SIDE: f64 = 1e-6;
+/// A change of the factor of a target over twice `SIDE` beyond this is a jump. The loader's own limits (0.001 on a
+/// share, 0.01 on a factor) make smaller ones at every step.
+pub const JUMP: f64 = 0.02;
+/// Weights of a component may miss one by the shares of up to 0.001 that the loader leaves out on either side.
+pub const SUM_TOLERANCE: f64 = 0.0025;
+
+/// A stretch of a slider in which a macrodef applies nothing, wherever its other sliders stand.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DeadRange {
+    /// Number of the macrodef.
+    pub macrodef: usize,
+    /// Position of the component in its `comp`.
+    pub position: usize,
+    /// Values that have no target in any combination; empty above the last step.
+    pub values: Vec<usize>,
+    /// The stretch of the slider.
+    pub from: f64,
+    /// Its end.
+    pub to: f64,
+    /// Combinations with these values that are listed with null.
+    pub null: usize,
+    /// Combinations with these values that are not listed.
+    pub missing: usize,
+}
+
+/// A sum of weights that is not one.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SumOff {
+    /// Number of the macrodef.
+    pub macrodef: usize,
+    /// Position of the component in its `comp`.
+    pub position: usize,
+    /// Slider position (of a barycentric set: none).
+    pub at: Option<f64>,
+    /// The sum.
+    pub sum: f64,
+}
+
+/// A jump of the factor of a target between two sides of a step.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Jump {
+    /// Number of the macrodef whose component has the step.
+    pub macrodef: usize,
+    /// Position of the component in its `comp`.
+    pub position: usize,
+    /// The step.
+    pub at: f64,
+    /// How much the factor changes.
+    pub by: f64,
+    /// Target number of the macros.
+    pub target: u32,
+}
+
+/// The most weight that the cut-off throws away.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Loss {
+    /// Number of the macrodef.
+    pub macrodef: usize,
+    /// Sum of the factors thrown away; 1 would be everything.
+    pub lost: f64,
+    /// The setting.
+    pub setting: Setting,
+}
+
+/// Everything of this module for the macros of a scene; losses are looked for in `settings`.
+pub(in crate::eval) fn measure(table: &MacroTable, scene: &Scene, settings: &[Setting]) -> MacroMeasure {
+    let products = &scene.products;
+    let lost = losses(table, products, settings, &scene.defaults()).into_iter();
+    MacroMeasure {
+        dead: dead_ranges(table, products),
+        sums: sums_off(table, products, &scene.macro_defaults),
+        jumps: jumps(table, products, &scene.macro_defaults),
+        losses: lost.map(|loss| (loss.macrodef, loss.lost, moved(scene, &loss.setting))).collect(),
+    }
+}
+
+/// Stretches in which a macrodef applies nothing although it applies something elsewhere on that slider.
+pub fn dead_ranges(table: &MacroTable, macrodefs: &[Vec<Dimension>]) -> Vec<DeadRange> {
+    let mut found = Vec::new();
+    for (macrodef, dimensions) in macrodefs.iter().enumerate() {
+        for (position, dimension) in dimensions.iter().enumerate() {
+            let Dimension::Steps { steps, .. } = dimension else { continue };
+            let states = value_states(table, macrodef, position, steps.len());
+            if states.iter().any(|state| state.applied > 0) {
+                found.extend(stretches(steps, &states).into_iter().map(|range| DeadRange {
+                    macrodef,
+                    position,
+                    ..range
+                }));
+            }
+        }
+    }
+    found
+}
+
+/// What becomes of the combinations that hold one value.
+#[derive(Debug, Clone, Copy, Default)]
+struct ValueState {
+    applied: usize,
+    null: usize,
+    missing: usize,
+}
+
+fn value_states(table: &MacroTable, macrodef: usize, position: usize, values: usize) -> Vec<ValueState> {
+    let mut states = vec![ValueState::default(); values];
+    for combination in 0..table.combination_count(macrodef) {
+        // Names in which a component is left out belong to settings beyond a last step.
+        let Some(whole) = table.values(macrodef, combination).collect::<Option<Vec<usize>>>() else { continue };
+        let Some(state) = whole.get(position).and_then(|value| states.get_mut(*value)) else { continue };
+        match table.link(macrodef, combination) {
+            Some(Link::Target(_)) => state.applied += 1,
+            Some(Link::Null) => state.null += 1,
+            Some(Link::Missing) | None => state.missing += 1,
+        }
+    }
+    states
+}
+
+/// Runs of values without target, widened to where the share of a living neighbour passes the cut-off.
+fn stretches(steps: &[f64], states: &[ValueState]) -> Vec<DeadRange> {
+    let mut found = Vec::new();
+    let mut start = 0;
+    while start < states.len() {
+        let run = states.iter().skip(start).take_while(|state| state.applied == 0).count();
+        if run == 0 {
+            start += 1;
+            continue;
+        }
+        let end = start + run - 1;
+        let dead = states.get(start..=end).unwrap_or_default();
+        let edge = |inner: usize, outer: Option<usize>| {
+            let inner = steps.get(inner).copied().unwrap_or(0.0);
+            let outer = outer.and_then(|outer| steps.get(outer)).copied();
+            outer.map_or(inner, |outer| inner + FACTOR_LIMIT * (outer - inner))
+        };
+        found.push(DeadRange {
+            macrodef: 0,
+            position: 0,
+            values: (start..=end).collect(),
+            from: edge(start, start.checked_sub(1)),
+            to: edge(end, Some(end + 1)),
+            null: dead.iter().map(|state| state.null).sum(),
+            missing: dead.iter().map(|state| state.missing).sum(),
+        });
+        start = end + 1;
+    }
+    found
+}
+
+/// Components whose weights do not sum to one somewhere between their first and last step, or after a reset.
+pub fn sums_off(table: &MacroTable, macrodefs: &[Vec<Dimension>], defaults: &[f64]) -> Vec<SumOff> {
+    let mut found = Vec::new();
+    for (macrodef, dimensions) in macrodefs.iter().enumerate() {
+        for (position, dimension) in dimensions.iter().enumerate() {
+            let worst = match dimension {
+                Dimension::Steps { steps, .. } => worst_stepped(steps, table.value_count(macrodef, position)),
+                Dimension::Corners(places) => {
+                    let sum = places.iter().filter_map(|place| defaults.get(*place)).sum();
+                    Some((None, sum))
+                }
+            };
+            if let Some((at, sum)) = worst.filter(|(_, sum)| !((sum - 1.0).abs() <= SUM_TOLERANCE)) {
+                found.push(SumOff { macrodef, position, at, sum });
+            }
+        }
+    }
+    found
+}
+
+fn worst_stepped(steps: &[f64], values: usize) -> Option<(Option<f64>, f64)> {
+    let (first, last) = (*steps.first()?, *steps.last()?);
+    let middles = steps.windows(2).map(|pair| f64::midpoint(pair[0], pair[1]));
+    let sides = steps.iter().flat_map(|step| [step - SIDE, step + SIDE]);
+    let positions = steps.iter().copied().chain(middles).chain(sides);
+    positions
+        .filter(|at| (first..=last).contains(at))
+        .filter_map(|at| match stepped(at, steps, values) {
+            Ok(ComponentState::Shares(shares)) => {
+                Some((Some(at), shares.as_slice().iter().map(|share| share.weight).sum::<f64>()))
+            }
+            // Dropped components and faults are reported for themselves.
+            Ok(ComponentState::Dropped(_)) | Err(_) => None,
+        })
+        .max_by(|a, b| (a.1 - 1.0).abs().total_cmp(&(b.1 - 1.0).abs()))
+}
+
+/// Jumps between the two sides of steps, other sliders at their defaults.
+pub fn jumps(table: &MacroTable, macrodefs: &[Vec<Dimension>], defaults: &[f64]) -> Vec<Jump> {
+    let mut found: Vec<Jump> = Vec::new();
+    let mut seen: Vec<(usize, u64)> = Vec::new();
+    for (macrodef, dimensions) in macrodefs.iter().enumerate() {
+        for (position, dimension) in dimensions.iter().enumerate() {
+            let Dimension::Steps { place, steps } = dimension else { continue };
+            for at in steps.iter().copied().filter(|at| *at > SIDE && *at < 1.0 - SIDE) {
+                if seen.contains(&(*place, at.to_bits())) {
+                    continue;
+                }
+                seen.push((*place, at.to_bits()));
+                let jump = jump(table, *place, at, defaults).filter(|(_, by)| *by > JUMP);
+                found.extend(jump.map(|(target, by)| Jump { macrodef, position, at, by, target }));
+            }
+        }
+    }
+    found
+}
+
+fn jump(table: &MacroTable, place: usize, at: f64, defaults: &[f64]) -> Option<(u32, f64)> {
+    let side = |value: f64| {
+        let mut settings = defaults.to_vec();
+        *settings.get_mut(place)? = value;
+        let mut result = MacroResult::default();
+        table.evaluate(&settings, &mut result).ok()?;
+        Some(result.factors)
+    };
+    let (below, above) = (side(at - SIDE)?, side(at + SIDE)?);
+    let factor = |list: &[(u32, f64)], target: u32| {
+        list.iter().find(|(number, _)| *number == target).map_or(0.0, |(_, factor)| *factor)
+    };
+    let targets = below.iter().chain(&above).map(|(target, _)| *target);
+    targets
+        .map(|target| (target, (factor(&below, target) - factor(&above, target)).abs()))
+        .max_by(|a, b| a.1.total_cmp(&b.1))
+}
+
+/// For each macrodef a setting of its sliders at which the cut-off throws away most: the worst of those given,
+/// other sliders back at their defaults, and from there uphill one slider after the other.
+pub fn losses(table: &MacroTable, macrodefs: &[Vec<Dimension>], settings: &[Setting], rest: &Setting) -> Vec<Loss> {
+    let mut result = MacroResult::default();
+    let mut worst: Vec<(f64, &Setting)> = vec![(0.0, rest); table.macrodef_count()];
+    for setting in settings {
+        if table.evaluate(&setting.macros, &mut result).is_ok() {
+            for (lost, worst) in lost(&result, worst.len()).into_iter().zip(&mut worst) {
+                if lost > worst.0 {
+                    *worst = (lost, setting);
+                }
+            }
+        }
+    }
+    let mut found = Vec::new();
+    for (macrodef, (dimensions, (_, start))) in macrodefs.iter().zip(worst).enumerate() {
+        let mut climb = Climb { table, macrodef, at: rest.macros.clone(), lost: 0.0, result: MacroResult::default() };
+        for dimension in dimensions {
+            dimension.copy(&start.macros, &mut climb.at);
+        }
+        climb.lost = climb.lost_at(&climb.at.clone());
+        for _ in 0..CLIMBS {
+            for dimension in dimensions {
+                climb.along(dimension);
+            }
+        }
+        if climb.lost > 0.0 {
+            let setting = Setting { macros: climb.at, details: rest.details.clone() };
+            found.push(Loss { macrodef, lost: climb.lost, setting });
+        }
+    }
+    found
+}
+
+/// How often each slider of a macrodef is tried again.
+const CLIMBS: usize = 3;
+/// Positions of a slider that are tried inside its interval.
+const POSITIONS: u32 = 24;
+
+/// Sums of the factors below the limit, by macrodef.
+fn lost(result: &MacroResult, macrodefs: usize) -> Vec<f64> {
+    let mut lost = vec![0.0; macrodefs];
+    for combination in result.combinations.iter().filter(|combination| combination.fate == Fate::BelowThreshold) {
+        if let Some(sum) = lost.get_mut(combination.macrodef) {
+            *sum += combination.factor;
+        }
+    }
+    lost
+}
+
+/// A walk to the setting at which a macrodef loses most.
+struct Climb<'t> {
+    table: &'t MacroTable,
+    macrodef: usize,
+    at: Vec<f64>,
+    lost: f64,
+    result: MacroResult,
+}
+
+impl Climb<'_> {
+    fn lost_at(&mut self, macros: &[f64]) -> f64 {
+        if self.table.evaluate(macros, &mut self.result).is_err() {
+            return 0.0;
+        }
+        lost(&self.result, self.table.macrodef_count()).get(self.macrodef).copied().unwrap_or(0.0)
+    }
+
+    /// Moves one slider inside its interval to where most is lost.
+    fn along(&mut self, dimension: &Dimension) {
+        let Dimension::Steps { place, steps } = dimension else { return };
+        let Some(here) = self.at.get(*place).copied() else { return };
+        let interval = steps.windows(2).find(|pair| here <= pair[1]).map(|pair| (pair[0], pair[1]));
+        let Some((from, to)) = interval else { return };
+        for number in 0..POSITIONS {
+            let mut macros = self.at.clone();
+            let position = from + (to - from) * (f64::from(number) + 0.5) / f64::from(POSITIONS);
+            if let Some(slot) = macros.get_mut(*place) {
+                *slot = position;
+            }
+            let lost = self.lost_at(&macros);
+            if lost > self.lost {
+                (self.at, self.lost) = (macros, lost);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::macro_def::{Blend, Component, Macrodef, Slider};
+    use super::*;
+
+    fn table(links: Vec<(&str, Option<u32>)>) -> MacroTable {
+        let component = |name, values, steps| Component { name, pattern: name, values, blend: Blend::Steps(steps) };
+        let components = [
+            component("age", vec!["baby", "child", "old"], vec![0.0, 0.5, 1.0]),
+            component("sex", vec!["f", "m"], vec![0.0, 1.0]),
+        ];
+        let macrodefs = [Macrodef { components: vec!["age", "sex"], links }];
+        let slider = |pattern: &str| Some(Slider::Value(usize::from(pattern == "sex")));
+        MacroTable::new(&components, &macrodefs, slider).unwrap()
+    }
+
+    fn dimensions() -> Vec<Vec<Dimension>> {
+        vec![vec![
+            Dimension::Steps { place: 0, steps: vec![0.0, 0.5, 1.0] },
+            Dimension::Steps { place: 1, steps: vec![0.0, 1.0] },
+        ]]
+    }
+
+    #[test]
+    fn a_value_without_target_is_dead_up_to_the_cut_off() {
+        let table = table(vec![("child-f", Some(0)), ("old-m", Some(1)), ("baby-f", None)]);
+        let found = dead_ranges(&table, &dimensions());
+        assert_eq!(found.len(), 1);
+        let baby = &found[0];
+        assert_eq!((baby.from, baby.to), (0.0, 0.005));
+        assert_eq!((baby.null, baby.missing, baby.values.as_slice()), (1, 1, [0].as_slice()));
+    }
+
+    #[test]
+    fn two_dead_values_in_a_row_are_one_stretch() {
+        let table = table(vec![("old-f", Some(0)), ("old-m", Some(1))]);
+        let found = dead_ranges(&table, &dimensions());
+        assert_eq!((found[0].from, found[0].to), (0.0, 0.505));
+    }
+
+    #[test]
+    fn a_barycentric_set_of_two_does_not_reach_one() {
+        let sets = vec![vec![Dimension::Corners(vec![0, 1])]];
+        let found = sums_off(&table(Vec::new()), &sets, &[0.33, 0.33, 0.34]);
+        assert_eq!((found[0].at, (found[0].sum * 100.0).round()), (None, 66.0));
+        assert_eq!(sums_off(&table(Vec::new()), &dimensions(), &[0.5, 0.5]), []);
+    }
+
+    fn lost_directly(table: &MacroTable, setting: &Setting) -> f64 {
+        let mut result = MacroResult::default();
+        table.evaluate(&setting.macros, &mut result).unwrap();
+        lost(&result, 1)[0]
+    }
+
+    #[test]
+    fn small_factors_are_lost_where_they_are_many() {
+        let table = table(vec![("child-f", Some(0))]);
+        let setting = |macros: [f64; 2]| Setting { macros: macros.to_vec(), details: Vec::new() };
+        let found = losses(&table, &dimensions(), &[setting([0.5, 0.5]), setting([0.0025, 0.5])], &setting([0.5, 0.5]));
+        // The worse of the two settings loses 0.005; uphill from there is more, but never the 0.02 of two sliders.
+        assert!(found[0].lost > 0.005 && found[0].lost <= 0.02, "{found:?}");
+        assert_eq!(lost_directly(&table, &found[0].setting), found[0].lost);
+        assert_eq!(losses(&table, &dimensions(), &[], &setting([0.5, 0.0])), []);
+    }
+
+    #[test]
+    fn continuous_steps_do_not_jump() {
+        let table = table(vec![("child-f", Some(0)), ("child-m", Some(1)), ("old-f", Some(2)), ("baby-f", Some(3))]);
+        assert_eq!(jumps(&table, &dimensions(), &[0.5, 0.5]), []);
+    }
+}

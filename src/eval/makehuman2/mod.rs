@@ -1,0 +1,16 @@
+//! The formulas of MakeHuman 2: macros, joints, rest pose, weights as loaded and as moved to other skeletons, and what
+//! it adds to fitting.
+
+pub mod component;
+pub mod fit;
+pub mod joints;
+pub mod macro_def;
+pub mod macro_eval;
+pub mod macro_survey;
+pub mod macro_table;
+pub mod rest;
+pub mod transfer;
+pub mod weights;
+
+pub use macro_eval::MacroResult;
+pub use macro_table::{MacroError, MacroTable};

@@ -1,0 +1,69 @@
+//! Bases and files for the cases of one file.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use super::Kind;
+use super::inputs::{self, File};
+use super::roots::Roots;
+use crate::eval::vector::Point;
+use crate::evaluate::{Error, Evaluation, SliderSetting};
+use crate::json::Node;
+
+/// Opens a base of a data folder, over system data if there are any; without a name the only one.
+pub type OpenBase = fn(&Path, Option<&Path>, Option<&str>) -> Result<Evaluation, Error>;
+
+/// What the cases of one file are computed from; bases are opened once.
+pub(in crate::evaluate) struct Computer<'a> {
+    pub(in crate::evaluate) roots: &'a Roots,
+    pub(in crate::evaluate) file: &'a Node,
+    kind: &'static Kind,
+    open: OpenBase,
+    bases: BTreeMap<Option<String>, Result<Evaluation, Error>>,
+}
+
+impl<'a> Computer<'a> {
+    pub(super) fn new(kind: &'static Kind, roots: &'a Roots, file: &File<'a>, open: OpenBase) -> Self {
+        Self { roots, file: file.root, kind, open, bases: BTreeMap::new() }
+    }
+
+    /// The base that a case names, or else the file; without one the only base, or the only one with macros.
+    pub(in crate::evaluate) fn base(&mut self, case: &Node) -> Result<&mut Evaluation, Error> {
+        let common = || self.file.get("inputs").and_then(|inputs| inputs.get("base"));
+        let name = inputs::field(case, "base").or_else(common).and_then(Node::as_str);
+        self.base_called(name)
+    }
+
+    pub(in crate::evaluate) fn base_called(&mut self, name: Option<&str>) -> Result<&mut Evaluation, Error> {
+        let data = self.roots.data(self.kind.root)?;
+        let opened = self.bases.entry(name.map(str::to_owned)).or_insert_with(|| open(self.open, &data, name));
+        opened.as_mut().map_err(|error| error.clone())
+    }
+}
+
+fn open(open: OpenBase, data: &Path, name: Option<&str>) -> Result<Evaluation, Error> {
+    match open(data, None, name) {
+        Err(Error::BaseNeeded { known, with_macros }) => match with_macros.as_slice() {
+            [only] => open(data, None, Some(only)),
+            _ => Err(Error::Input(format!("the case names no base ({})", known.join(", ")))),
+        },
+        other => other,
+    }
+}
+
+/// The mesh at the settings of a case.
+pub(in crate::evaluate) fn morphed(
+    base: &mut Evaluation,
+    modifiers: Option<Vec<SliderSetting>>,
+    notes: &mut Vec<String>,
+) -> Result<Vec<Point>, Error> {
+    let Some(modifiers) = modifiers else { return Ok(base.scene().positions.clone()) };
+    let (setting, unknown) = base.model_setting(&modifiers);
+    note_unknown(unknown, notes);
+    base.morphed(&setting)
+}
+
+/// Names that no slider has are left out.
+pub(in crate::evaluate) fn note_unknown(unknown: Vec<String>, notes: &mut Vec<String>) {
+    notes.extend(unknown.into_iter().map(|name| format!("no slider `{name}`: left out, as MakeHuman 2 does")));
+}

@@ -1,0 +1,138 @@
+//! Batches of cases as in the reference files: read, computed, printed or compared.
+//!
+//! A file has a `kind` and `cases`, each with `inputs` and `outputs`. One case that cannot be computed does not
+//! keep the others from it.
+
+mod compare;
+mod computer;
+pub(super) mod inputs;
+mod roots;
+pub(super) mod tolerance;
+
+use serde_json::{Map, Value};
+
+pub use compare::{Comparison, Deviation};
+pub use computer::OpenBase;
+pub(super) use computer::{Computer, morphed, note_unknown};
+pub use roots::Roots;
+
+use super::error::Error;
+use super::{files, makehuman2};
+use crate::json::{Document, Node};
+use inputs::File;
+use tolerance::Tolerance;
+
+/// Computes the outputs of a case; notes what a reader should know besides.
+pub(super) type Compute = fn(&mut Computer<'_>, &Node, &mut Vec<String>) -> Result<Map<String, Value>, Error>;
+
+/// A kind of case.
+#[derive(Debug)]
+pub(super) struct Kind {
+    /// As files say it.
+    pub(super) name: &'static str,
+    /// The folder that holds the data of its bases.
+    pub(super) root: &'static str,
+    pub(super) outputs: Compute,
+    /// How far numbers may lie apart.
+    pub(super) tolerance: Tolerance,
+    /// Quantities with a tolerance of their own.
+    pub(super) tolerances: &'static [(&'static str, Tolerance)],
+    /// Whether `bones` has for each bone a number of entries and a sum.
+    pub(super) by_bone: bool,
+}
+
+/// Every kind, of all applications.
+fn kinds() -> impl Iterator<Item = &'static Kind> {
+    makehuman2::cases::KINDS.iter()
+}
+
+/// A file of cases with what came out.
+#[derive(Debug)]
+pub struct CaseRun<'t> {
+    kind: &'static Kind,
+    text: &'t [u8],
+    document: Document,
+    /// The cases in the order of the file.
+    pub reports: Vec<CaseReport>,
+}
+
+/// What came out of a case.
+#[derive(Debug)]
+pub struct CaseReport {
+    /// Base and name, for messages.
+    pub name: String,
+    /// Its outputs. Where the application stops they hold the name of the exception as `error`.
+    pub outputs: Result<Map<String, Value>, Error>,
+    /// What a reader should know besides.
+    pub notes: Vec<String>,
+}
+
+/// Computes every case of a file. `path` is for messages, `open` opens the bases.
+///
+/// # Errors
+/// No JSON, no cases, or a kind that is not computed here.
+pub fn run_cases<'t>(path: &str, text: &'t [u8], roots: &Roots, open: OpenBase) -> Result<CaseRun<'t>, Error> {
+    let document = files::document(text).map_err(|reason| Error::file(path, reason))?;
+    let file = File::new(path, &document.root)?;
+    let kind = kind_called(file.kind)?;
+    if file.cases.is_empty() {
+        return Err(Error::file(path, "there is no case in `cases`"));
+    }
+    let mut computer = Computer::new(kind, roots, &file, open);
+    let reports = file.cases.iter().map(|case| report(kind, &mut computer, case)).collect();
+    Ok(CaseRun { kind, text, document, reports })
+}
+
+fn kind_called(name: &str) -> Result<&'static Kind, Error> {
+    kinds().find(|kind| kind.name == name).ok_or_else(|| {
+        let names: Vec<&str> = kinds().map(|kind| kind.name).collect();
+        Error::Input(format!("cases of kind `{name}` are not supported yet (known: {})", names.join(", ")))
+    })
+}
+
+fn report(kind: &Kind, computer: &mut Computer<'_>, case: &Node) -> CaseReport {
+    let mut notes = Vec::new();
+    let outputs = match (kind.outputs)(computer, case, &mut notes) {
+        Err(Error::Stops { exception, reason }) => {
+            notes.push(reason);
+            Ok(super::object([("error", Value::from(exception))]))
+        }
+        other => other,
+    };
+    CaseReport { name: inputs::title(case), outputs, notes }
+}
+
+impl CaseRun<'_> {
+    /// The file with these outputs in place of its own; everything else is kept byte by byte.
+    pub fn printed(&self) -> Vec<u8> {
+        let mut out = Vec::with_capacity(self.text.len());
+        let mut from = 0;
+        for (case, report) in inputs::cases(&self.document.root).iter().zip(&self.reports) {
+            let outputs = match &report.outputs {
+                Ok(outputs) => outputs.clone(),
+                Err(error) => super::object([("error", Value::from(error.to_string()))]),
+            };
+            let text = Value::Object(outputs).to_string();
+            let (to, next, text) = match case.get("outputs") {
+                Some(old) => (old.span.start, old.span.end, text),
+                None if case.is_object() => {
+                    let comma = if case.members().is_empty() { "" } else { "," };
+                    let end = case.span.end.saturating_sub(1);
+                    (end, end, format!("{comma}\"outputs\":{text}"))
+                }
+                None => continue,
+            };
+            out.extend_from_slice(self.text.get(from..to).unwrap_or_default());
+            out.extend_from_slice(text.as_bytes());
+            from = next;
+        }
+        out.extend_from_slice(self.text.get(from..).unwrap_or_default());
+        out
+    }
+
+    /// Every case against the outputs that are in the file.
+    pub fn compared(&self) -> Vec<Comparison> {
+        let cases = inputs::cases(&self.document.root).iter().zip(&self.reports);
+        cases.map(|(case, report)| compare::compare(self.kind, case, report)).collect()
+    }
+}

@@ -1,0 +1,93 @@
+//! The folders that file names in cases are relative to.
+
+use std::collections::BTreeMap;
+use std::path::{Component, Path, PathBuf};
+
+use crate::diag::nearest;
+use crate::evaluate::Error;
+
+const NAMES: [&str; 4] = ["makehuman2", "makehuman1", "mpfb", "makehuman-assets"];
+
+/// Folders of the programs and assets by name.
+#[derive(Debug, Clone, Default)]
+pub struct Roots {
+    folders: BTreeMap<String, PathBuf>,
+}
+
+impl Roots {
+    /// Takes names and folders; of several for one name the last.
+    ///
+    /// # Errors
+    /// A name that cases do not use.
+    pub fn new(folders: impl IntoIterator<Item = (String, PathBuf)>) -> Result<Self, Error> {
+        let mut roots = Self::default();
+        for (name, folder) in folders {
+            if !NAMES.contains(&name.as_str()) {
+                let meant = nearest(&name, NAMES).map_or(String::new(), |name| format!("; did you mean `{name}`?"));
+                return Err(Error::Input(format!("no root is called `{name}`{meant} ({})", NAMES.join(", "))));
+            }
+            roots.folders.insert(name, folder);
+        }
+        Ok(roots)
+    }
+
+    /// The data folder of a program: the `data` in its folder, or that folder itself.
+    pub(super) fn data(&self, name: &str) -> Result<PathBuf, Error> {
+        Ok(inside(self.folder(name)?, "data"))
+    }
+
+    /// Where a file of a case is. The name may end in ` (NAME)`; without, files of the assets begin with `base/`.
+    pub(in crate::evaluate) fn file(&self, written: &str) -> Result<PathBuf, Error> {
+        let marked = written.strip_suffix(')').and_then(|text| text.rsplit_once(" ("));
+        let (path, name) = match marked {
+            Some((path, name)) => (path, name),
+            None if written.starts_with("base/") => (written, "makehuman-assets"),
+            None => (written, "makehuman2"),
+        };
+        let mut parts = Vec::new();
+        for part in Path::new(path).components() {
+            match part {
+                Component::Normal(part) => parts.push(part),
+                Component::CurDir => {}
+                _ => return Err(Error::Input(format!("`{path}` leaves the folder of {name}"))),
+            }
+        }
+        let folder = self.folder(name)?;
+        let [first, rest @ ..] = parts.as_slice() else {
+            return Err(Error::Input("a file name is empty".to_owned()));
+        };
+        let mut place = inside(folder, first);
+        place.extend(rest);
+        Ok(place)
+    }
+
+    fn folder(&self, name: &str) -> Result<&Path, Error> {
+        let missing = || Error::Input(format!("the folder of {name} is needed: give --root {name}=DIR"));
+        self.folders.get(name).map(PathBuf::as_path).ok_or_else(missing)
+    }
+}
+
+/// `folder/first`, or `folder` where that is already it.
+fn inside(folder: &Path, first: impl AsRef<Path>) -> PathBuf {
+    let below = folder.join(&first);
+    let is_it = folder.file_name().is_some_and(|name| Path::new(name) == first.as_ref());
+    if !below.exists() && is_it { folder.to_path_buf() } else { below }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_lead_to_their_folder() {
+        let folder = |name: &str| (name.to_owned(), PathBuf::from(format!("/{name}")));
+        let roots = Roots::new([folder("makehuman2"), folder("makehuman-assets")]).unwrap();
+        let file = |name: &str| roots.file(name).map(|path| path.display().to_string());
+        assert_eq!(file("data/a/b.mhw").unwrap(), "/makehuman2/data/a/b.mhw");
+        assert_eq!(file("base/a.mhclo").unwrap(), "/makehuman-assets/base/a.mhclo");
+        assert_eq!(file("data/a.mhclo (makehuman2)").unwrap(), "/makehuman2/data/a.mhclo");
+        assert!(file("data/../../etc/passwd").is_err() && file("/etc/passwd").is_err() && file("").is_err());
+        assert!(file("x (mpfb)").unwrap_err().to_string().contains("--root mpfb=DIR"));
+        assert!(Roots::new([folder("makehuman3")]).unwrap_err().to_string().contains("makehuman2"));
+    }
+}

@@ -1,0 +1,77 @@
+//! How far two evaluations of the same files may lie apart.
+//!
+//! The applications store coordinates, offsets, weights and matrices as float32 and add up in float32. The
+//! numbers are those that the reference files suggest (reference/README.md, "Tolerances").
+
+use super::Kind;
+
+/// Allowed distance of two numbers.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::evaluate) enum Tolerance {
+    /// In the unit of the number.
+    Absolute(f64),
+    /// As a share of the expected number.
+    Relative(f64),
+}
+
+/// Factors of targets; `f64` in the application.
+pub(in crate::evaluate) const FACTORS: Tolerance = Tolerance::Absolute(1e-6);
+/// Coordinates and boxes of morphed meshes, decimetres.
+pub(in crate::evaluate) const MORPHED: Tolerance = Tolerance::Absolute(2e-5);
+/// Sums over all vertices of a mesh, decimetres.
+const MESH_SUMS: Tolerance = Tolerance::Absolute(0.2);
+/// Joints, heads, tails, lengths, decimetres.
+pub(in crate::evaluate) const JOINTS: Tolerance = Tolerance::Absolute(2e-5);
+/// Rest matrices.
+pub(in crate::evaluate) const REST_MATRICES: Tolerance = Tolerance::Absolute(1e-4);
+/// Skinned coordinates and pose matrices.
+pub(in crate::evaluate) const SKINNED: Tolerance = Tolerance::Absolute(5e-5);
+/// Fitted assets and their scales.
+pub(in crate::evaluate) const FITTED: Tolerance = Tolerance::Absolute(2e-5);
+/// Single weights, and the sums of a vertex.
+pub(in crate::evaluate) const WEIGHTS: Tolerance = Tolerance::Absolute(1e-6);
+/// Sum of the weights of a bone.
+const BONE_SUMS: Tolerance = Tolerance::Relative(1e-6);
+/// Sum of the weights of a bone that has one entry more or less, in files of assets: the weight on the threshold.
+pub(super) const AT_THRESHOLD: Tolerance = Tolerance::Absolute(1e-4);
+/// Counts.
+const EXACT: Tolerance = Tolerance::Absolute(0.0);
+
+impl Kind {
+    /// The tolerance of a quantity.
+    pub(super) fn tolerance(&self, quantity: &str) -> Tolerance {
+        let own = self.tolerances.iter().find(|(name, _)| *name == quantity);
+        let common = || match quantity {
+            "count" | "vertex_count" | "ref_count" | "delete_verts" => EXACT,
+            "sum" | "sum_xyz" => MESH_SUMS,
+            "bone sum" => BONE_SUMS,
+            _ => self.tolerance,
+        };
+        own.map_or_else(common, |(_, own)| *own)
+    }
+}
+
+impl Tolerance {
+    /// The limit itself.
+    pub(super) const fn limit(self) -> f64 {
+        match self {
+            Self::Absolute(limit) | Self::Relative(limit) => limit,
+        }
+    }
+
+    /// Distance of two numbers in the unit of the limit; infinite if only one is finite.
+    pub(super) fn deviation(self, expected: Option<f64>, found: Option<f64>) -> f64 {
+        match (expected, found) {
+            (None, None) => 0.0,
+            (Some(expected), Some(found)) => match self {
+                Self::Absolute(_) => (expected - found).abs(),
+                Self::Relative(_) => {
+                    let distance = (expected - found).abs();
+                    // Equal zeros have no ratio.
+                    if distance > 0.0 { distance / expected.abs() } else { distance }
+                }
+            },
+            _ => f64::INFINITY,
+        }
+    }
+}

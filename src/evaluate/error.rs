@@ -1,0 +1,138 @@
+//! Why there is no number to give.
+
+use std::fmt;
+
+use crate::eval::error::EvalError;
+
+/// An evaluation that cannot be done.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Error {
+    /// The data folder cannot be opened; why.
+    Open(String),
+    /// No MakeHuman 2 data below the path.
+    NoData(String),
+    /// Several data folders hold the base.
+    SeveralRoots(Vec<String>),
+    /// Several bases and none named.
+    BaseNeeded {
+        /// The bases there are.
+        known: Vec<String>,
+        /// Those with a macro system.
+        with_macros: Vec<String>,
+    },
+    /// A base that no layer has a mesh of.
+    UnknownBase {
+        /// As given.
+        name: String,
+        /// The one probably meant.
+        nearest: Option<String>,
+        /// The bases there are.
+        known: Vec<String>,
+    },
+    /// The base has no macros to evaluate.
+    NoMacros {
+        /// The base.
+        base: String,
+        /// Why.
+        reason: String,
+    },
+    /// No slider of that name.
+    UnknownSlider {
+        /// As given.
+        name: String,
+        /// The one probably meant.
+        nearest: Option<String>,
+    },
+    /// A setting that cannot be understood.
+    Setting {
+        /// As given.
+        text: String,
+        /// Why.
+        reason: String,
+    },
+    /// A target with a factor that has no file.
+    MissingTarget(String),
+    /// A file that cannot be read or used.
+    File {
+        /// Its path.
+        path: String,
+        /// Why.
+        reason: String,
+    },
+    /// The base has no pose skeleton or no weights.
+    NoSkeleton {
+        /// The base.
+        base: String,
+        /// Why.
+        reason: String,
+    },
+    /// A bone that the skeleton does not have.
+    UnknownBone {
+        /// As given.
+        name: String,
+        /// The one probably meant.
+        nearest: Option<String>,
+    },
+    /// A field of a case that is missing or of the wrong kind.
+    Input(String),
+    /// Data that stops MakeHuman 2 with an exception.
+    Stops {
+        /// Name of the exception in Python.
+        exception: &'static str,
+        /// What is wrong.
+        reason: String,
+    },
+}
+
+impl Error {
+    /// A file that cannot be used.
+    pub(super) fn file(path: impl Into<String>, reason: impl Into<String>) -> Self {
+        Self::File { path: path.into(), reason: reason.into() }
+    }
+}
+
+impl From<EvalError> for Error {
+    /// Indices that do not exist stop the application with an `IndexError`.
+    fn from(error: EvalError) -> Self {
+        Self::Stops { exception: "IndexError", reason: error.to_string() }
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let meant = |nearest: &Option<String>| match nearest {
+            Some(name) => format!("; did you mean `{name}`?"),
+            None => String::new(),
+        };
+        match self {
+            Self::Open(reason) => f.write_str(reason),
+            Self::NoData(path) => {
+                write!(f, "`{path}` holds no MakeHuman 2 data (a folder with base/<name>/base.obj in it is wanted)")
+            }
+            Self::SeveralRoots(paths) => {
+                write!(f, "several data folders hold this base; give one of them: {}", paths.join(", "))
+            }
+            Self::BaseNeeded { known, .. } if known.is_empty() => f.write_str("there is no base mesh (base.obj) here"),
+            Self::BaseNeeded { known, .. } => {
+                write!(f, "which base mesh? Give it with --base: {}", known.join(", "))
+            }
+            Self::UnknownBase { name, nearest, known } => {
+                write!(f, "there is no base mesh `{name}`{}", meant(nearest))?;
+                if known.is_empty() { Ok(()) } else { write!(f, " (known: {})", known.join(", ")) }
+            }
+            Self::NoMacros { base, reason } => write!(f, "base `{base}` has no macros: {reason}"),
+            Self::UnknownSlider { name, nearest } => write!(f, "there is no slider `{name}`{}", meant(nearest)),
+            Self::Setting { text, reason } => write!(f, "setting `{text}`: {reason}"),
+            Self::MissingTarget(name) => {
+                write!(f, "target `{name}` is needed by this setting and has no file; MakeHuman 2 stops here")
+            }
+            Self::File { path, reason } => write!(f, "cannot use `{path}`: {reason}"),
+            Self::NoSkeleton { base, reason } => write!(f, "base `{base}`: {reason}"),
+            Self::UnknownBone { name, nearest } => write!(f, "there is no bone `{name}`{}", meant(nearest)),
+            Self::Input(what) => f.write_str(what),
+            Self::Stops { exception, reason } => write!(f, "MakeHuman 2 stops with {exception}: {reason}"),
+        }
+    }
+}
+
+impl std::error::Error for Error {}

@@ -1,0 +1,212 @@
+//! A scene to its measures: the pure functions of `eval`, run in parallel and merged in order.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use rayon::prelude::*;
+
+use super::makehuman2::compose::Rig;
+use crate::config::{Config, MOST_SAMPLES};
+use crate::eval::culprit::most_moving;
+use crate::eval::look::look;
+use crate::eval::macros::MacroWork;
+use crate::eval::measures::{Measures, PairMeasure, Seen, SkeletonMeasure, SpaceMeasure};
+use crate::eval::rig_measure::{bone_pairs, bones, weights};
+use crate::eval::scene::{MorphTarget, Scene, Setting};
+use crate::eval::settings::{DEFAULT_SAMPLES, moved, plan};
+use crate::eval::survey::{Survey, Worst};
+use crate::eval::surveyor::Surveyor;
+use crate::eval::symmetry::{MirrorComparison, MirrorMap};
+use crate::eval::target_measure::{Parts, TargetMeasure, cubes_of};
+use crate::eval::vector::Point;
+use crate::eval::walk::{Stop, in_order};
+
+/// How far from its exact mirror image a vertex may be, mesh units: meshes are written with four decimals.
+const MIRROR_TOLERANCE: f32 = 1e-3;
+/// Displacements of mirrored vertices may differ by rounding to three decimals on either side, mesh units.
+const DELTA_TOLERANCE: f64 = 2.5e-3;
+/// Weights of mirrored vertices may differ by this before they count.
+const WEIGHT_TOLERANCE: f32 = 0.01;
+/// Settings that one thread looks at in a row, starting from the base mesh.
+const CHUNK: usize = 64;
+
+/// Measures a scene.
+pub(super) fn gauge(scene: &Scene, rigs: &[Rig], options: &Config) -> Measures {
+    let samples = options.samples.unwrap_or(DEFAULT_SAMPLES).min(MOST_SAMPLES);
+    let settings = plan(scene, samples, options.exhaustive);
+    let (space, (macros, shape)) = rayon::join(
+        || survey(scene, &settings),
+        || {
+            let macros = || scene.macros.as_ref().map(|macros| macros.measure(scene, &settings));
+            rayon::join(macros, || shape(scene, rigs))
+        },
+    );
+    Measures { space, macros: macros.unwrap_or_default(), ..shape }
+}
+
+/// Everything that needs the default character only.
+fn shape(scene: &Scene, rigs: &[Rig]) -> Measures {
+    let mirror = MirrorMap::new(&scene.positions, scene.faces(), MIRROR_TOLERANCE);
+    let (parts, cubes) = parts(scene);
+    let rest = scene.morphed(&scene.defaults()).unwrap_or_else(|_| scene.positions.clone());
+    let weights = scene.skeleton.as_ref().zip(scene.weights.as_ref()).and_then(|(skeleton, loaded)| {
+        weights(loaded, skeleton, &rest, &mirror, &bone_pairs(&skeleton.names), WEIGHT_TOLERANCE)
+    });
+    Measures {
+        pairs: pair_measures(scene, &parts, &mirror),
+        targets: target_measures(scene, &parts, &mirror),
+        unmirrored: mirror.unresolved(),
+        cubes,
+        skeletons: rigs.iter().filter_map(|rig| skeleton_measure(rig, &rest)).collect(),
+        weights,
+        bones: scene.skeleton.as_ref().map(|skeleton| skeleton.names.clone()).unwrap_or_default(),
+        ..Measures::default()
+    }
+}
+
+fn survey(scene: &Scene, settings: &[Setting]) -> Option<SpaceMeasure> {
+    let surveyor = Surveyor::new(scene)?;
+    let stops: Vec<Option<Stop>> = (0..settings.len())
+        .into_par_iter()
+        .zip(settings)
+        .map_init(MacroWork::default, |work, (number, setting)| surveyor.stop(number, setting, work))
+        .collect();
+    let stops = in_order(stops.into_iter().flatten().collect());
+    let parts: Vec<Survey> = stops.par_chunks(CHUNK).map(|stops| look(&surveyor, stops)).collect();
+    let mut survey = Survey::default();
+    parts.into_iter().for_each(|part| survey.merge(part));
+    let told = |number: usize| settings.get(number).map(|setting| moved(scene, setting)).unwrap_or_default();
+    let blame = |setting: usize, vertices: &[u32]| {
+        let target = most_moving(scene, settings.get(setting)?, vertices)?;
+        scene.targets.get(target).map(|target| target.path.clone())
+    };
+    let seen = |worst: Option<Worst>,
+                (elements, all): (Vec<usize>, Vec<String>),
+                name: &dyn Fn(usize) -> String,
+                vertices: &dyn Fn(usize) -> Vec<u32>| {
+        worst.map(|worst| Seen {
+            elements,
+            all,
+            value: worst.value,
+            element: worst.element,
+            name: name(worst.element),
+            count: worst.count,
+            setting: told(worst.setting),
+            target: blame(worst.setting, &vertices(worst.element)),
+        })
+    };
+    let group = |face: usize| {
+        let group = scene.face_groups.get(face).and_then(|group| scene.groups.get(*group as usize));
+        group.cloned().unwrap_or_default()
+    };
+    let skeleton = scene.skeleton.as_ref();
+    let joint = |joint: usize| skeleton.and_then(|s| s.joint_names.get(joint)).cloned().unwrap_or_default();
+    let bone = |bone: usize| skeleton.and_then(|s| s.names.get(bone)).cloned().unwrap_or_default();
+    let vertex = |vertex: usize| u32::try_from(vertex).into_iter().collect();
+    let face = |face: usize| scene.face(face).to_vec();
+    let of_joint = |joint: usize| skeleton.and_then(|s| s.joints.get(joint)).cloned().unwrap_or_default();
+    // A joint that drifts moves as a whole: one vertex of its cube stands for it.
+    let of_cube = |joint: usize| of_joint(joint).into_iter().take(1).collect();
+    let of_bone = |bone: usize| {
+        let bone = skeleton.and_then(|s| s.bones.get(bone));
+        let joints = bone.map(|bone| [bone.head, bone.tail].into_iter().chain(bone.plane.into_iter().flatten()));
+        joints.into_iter().flatten().flat_map(of_joint).collect()
+    };
+    let unnamed = |numbers: &BTreeSet<usize>| (numbers.iter().copied().collect(), Vec::new());
+    let all = |numbers: &BTreeSet<usize>, name: &dyn Fn(usize) -> String| {
+        (numbers.iter().copied().collect(), numbers.iter().map(|at| name(*at)).collect())
+    };
+    let in_group = |face: usize| format!("{} {face}", group(face));
+    let concerned = &survey.concerned;
+    Some(SpaceMeasure {
+        non_finite: seen(survey.non_finite, unnamed(&concerned.non_finite), &|_| String::new(), &vertex),
+        collapsed: seen(survey.collapsed, all(&concerned.collapsed, &in_group), &group, &face),
+        flipped: seen(survey.flipped, all(&concerned.flipped, &group), &group, &face),
+        exploded: seen(survey.exploded, unnamed(&concerned.exploded), &|_| String::new(), &vertex),
+        drifted: seen(survey.drifted, all(&concerned.drifted, &joint), &joint, &of_cube),
+        short_bone: seen(survey.short_bone, all(&concerned.short_bone, &bone), &bone, &of_bone),
+        flat_plane: seen(survey.flat_plane, all(&concerned.flat_plane, &bone), &bone, &of_bone),
+    })
+}
+
+/// Parts of the mesh that targets are measured against, and the names of the joint cubes.
+fn parts(scene: &Scene) -> (Parts, Vec<String>) {
+    let groups = scene.face_groups.iter().map(|group| scene.groups.get(*group as usize).map_or("", String::as_str));
+    let mut cubes = cubes_of(groups.zip(scene.faces()));
+    // A cube that no joint of the skeleton uses (the ground) may be deformed at will.
+    let used: BTreeSet<u32> = scene.skeleton.iter().flat_map(|skeleton| &skeleton.joints).flatten().copied().collect();
+    cubes.retain(|(_, vertices)| vertices.iter().any(|vertex| used.contains(vertex)));
+    let mut parts = Parts {
+        body: vec![false; scene.positions.len()],
+        cube_of: vec![None; scene.positions.len()],
+        cubes: cubes.iter().map(|(_, vertices)| vertices.clone()).collect(),
+    };
+    for (face, group) in scene.faces().zip(&scene.face_groups) {
+        if scene.visible.get(*group as usize) == Some(&true) {
+            for vertex in face {
+                mark(&mut parts.body, *vertex as usize, true);
+            }
+        }
+    }
+    for (number, (_, vertices)) in (0..).zip(&cubes) {
+        for vertex in vertices {
+            mark(&mut parts.cube_of, *vertex as usize, Some(number));
+        }
+    }
+    (parts, cubes.into_iter().map(|(name, _)| name).collect())
+}
+
+/// Every target that no other rule reports for its rows.
+fn target_measures(scene: &Scene, parts: &Parts, mirror: &MirrorMap) -> Vec<TargetMeasure> {
+    let measure = |comparison: &mut MirrorComparison<'_>, target: &MorphTarget| {
+        let measure = parts.measure(target.rows.as_deref()?, comparison, DELTA_TOLERANCE);
+        Some(TargetMeasure { name: target.name.clone(), path: target.path.clone(), ..measure })
+    };
+    let usable = scene.targets.par_iter().filter(|target| !target.suspect);
+    usable.map_init(|| MirrorComparison::new(mirror), measure).flatten().collect()
+}
+
+fn mark<T>(list: &mut [T], at: usize, value: T) {
+    if let Some(place) = list.get_mut(at) {
+        *place = value;
+    }
+}
+
+/// Targets of one folder named alike but for their side.
+fn pair_measures(scene: &Scene, parts: &Parts, mirror: &MirrorMap) -> Vec<PairMeasure> {
+    let usable = scene.targets.iter().filter(|target| !target.suspect);
+    let by_path: BTreeMap<&str, &MorphTarget> = usable.map(|target| (target.path.as_str(), target)).collect();
+    let pair = |comparison: &mut MirrorComparison<'_>, left: &MorphTarget| {
+        let right = by_path.get(right_of(&left.path)?.as_str())?;
+        let (ours, theirs) = (left.rows.as_deref()?, right.rows.as_deref()?);
+        let moves = |rows: &[(u32, Point)]| rows.iter().any(|(_, delta)| delta.iter().any(|part| *part != 0.0));
+        // A target without effect is a fault of its own.
+        let (both, body) = parts.pair(ours, theirs, comparison, DELTA_TOLERANCE);
+        let measure = PairMeasure { left: left.path.clone(), right: right.path.clone(), difference: both, body };
+        (moves(ours) && moves(theirs)).then_some(measure)
+    };
+    let usable = scene.targets.par_iter().filter(|target| !target.suspect);
+    usable.map_init(|| MirrorComparison::new(mirror), pair).flatten().collect()
+}
+
+/// Path of the target for the other side, if the file name says left.
+fn right_of(path: &str) -> Option<String> {
+    let (folder, file) = path.rsplit_once('/').unwrap_or(("", path));
+    let (stem, suffix) = file.split_once('.').unwrap_or((file, ""));
+    let mut words: Vec<&str> = stem.split('-').collect();
+    let (word, right) = words.iter_mut().find_map(|word| match *word {
+        "l" => Some((word, "r")),
+        "left" => Some((word, "right")),
+        _ => None,
+    })?;
+    *word = right;
+    let file = format!("{}.{suffix}", words.join("-"));
+    Some(if folder.is_empty() { file } else { format!("{folder}/{file}") })
+}
+
+fn skeleton_measure(rig: &Rig, rest: &[Point]) -> Option<SkeletonMeasure> {
+    Some(SkeletonMeasure {
+        path: rig.path.clone(),
+        bones: bones(&rig.skeleton, rest)?,
+        without_weights: rig.without_weights.clone(),
+    })
+}

@@ -1,0 +1,131 @@
+//! Assets of the `.mhclo` kind, fitted to a base mesh (formats/makehuman2.md §15.2).
+
+use std::path::{Path, PathBuf};
+
+use super::weights::{NamedWeights, number};
+use crate::eval::fit::{Reference, ScaleLine, fit};
+use crate::eval::influences::Influences;
+use crate::eval::makehuman2::fit::{axis_scales, deleted_vertices, derived_weights};
+use crate::eval::vector::{Point, Vec3};
+use crate::evaluate::Error;
+use crate::evaluate::Evaluation;
+use crate::evaluate::files::{read_text, shown};
+use crate::formats::mhclo::{self, Clothes};
+use crate::formats::obj;
+
+/// An asset with its mesh.
+#[derive(Debug, Clone)]
+pub struct Asset {
+    /// Its path.
+    pub path: String,
+    /// What is in it.
+    pub clothes: Clothes,
+    /// Path of its OBJ.
+    pub obj_path: PathBuf,
+    /// Positions in the OBJ.
+    pub positions: Vec<Point>,
+    references: Vec<Reference>,
+    lines: [Option<ScaleLine>; 3],
+}
+
+/// An asset on a mesh.
+#[derive(Debug, Clone)]
+pub struct Fitted {
+    /// Positions of all vertices of the OBJ; those without a line keep their place.
+    pub positions: Vec<Point>,
+    /// Scales of the axes, if any.
+    pub scales: Option<Vec3>,
+    /// Base vertices that it hides.
+    pub deleted: usize,
+}
+
+/// Reads an asset and its OBJ.
+///
+/// # Errors
+/// Files that cannot be read, and lines that stop the application.
+pub fn read_asset(path: &Path) -> Result<Asset, Error> {
+    let clothes = mhclo::parse(&read_text(path)?);
+    if let Some((fault, exception)) = clothes.stops_at() {
+        let reason = format!("`{}`, line {}: {}", shown(path), fault.line, fault.kind);
+        return Err(Error::Stops { exception, reason });
+    }
+    let name = clothes.file("obj_file").ok_or_else(|| Error::file(shown(path), "it names no obj_file"))?;
+    let obj_path = path.parent().unwrap_or(Path::new("")).join(name);
+    let mesh = obj::parse(&read_text(&obj_path)?);
+    if let Some(bad) = mesh.facts.unreadable.first() {
+        return Err(Error::file(shown(&obj_path), format!("line {}: {}", bad.line, bad.what)));
+    }
+    let mut asset = Asset {
+        path: shown(path),
+        references: Vec::new(),
+        lines: [None; 3],
+        positions: mesh.positions,
+        clothes,
+        obj_path,
+    };
+    asset.resolve()?;
+    Ok(asset)
+}
+
+impl Asset {
+    fn resolve(&mut self) -> Result<(), Error> {
+        let rows = self.clothes.references.len();
+        if rows == 0 || rows > self.positions.len() {
+            let reason = format!("`{}` has {rows} vertex lines, its mesh {} vertices", self.path, self.positions.len());
+            return Err(Error::Stops { exception: "IndexError", reason });
+        }
+        for line in &self.clothes.references {
+            let vertices = line.vertices.map(|vertex| self.vertex(vertex, line.line));
+            let [a, b, c] = vertices;
+            let vertices = [a?, b?, c?];
+            self.references.push(Reference { vertices, weights: line.weights, offset: line.offset });
+        }
+        for axis in 0..3 {
+            let Some(line) = self.clothes.scales.get(axis).copied().flatten() else { continue };
+            let [a, b] = line.vertices.map(|vertex| self.vertex(vertex, line.line));
+            self.lines[axis] = Some(ScaleLine { vertices: [a?, b?], distance: line.distance });
+        }
+        Ok(())
+    }
+
+    fn vertex(&self, vertex: i64, line: u32) -> Result<u32, Error> {
+        u32::try_from(vertex).map_err(|_| Error::Stops {
+            exception: "OverflowError",
+            reason: format!("`{}`, line {line}: vertex {vertex}", self.path),
+        })
+    }
+
+    /// Whether it replaces the body and is therefore never scaled.
+    pub fn is_proxy(&self) -> bool {
+        Path::new(&self.path).extension().is_some_and(|ending| ending.eq_ignore_ascii_case("proxy"))
+    }
+
+    /// The asset on the mesh `positions`, with scales measured on the mesh `measured`.
+    ///
+    /// # Errors
+    /// References outside the mesh.
+    pub fn fit(&self, positions: &[Point], measured: &[Point], is_proxy: bool) -> Result<Fitted, Error> {
+        let lines = if is_proxy { [None; 3] } else { self.lines };
+        let scales = axis_scales(measured, lines)?;
+        let mut fitted = fit(positions, &self.references, scales)?;
+        fitted.extend_from_slice(self.positions.get(fitted.len()..).unwrap_or_default());
+        let deleted = deleted_vertices(&self.clothes.deleted, positions.len())?;
+        Ok(Fitted { positions: fitted, scales, deleted: deleted.into_iter().filter(|deleted| *deleted).count() })
+    }
+
+    /// Weights taken from the body, for an asset without weights of its own.
+    ///
+    /// # Errors
+    /// The base has no usable weights.
+    pub fn derived_weights(&self, body: &Evaluation, root: &str) -> Result<NamedWeights, Error> {
+        let skeleton = body.scene.skeleton.as_ref().zip(body.scene.weights.as_ref());
+        let (skeleton, weights) = skeleton.ok_or_else(|| Error::NoSkeleton {
+            base: body.base.clone(),
+            reason: "it has no usable skeleton with weights".to_owned(),
+        })?;
+        let mut names = skeleton.names.clone();
+        let root = number(&mut names, root);
+        let influences = Influences::new(&weights.bones, body.scene.positions.len())?;
+        Ok(NamedWeights { names, loaded: derived_weights(&self.references, &influences, root)? })
+    }
+}

@@ -1,0 +1,135 @@
+//! A base of a MakeHuman 2 repository made ready for settings.
+
+use serde_json::{Value, json};
+
+use crate::eval::scene::Scene;
+use crate::eval::vector::Point;
+use crate::evaluate::outputs::rounded;
+use crate::evaluate::{Error, Evaluation};
+use crate::formats::macro_json::MacroFile;
+use crate::formats::target::MeshSize;
+use crate::repo::{Base, BoundSlider};
+use crate::source::Limits;
+
+use super::compose::{compose, pose_skeleton, weights_of};
+use super::skeleton::SkeletonFile;
+use crate::evaluate::Rows;
+
+impl Evaluation {
+    /// Takes what the files of a base hold, but for the rows of its targets.
+    ///
+    /// # Errors
+    /// An unusable `base.obj`.
+    pub(crate) fn of(base: &Base<'_>, limits: Limits) -> Result<Self, Error> {
+        let name = base.name;
+        let no_mesh = || Error::file(format!("base/{name}/base.obj"), "there is no mesh in it");
+        let (file, mesh) = base.mesh.ok_or_else(no_mesh)?;
+        if let Some(bad) = mesh.facts.unreadable.first() {
+            return Err(Error::file(&file.path, format!("line {}: {} (`{}`)", bad.line, bad.what, bad.text)));
+        }
+        let scene = compose(base, &mut Rows::new()).ok_or_else(no_mesh)?.scene;
+        let vertices = mesh.facts.vertices;
+        Ok(Self {
+            trees: Vec::new(),
+            limits,
+            base: name.to_owned(),
+            size: MeshSize { vertices, with_seams: vertices + mesh.facts.seam_duplicates },
+            keys: base.sliders.iter().map(key_and_patterns).collect(),
+            macros: macros_of(base, &scene),
+            mesh_path: file.path.clone(),
+            skeleton: skeleton_of(base),
+            weights_path: pose_skeleton(base)
+                .and_then(|(file, skeleton)| weights_of(base, file, skeleton))
+                .map(|(file, _)| file.path.clone()),
+            weights_fault: weights_fault(base, &scene),
+            archive: base.targets.and_then(|folder| folder.archive()).and_then(|file| {
+                let members = file.archive()?.members.iter().map(|member| member.name.clone());
+                Some((file.path.clone(), members.collect()))
+            }),
+            scene,
+        })
+    }
+
+    /// The box that MakeHuman 2 itself reports: positions of the vertices that are extreme in the unmorphed visible
+    /// body, where vertices of no visible face count as the origin.
+    pub(in crate::evaluate) fn visible_box(&self, positions: &[Point]) -> Value {
+        let scene = &self.scene;
+        let mut shown = vec![[0.0_f32; 3]; scene.positions.len()];
+        for (face, group) in scene.faces().zip(&scene.face_groups) {
+            if scene.visible.get(*group as usize).copied().unwrap_or(false) {
+                for vertex in face.iter().map(|vertex| *vertex as usize) {
+                    if let (Some(place), Some(position)) = (shown.get_mut(vertex), scene.positions.get(vertex)) {
+                        *place = *position;
+                    }
+                }
+            }
+        }
+        let extreme = |axis: usize, low: bool| {
+            let better = |a: f32, b: f32| if low { a < b } else { a > b };
+            let first = |best: usize, v: usize| if better(shown[v][axis], shown[best][axis]) { v } else { best };
+            let vertex = (0..shown.len()).fold(0, first);
+            positions.get(vertex).map_or(Value::Null, |p| rounded(f64::from(p[axis])))
+        };
+        let side = |low: bool| Value::from([0, 1, 2].map(|axis| extreme(axis, low)).to_vec());
+        json!([side(true), side(false)])
+    }
+}
+
+/// Weights of a bone that the skeleton lacks, or for a vertex that the mesh lacks (formats/makehuman2.md §11).
+fn weights_fault(base: &Base<'_>, scene: &Scene) -> Option<Error> {
+    let (skeleton, model) = pose_skeleton(base)?;
+    let (file, weights) = weights_of(base, skeleton, model)?;
+    let names = &scene.skeleton.as_ref()?.names;
+    let stops = |exception, reason| Some(Error::Stops { exception, reason });
+    for bone in weights.bones.iter().filter(|bone| !bone.pairs.is_empty()) {
+        if !names.contains(&bone.name) {
+            return stops(
+                "KeyError",
+                format!("`{}` has weights for `{}`, which the skeleton lacks", file.path, bone.name),
+            );
+        }
+        let outside = |vertex: i64| usize::try_from(vertex).map_or(true, |vertex| vertex >= scene.positions.len());
+        if let Some(pair) = bone.pairs.iter().find(|pair| outside(pair.vertex)) {
+            let reason = format!(
+                "`{}` weighs vertex {} for `{}`; the mesh has {}",
+                file.path,
+                pair.vertex,
+                bone.name,
+                scene.positions.len()
+            );
+            return stops(if pair.vertex < 0 { "OverflowError" } else { "IndexError" }, reason);
+        }
+    }
+    None
+}
+
+fn key_and_patterns(bound: &BoundSlider<'_>) -> (String, Vec<String>) {
+    (bound.slider.key.clone(), bound.pattern.names().to_vec())
+}
+
+fn macros_of(base: &Base<'_>, scene: &Scene) -> Result<MacroFile, String> {
+    match base.macro_file() {
+        Some((file, _)) if scene.macros.is_none() => {
+            Err(format!("`{}` has more combinations than are evaluated", file.path))
+        }
+        Some((_, macros)) => Ok(macros.clone()),
+        None if base.macros.is_broken() => {
+            let file = base.macros.contarget.file().or_else(|| base.macros.system.file());
+            Err(format!("`{}` cannot be used", file.map_or("macro.json", |file| file.path.as_str())))
+        }
+        None => Err("there is no macro.json".to_owned()),
+    }
+}
+
+fn skeleton_of(base: &Base<'_>) -> Result<SkeletonFile, String> {
+    if let Some((file, model)) = pose_skeleton(base) {
+        return Ok(SkeletonFile { path: file.path.clone(), model: model.clone() });
+    }
+    let Some((file, settings)) = base.settings() else {
+        return Err("no skeleton, since there is no usable base.json".to_owned());
+    };
+    Err(match &settings.pose_skeleton {
+        None => format!("`{}` names no pose-skeleton", file.path),
+        Some(name) => format!("the pose skeleton `rigs/{}/{name}` is missing or cannot be used", base.name),
+    })
+}

@@ -1,0 +1,364 @@
+//! A base mesh with the rows of its targets to a scene of plain arrays.
+//!
+//! Takes what the application would take; what cannot be used (missing file, damaged rows) is left out
+//! and named by rules of its own.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::references::through_references;
+use crate::eval::macros::Macros;
+use crate::eval::makehuman2::MacroTable;
+use crate::eval::makehuman2::macro_def::{Blend, Component, Macrodef, Slider};
+use crate::eval::makehuman2::rest::hierarchy;
+use crate::eval::makehuman2::weights::load;
+use crate::eval::proportion::{Lengths, MEDIAN_RATIO, extent, oversize};
+use crate::eval::scene::{MorphTarget, Scene, SceneSlider, SliderKind};
+use crate::eval::settings::Dimension;
+use crate::eval::skeleton::{Bone, SceneSkeleton};
+use crate::eval::weights::{Entry, LoadedWeights};
+use crate::evaluate::Rows;
+use crate::formats::macro_json::MacroFile;
+use crate::formats::mhskel::{Plane, RotationPlane, Skeleton};
+use crate::formats::mhw::Weights;
+use crate::formats::obj::Mesh;
+use crate::formats::target::{Row, TargetFacts};
+use crate::repo::{Base, FileFacts, Pattern, TargetFolder};
+
+/// Barycentric sets after a reset, whatever `default` says.
+const BARYCENTRIC_DEFAULTS: [f64; 3] = [0.33, 0.33, 0.34];
+
+/// A base mesh made ready for evaluation.
+pub(in crate::evaluate) struct Composed {
+    pub(in crate::evaluate) scene: Scene,
+    /// Every skeleton of the base.
+    pub(in crate::evaluate) rigs: Vec<Rig>,
+}
+
+/// A skeleton of a base.
+pub(in crate::evaluate) struct Rig {
+    /// Printed path of its file.
+    pub(in crate::evaluate) path: String,
+    pub(in crate::evaluate) skeleton: SceneSkeleton,
+    /// Bones that receive no weights through their references; empty for the pose skeleton.
+    pub(in crate::evaluate) without_weights: Vec<String>,
+}
+
+/// The scene of a base, taking its rows out of `rows`. `None` without a mesh.
+pub(in crate::evaluate) fn compose(base: &Base<'_>, rows: &mut Rows) -> Option<Composed> {
+    // With lines that could not be read, vertices have other numbers than their author meant.
+    let (_, mesh) = base.mesh.filter(|(_, mesh)| mesh.facts.unreadable_lines == 0)?;
+    let mut composer =
+        Composer { rows, mesh, extent: extent(&mesh.positions), by_path: BTreeMap::new(), scene: Scene::default() };
+    composer.mesh(base);
+    let registered = composer.sliders(base);
+    if let Some((_, file)) = base.macro_file() {
+        composer.macros(base, file, &registered);
+    }
+    let mut scene = composer.scene;
+    let pose = pose_skeleton(base);
+    if let Some((file, skeleton)) = pose {
+        scene.skeleton = skeleton_of(skeleton, mesh.positions.len());
+        let weights = weights_of(base, file, skeleton).map(|(_, weights)| weights);
+        scene.weights = scene.skeleton.as_ref().zip(weights).and_then(|(bones, weights)| bind(bones, weights, mesh));
+    }
+    let rigs = base.skeletons.iter().filter_map(|file| {
+        let model = file.skeleton()?;
+        let skeleton = skeleton_of(model, mesh.positions.len())?;
+        let is_pose = pose.is_some_and(|(pose, _)| std::ptr::eq(pose, *file));
+        let without_weights = if is_pose { Vec::new() } else { without_weights(&scene, model) };
+        Some(Rig { path: file.path.clone(), skeleton, without_weights })
+    });
+    let rigs = rigs.collect();
+    Some(Composed { scene, rigs })
+}
+
+/// Bones of another skeleton that get nothing of the default skeleton's weights.
+fn without_weights(scene: &Scene, skeleton: &Skeleton) -> Vec<String> {
+    let Some((default, weights)) = scene.skeleton.as_ref().zip(scene.weights.as_ref()) else { return Vec::new() };
+    let numbers = first_places(default.names.iter().map(String::as_str));
+    let by_name = |name: &str| numbers.get(name).copied();
+    let parents: Vec<Option<usize>> = default.bones.iter().map(|bone| bone.parent).collect();
+    let moved = through_references(&weights.bones, &parents, skeleton, by_name);
+    let filled: BTreeSet<usize> =
+        moved.bones.iter().filter(|list| !list.entries.is_empty()).map(|list| list.bone).collect();
+    let bare = skeleton.bones.iter().enumerate().filter(|(number, _)| !filled.contains(number));
+    bare.map(|(_, bone)| bone.name.clone()).collect()
+}
+
+struct Composer<'r, 'm> {
+    rows: &'r mut Rows,
+    mesh: &'m Mesh,
+    /// The longest side of the mesh.
+    extent: Option<f32>,
+    by_path: BTreeMap<String, usize>,
+    scene: Scene,
+}
+
+impl Composer<'_, '_> {
+    fn mesh(&mut self, base: &Base<'_>) {
+        let scene = &mut self.scene;
+        scene.positions.clone_from(&self.mesh.positions);
+        let vertices = self.mesh.positions.len();
+        let visible = base.settings().and_then(|(_, settings)| settings.visible_groups.as_deref());
+        for group in &self.mesh.groups {
+            scene.groups.push(group.name.clone());
+            scene.visible.push(visible.is_some_and(|names| names.contains(&group.name)));
+        }
+        for face in &self.mesh.faces {
+            let run = face.start as usize..(face.start + face.len) as usize;
+            let corners = self.mesh.corners.get(run).unwrap_or_default();
+            if corners.iter().all(|corner| (*corner as usize) < vertices) {
+                scene.face_starts.push(u32::try_from(scene.corners.len()).unwrap_or(u32::MAX));
+                scene.corners.extend_from_slice(corners);
+                scene.face_groups.push(face.group);
+            }
+        }
+        scene.face_starts.push(u32::try_from(scene.corners.len()).unwrap_or(u32::MAX));
+    }
+
+    /// Binds all sliders; gives where each pattern is found in the macro settings.
+    fn sliders(&mut self, base: &Base<'_>) -> BTreeMap<String, Slider> {
+        let mut registered = BTreeMap::new();
+        for bound in &base.sliders {
+            let slider = bound.slider;
+            match &bound.pattern {
+                Pattern::Barycentric(patterns) => self.barycentric(patterns, &mut registered),
+                Pattern::Macro(pattern) => {
+                    let place = self.setting(pattern, slider.default.unwrap_or(0.0));
+                    registered.insert(pattern.clone(), Slider::Value(place));
+                }
+                Pattern::Pair(pattern) | Pattern::Single(pattern) => {
+                    let folder = base.folder_of(bound);
+                    let incr = slider.incr.as_ref().map(|name| self.target(folder, name));
+                    let decr = slider.decr.as_ref().map(|name| self.target(folder, name));
+                    let two_sided = matches!(bound.pattern, Pattern::Pair(_));
+                    self.scene.sliders.push(SceneSlider {
+                        pattern: pattern.clone(),
+                        kind: SliderKind::Detail { incr, decr, two_sided },
+                        default: slider.default.unwrap_or(0.0),
+                    });
+                }
+                Pattern::None => {}
+            }
+        }
+        registered
+    }
+
+    fn barycentric(&mut self, patterns: &[String], registered: &mut BTreeMap<String, Slider>) {
+        let first = self.scene.macro_defaults.len();
+        for (pattern, default) in patterns.iter().zip(BARYCENTRIC_DEFAULTS) {
+            self.setting(pattern, default);
+            registered.insert(pattern.clone(), Slider::Barycentric([first, first + 1, first + 2]));
+        }
+    }
+
+    fn setting(&mut self, pattern: &str, default: f64) -> usize {
+        let place = self.scene.macro_defaults.len();
+        self.scene.macro_defaults.push(default);
+        self.scene.sliders.push(SceneSlider { pattern: pattern.to_owned(), kind: SliderKind::Macro(place), default });
+        place
+    }
+
+    /// Place of a target among the scene's, taking its rows the first time.
+    fn target(&mut self, folder: Option<TargetFolder<'_>>, name: &str) -> usize {
+        let file = folder.and_then(|folder| folder.target(name));
+        let path = file.map_or_else(|| name.to_owned(), |file| file.path.clone());
+        if let Some(place) = self.by_path.get(&path) {
+            return *place;
+        }
+        let rows =
+            file.filter(|file| file.target().is_some_and(is_usable)).and_then(|file| self.rows.remove(&file.path));
+        let vertices = self.mesh.positions.len();
+        // Rows for seam duplicates are accepted and overwritten by the application.
+        let in_mesh = |row: &Row| (row.index as usize) < vertices;
+        let rows = rows.map(|rows| rows.into_iter().filter(in_mesh).map(|row| (row.index, row.delta)).collect());
+        let place = self.scene.targets.len();
+        self.by_path.insert(path.clone(), place);
+        let suspect = file.is_some_and(|file| is_suspect(file, self.extent));
+        self.scene.targets.push(MorphTarget { name: name.to_owned(), path, rows, suspect });
+        place
+    }
+
+    fn macros(&mut self, base: &Base<'_>, file: &MacroFile, registered: &BTreeMap<String, Slider>) {
+        let mut numbers: BTreeMap<usize, u32> = BTreeMap::new();
+        let mut macrodefs = Vec::new();
+        for macrodef in &file.macrodefs {
+            let folder = macrodef.effective_folder.as_deref().unwrap_or_default();
+            let mut links = Vec::new();
+            for link in &macrodef.links {
+                let number = link.target.as_ref().map(|target| {
+                    let place = self.target(base.targets, &format!("{folder}/{target}"));
+                    let next = u32::try_from(numbers.len()).unwrap_or(u32::MAX);
+                    *numbers.entry(place).or_insert_with(|| {
+                        self.scene.macro_targets.push(place);
+                        next
+                    })
+                });
+                links.push((link.name.as_str(), number));
+            }
+            macrodefs.push(Macrodef { components: macrodef.components.iter().map(String::as_str).collect(), links });
+        }
+        let products = file.macrodefs.iter().map(|macrodef| dimensions(file, &macrodef.components, registered));
+        self.scene.products = products.collect();
+        let components: Vec<Component<'_>> = file.components.iter().filter_map(component).collect();
+        // Too many combinations to tabulate is a limit of ours, reported where combinations are judged.
+        let table = MacroTable::new(&components, &macrodefs, |pattern| registered.get(pattern).copied());
+        self.scene.macros = table.ok().map(Macros::Makehuman2);
+    }
+}
+
+/// Sliders of the components of a macrodef; empty where one of them is undefined or unbound, which is reported for
+/// itself.
+fn dimensions(file: &MacroFile, names: &[String], registered: &BTreeMap<String, Slider>) -> Vec<Dimension> {
+    let one = |name: &String| {
+        let component = file.components.iter().rev().find(|component| component.name == *name)?;
+        let pattern = component.pattern.as_deref()?;
+        Some(match (&component.steps, &component.sum) {
+            (Some(steps), _) => match registered.get(pattern)? {
+                Slider::Value(place) => Dimension::Steps { place: *place, steps: steps.clone() },
+                Slider::Barycentric(_) => return None,
+            },
+            (None, Some(sum)) => {
+                let place = |(value, end): (usize, &String)| match registered.get(&format!("{pattern}{end}"))? {
+                    Slider::Barycentric(places) => places.get(value).copied(),
+                    Slider::Value(_) => None,
+                };
+                Dimension::Corners(sum.iter().enumerate().map(place).collect::<Option<_>>()?)
+            }
+            (None, None) => return None,
+        })
+    };
+    names.iter().map(one).collect::<Option<_>>().unwrap_or_default()
+}
+
+/// Rows that rules report for themselves: looking at them again in every setting would say it many times.
+fn is_suspect(file: &FileFacts, extent: Option<f32>) -> bool {
+    let Some(facts) = file.target() else { return false };
+    let lengths = facts.largest.map(|largest| Lengths {
+        longest: largest.length,
+        median: facts.median_length,
+        tail: facts.tail_length,
+    });
+    let oversized = lengths.zip(extent).is_some_and(|(lengths, size)| oversize(lengths, size, MEDIAN_RATIO).is_some());
+    facts.non_finite.count > 0 || oversized
+}
+
+fn component(component: &crate::formats::macro_json::Component) -> Option<Component<'_>> {
+    let blend = match (&component.steps, &component.sum) {
+        (Some(steps), _) => Blend::Steps(steps.clone()),
+        (None, Some(sum)) => Blend::Sum(sum.iter().map(String::as_str).collect()),
+        (None, None) => return None,
+    };
+    Some(Component {
+        name: &component.name,
+        pattern: component.pattern.as_deref()?,
+        values: component.values.iter().map(String::as_str).collect(),
+        blend,
+    })
+}
+
+/// Whether the application could load and apply a target.
+pub(in crate::evaluate) fn is_usable(target: &TargetFacts) -> bool {
+    target.unreadable_rows == 0 && target.negative.count == 0 && target.out_of_range.count == 0
+}
+
+/// The skeleton that `base.json` names, searched in `rigs/<base>/`, user before system.
+pub(in crate::evaluate) fn pose_skeleton<'a>(base: &Base<'a>) -> Option<(&'a FileFacts, &'a Skeleton)> {
+    let name = base.settings()?.1.pose_skeleton.as_deref()?;
+    let rel = format!("rigs/{}/{name}", base.name);
+    let file = base.skeletons.iter().find(|file| file.rel == rel)?;
+    Some((file, file.skeleton()?))
+}
+
+/// The weights file of a skeleton in `rigs/<base>/`, user before system.
+pub(in crate::evaluate) fn weights_of<'a>(
+    base: &Base<'a>,
+    file: &FileFacts,
+    skeleton: &Skeleton,
+) -> Option<(&'a FileFacts, &'a Weights)> {
+    let name = skeleton.weights_file.as_deref().unwrap_or("default_weights.mhw");
+    let rel = format!("rigs/{}/{name}", base.name);
+    let found = base.weights.iter().find(|weights| weights.rel == rel && weights.path != file.path)?;
+    Some((found, found.weights().filter(|weights| weights.has_weights)?))
+}
+
+/// Bones in an order with parents first. `None` if the application refuses the skeleton or would stop.
+pub(in crate::evaluate) fn skeleton_of(skeleton: &Skeleton, vertices: usize) -> Option<SceneSkeleton> {
+    let mut out = SceneSkeleton::default();
+    for joint in &skeleton.joints {
+        // A joint without vertices does not exist for the application; it matters only where a bone names it.
+        let Some(list) = joint.vertices.as_deref().filter(|list| !list.is_empty()) else { continue };
+        out.joints.push(list.iter().map(|vertex| joint_vertex(*vertex, vertices)).collect::<Option<Vec<u32>>>()?);
+        out.joint_names.push(joint.name.clone());
+    }
+    let by_name = first_places(skeleton.bones.iter().map(|bone| bone.name.as_str()));
+    let mut parents = Vec::new();
+    for bone in &skeleton.bones {
+        parents.push(match &bone.parent {
+            None => None,
+            Some(parent) => Some(*by_name.get(parent.as_str())?),
+        });
+    }
+    let order = hierarchy(&parents).ok()?;
+    let places: BTreeMap<usize, usize> = order.iter().enumerate().map(|(place, old)| (*old, place)).collect();
+    let joints = first_places(out.joint_names.iter().map(String::as_str));
+    let joint = |name: &str| joints.get(name).copied();
+    let by_plane = first_places(skeleton.planes.iter().map(|plane| plane.name.as_str()));
+    let mut bones = Vec::new();
+    for old in &order {
+        let bone = skeleton.bones.get(*old)?;
+        let plane = match &bone.rotation_plane {
+            RotationPlane::Absent => None,
+            RotationPlane::Malformed => return None,
+            RotationPlane::Named(name) => {
+                Some(plane_joints(skeleton.planes.get(*by_plane.get(name.as_str())?)?, joint)?)
+            }
+        };
+        let parent = parents.get(*old).copied().flatten();
+        bones.push(Bone {
+            parent: parent.and_then(|parent| places.get(&parent).copied()),
+            head: joint(bone.head.as_deref()?)?,
+            tail: joint(bone.tail.as_deref()?)?,
+            plane,
+        });
+        out.names.push(bone.name.clone());
+    }
+    out.bones = bones;
+    Some(out)
+}
+
+/// A negative index counts from the end of the mesh with its seam duplicates; only the plain ones are resolved here.
+fn joint_vertex(vertex: i64, vertices: usize) -> Option<u32> {
+    u32::try_from(vertex).ok().filter(|vertex| (*vertex as usize) < vertices)
+}
+
+/// Where each name stands, of equal ones the first.
+fn first_places<'n>(names: impl Iterator<Item = &'n str>) -> BTreeMap<&'n str, usize> {
+    let mut places = BTreeMap::new();
+    for (place, name) in names.enumerate() {
+        places.entry(name).or_insert(place);
+    }
+    places
+}
+
+fn plane_joints(plane: &Plane, joint: impl Fn(&str) -> Option<usize>) -> Option<[usize; 3]> {
+    match plane.joints.as_deref()? {
+        [Some(a), Some(b), Some(c), ..] => Some([joint(a)?, joint(b)?, joint(c)?]),
+        _ => None,
+    }
+}
+
+/// Weights with bones numbered as in the skeleton, loaded as the application does.
+fn bind(skeleton: &SceneSkeleton, weights: &Weights, mesh: &Mesh) -> Option<LoadedWeights> {
+    let vertices = mesh.positions.len();
+    let root = skeleton.bones.iter().position(|bone| bone.parent.is_none())?;
+    let numbers = first_places(skeleton.names.iter().map(String::as_str));
+    let mut lists: Vec<(usize, Vec<Entry>)> = Vec::new();
+    for bone in &weights.bones {
+        let Some(number) = numbers.get(bone.name.as_str()).copied() else { continue };
+        let entry = |pair: &crate::formats::mhw::Pair| Some((u32::try_from(pair.vertex).ok()?, pair.weight));
+        lists.push((number, bone.pairs.iter().map(entry).collect::<Option<Vec<Entry>>>()?));
+    }
+    let lists: Vec<(usize, &[Entry])> = lists.iter().map(|(bone, entries)| (*bone, entries.as_slice())).collect();
+    load(&lists, root, vertices).ok()
+}

@@ -1,0 +1,80 @@
+//! A base mesh opened for settings, with the trees that its files are read from.
+//!
+//! Rows of targets come when a setting needs them (`rows`).
+
+use std::collections::BTreeSet;
+
+use super::error::Error;
+use super::files::read_cause;
+use super::makehuman2::skeleton::SkeletonFile;
+use crate::eval::scene::Scene;
+use crate::formats::macro_json::MacroFile;
+use crate::formats::target::MeshSize;
+use crate::source::{Entry, Limits, Tree};
+
+/// A base mesh ready for settings.
+#[derive(Debug)]
+pub struct Evaluation {
+    pub(super) trees: Vec<Tree>,
+    pub(super) limits: Limits,
+    pub(super) base: String,
+    pub(super) size: MeshSize,
+    pub(super) scene: Scene,
+    /// Keys of `modelling.json` with the patterns they register.
+    pub(super) keys: Vec<(String, Vec<String>)>,
+    pub(super) macros: Result<MacroFile, String>,
+    pub(super) mesh_path: String,
+    pub(super) skeleton: Result<SkeletonFile, String>,
+    pub(super) weights_path: Option<String>,
+    /// Why the application stops when it binds the weights.
+    pub(super) weights_fault: Option<Error>,
+    /// The archive that the application reads in place of target files, and the targets in it.
+    pub(super) archive: Option<(String, BTreeSet<String>)>,
+}
+
+impl Evaluation {
+    /// The same, with the trees that its files are read from.
+    pub(crate) fn reading(self, trees: Vec<Tree>) -> Self {
+        Self { trees, ..self }
+    }
+
+    /// Name of the base.
+    pub fn base(&self) -> &str {
+        &self.base
+    }
+
+    /// The arrays that are evaluated.
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// Path of `base.obj`.
+    pub fn mesh_path(&self) -> &str {
+        &self.mesh_path
+    }
+
+    /// Path of the weights of the pose skeleton, if there are any.
+    pub fn weights_path(&self) -> Option<&str> {
+        self.weights_path.as_deref()
+    }
+
+    /// The bytes of `base.obj`.
+    ///
+    /// # Errors
+    /// When it cannot be read any more.
+    pub fn mesh_text(&self) -> Result<Vec<u8>, Error> {
+        let gone = || Error::file(&self.mesh_path, "is gone");
+        let (tree, entry) = self.entry(&self.mesh_path).ok_or_else(gone)?;
+        let read = tree.read(entry, &self.limits);
+        read.map_err(|fault| Error::file(&self.mesh_path, read_cause(&fault)))
+    }
+
+    /// The listed file at a printed path.
+    pub(super) fn entry(&self, path: &str) -> Option<(&Tree, &Entry)> {
+        self.trees.iter().find_map(|tree| {
+            let rel =
+                if tree.label().is_empty() { path } else { path.strip_prefix(tree.label())?.strip_prefix('/')? };
+            Some((tree, tree.entry(rel)?))
+        })
+    }
+}

@@ -1,0 +1,94 @@
+//! Rows of targets, read when a setting first needs them, and the mesh at a setting.
+
+use super::error::Error;
+use super::files::read_cause;
+use super::makehuman2::compose::is_usable;
+use super::opened::Evaluation;
+use crate::eval::macros::MacroWork;
+use crate::eval::scene::{Setting, SettingError};
+use crate::eval::vector::Point;
+use crate::formats::target::{self, Row, TargetFacts};
+use crate::source::Encoding;
+
+impl Evaluation {
+    /// The targets of a setting with their factors: places in the scene's targets, details before macros.
+    ///
+    /// # Errors
+    /// Macros that stop the application.
+    pub fn factors(&self, setting: &Setting) -> Result<Vec<(usize, f64)>, Error> {
+        self.scene.factors(setting, &mut MacroWork::default()).map_err(|error| self.setting_error(error))
+    }
+
+    /// The mesh at a setting, without seam duplicates.
+    ///
+    /// # Errors
+    /// Macros that stop the application; a target that is missing or cannot be used.
+    pub fn morphed(&mut self, setting: &Setting) -> Result<Vec<Point>, Error> {
+        let factors = self.factors(setting)?;
+        for (target, _) in &factors {
+            self.need_rows(*target)?;
+        }
+        let mut positions = self.scene.positions.clone();
+        self.scene.add(&mut positions, &factors).map_err(|error| self.setting_error(error))?;
+        Ok(positions)
+    }
+
+    fn need_rows(&mut self, target: usize) -> Result<(), Error> {
+        let Some(known) = self.scene.targets.get(target) else { return Ok(()) };
+        if known.rows.is_some() {
+            return Ok(());
+        }
+        if let Some((path, _)) = self.archive.as_ref().filter(|(_, members)| members.contains(&known.name)) {
+            let reason = format!(
+                "MakeHuman 2 takes `{}` from it, and targets are only evaluated from text here; evaluate without the archive",
+                known.name
+            );
+            return Err(Error::file(path, reason));
+        }
+        let rows = self.read_rows(&known.path, &known.name)?;
+        // Rows for seam duplicates are accepted and overwritten by the application.
+        let vertices = self.size.vertices;
+        let rows = rows.into_iter().filter(|row| (row.index as usize) < vertices);
+        let rows = rows.map(|row| (row.index, row.delta)).collect();
+        if let Some(known) = self.scene.targets.get_mut(target) {
+            known.rows = Some(rows);
+        }
+        Ok(())
+    }
+
+    fn read_rows(&self, path: &str, name: &str) -> Result<Vec<Row>, Error> {
+        let (tree, entry) = self.entry(path).ok_or_else(|| Error::MissingTarget(name.to_owned()))?;
+        let bytes = tree.read(entry, &self.limits).map_err(|fault| Error::file(path, read_cause(&fault)))?;
+        let encoding = Encoding::of(&bytes);
+        if encoding.lfs_pointer {
+            return Err(Error::file(path, "it is a Git LFS pointer"));
+        }
+        let target = target::parse_file(&bytes, &encoding, Some(self.size));
+        let target = target.ok_or_else(|| Error::file(path, "it is no target"))?;
+        unusable(&target.facts).map_or(Ok(target.rows), |cause| Err(Error::file(path, cause)))
+    }
+
+    pub(super) fn setting_error(&self, error: SettingError) -> Error {
+        match error {
+            SettingError::Unusable { target } => {
+                Error::MissingTarget(self.scene.targets.get(target).map_or_else(String::new, |t| t.name.clone()))
+            }
+            SettingError::Macro(error) => self.macro_error(error),
+            SettingError::Morph(error) => error.into(),
+        }
+    }
+}
+
+/// Why the application cannot load or apply a target.
+fn unusable(target: &TargetFacts) -> Option<String> {
+    if is_usable(target) {
+        return None;
+    }
+    if let Some(bad) = target.unreadable.first() {
+        return Some(format!("line {}: `{}` is no number", bad.line, bad.field));
+    }
+    if target.negative.count > 0 {
+        return Some(format!("{} rows have a negative vertex", target.negative.count));
+    }
+    Some(format!("{} rows move vertices that the mesh does not have", target.out_of_range.count))
+}

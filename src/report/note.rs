@@ -1,0 +1,32 @@
+//! Notes of a run in words.
+
+use super::count;
+use crate::diag::Note;
+
+/// One sentence, not made harmless yet.
+pub fn note(note: &Note) -> String {
+    match note {
+        Note::SystemIsChecked { path } => format!("`--system` names the data to judge itself; {path} is judged"),
+        Note::Alone { bases } => {
+            let remedy = match bases.as_slice() {
+                [] => "`--system DIR` judges them against MakeHuman's own data".to_owned(),
+                bases => format!("say which base mesh they are for: `--base {}`", bases.join("|")),
+            };
+            format!("files outside a data folder are judged alone; {remedy}")
+        }
+        Note::NotYet { path, application } => {
+            format!("{path}: {application} data, which this version does not judge yet")
+        }
+        Note::Narrowed { changed, left_out } => {
+            let others = match left_out {
+                0 => String::new(),
+                1 => "; 1 other finding is not shown".to_owned(),
+                more => format!("; {more} other findings are not shown"),
+            };
+            format!("narrowed to what {} can affect{others}", count(*changed, "changed file"))
+        }
+        Note::Unfinished { turns } => {
+            format!("fixes did not come to an end in {turns} turns; run mhlint again for the rest")
+        }
+    }
+}

@@ -1,0 +1,152 @@
+//! A schema fault in plain words.
+
+use crate::json::{Bound, Found, Misfit, SchemaFault, Shape};
+
+/// What was found and what is allowed, in one sentence.
+pub(super) fn sentence(fault: &SchemaFault) -> String {
+    format!("{} {}", subject(&fault.pointer), predicate(fault))
+}
+
+/// What a value has none of, where that is the fault: part of the key of a finding.
+pub(super) fn lack(fault: &SchemaFault) -> Option<String> {
+    match &fault.fault {
+        Misfit::Missing { key, and_more } => {
+            let more = if *and_more { ", nor anything else" } else { "" };
+            Some(format!("`{key}`{}{more}", others(fault)))
+        }
+        Misfit::Length { found: 0, bound } => Some(format!("element; {}{}", length(bound), others(fault))),
+        _ => None,
+    }
+}
+
+fn predicate(fault: &SchemaFault) -> String {
+    if let Some(lack) = lack(fault) {
+        return format!("has no {lack}");
+    }
+    let is = fault.found().map(found).unwrap_or_default();
+    let says = match &fault.fault {
+        Misfit::Missing { key, .. } => format!("has no `{key}`"),
+        Misfit::Type { wanted, .. } => {
+            format!("is {is}; {} is wanted", wanted.iter().copied().map(shape).collect::<Vec<_>>().join(" or "))
+        }
+        Misfit::Pattern { form, .. } => format!("is {is}; {} is wanted", form.as_deref().unwrap_or("another form")),
+        Misfit::Enum { allowed, .. } => format!("is {is}; allowed: {}", allowed.join(", ")),
+        Misfit::Length { found: 1, bound } => format!("has 1 element; {}", length(bound)),
+        Misfit::Length { found, bound } => format!("has {found} elements; {}", length(bound)),
+        Misfit::Range { bound: Bound::Least(limit), .. } => format!("is {is}; at least {limit} is wanted"),
+        Misfit::Range { bound: Bound::Most(limit), .. } => format!("is {is}; at most {limit} is allowed"),
+        Misfit::Other(text) => format!("does not fit its format: {text}"),
+    };
+    says + &others(fault)
+}
+
+fn others(fault: &SchemaFault) -> String {
+    match fault.other_forms {
+        0 => String::new(),
+        1 => " (1 other form is allowed)".to_owned(),
+        count => format!(" ({count} other forms are allowed)"),
+    }
+}
+
+fn length(bound: &Bound) -> String {
+    match bound {
+        Bound::Least(limit) => format!("at least {limit} are wanted"),
+        Bound::Most(limit) => format!("at most {limit} are allowed"),
+    }
+}
+
+fn shape(shape: Shape) -> &'static str {
+    match shape {
+        Shape::Null => "null",
+        Shape::Bool => "true or false",
+        Shape::Integer => "a whole number",
+        Shape::Number => "a number",
+        Shape::Text => "a text",
+        Shape::List => "a list",
+        Shape::Object => "an object",
+    }
+}
+
+fn found(found: &Found) -> String {
+    match found {
+        Found::Null => "null".to_owned(),
+        Found::Bool(value) => format!("`{value}`"),
+        Found::Number(number) => format!("the number {number}"),
+        Found::Text(None) => "a long text".to_owned(),
+        Found::Text(Some(text)) if text.is_empty() => "an empty text".to_owned(),
+        Found::Text(Some(text)) => format!("the text `{text}`"),
+        Found::List { is_empty: true } => "an empty list".to_owned(),
+        Found::List { is_empty: false } => "a list".to_owned(),
+        Found::Object => "an object".to_owned(),
+    }
+}
+
+/// `b[1]` of `a` for `/…/a/b/1`: the value and what it belongs to.
+fn subject(pointer: &str) -> String {
+    let mut names: Vec<String> = Vec::new();
+    for step in pointer.split('/').skip(1) {
+        let step = step.replace("~1", "/").replace("~0", "~");
+        match names.last_mut() {
+            Some(name) if step.bytes().all(|byte| byte.is_ascii_digit()) => *name = format!("{name}[{step}]"),
+            _ => names.push(step),
+        }
+    }
+    match names.as_slice() {
+        [] => "the file".to_owned(),
+        [name] => format!("`{name}`"),
+        [.., owner, name] => format!("`{name}` of `{owner}`"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::json::{check, parse};
+
+    fn said(name: &str, text: &str) -> String {
+        let faults = check(name, &parse(text.as_bytes()).unwrap()).faults;
+        faults.iter().map(sentence).collect::<Vec<_>>().join("\n")
+    }
+
+    #[test]
+    fn a_wrong_type_says_what_is_there_and_what_is_wanted() {
+        let cases = [
+            (
+                "modelling",
+                r#"{"Age": {"default": "half"}}"#,
+                "`default` of `Age` is the text `half`; a number is wanted",
+            ),
+            (
+                "modelling",
+                r#"{"Age": {"measure": [1, 2.5]}}"#,
+                "`measure[1]` of `Age` is the number 2.5; a whole number is wanted",
+            ),
+            ("macro", "[1]", "the file is a list; an object is wanted"),
+            ("modelling", r#"{"Age": {"rsym": 1}}"#, "`rsym` of `Age` is the number 1; a text or null is wanted"),
+            (
+                "base",
+                r#"{"modifier-presets": {"a/b": "much"}}"#,
+                "`a/b` of `modifier-presets` is the text `much`; number as text is wanted (1 other form is allowed)",
+            ),
+            (
+                "base",
+                r#"{"modifier-presets": {"a": []}}"#,
+                "`a` of `modifier-presets` is an empty list; a number or a text is wanted",
+            ),
+        ];
+        for (name, text, words) in cases {
+            assert_eq!(said(name, text), words);
+        }
+    }
+
+    #[test]
+    fn what_is_missing_is_named() {
+        let text = r#"{"components": {}, "macrodef": [{"comp": [], "targets": [{"name": "a"}]}]}"#;
+        assert_eq!(said("macro", text), "`targets[0]` of `macrodef[0]` has no `t`");
+        assert_eq!(said("macro", r#"{"macrodef": [{"comp": []}]}"#), "the file has no `components`");
+        let empty = r#"{"components": {"a": {}}, "macrodef": []}"#;
+        assert_eq!(said("macro", empty), "`a` of `components` has no `pattern`, nor anything else");
+        let short = r#"{"joint-ranges": {"a": []}}"#;
+        assert!(said("geometry", short).contains("`a` of `joint-ranges` has no element; at least 3 are wanted"));
+    }
+}
