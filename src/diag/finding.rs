@@ -244,3 +244,24 @@ impl Finding {
         self
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cases_are_the_parts_unless_parts_are_named() {
+        let rule = RuleInfo::new("a-b", Level::Info, "");
+        let finding = || Finding::new(&rule, "x", Place::File, "");
+        let counted = |finding: Finding| finding.evidence(Evidence::of_cases(["p", "q", "q"]));
+        let names = |finding: &Finding| -> Vec<String> { finding.subject.parts.clone().into() };
+        assert_eq!(names(&counted(finding())), ["p", "q"]);
+        assert_eq!(names(&counted(finding().parts(["r"]))), ["r"]);
+        assert_eq!(names(&counted(finding()).parts(["r"])), ["r"]);
+        let between = counted(finding().between(["x", "y"]));
+        assert_eq!((names(&between).len(), between.files().len()), (2, 2));
+        let each = counted(finding().parts_in([("p", "x"), ("q", "y"), ("r", "y")]));
+        assert_eq!((names(&each).len(), each.files()), (3, &["x".to_owned(), "y".to_owned()][..]));
+        assert_eq!(names(&finding().evidence(Evidence::of_unnamed(["line 3"]))), [""; 0]);
+    }
+}

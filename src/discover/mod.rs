@@ -1,9 +1,15 @@
-//! What is where: data roots in a listing, kinds of files, layers. Looks at paths only, opens nothing.
+//! What is where: data roots in a listing, what each path in them is for. Looks at paths only, opens nothing.
+//!
+//! What an application makes of paths is its [`Layout`]; nothing else here or further up matches parts of paths to find
+//! out what a file is for.
 
+mod candidate;
 mod kind;
-mod loose;
+mod layout;
 mod roots;
 
-pub use kind::{Kind, is_read_though_hidden, kind_of};
-pub use loose::loose_place;
-pub use roots::{DataRoot, SCANNED, find_roots, root_above};
+pub use candidate::{Candidate, Use, candidates, kind_of, loose_candidates, owner_of, uses_of};
+pub use kind::Kind;
+pub use layout::makehuman2::SCANNED;
+pub use layout::{Layout, Role, is_read_though_hidden};
+pub use roots::{DataRoot, find_roots};

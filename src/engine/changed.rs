@@ -12,6 +12,7 @@ use std::path::{Path, PathBuf};
 
 use super::sight::{is_numeric, sight};
 use crate::diag::{Because, Finding, Name, Note, Outcome, Place, Sight};
+use crate::discover::Kind;
 use crate::repo::{Layer, Reference, Repository, Resolution};
 use crate::source::{folder_of, link_targets, resolved, slashed};
 
@@ -238,11 +239,12 @@ impl<'a> Reach<'a> {
         if let Some(changed) = self.naming.get(path).and_then(|places| named_at(places, finding)) {
             return Some(Because::Names(changed.to_owned()));
         }
-        self.of_its_base(&self.rel(repository, path), finding)
+        let rel = self.rel(repository, path);
+        self.of_its_base(&rel, repository.judged.kind_at(&rel), finding)
     }
 
     /// Why a finding at `rel` can come from another file of its base mesh.
-    fn of_its_base(&self, rel: &str, finding: &Finding) -> Option<Because> {
+    fn of_its_base(&self, rel: &str, kind: Kind, finding: &Finding) -> Option<Because> {
         let base = rel.split('/').nth(1)?;
         let changed = self.of_base.get(base)?;
         if let Some(changed) = changed.iter().find(|changed| changed.decides) {
@@ -250,7 +252,7 @@ impl<'a> Reach<'a> {
         }
         let is_rig = |changed: &&Changed| changed.folder == "rigs";
         let folder = |path: &str| path.rsplit_once('/').map_or(String::new(), |(folder, _)| folder.to_owned());
-        let counts = match sight(finding, rel) {
+        let counts = match sight(finding, kind) {
             Sight::File => None,
             Sight::Folder => {
                 let folder = folder(&finding.path);
@@ -357,7 +359,7 @@ mod tests {
     #[test]
     fn paths_are_compared_whole() {
         let change = Change::new(&["data/target/b/x.target".into(), "./data2/../data/base/b/base.obj".into()]);
-        let layer = |path: &str| Layer::new(path.to_owned(), BTreeMap::default(), Vec::new(), Vec::new());
+        let layer = |path: &str| Layer::new(path.to_owned(), Vec::new(), BTreeMap::default(), Vec::new(), Vec::new());
         let below: Vec<&str> = change.below(&layer("data")).collect();
         assert_eq!(below, ["base/b/base.obj", "target/b/x.target"]);
         assert_eq!(change.below(&layer("dat")).count(), 0);

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use crate::diag::Application;
+use crate::discover::Layout;
 
 /// Why a run could not be done at all.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -113,7 +114,8 @@ impl fmt::Display for PathFault {
         match self {
             Self::Unreadable(reason) => f.write_str(reason),
             Self::NoDataOf(application) => {
-                write!(f, "holds no {application} data (a folder with base/<name>/base.json in it is wanted)")
+                let shape = Layout::of(*application).shape;
+                write!(f, "holds no {application} data (a folder with {shape} in it is wanted)")
             }
         }
     }

@@ -7,8 +7,7 @@ use std::time::{Duration, Instant};
 use rayon::prelude::*;
 
 use super::caught::caught;
-use super::settle::Ignores;
-use super::settle::{Selection, Verdict};
+use super::settle::{Ignores, Selection, Verdict};
 use crate::config::Config;
 use crate::diag::{Finding, Outcome, Timing, Upkeep, fingerprint};
 use crate::eval::measures::Measures;

@@ -3,8 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::caught::caught;
-use super::load::Data;
-use super::load::load_targets;
+use super::load::{Data, load_targets};
 use crate::config::Config;
 use crate::eval::measures::Measures;
 use crate::evaluate::{self, Rows};
@@ -23,7 +22,7 @@ pub(super) fn measure_bases(
         let mut rows = Rows::new();
         for (root, sizes) in data.all_mut() {
             let keep = evaluated.is_some();
-            rows.append(&mut load_targets(root.place, &mut root.layer, name.as_deref(), sizes, &options.limits, keep));
+            rows.append(&mut load_targets(&root.place, &mut root.layer, name.as_deref(), sizes, &options.limits, keep));
         }
         if let Some(name) = evaluated {
             measure_base(data, name, rows, options, &mut measures, failed);
@@ -38,7 +37,7 @@ fn names(data: &Data<'_>) -> BTreeSet<Option<String>> {
     for root in data.all() {
         names.extend(root.place.target_bases().into_iter().map(|base| base.map(str::to_owned)));
         let with_mesh = root.layer.files.values().filter(|file| file.mesh().is_some());
-        names.extend(with_mesh.map(|file| file.base.clone()));
+        names.extend(with_mesh.map(|file| file.base().map(str::to_owned)));
     }
     names
 }
@@ -52,10 +51,8 @@ fn measure_base(
     failed: &mut Vec<String>,
 ) {
     let stacks = data.stacks();
-    let concerned: Vec<bool> = stacks
-        .iter()
-        .map(|(_, _, judged)| judged.layer.files.values().any(|file| file.base.as_deref() == Some(name)))
-        .collect();
+    let concerned: Vec<bool> =
+        stacks.iter().map(|(_, _, judged)| judged.layer.files.values().any(|file| file.base() == Some(name))).collect();
     let last = concerned.iter().rposition(|concerned| *concerned);
     for (number, ((system, user, _), found)) in stacks.into_iter().zip(measures).enumerate() {
         if concerned.get(number) != Some(&true) {

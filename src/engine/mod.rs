@@ -13,6 +13,7 @@ mod measure;
 mod run;
 mod settle;
 mod sight;
+mod summary;
 mod verdict;
 
 pub use crate::eval::settings::DEFAULT_SAMPLES;

@@ -2,13 +2,12 @@
 //! with the kind of its check.
 
 use crate::diag::{Finding, Level, Sight};
-use crate::discover::{Kind, kind_of};
+use crate::discover::Kind;
 use crate::rules::{Check, RULES, Rule};
 
-/// How far the rule of a finding at `rel` sees.
-pub(super) fn sight(finding: &Finding, rel: &str) -> Sight {
+/// How far the rule of a finding on a file of this kind sees.
+pub(super) fn sight(finding: &Finding, kind: Kind) -> Sight {
     let Some(rule) = rule_of(finding) else { return Sight::Base };
-    let kind = kind_of(rel).0;
     match (rule.info.sight, &rule.check) {
         // The archive stands for all targets beside and below it.
         (_, Check::Layer(_) | Check::Repository(_)) if kind == Kind::TargetArchive => Sight::Folder,

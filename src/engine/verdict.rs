@@ -3,9 +3,10 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
+use super::load::CHECKED;
 use crate::config::Config;
 use crate::diag::{Application, ApplicationVerdict, Level, Outcome, Verdict};
-use crate::discover::{Kind, kind_of, loose_place, root_above};
+use crate::discover::Layout;
 use crate::source::{resolved, slashed};
 
 impl Outcome {
@@ -43,12 +44,13 @@ fn fails(levels: impl Iterator<Item = Level> + Clone, config: &Config) -> bool {
 /// Whether a file lies where a checked data root or the system data have their assets, or is a loose one of them.
 pub fn holds_asset(outcome: &Outcome, file: &Path, system: Option<&Path>) -> bool {
     let place = resolved(file);
-    let is_asset_in = |root: &Path| {
+    let is_asset_in = |(root, application): (&Path, Application)| {
         let rel = place.strip_prefix(resolved(root)).map(slashed).unwrap_or_default();
-        let (folder, _) = rel.rsplit_once('/').unwrap_or_default();
-        root_above(folder).is_some() && kind_of(&rel).0 != Kind::Other || loose_place(&rel, None).is_some()
+        Layout::of(application).is_asset(&rel)
     };
-    outcome.checked().map(|root| Path::new(root.path.as_str())).chain(system).any(is_asset_in)
+    let roots = outcome.checked().map(|root| (Path::new(root.path.as_str()), root.application));
+    let system = system.into_iter().flat_map(|system| CHECKED.map(|application| (system, application)));
+    roots.chain(system).any(is_asset_in)
 }
 
 #[cfg(test)]

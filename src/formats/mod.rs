@@ -5,6 +5,7 @@
 #![warn(clippy::indexing_slicing)]
 
 pub mod base_json;
+mod content;
 mod content_hash;
 pub mod expression;
 mod faulty_rows;
@@ -26,6 +27,8 @@ pub mod npz;
 mod number;
 pub mod obj;
 mod obj_facts;
+mod readers;
+mod table;
 pub mod target;
 pub mod target_cat;
 pub mod target_edit;
@@ -33,4 +36,7 @@ mod target_facts;
 mod target_repeats;
 mod target_row;
 
+pub use content::Content;
 pub use number::{python_float, python_int};
+pub use readers::{Input, Parsed};
+pub use table::{FORMATS, Format, Needs, Reader, Syntax};

@@ -3,8 +3,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::intent::Intent;
-use super::{BoundSlider, Candidate, Content, FileFacts, Layer, Overlaid, Pattern, TargetFolder};
+use super::{BoundSlider, Candidate, FileFacts, Layer, Overlaid, Pattern, TargetFolder};
 use crate::discover::Kind;
+use crate::formats::Content;
 use crate::formats::base_json::BaseJson;
 use crate::formats::macro_json::MacroFile;
 use crate::formats::modelling::Modelling;
@@ -84,7 +85,7 @@ pub(super) fn base_names(layers: Layers<'_>) -> BTreeSet<&str> {
     let files = [layers.system, layers.user].into_iter().flatten().flat_map(|layer| layer.files.values());
     files
         .filter(|file| ["base/", "target/", "contarget/", "rigs/"].iter().any(|folder| file.rel.starts_with(folder)))
-        .filter_map(|file| file.base.as_deref())
+        .filter_map(|file| file.base())
         .collect()
 }
 

@@ -1,18 +1,14 @@
 //! What is kept of a file when its bytes are gone.
 
-use crate::discover::Kind;
-use crate::formats::base_json::BaseJson;
-use crate::formats::geometry::Geometry;
+use crate::discover::{Kind, Use, owner_of};
+use crate::formats::Content;
 use crate::formats::inline_ignore::InlineIgnore;
 use crate::formats::json_file::{JsonFacts, JsonFault};
-use crate::formats::macro_json::MacroFile;
 use crate::formats::mhskel::Skeleton;
 use crate::formats::mhw::Weights;
-use crate::formats::modelling::Modelling;
 use crate::formats::npz::Archive;
 use crate::formats::obj::Mesh;
 use crate::formats::target::TargetFacts;
-use crate::formats::target_cat::TargetCategories;
 use crate::json::{SchemaFaults, SyntaxKind};
 use crate::source::{Encoding, GzipFault, ReadFault};
 
@@ -27,8 +23,8 @@ pub struct FileFacts {
     pub link_to: Option<String>,
     /// What it is for.
     pub kind: Kind,
-    /// Base mesh it belongs to.
-    pub base: Option<String>,
+    /// What it is for, to each application.
+    pub uses: Vec<Use>,
     /// Size in bytes as stored.
     pub size: u64,
     /// Why its bytes could not be had.
@@ -51,38 +47,12 @@ pub struct FileFacts {
     pub content: Content,
 }
 
-/// Content of a file as rules need it.
-#[derive(Debug, Clone)]
-pub enum Content {
-    /// Not read: of no interest, or unreadable.
-    Unread,
-    /// A JSON that the application cannot read.
-    Broken(JsonFault),
-    /// A JSON without a model of its own.
-    Json,
-    /// `base.json`.
-    BaseJson(Box<BaseJson>),
-    /// `geometry.json`.
-    Geometry(Box<Geometry>),
-    /// `macro.json`.
-    Macro(Box<MacroFile>),
-    /// `modelling.json`.
-    Modelling(Box<Modelling>),
-    /// `target_cat.json`.
-    Categories(Box<TargetCategories>),
-    /// `.mhskel`.
-    Skeleton(Box<Skeleton>),
-    /// `.mhw`.
-    Weights(Box<Weights>),
-    /// `.obj` of a base mesh.
-    Mesh(Box<Mesh>),
-    /// `.target`.
-    Target(Box<TargetFacts>),
-    /// `compressedtargets.npz`.
-    Archive(Box<Archive>),
-}
-
 impl FileFacts {
+    /// The base mesh that it belongs to.
+    pub fn base(&self) -> Option<&str> {
+        owner_of(&self.uses)
+    }
+
     /// Path of the data root as reports print it.
     pub fn root(&self) -> &str {
         self.path.strip_suffix(self.rel.as_str()).unwrap_or_default().trim_end_matches('/')

@@ -8,7 +8,7 @@ use unicode_normalization::{UnicodeNormalization, is_nfc};
 
 use super::{Base, FileFacts, Reference};
 use crate::diag::Application;
-use crate::discover::{Kind, kind_of};
+use crate::discover::{Kind, Layout, kind_of, owner_of, uses_of};
 use crate::source::WalkFault;
 
 /// A path as a system compares it that regards neither capitals nor the form of accented letters.
@@ -26,6 +26,8 @@ pub fn composed(path: &str) -> Cow<'_, str> {
 pub struct Layer {
     /// Path of the root as reports print it, empty for the working directory.
     pub path: String,
+    /// The layouts that it has.
+    pub layouts: Vec<&'static Layout>,
     /// Files by their path relative to the root.
     pub files: BTreeMap<String, FileFacts>,
     /// Folders, relative to the root.
@@ -68,16 +70,27 @@ impl Layer {
     /// A layer of these files.
     pub fn new(
         path: String,
+        layouts: Vec<&'static Layout>,
         files: BTreeMap<String, FileFacts>,
         folders: Vec<String>,
         walk_faults: Vec<WalkFault>,
     ) -> Self {
-        Self { path, files, folders, walk_faults, folded: OnceLock::new() }
+        Self { path, layouts, files, folders, walk_faults, folded: OnceLock::new() }
     }
 
     /// The file at a path relative to the root.
     pub fn file(&self, rel: &str) -> Option<&FileFacts> {
         self.files.get(rel)
+    }
+
+    /// What the file at a path is for, or would be if there were one.
+    pub fn kind_at(&self, rel: &str) -> Kind {
+        self.file(rel).map_or_else(|| kind_of(&uses_of(rel, &self.layouts)), |file| file.kind)
+    }
+
+    /// The base mesh that what is at a path belongs to.
+    pub fn base_at(&self, rel: &str) -> Option<String> {
+        owner_of(&uses_of(rel, &self.layouts)).map(str::to_owned)
     }
 
     /// All files below a folder (no trailing slash), in order.
@@ -125,7 +138,7 @@ impl Layer {
             below.is_some_and(|rest| rest.is_empty() || rest.starts_with('/'))
         };
         // Folders with other names, such as those of images, are not reported.
-        let is_folder = kind_of(rel).0.is_text() && self.folders.iter().any(|folder| folder == rel);
+        let is_folder = self.kind_at(rel).is_text() && self.folders.iter().any(|folder| folder == rel);
         is_folder || self.walk_faults.iter().any(is_here)
     }
 

@@ -12,7 +12,7 @@ mod reference;
 mod slider;
 
 pub use base::{Base, is_beneath};
-pub use facts::{Content, FileFacts};
+pub use facts::FileFacts;
 pub use layer::{Layer, Repository, TargetFolder, composed, fold};
 pub use overlay::{Candidate, Overlaid};
 pub use reference::{Reference, ReferenceKind, Resolution};

@@ -1,7 +1,8 @@
 //! Contarget over target: each JSON falls back on its own, target files follow `macro.json` alone
 //! (formats/makehuman2.md §1.2).
 
-use super::{Content, FileFacts, Layer};
+use super::{FileFacts, Layer};
+use crate::formats::Content;
 
 /// One of two places a JSON can come from.
 #[derive(Debug)]

@@ -137,6 +137,15 @@ impl Tree {
         &self.label
     }
 
+    /// A path from the top of the tree as reports print it.
+    pub fn shown(&self, path: &str) -> String {
+        match (self.label.is_empty(), path.is_empty()) {
+            (true, _) => path.to_owned(),
+            (_, true) => self.label.clone(),
+            _ => format!("{}/{path}", self.label),
+        }
+    }
+
     /// Everything listed, sorted by path.
     pub fn entries(&self) -> &[Entry] {
         &self.entries

@@ -1,7 +1,10 @@
 //! The data roots of a run with their layers, and which lies over which.
 
-use super::layer::{MeshSizes, Place, load};
-use super::stack::{Role, Stack, roles, stacks};
+use super::layer::{MeshSizes, load};
+use super::place::Place;
+use super::roots::Roots;
+use super::stack::{Stack, roles, stacks};
+use crate::discover::Role;
 use crate::repo::Layer;
 use crate::source::{Limits, is_below};
 
@@ -31,7 +34,7 @@ impl<'t> Loaded<'t> {
 
     /// The parts of a data root that alone are asked for; none for the whole of it. A loose file is a whole.
     pub(in crate::engine) fn parts(&self) -> impl Iterator<Item = &str> {
-        let narrow = if self.place.moved.is_none() { self.narrow.as_slice() } else { &[] };
+        let narrow = if self.place.is_loose { &[] } else { self.narrow.as_slice() };
         narrow.iter().map(String::as_str)
     }
 
@@ -43,19 +46,16 @@ impl<'t> Loaded<'t> {
 
 impl<'t> Data<'t> {
     /// Reads everything but targets.
-    pub(in crate::engine) fn load(
-        places: Vec<(Place<'t>, Vec<String>)>,
-        system: Option<Place<'t>>,
-        limits: &Limits,
-    ) -> Self {
+    pub(in crate::engine) fn load(roots: Roots<'t>, limits: &Limits) -> Self {
+        let Roots { checked: places, system } = roots;
         let (system, system_sizes) = match system {
             Some(place) => {
-                let (layer, sizes) = load(place, limits, None);
+                let (layer, sizes) = load(&place, limits, None);
                 (Some(Loaded::new(place, layer, Role::System, Vec::new())), sizes)
             }
             None => (None, MeshSizes::new()),
         };
-        let roles = roles(&places.iter().map(|(place, _)| *place).collect::<Vec<_>>());
+        let roles = roles(places.iter().map(|(place, _)| place));
         let mut places: Vec<_> =
             places.into_iter().zip(roles).map(|((place, narrow), role)| (place, narrow, role)).collect();
         // System data first: a user root may lack the meshes that its targets are for.
@@ -63,7 +63,7 @@ impl<'t> Data<'t> {
         let mut data = Self { system, roots: Vec::new(), sizes: Vec::new(), system_sizes };
         let mut below = data.system_sizes.clone();
         for (place, narrow, role) in places {
-            let (layer, sizes) = load(place, limits, Some(&below));
+            let (layer, sizes) = load(&place, limits, Some(&below));
             if role == Role::System && data.system.is_none() {
                 below.extend(sizes.clone());
             }
@@ -93,5 +93,39 @@ impl<'t> Data<'t> {
     /// Every root, the system's first.
     pub(in crate::engine) fn all(&self) -> impl Iterator<Item = &Loaded<'t>> {
         self.system.iter().chain(&self.roots)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::load_targets;
+    use super::*;
+    use crate::diag::Application;
+    use crate::discover::{Kind, Layout};
+    use crate::source::Tree;
+
+    #[test]
+    fn a_file_of_several_applications_is_read_once_with_the_mesh_of_its_base() {
+        let files = [
+            ("3dobjs/base.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n"),
+            ("targets/target.json", "{}"),
+            ("custom/a.target", "3 1 0 0\n4 1 0 0\n"),
+            ("hair/a/a.mhclo", "name a\n"),
+        ];
+        let tree = Tree::in_memory("mine", files.map(|(path, text)| (path.to_owned(), text.as_bytes().to_vec())));
+        let layouts = [Application::Mpfb, Application::Makehuman1].map(Layout::of);
+        let checked = vec![(Place::new(&tree, "", &layouts), Vec::new())];
+        let mut data = Data::load(Roots { checked, system: None }, &Limits::default());
+        for (root, sizes) in data.all_mut() {
+            load_targets(&root.place, &mut root.layer, Some("hm08"), sizes, &Limits::default(), false);
+        }
+        let root = data.roots.first().unwrap();
+        assert_eq!((root.role, root.layer.files.len()), (Role::System, files.len()));
+        let kind = |path: &str| root.layer.kind_at(path);
+        assert_eq!(kind("targets/target.json"), Kind::TargetCatalog);
+        assert_eq!(kind("hair/a/a.mhclo"), Kind::Clothes);
+        let target = root.layer.file("custom/a.target").unwrap();
+        assert_eq!((target.uses.len(), target.base()), (2, Some("hm08")));
+        assert_eq!(target.target().unwrap().out_of_range.count, 1);
     }
 }

@@ -3,8 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use super::super::error::{Error, PathFault};
+use super::CHECKED;
 use super::roots::roots_of;
-use crate::discover::{is_read_though_hidden, root_above};
+use crate::discover::{Layout, is_read_though_hidden};
 use crate::source::{Tree, folder_of, slashed};
 
 /// A tree to look for data roots in.
@@ -50,7 +51,7 @@ fn open_one(path: &Path) -> Result<(PathBuf, Input), Error> {
     let here = label(path);
     if place.is_dir() {
         let tree = Tree::on_disk(here.clone(), path, is_read_though_hidden);
-        if !roots_of(&tree).is_empty() {
+        if !roots_of(&tree, |_| true).is_empty() {
             return Ok((place, Input::whole(tree)));
         }
     }
@@ -73,15 +74,21 @@ fn open_beside(path: &Path, place: &Path, here: &str) -> (PathBuf, Input) {
 /// The data root that `path` lies inside of.
 fn open_above(path: &Path, place: &Path, here: &str) -> Option<(PathBuf, Input)> {
     place.to_str()?;
-    let root = PathBuf::from(root_above(&slashed(place))?);
-    let shallow = Tree::on_disk_to_depth(String::new(), &root, 4, is_read_though_hidden);
-    roots_of(&shallow).iter().any(|root| root.path.is_empty()).then_some(())?;
+    let slashed_place = slashed(place);
+    let root = CHECKED.iter().find_map(|application| root_above(&slashed_place, Layout::of(*application)))?;
     let levels = place.strip_prefix(&root).ok()?.components().count();
     let root_label = label_above(path, here, levels);
     let below = slashed(place.strip_prefix(&root).ok()?);
     let narrow = if root_label.is_empty() { below } else { format!("{root_label}/{below}") };
     let tree = Tree::on_disk(root_label, &root, is_read_though_hidden);
     Some((root, Input { tree, narrow: vec![narrow] }))
+}
+
+/// The folder above `place` that is a data root of any application, where `layout` has such a one.
+fn root_above(place: &str, layout: &Layout) -> Option<PathBuf> {
+    let root = PathBuf::from(layout.root_above(place)?);
+    let shallow = Tree::on_disk_to_depth(String::new(), &root, layout.depth, is_read_though_hidden);
+    roots_of(&shallow, |_| true).contains_key("").then_some(root)
 }
 
 /// What is printed for the folder `levels` above `path`.

@@ -1,10 +1,12 @@
 //! The loading wing: PATHs to data roots, data roots to layers of facts.
+//!
+//! Knows applications by their layouts only: what is loaded has the kinds and owners that these give it.
 
 mod data;
 mod input;
 mod layer;
-mod loose;
 mod open;
+mod place;
 mod read;
 mod roots;
 mod stack;
@@ -12,6 +14,10 @@ mod stack;
 pub(super) use data::{Data, Loaded};
 pub(super) use input::{Input, open, open_system};
 pub(super) use layer::load_targets;
-pub(super) use loose::moved;
 pub use open::open_base;
-pub(super) use roots::{Roots, check_bases, summarise};
+pub(super) use roots::{Roots, shown};
+
+use crate::diag::Application;
+
+/// The applications whose data are checked. Any that has a layout can be loaded.
+pub(super) const CHECKED: [Application; 1] = [Application::Makehuman2];

@@ -5,10 +5,11 @@ use std::path::Path;
 
 use super::data::Data;
 use super::input::{open, open_system};
-use super::layer::{Place, list_targets};
-use super::roots::roots_of;
-use super::stack::{Role, Stack};
-use crate::diag::{Application, nearest};
+use super::layer::list_targets;
+use super::roots::{Roots, checked_places};
+use super::stack::Stack;
+use crate::diag::nearest;
+use crate::discover::Role;
 use crate::engine::Error as RunError;
 use crate::evaluate::{Error, Evaluation};
 use crate::repo::{Base, Layer};
@@ -24,17 +25,15 @@ pub fn open_base(root: &Path, system: Option<&Path>, base: Option<&str>) -> Resu
     let judged = inputs.len();
     let mut trees: Vec<Tree> = inputs.into_iter().map(|input| input.tree).collect();
     trees.extend(system.map(open_system).transpose()?);
-    let roots: Vec<Vec<String>> = trees.iter().map(makehuman_2_roots).collect();
-    let places: Vec<Vec<Place<'_>>> = trees.iter().zip(&roots).map(|(tree, roots)| places(tree, roots)).collect();
-    let (own, below) = places.split_at(judged.min(places.len()));
-    let own: Vec<_> = own.iter().flatten().map(|place| (*place, Vec::new())).collect();
-    let below = below.first().map(|places| places.first().copied());
-    if own.is_empty() || matches!(below, Some(None)) {
-        return Err(Error::NoData(slashed(system.filter(|_| !own.is_empty()).unwrap_or(root))));
+    let mut places = trees.iter().map(checked_places);
+    let checked: Vec<_> = places.by_ref().take(judged).flatten().map(|place| (place, Vec::new())).collect();
+    let below = places.next().map(|places| places.into_iter().next());
+    if checked.is_empty() || matches!(below, Some(None)) {
+        return Err(Error::NoData(slashed(system.filter(|_| !checked.is_empty()).unwrap_or(root))));
     }
-    let mut data = Data::load(own, below.flatten(), &limits);
+    let mut data = Data::load(Roots { checked, system: below.flatten() }, &limits);
     for (loaded, _) in data.all_mut() {
-        list_targets(loaded.place, &mut loaded.layer);
+        list_targets(&loaded.place, &mut loaded.layer);
     }
     let (name, stack) = choose(&data, base)?;
     let evaluation = Evaluation::of(&Base::resolve(&name, stack.0, stack.1), limits)?;
@@ -47,15 +46,6 @@ impl From<RunError> for Error {
     fn from(error: RunError) -> Self {
         Self::Open(error.to_string())
     }
-}
-
-fn places<'t>(tree: &'t Tree, roots: &'t [String]) -> Vec<Place<'t>> {
-    roots.iter().map(|root| Place { tree, root, moved: None }).collect()
-}
-
-fn makehuman_2_roots(tree: &Tree) -> Vec<String> {
-    let roots = roots_of(tree).into_iter();
-    roots.filter(|root| root.application == Application::Makehuman2).map(|root| root.path).collect()
 }
 
 /// The base asked for, and the layers it is seen through.
@@ -94,7 +84,7 @@ fn layers<'a>(stack: &Stack<'a, '_>) -> Vec<&'a Layer> {
 /// Names of the bases that have a mesh.
 fn meshes<'a>(stack: &Stack<'a, '_>) -> Vec<&'a str> {
     let files = layers(stack).into_iter().flat_map(|layer| layer.files.values());
-    files.filter(|file| file.mesh().is_some()).filter_map(|file| file.base.as_deref()).collect()
+    files.filter(|file| file.mesh().is_some()).filter_map(|file| file.base()).collect()
 }
 
 fn with_macros(stack: &Stack<'_, '_>, known: &BTreeSet<&str>) -> Vec<String> {

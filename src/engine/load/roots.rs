@@ -1,145 +1,161 @@
-//! Data roots: where they are in the inputs, and which of them are judged.
+//! Data roots: where they are in the inputs, and which of them are checked.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::error::{Error, PathFault};
 use super::super::settle::Scope;
+use super::CHECKED;
 use super::input::Input;
-use super::layer::Place;
-use super::loose::Moved;
+use super::place::Place;
 use crate::config::Config;
 use crate::diag::{Application, EXAMPLES, NotChecked, Note, Outcome, RootSummary, Unchecked};
-use crate::discover::{DataRoot, find_roots};
-use crate::repo::Repository;
-use crate::source::{Entry, EntryKind, Tree};
+use crate::discover::{Kind, Layout, find_roots};
+use crate::source::{EntryKind, Tree};
 
-/// The data roots of a run.
+/// What a run reads.
 pub(in crate::engine) struct Roots<'t> {
-    inputs: &'t [Input],
-    /// Those of each input.
-    pub(in crate::engine) found: Vec<Vec<DataRoot>>,
-    system: Option<(&'t Tree, Vec<DataRoot>)>,
+    /// What to check, with the parts that alone are asked for.
+    pub(in crate::engine) checked: Vec<(Place<'t>, Vec<String>)>,
+    /// `--system`, unless it is all there is to check.
+    pub(in crate::engine) system: Option<Place<'t>>,
 }
 
-/// The data roots in a tree.
-pub(in crate::engine) fn roots_of(tree: &Tree) -> Vec<DataRoot> {
+/// The data roots in a tree of the applications of which `wanted` holds, by path.
+pub(super) fn roots_of(tree: &Tree, wanted: impl Fn(Application) -> bool) -> BTreeMap<String, Vec<&'static Layout>> {
     let files = tree.entries().iter().filter(|entry| entry.kind == EntryKind::File);
-    find_roots(files.map(|entry| entry.path.as_str()))
+    let mut roots: BTreeMap<String, Vec<_>> = BTreeMap::new();
+    for root in find_roots(files.map(|entry| entry.path.as_str())).into_iter().filter(|root| wanted(root.application)) {
+        roots.entry(root.path).or_default().push(Layout::of(root.application));
+    }
+    roots
+}
+
+/// The data roots in a tree that are checked.
+pub(in crate::engine) fn checked_places(tree: &Tree) -> Vec<Place<'_>> {
+    let roots = roots_of(tree, |application| CHECKED.contains(&application));
+    roots.into_iter().map(|(path, layouts)| Place::new(tree, &path, &layouts)).collect()
 }
 
 impl<'t> Roots<'t> {
-    /// Looks for them.
-    pub(in crate::engine) fn of(inputs: &'t [Input], system: Option<&'t Tree>) -> Self {
-        let found = inputs.iter().map(|input| roots_of(&input.tree)).collect();
-        Self { inputs, found, system: system.map(|tree| (tree, roots_of(tree))) }
-    }
-
-    /// The data root of `--system`, unless it is all there is to judge.
-    pub(in crate::engine) fn system_place(&self, outcome: &mut Outcome) -> Result<Option<Place<'_>>, Error> {
-        let Some((tree, roots)) = &self.system else { return Ok(None) };
-        let root = roots.iter().find(|root| root.application == Application::Makehuman2);
-        let root = root.ok_or_else(|| Error::Path {
-            path: tree.label().to_owned(),
-            fault: PathFault::NoDataOf(Application::Makehuman2),
-        })?;
-        let place = Place { tree, root: &root.path, moved: None };
-        let path = place.path();
-        if self.is_all_there_is(&path) {
-            outcome.notes.push(Note::SystemIsChecked { path: shown(&path).to_owned() });
-            return Ok(None);
-        }
-        Ok(Some(place))
-    }
-
-    /// Every data root with its input.
-    fn all(&self) -> impl Iterator<Item = (&'t Input, &DataRoot, Place<'_>)> {
-        self.inputs.iter().zip(&self.found).flat_map(|(input, roots)| {
-            roots.iter().map(move |root| (input, root, Place { tree: &input.tree, root: &root.path, moved: None }))
-        })
-    }
-
-    /// Whether the system data are the only data root that was given to be judged.
-    fn is_all_there_is(&self, system: &str) -> bool {
-        let mut paths = self.all().map(|(_, _, place)| place.path()).peekable();
-        paths.peek().is_some() && paths.all(|given| given == system)
-    }
-
-    /// What to judge, with what to report of each: data roots and, as `moved` has them, files outside of any.
-    pub(in crate::engine) fn places<'p>(
-        &'p self,
-        moved: &'p [Moved],
-        system: Option<Place<'_>>,
+    /// Looks for them: data roots, and files outside of any.
+    pub(in crate::engine) fn of(
+        inputs: &'t [Input],
+        system: Option<&'t Tree>,
         scope: &Scope<'_>,
         options: &Config,
         outcome: &mut Outcome,
-    ) -> Vec<(Place<'p>, Vec<String>)> {
-        let system = system.map(Place::path);
-        let mut wanted = Vec::new();
-        for (input, root, place) in self.all() {
-            let path = place.path();
-            if scope.excludes(&path) || system.as_ref() == Some(&path) || !options.asks_for(root.application) {
-                continue;
-            }
-            if root.application == Application::Makehuman2 {
-                want(&mut wanted, place, &input.narrow);
-            } else {
-                note_unchecked(place, root.application, outcome);
+    ) -> Result<Self, Error> {
+        let found: Vec<_> = inputs.iter().map(|input| (input, roots_of(&input.tree, |_| true))).collect();
+        let mut system = system.map(system_place).transpose()?;
+        let bases = system.as_ref().map(base_meshes).unwrap_or_default();
+        let mut given = found.iter().flat_map(|(input, roots)| roots.keys().map(|root| input.tree.shown(root)));
+        let all_given = given.next().filter(|first| given.all(|other| other == *first));
+        if let Some(all) = system.take_if(|system| all_given == Some(system.path())) {
+            outcome.notes.push(Note::SystemIsChecked { path: shown(&all.path()).to_owned() });
+        }
+        let outside = found.iter().filter(|(_, roots)| roots.is_empty()).map(|(input, _)| *input);
+        let loose = loose(outside.collect(), &bases, options, outcome);
+        let below = system.as_ref().map(Place::path);
+        let mut roots = Self { checked: Vec::new(), system };
+        for (input, (path, layouts)) in
+            found.iter().flat_map(|(input, roots)| roots.iter().map(move |one| (*input, one)))
+        {
+            let shown = input.tree.shown(path);
+            if !scope.excludes(&shown) && below.as_ref() != Some(&shown) {
+                let asked = layouts.iter().copied().filter(|layout| options.asks_for(layout.application));
+                roots.add(input, path, asked, outcome);
             }
         }
-        for (input, moved) in self.inputs.iter().zip(moved).filter(|(_, moved)| !moved.is_empty()) {
-            if options.asks_for(Application::Makehuman2) {
-                want(&mut wanted, Place { tree: &input.tree, root: "", moved: Some(moved) }, &input.narrow);
-            }
+        for (input, place) in loose {
+            roots.want(place, &input.narrow);
         }
-        wanted
+        Ok(roots)
+    }
+
+    /// A data root with the layouts that are asked for.
+    fn add(
+        &mut self,
+        input: &'t Input,
+        path: &str,
+        asked: impl Iterator<Item = &'static Layout>,
+        outcome: &mut Outcome,
+    ) {
+        let (checked, others): (Vec<_>, Vec<_>) = asked.partition(|layout| CHECKED.contains(&layout.application));
+        if !checked.is_empty() {
+            self.want(Place::new(&input.tree, path, &checked), &input.narrow);
+        }
+        for layout in others {
+            note_unchecked(&Place::new(&input.tree, path, &[layout]), layout, outcome);
+        }
+    }
+
+    /// A root that two PATHs lead to is checked once, for everything that either asks for.
+    fn want(&mut self, place: Place<'t>, narrow: &[String]) {
+        match self.checked.iter_mut().find(|(known, _)| known.path() == place.path()) {
+            Some((_, known)) if known.is_empty() || narrow.is_empty() => known.clear(),
+            Some((_, known)) => known.extend_from_slice(narrow),
+            None => self.checked.push((place, narrow.to_vec())),
+        }
     }
 }
 
-/// A root that two PATHs lead to is judged once, for everything that either asks for.
-fn want<'t>(wanted: &mut Vec<(Place<'t>, Vec<String>)>, place: Place<'t>, narrow: &[String]) {
-    match wanted.iter_mut().find(|(known, _)| known.path() == place.path()) {
-        Some((_, known)) if known.is_empty() || narrow.is_empty() => known.clear(),
-        Some((_, known)) => known.extend_from_slice(narrow),
-        None => wanted.push((place, narrow.to_vec())),
-    }
+/// The data root of `--system`.
+fn system_place(tree: &Tree) -> Result<Place<'_>, Error> {
+    let [wanted, ..] = CHECKED;
+    let nothing = || Error::Path { path: tree.label().to_owned(), fault: PathFault::NoDataOf(wanted) };
+    checked_places(tree).into_iter().next().ok_or_else(nothing)
 }
 
-fn note_unchecked(place: Place<'_>, application: Application, outcome: &mut Outcome) {
-    let root = place.path();
+/// The files of trees without a data root, put where the applications would look for them.
+fn loose<'t>(
+    outside: Vec<&'t Input>,
+    bases: &BTreeSet<String>,
+    options: &Config,
+    outcome: &mut Outcome,
+) -> Vec<(&'t Input, Place<'t>)> {
+    let base = base_for(bases, options);
+    let layouts = CHECKED.map(Layout::of);
+    let places = outside
+        .into_iter()
+        .flat_map(|input| layouts.map(|layout| (input, layout.application, Place::loose(&input.tree, layout, base))));
+    let places: Vec<_> = places.filter(|(_, _, place)| !place.is_empty()).collect();
+    if base.is_none() && !places.is_empty() {
+        outcome.notes.push(Note::Alone { bases: bases.iter().cloned().collect() });
+    }
+    let asked = places.into_iter().filter(|(_, application, _)| options.asks_for(*application));
+    asked.map(|(input, _, place)| (input, place)).collect()
+}
+
+/// The base mesh that loose files are for: the one asked for, or the only one there is.
+fn base_for<'b>(bases: &'b BTreeSet<String>, options: &Config) -> Option<&'b str> {
+    match options.bases.as_slice() {
+        [asked] => bases.get(asked),
+        _ if bases.len() == 1 => bases.first(),
+        _ => None,
+    }
+    .map(String::as_str)
+}
+
+fn base_meshes(place: &Place<'_>) -> BTreeSet<String> {
+    let meshes = place.files().filter(|file| file.kind() == Kind::BaseMesh);
+    meshes.filter_map(|file| file.owner().map(str::to_owned)).collect()
+}
+
+fn note_unchecked(place: &Place<'_>, layout: &Layout, outcome: &mut Outcome) {
+    let (root, application) = (place.path(), layout.application);
     let path = shown(&root).to_owned();
-    let files: Vec<&Entry> = place.files().map(|(file, _)| file).collect();
+    let files: Vec<_> = place.below.iter().filter(|file| file.is_file()).collect();
     outcome.not_checked.push(NotChecked {
         application: Some(application),
         what: Unchecked::Application,
         count: files.len(),
-        examples: files.iter().take(EXAMPLES).map(|file| place.printed(file)).collect(),
+        examples: files.iter().take(EXAMPLES).map(|file| place.tree.shown(&file.entry.path)).collect(),
     });
     outcome.notes.push(Note::NotYet { path: path.clone(), application });
     outcome.roots.push(RootSummary { path, application, bases: Vec::new(), checked: false });
 }
 
-/// Says that a repository was judged, and which base meshes it has.
-pub(in crate::engine) fn summarise(repository: &Repository<'_>, outcome: &mut Outcome) {
-    let judged = repository.judged;
-    let own = |name: &str| judged.files.values().any(|file| file.base.as_deref() == Some(name));
-    let bases = repository.bases.iter().map(|base| base.name).filter(|name| own(name));
-    outcome.roots.push(RootSummary {
-        path: shown(&judged.path).to_owned(),
-        application: repository.application,
-        bases: bases.map(str::to_owned).collect(),
-        checked: true,
-    });
-}
-
-/// Refuses `--base` with a name that no data root has.
-pub(in crate::engine) fn check_bases(options: &Config, outcome: &Outcome) -> Result<(), Error> {
-    let known: BTreeSet<&String> = outcome.roots.iter().flat_map(|root| &root.bases).collect();
-    let unknown = options.bases.iter().find(|name| !known.contains(name));
-    unknown.filter(|_| outcome.checked_anything()).map_or(Ok(()), |name| {
-        Err(Error::UnknownBase { name: name.clone(), known: known.into_iter().cloned().collect() })
-    })
-}
-
-fn shown(path: &str) -> &str {
+/// A path, or what stands for the working directory.
+pub(in crate::engine) fn shown(path: &str) -> &str {
     if path.is_empty() { "." } else { path }
 }

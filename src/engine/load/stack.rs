@@ -1,64 +1,21 @@
 //! Which data roots lie over which: system data below, user data on top.
 
 use super::data::Loaded;
-use super::layer::Place;
+use super::place::Place;
+use crate::discover::Role;
 use crate::repo::Layer;
 
-/// The part a data root plays.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(in crate::engine) enum Role {
-    /// Holds base meshes and no `contarget/`: what the application calls its system data.
-    System,
-    /// Holds base meshes and `contarget/`: a user's folder with bases of its own, or both in one.
-    Both,
-    /// Holds no base mesh: a user's folder.
-    User,
-}
-
-impl Role {
-    /// The role of a data root.
-    pub(in crate::engine) fn of(place: Place<'_>) -> Self {
-        let has = |test: fn(&[&str]) -> bool| {
-            let mut below = place.below().map(|(_, rel)| rel.split('/').collect::<Vec<_>>());
-            below.any(|parts| test(&parts))
-        };
-        let meshes = has(|parts| matches!(parts, ["base", _, "base.json" | "base.obj"]));
-        let contarget = has(|parts| matches!(parts, ["contarget", _, _, ..]));
-        match (meshes, contarget) {
-            (true, false) => Self::System,
-            (true, true) => Self::Both,
-            (false, _) => Self::User,
-        }
-    }
-}
-
-/// The roles of data roots that are judged together. `contarget/` is read in the user's folder only: beside another
-/// root, the one whose bases have their targets in `target/` is the system, and its `contarget/` counts for nothing.
-pub(in crate::engine) fn roles(places: &[Place<'_>]) -> Vec<Role> {
-    let mut roles: Vec<Role> = places.iter().map(|place| Role::of(*place)).collect();
-    if places.len() > 1 && !roles.contains(&Role::System) {
-        let is_system = |(place, role): (&Place<'_>, &Role)| *role == Role::Both && has_own_targets(*place);
+/// The roles of data roots that are judged together. Where none is the system for sure, the only one that may be is.
+pub(super) fn roles<'a, 't: 'a>(places: impl Iterator<Item = &'a Place<'t>> + Clone) -> Vec<Role> {
+    let mut roles: Vec<Role> = places.clone().map(Place::role).collect();
+    if roles.len() > 1 && !roles.contains(&Role::System) {
         let mut systems =
-            (0_usize..).zip(places.iter().zip(&roles)).filter(|(_, root)| is_system(*root)).map(|(at, _)| at);
-        if let (Some(only), None) = (systems.next(), systems.next())
-            && let Some(role) = roles.get_mut(only)
-        {
-            *role = Role::System;
+            places.zip(&mut roles).filter(|(place, role)| **role == Role::Both && place.is_system_of_two());
+        if let (Some((_, only)), None) = (systems.next(), systems.next()) {
+            *only = Role::System;
         }
     }
     roles
-}
-
-/// Whether `target/` has sliders or macros for a base mesh that lies here.
-fn has_own_targets(place: Place<'_>) -> bool {
-    let paths = || place.below().map(|(_, rel)| rel.split('/').collect::<Vec<_>>());
-    let has_mesh = |base: &str| {
-        paths().any(|parts| matches!(parts.as_slice(), ["base", name, "base.json" | "base.obj"] if *name == base))
-    };
-    paths().any(|parts| match parts.as_slice() {
-        ["target", base, "macro.json" | "modelling.json"] => has_mesh(base),
-        _ => false,
-    })
 }
 
 /// System layer, user layer and judged root of every repository to judge.

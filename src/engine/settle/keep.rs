@@ -62,7 +62,7 @@ impl Keeper<'_> {
         let asked = |base: &str| self.options.asks_for_base(base);
         // One finding may speak for several files; who names one of them is told.
         let mut files = std::iter::once(&finding.path).chain(finding.files());
-        files.any(|file| (self.is_asked_for)(file)) && crate::discover::kind_of(rel).1.is_none_or(asked)
+        files.any(|file| (self.is_asked_for)(file)) && self.repository.judged.base_at(rel).as_deref().is_none_or(asked)
     }
 
     fn is_reported(&self, path: &str) -> bool {

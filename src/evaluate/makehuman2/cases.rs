@@ -7,7 +7,8 @@ use serde_json::{Map, Value};
 use super::asset::read_asset;
 use super::skeleton::read_skeleton;
 use super::weights::{WeightLists, read_weights, transferred};
-use crate::discover::kind_of;
+use crate::diag::Application;
+use crate::discover::Layout;
 use crate::evaluate::cases::tolerance::{FACTORS, FITTED, JOINTS, MORPHED, REST_MATRICES, SKINNED, Tolerance, WEIGHTS};
 use crate::evaluate::cases::{Compute, Computer, Kind, inputs, morphed, note_unknown};
 use crate::evaluate::outputs::{fit_json, mesh_json, skeleton_json, skin_json, weight_lists_json, weights_json};
@@ -69,7 +70,7 @@ fn weights(of: &mut Computer<'_>, case: &Node, _: &mut Vec<String>) -> Result<Ou
         let asset = read_asset(&path)?;
         // Assets of MakeHuman 2 lie in a folder of their base; others say nothing about it.
         let named = inputs::field(case, "base").and_then(Node::as_str).map(str::to_owned);
-        let base = named.or_else(|| kind_of(written.strip_prefix("data/")?).1.map(str::to_owned));
+        let base = named.or_else(|| Layout::of(Application::Makehuman2).use_of(written.strip_prefix("data/")?).owner);
         asset.derived_weights(of.base_called(base.as_deref())?, root)?
     } else {
         read_weights(&path)?.load(root, count)?

@@ -2,9 +2,10 @@
 
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo, nearest};
+use crate::formats::Content;
 use crate::formats::geometry::Range;
 use crate::formats::obj::{Group, Mesh};
-use crate::repo::{Base, Content, FileFacts, Repository};
+use crate::repo::{Base, FileFacts, Repository};
 
 const GEOMETRY: &str = "geometry-ranges";
 const JOINTS: &str = "joint-ranges";

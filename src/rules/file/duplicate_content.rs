@@ -53,8 +53,7 @@ fn class(file: &FileFacts) -> Option<&'static str> {
     match file.kind {
         _ if file.size < SMALLEST || file.encoding.lfs_pointer => None,
         Kind::Target => file.target().filter(|facts| facts.moving > 0).map(|_| "displacement"),
-        Kind::BaseMesh => Some("mesh"),
-        Kind::Text if extension == "obj" => Some("mesh"),
+        Kind::BaseMesh | Kind::AssetMesh => Some("mesh"),
         // Every asset has its own thumb, named after it.
         Kind::Image if extension == "thumb" => None,
         Kind::Image | Kind::TargetIcon => Some("picture"),

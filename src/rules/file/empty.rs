@@ -6,8 +6,9 @@ use super::super::{Check, Rule, RuleCx};
 use super::loader::{extension, is_generated, is_met, is_override, refused_json};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
+use crate::formats::Content;
 use crate::json::SchemaFault;
-use crate::repo::{Content, FileFacts, ReferenceKind, Repository, Resolution};
+use crate::repo::{FileFacts, ReferenceKind, Repository, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -59,7 +60,7 @@ fn counts_as_missing(repository: &Repository<'_>, file: &FileFacts) -> Option<&'
 
 /// Whether the file is the `macro.json` of a base without a macro slider, which does as well without.
 fn needs_no_macros(repository: &Repository<'_>, file: &FileFacts) -> bool {
-    let mut bases = repository.bases.iter().filter(|base| file.base.as_deref() == Some(base.name));
+    let mut bases = repository.bases.iter().filter(|base| file.base() == Some(base.name));
     file.kind == Kind::MacroJson && bases.all(|base| !base.sliders.iter().any(|slider| slider.slider.is_macro()))
 }
 
@@ -95,16 +96,16 @@ fn consequence(repository: &Repository<'_>, file: &FileFacts) -> Option<(Level, 
         // `archive-malformed` speaks.
         (Kind::TargetArchive, _) => return None,
         (Kind::BaseMesh, _) => (Level::Error, "stops at start: there is no base mesh"),
-        (Kind::Text, "mhmat") => (Level::Warning, "shows the default white material"),
-        (Kind::Text, "mhm") => (Level::Warning, "loads a model without a setting"),
-        (Kind::Text, "meta") => (Level::Warning, "names the pose after its file"),
-        (Kind::Text, "bvh") => (Level::Error, "stops with an IndexError when the pose is used"),
-        (Kind::Text, _) => (Level::Error, "cannot attach the asset"),
+        (Kind::Material, _) => (Level::Warning, "shows the default white material"),
+        (Kind::Model, _) => (Level::Warning, "loads a model without a setting"),
+        (Kind::MotionMeta, _) => (Level::Warning, "names the pose after its file"),
+        (Kind::Motion, _) => (Level::Error, "stops with an IndexError when the pose is used"),
+        (Kind::Clothes | Kind::AssetMesh, _) => (Level::Error, "cannot attach the asset"),
         (Kind::Image | Kind::TargetIcon, _) => (Level::Warning, "shows no picture"),
-        (Kind::Other, "mhbin") if file.rel.starts_with("base/") => {
+        (Kind::Packed, "mhbin") if file.rel.starts_with("base/") => {
             (Level::Error, "stops with an EOFError when it loads the base")
         }
-        (Kind::PackedTarget | Kind::Other, "mhbin") => (Level::Error, "stops at start while it scans the assets"),
+        (Kind::Packed, "mhbin") => (Level::Error, "stops at start while it scans the assets"),
         _ => return None,
     })
 }

@@ -29,10 +29,10 @@ pub(super) fn moment(file: &FileFacts) -> Moment {
         | Kind::TargetCategories
         | Kind::Target
         | Kind::TargetArchive => Moment::Start,
-        Kind::OtherJson if file.rel.starts_with("base/") => Moment::Start,
-        Kind::OtherJson if extension(&file.rel) != "mhpose" => Moment::Use,
-        Kind::Skeleton | Kind::OtherJson | Kind::Text | Kind::Other if is_scanned(&file.rel) => Moment::Scan,
-        Kind::Weights if file.rel.starts_with("rigs/") => Moment::Start,
+        Kind::Json | Kind::Pose if file.rel.starts_with("base/") => Moment::Start,
+        Kind::Json => Moment::Use,
+        _ if is_scanned(&file.rel) => Moment::Scan,
+        Kind::Weights => Moment::Start,
         _ => Moment::Use,
     }
 }
@@ -138,7 +138,9 @@ pub(super) fn refused_json(repository: &Repository<'_>, file: &FileFacts) -> (Le
             (Level::Error, "stops at start with a TypeError")
         }
         (_, Kind::TargetCategories) => (Level::Error, "logs a line and takes it as missing: no slider can be reached"),
-        (_, Kind::Weights) => (Level::Error, "has no weights: the mesh collapses as soon as it is posed"),
+        (_, Kind::Weights | Kind::AssetWeights) => {
+            (Level::Error, "has no weights: the mesh collapses as soon as it is posed")
+        }
         _ if name == "face-poses.json" => (Level::Error, "offers no expressions for the base"),
         _ if name == "body-poses.json" => (Level::Error, "offers no pose editor for the base"),
         _ if matches!(file.rel.as_str(), "makehuman2_version.json" | "shaders/shader.json") => {

@@ -39,13 +39,12 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 }
 
 fn consequence(file: &FileFacts) -> (Level, &'static str) {
-    let extension = super::loader::extension(&file.rel);
-    let drops_bytes = matches!(extension, "mhclo" | "proxy" | "mhm" | "mhmat" | "meta");
+    let drops_bytes = matches!(file.kind, Kind::Clothes | Kind::Material | Kind::Model | Kind::MotionMeta);
     match moment(file) {
         Moment::Never => (Level::Warning, "does not read it; tools that do stop"),
         Moment::Scan => (Level::Error, "stops at start while it scans the assets"),
         Moment::Start => (Level::Error, "stops at start with a UnicodeDecodeError"),
-        Moment::Use if file.kind == Kind::Text && drops_bytes => (Level::Warning, "drops the bytes that are no UTF-8"),
+        Moment::Use if drops_bytes => (Level::Warning, "drops the bytes that are no UTF-8"),
         Moment::Use => (Level::Error, "stops with a UnicodeDecodeError when the file is used"),
     }
 }

@@ -1,7 +1,6 @@
 //! Files far beyond the size of their kind.
 
 use super::super::{Check, Rule, RuleCx};
-use super::loader::extension;
 use crate::diag::{Application, Finding, Level, OptionInfo, Place, RuleInfo};
 use crate::discover::Kind;
 use crate::repo::{FileFacts, Layer};
@@ -67,9 +66,8 @@ fn option(file: &FileFacts) -> &'static str {
     match file.kind {
         kind if kind.is_json() => "json",
         Kind::Target | Kind::PackedTarget => "target",
-        Kind::BaseMesh => "mesh",
+        Kind::BaseMesh | Kind::AssetMesh => "mesh",
         Kind::Image | Kind::TargetIcon => "picture",
-        Kind::Text if extension(&file.rel) == "obj" => "mesh",
         _ => "other",
     }
 }

@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Finding, Level, RuleInfo};
-use crate::discover::{Kind, kind_of};
+use crate::discover::Kind;
 use crate::repo::Layer;
 use crate::source::{ReadFault, WalkFaultKind};
 
@@ -42,7 +42,7 @@ fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             _ => {}
         }
     }
-    for folder in layer.folders.iter().filter(|folder| is_file_name(folder)) {
+    for folder in layer.folders.iter().filter(|folder| is_file_name(layer, folder)) {
         let name = folder.rsplit('/').next().unwrap_or(folder);
         let message = format!("`{name}` is a folder, but a file belongs here");
         out.push(finding(layer, folder, message).help("put the file here, or give the folder another name"));
@@ -50,21 +50,21 @@ fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 }
 
 fn finding(layer: &Layer, rel: &str, message: String) -> Finding {
-    let kind = kind_of(rel).0;
+    let kind = layer.kind_at(rel);
     let harmless = matches!(kind, Kind::Image | Kind::TargetIcon) && rel.contains('.');
     let level = if harmless { Level::Warning } else { Level::Error };
     RULE.in_layer(layer, rel, message).level(level)
 }
 
 /// Names that loaders open as files.
-fn is_file_name(rel: &str) -> bool {
-    let kind = kind_of(rel).0;
+fn is_file_name(layer: &Layer, rel: &str) -> bool {
+    let kind = layer.kind_at(rel);
     kind.is_text() || kind == Kind::TargetArchive
 }
 
 /// Names that loaders list as folders.
 fn is_folder_name(layer: &Layer, rel: &str) -> bool {
-    let is_base = |name: &str| layer.files.values().any(|file| file.base.as_deref() == Some(name));
+    let is_base = |name: &str| layer.files.values().any(|file| file.base() == Some(name));
     match rel.split('/').collect::<Vec<_>>().as_slice() {
         [folder] => BY_BASE.contains(folder),
         [folder, base] => BY_BASE.contains(folder) && is_base(base),

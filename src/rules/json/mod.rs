@@ -30,7 +30,9 @@ fn loss(repository: &Repository<'_>, file: &FileFacts) -> (Level, &'static str) 
         Kind::BaseJson => (Level::Error, "does not load the base mesh; the window opens without one"),
         Kind::Geometry => (Level::Warning, "never reads this file; the scripts that align joint cubes stop"),
         Kind::Skeleton => (Level::Error, "stops at start, while it scans the assets (AttributeError)"),
-        Kind::Weights => (Level::Error, "loads no weights at all: in pose mode the mesh collapses to the origin"),
+        Kind::Weights | Kind::AssetWeights => {
+            (Level::Error, "loads no weights at all: in pose mode the mesh collapses to the origin")
+        }
         _ => loss_of_other(&file.rel),
     }
 }

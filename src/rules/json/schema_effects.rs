@@ -85,6 +85,7 @@ static ROWS: [Row; 33] = [
 
 /// Level and effect of a fault, where the table has it.
 pub(super) fn effect_of(kind: Kind, fault: &SchemaFault) -> Option<(Level, &'static str)> {
+    let kind = if kind == Kind::AssetWeights { Weights } else { kind };
     let fits = |row: &&Row| row.kind == kind && fault.keyword.starts_with(row.keyword) && (row.found)(fault.found());
     ROWS.iter().find(fits).map(|row| (row.level, row.effect))
 }

@@ -3,9 +3,10 @@
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
+use crate::formats::Content;
 use crate::formats::json_file::JsonFault;
 use crate::json::{SyntaxFault, SyntaxKind};
-use crate::repo::{Content, FileFacts, Repository};
+use crate::repo::{FileFacts, Repository};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -34,7 +35,9 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 out.push(finding.level(level).help(help(fault)).breaks(Application::Makehuman2, effect));
             }
             // What NaN does to weights is worse, and another rule's business.
-            _ if file.kind != Kind::Weights && !is_stray(file) => out.extend(special_numbers(file)),
+            _ if !matches!(file.kind, Kind::Weights | Kind::AssetWeights) && !is_stray(file) => {
+                out.extend(special_numbers(file))
+            }
             _ => {}
         }
     }
@@ -59,8 +62,8 @@ fn is_stray(file: &FileFacts) -> bool {
     let parts: Vec<&str> = file.rel.split('/').collect();
     match parts.as_slice() {
         ["rigs", _, "icons", ..] => false,
-        ["target" | "contarget", _, _, ..] => file.kind == Kind::OtherJson,
-        ["rigs", _, .., name] => file.kind == Kind::OtherJson && *name != "selection_filter.json",
+        ["target" | "contarget", _, _, ..] => matches!(file.kind, Kind::Json | Kind::Pose),
+        ["rigs", _, .., name] => matches!(file.kind, Kind::Json | Kind::Pose) && *name != "selection_filter.json",
         _ => false,
     }
 }

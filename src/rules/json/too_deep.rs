@@ -2,9 +2,10 @@
 
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::formats::Content;
 use crate::formats::json_file::JsonFault;
 use crate::json::SyntaxKind;
-use crate::repo::{Content, Repository};
+use crate::repo::Repository;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {

@@ -5,9 +5,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
+use crate::formats::Content;
 use crate::formats::mhskel::{Bone, RotationPlane, Section};
 use crate::json::UnknownKey;
-use crate::repo::{Base, Content, FileFacts, Repository};
+use crate::repo::{Base, FileFacts, Repository};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {

@@ -3,8 +3,9 @@
 use super::super::{Check, Rule, RuleCx};
 use super::{Override, SystemFolder, overrides, system_folder};
 use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Place, Rewrite, RuleInfo, Sight};
+use crate::formats::Content;
 use crate::formats::json_file::JsonFault;
-use crate::repo::{Base, Content, FileFacts, Repository};
+use crate::repo::{Base, FileFacts, Repository};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {

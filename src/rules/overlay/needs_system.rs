@@ -5,7 +5,8 @@ use std::collections::BTreeMap;
 use super::super::{Check, Rule, RuleCx};
 use super::counted;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, Sight};
-use crate::repo::{Base, Content, FileFacts, Reference, Repository, Resolution};
+use crate::formats::Content;
+use crate::repo::{Base, FileFacts, Reference, Repository, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -62,7 +63,7 @@ fn unmeasured<'a>(repository: &Repository<'a>, base: &Base<'a>) -> Vec<&'a FileF
         Content::Weights(weights) => weights.bones.iter().any(|bone| bone.listed > 0),
         _ => false,
     };
-    let own = judged.files.values().filter(|file| file.base.as_deref() == Some(base.name));
+    let own = judged.files.values().filter(|file| file.base() == Some(base.name));
     own.filter(names_vertices).collect()
 }
 

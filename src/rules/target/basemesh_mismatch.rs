@@ -29,7 +29,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let mut found: BTreeMap<(&str, &str), Vec<(&FileFacts, u32)>> = BTreeMap::new();
     for (file, facts) in targets(layer) {
-        if let (Some(base), Some((line, named))) = (file.base.as_deref(), &facts.basemesh)
+        if let (Some(base), Some((line, named))) = (file.base(), &facts.basemesh)
             && !named.eq_ignore_ascii_case(base)
         {
             found.entry((target_folder(file), named)).or_default().push((file, *line));
@@ -41,7 +41,7 @@ fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 }
 
 fn finding(layer: &Layer, folder: &str, named: &str, files: &[(&FileFacts, u32)]) -> Option<Finding> {
-    let base = files.first()?.0.base.as_deref()?;
+    let base = files.first()?.0.base()?;
     let finding = if let [(file, line)] = files {
         let message = format!("made for base mesh `{named}`, but lies in the folder of `{base}`");
         RULE.at(file, Place::Line(*line), message)

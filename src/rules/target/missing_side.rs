@@ -30,7 +30,7 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
     let unused: Vec<&str> = usage::unused(repository, base).iter().map(|file| file.path.as_str()).collect();
     let mut lone: BTreeMap<(&str, String), Vec<(&FileFacts, String)>> = BTreeMap::new();
     for file in repository.judged.files.values() {
-        let is_own = file.kind == Kind::Target && file.base.as_deref() == Some(base.name);
+        let is_own = file.kind == Kind::Target && file.base() == Some(base.name);
         let Some(partner) = partner_of(file.stem()).filter(|_| is_own) else { continue };
         let folder = parent(&file.rel);
         let rel = format!("{folder}/{partner}.target");

@@ -31,7 +31,7 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut 
     let Some(size) = base.mesh.and_then(|(_, mesh)| extent(&mesh.positions)) else { return };
     #[expect(clippy::cast_possible_truncation, reason = "a factor set by people")]
     let ratio = cx.option(&RULE, "ratio") as f32;
-    let own = repository.judged.files.values().filter(|file| file.base.as_deref() == Some(base.name));
+    let own = repository.judged.files.values().filter(|file| file.base() == Some(base.name));
     for (file, facts) in own.filter_map(decoded) {
         let Some(largest) = facts.largest else { continue };
         let lengths = Lengths { longest: largest.length, median: facts.median_length, tail: facts.tail_length };

@@ -48,7 +48,7 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 }
 
 fn vertices(repository: &Repository<'_>, file: &FileFacts) -> Option<usize> {
-    let base = repository.bases.iter().find(|base| Some(base.name) == file.base.as_deref())?;
+    let base = repository.bases.iter().find(|base| Some(base.name) == file.base())?;
     base.mesh.map(|(_, mesh)| mesh.facts.vertices)
 }
 
@@ -118,7 +118,7 @@ fn first(tally: &Tally) -> i64 {
 }
 
 fn mesh_has(file: &FileFacts, vertices: Option<usize>) -> String {
-    let base = file.base.as_deref().unwrap_or_default();
+    let base = file.base().unwrap_or_default();
     vertices.map_or_else(
         || format!("the base mesh `{base}` is smaller"),
         |vertices| format!("base mesh `{base}` has {vertices} vertices"),

@@ -1,0 +1,98 @@
+//! Every path of a data root with what it is for, found out once.
+
+use std::borrow::Cow;
+
+use super::{Kind, Layout};
+use crate::diag::Application;
+use crate::source::{Entry, EntryKind, Tree};
+
+/// What one application has a file for.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Use {
+    /// Whose use it is.
+    pub application: Application,
+    /// What it is for.
+    pub kind: Kind,
+    /// The base mesh that it belongs to.
+    pub owner: Option<String>,
+}
+
+/// Something below a data root. A folder is what a file in its place would be.
+#[derive(Debug, Clone)]
+pub struct Candidate<'t> {
+    /// Where to read it.
+    pub entry: &'t Entry,
+    /// Its path below the root; a loose file has only a supposed one.
+    pub rel: Cow<'t, str>,
+    /// What it is for, to each application whose data root it is.
+    pub uses: Vec<Use>,
+}
+
+/// The kind that the uses of a file give it. A format is the same to all applications, but not all read it.
+pub fn kind_of(uses: &[Use]) -> Kind {
+    uses.iter().map(|one| one.kind).find(|kind| *kind != Kind::Other).unwrap_or(Kind::Other)
+}
+
+/// The base mesh that a file belongs to.
+pub fn owner_of(uses: &[Use]) -> Option<&str> {
+    uses.iter().find_map(|one| one.owner.as_deref())
+}
+
+/// What a path below a data root with these layouts is for.
+pub fn uses_of(rel: &str, layouts: &[&Layout]) -> Vec<Use> {
+    layouts.iter().map(|layout| layout.use_of(rel)).collect()
+}
+
+/// Everything in `tree` below `root`, the data root of the applications that `layouts` are of.
+pub fn candidates<'t>(tree: &'t Tree, root: &str, layouts: &[&Layout]) -> Vec<Candidate<'t>> {
+    let below = |path: &'t str| if root.is_empty() { Some(path) } else { path.strip_prefix(root)?.strip_prefix('/') };
+    let entries = tree.entries().iter().filter_map(|entry| Some((entry, below(&entry.path)?)));
+    entries.map(|(entry, rel)| Candidate::new(entry, rel, layouts)).collect()
+}
+
+/// The files of a tree without a data root that are assets, put where `layout` has them.
+pub fn loose_candidates<'t>(tree: &'t Tree, layout: &Layout, base: Option<&str>) -> Vec<Candidate<'t>> {
+    let files = tree.entries().iter().filter(|entry| entry.kind == EntryKind::File);
+    let moved = files.filter_map(|entry| Some((entry, layout.loose_place(&entry.path, base)?)));
+    moved.map(|(entry, rel)| Candidate::new(entry, rel, &[layout])).collect()
+}
+
+impl<'t> Candidate<'t> {
+    /// Finds out what `rel` is for.
+    pub fn new(entry: &'t Entry, rel: impl Into<Cow<'t, str>>, layouts: &[&Layout]) -> Self {
+        let rel = rel.into();
+        let uses = uses_of(&rel, layouts);
+        Self { entry, rel, uses }
+    }
+
+    /// Its kind.
+    pub fn kind(&self) -> Kind {
+        kind_of(&self.uses)
+    }
+
+    /// The base mesh that it belongs to.
+    pub fn owner(&self) -> Option<&str> {
+        owner_of(&self.uses)
+    }
+
+    /// Whether it is to be read, as far as the listing can tell.
+    pub fn is_file(&self) -> bool {
+        self.entry.kind != EntryKind::Folder
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_file_has_a_use_for_each_application() {
+        let tree = Tree::in_memory("", [("data/clothes/hm08/a/a.mhclo".to_owned(), Vec::new())]);
+        let layouts = Application::ALL.map(Layout::of);
+        let found = candidates(&tree, "data", &layouts);
+        let file = found.iter().find(|one| one.is_file()).unwrap();
+        assert_eq!((&*file.rel, file.kind(), file.owner()), ("clothes/hm08/a/a.mhclo", Kind::Clothes, Some("hm08")));
+        assert_eq!(file.uses.iter().map(|one| one.application).collect::<Vec<_>>(), Application::ALL);
+        assert!(candidates(&tree, "dat", &layouts).is_empty());
+    }
+}

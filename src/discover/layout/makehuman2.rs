@@ -1,0 +1,225 @@
+//! MakeHuman 2: folders of assets with a folder for each base mesh in them (formats/makehuman2.md §1).
+
+use super::super::kind::extension;
+use super::super::{Candidate, Kind};
+use super::{HiddenPath, Layout, Role, Sign};
+use crate::diag::Application;
+
+pub(super) static LAYOUT: Layout = Layout {
+    application: Application::Makehuman2,
+    shape: "base/<name>/base.json",
+    depth: 4,
+    folders: &[&SCANNED, &NOT_SCANNED],
+    sign,
+    place,
+    reads_hidden,
+    loose_place,
+    role,
+    is_system_of_two,
+};
+
+/// Folders that the asset scan visits, with one level of folders below the base mesh.
+pub const SCANNED: [&str; 12] = [
+    "clothes",
+    "hair",
+    "eyes",
+    "eyebrows",
+    "eyelashes",
+    "teeth",
+    "tongue",
+    "proxy",
+    "rigs",
+    "poses",
+    "expressions",
+    "models",
+];
+
+/// Folders with a folder for each base mesh that the scan leaves out.
+const NOT_SCANNED: [&str; 4] = ["target", "contarget", "base", "skins"];
+
+/// Folder of loose files for no known base mesh, which are judged alone; no application has one of this name.
+const ALONE: &str = "(loose)";
+
+fn sign(parts: &[&str]) -> Option<(Sign, usize)> {
+    match parts {
+        [.., "base", _, "base.json" | "base.obj"] => Some((Sign::Strong, 3)),
+        [
+            ..,
+            "target" | "contarget",
+            _,
+            "macro.json" | "modelling.json" | "target_cat.json" | "compressedtargets.npz",
+        ] => Some((Sign::Strong, 3)),
+        [.., "rigs", _, name] if extension(name) == "mhskel" => Some((Sign::Weak, 3)),
+        [.., name] if extension(name) == "target" => target_below(parts),
+        _ => None,
+    }
+}
+
+/// A target somewhere below `target/<base>/` or `contarget/<base>/`.
+fn target_below(parts: &[&str]) -> Option<(Sign, usize)> {
+    let at = parts.iter().rposition(|part| is_target_folder(part))?;
+    let levels = parts.len() - at;
+    (levels >= 3).then_some((Sign::Weak, levels))
+}
+
+fn place<'p>(parts: &[&'p str]) -> (Kind, Option<&'p str>) {
+    let kind = match parts {
+        ["base", _, "base.json"] => Kind::BaseJson,
+        ["base", _, "base.obj"] => Kind::BaseMesh,
+        ["base", _, "geometry.json"] => Kind::Geometry,
+        ["rigs", .., file] if extension(file) == "mhw" => Kind::Weights,
+        ["target" | "contarget", _, rest @ ..] if !rest.is_empty() => in_target_folder(rest),
+        [ALONE, .., file] if extension(file) == "target" => Kind::Target,
+        [.., file] => Kind::by_extension(file),
+        [] => Kind::Other,
+    };
+    let owner = match parts {
+        [folder, base, _, ..] if *folder != ALONE => Some(*base),
+        _ => None,
+    };
+    (kind, owner)
+}
+
+fn in_target_folder(rest: &[&str]) -> Kind {
+    match rest {
+        ["macro.json"] => Kind::MacroJson,
+        ["modelling.json"] => Kind::ModellingJson,
+        ["target_cat.json"] => Kind::TargetCategories,
+        ["compressedtargets.npz"] => Kind::TargetArchive,
+        ["icons", .., file] if extension(file) == "png" => Kind::TargetIcon,
+        [.., file] => Kind::of_target(file).unwrap_or(Kind::by_extension(file)),
+        [] => Kind::Other,
+    }
+}
+
+fn is_target_folder(folder: &str) -> bool {
+    matches!(folder, "target" | "contarget")
+}
+
+/// Every `*.target` below a target folder is opened, whatever it is called (§1.3).
+fn reads_hidden(path: &HiddenPath<'_>) -> bool {
+    // A name for the base mesh stands between.
+    let above = path.visible.split_last().map_or(path.visible, |(_, above)| above);
+    above.iter().any(|part| is_target_folder(part)) && (path.is_folder || extension(path.name) == "target")
+}
+
+/// A loose target, skeleton or weights file is judged as if its owner had already copied it into a user
+/// folder; without a base mesh to copy it to, it is judged alone.
+fn loose_place(path: &str, base: Option<&str>) -> Option<String> {
+    let (folder, file) = path.rsplit_once('/').unwrap_or(("", path));
+    let (_, extension) = file.rsplit_once('.')?;
+    let place = match (extension, base) {
+        // Targets are looked for one folder below the base; deeper ones would be out of sight.
+        ("target", Some(base)) if folder.is_empty() => format!("target/{base}/loose/{file}"),
+        ("target", Some(base)) => format!("target/{base}/{}/{file}", folder.replace('/', "_")),
+        ("mhskel" | "mhw", Some(base)) => format!("rigs/{base}/{path}"),
+        ("target" | "mhskel" | "mhw", None) => format!("{ALONE}/{path}"),
+        _ => return None,
+    };
+    Some(place)
+}
+
+/// Base meshes make a root the system, or both with `contarget/`, which is read in the user's folder only (§1.1).
+fn role(below: &[Candidate<'_>]) -> Role {
+    let is_override = |one: &Candidate<'_>| {
+        one.rel
+            .strip_prefix("contarget/")
+            .and_then(|rest| rest.split_once('/'))
+            .is_some_and(|(_, rest)| !rest.is_empty())
+    };
+    match (below.iter().any(is_base), below.iter().any(is_override)) {
+        (true, false) => Role::System,
+        (true, true) => Role::Both,
+        (false, _) => Role::User,
+    }
+}
+
+fn is_base(one: &Candidate<'_>) -> bool {
+    matches!(one.kind(), Kind::BaseJson | Kind::BaseMesh)
+}
+
+/// Beside another root, the one whose bases have sliders or macros in `target/` is the system, and its `contarget/`
+/// counts for nothing.
+fn is_system_of_two(below: &[Candidate<'_>]) -> bool {
+    let has_base = |owner: Option<&str>| below.iter().any(|one| is_base(one) && one.owner() == owner);
+    let has_sliders = |one: &&Candidate<'_>| {
+        matches!(one.kind(), Kind::MacroJson | Kind::ModellingJson) && one.rel.starts_with("target/")
+    };
+    below.iter().filter(has_sliders).any(|one| has_base(one.owner()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::is_read_though_hidden;
+    use super::*;
+
+    fn kind_and_base(path: &str) -> (Kind, Option<String>) {
+        let found = LAYOUT.use_of(path);
+        (found.kind, found.owner)
+    }
+
+    #[test]
+    fn place_decides_the_kind() {
+        for (path, kind, base) in [
+            ("base/hm08/base.json", Kind::BaseJson, Some("hm08")),
+            ("base/hm08/base.obj", Kind::BaseMesh, Some("hm08")),
+            ("base/hm08/helper.obj", Kind::AssetMesh, Some("hm08")),
+            ("target/hm08/macro.json", Kind::MacroJson, Some("hm08")),
+            ("contarget/x/a/b/c.target", Kind::Target, Some("x")),
+            ("target/hm08/a/c.target.gz", Kind::PackedTarget, Some("hm08")),
+            ("target/hm08/icons/a.png", Kind::TargetIcon, Some("hm08")),
+            ("target/hm08/a/X.TARGET", Kind::Other, Some("hm08")),
+            ("rigs/hm08/sub/a.mhskel", Kind::Skeleton, Some("hm08")),
+            ("rigs/hm08/a.mhw", Kind::Weights, Some("hm08")),
+            ("clothes/hm08/x/x.mhw", Kind::AssetWeights, Some("hm08")),
+            ("clothes/hm08/x/macro.json", Kind::Json, Some("hm08")),
+            ("clothes/hm08/x/x.target", Kind::Other, Some("hm08")),
+            ("clothes/hm08/x/x.mhbin", Kind::Packed, Some("hm08")),
+            ("target/hm08", Kind::Other, None),
+            ("makehuman2_version.json", Kind::Json, None),
+        ] {
+            assert_eq!(kind_and_base(path), (kind, base.map(str::to_owned)), "{path}");
+        }
+    }
+
+    #[test]
+    fn hidden_targets_are_read_and_nothing_else_that_is_hidden() {
+        for (path, is_folder, read) in [
+            ("target/b/._a.target", false, true),
+            ("data/contarget/b/a/.hidden/c.target", false, true),
+            ("data/target/b/.hidden", true, true),
+            ("target/b/.DS_Store", false, false),
+            ("target/b/.git", true, false),
+            ("target/b/.git/a.target", false, false),
+            ("target/.cache", true, false),
+            (".venv", true, false),
+            (".venv/target/b/a.target", false, false),
+            ("rigs/b/._a.mhskel", false, false),
+        ] {
+            assert_eq!(is_read_though_hidden(path, is_folder), read, "{path}");
+        }
+    }
+
+    #[test]
+    fn loose_files_are_of_the_kind_their_place_says() {
+        for (path, base, kind) in [
+            ("a/b/c.target", Some("figure"), Kind::Target),
+            ("c.target", None, Kind::Target),
+            ("a.mhskel", Some("figure"), Kind::Skeleton),
+            ("a/a.mhw", Some("figure"), Kind::Weights),
+            ("a/a.mhw", None, Kind::AssetWeights),
+        ] {
+            let place = LAYOUT.loose_place(path, base).unwrap_or_default();
+            assert_eq!(kind_and_base(&place), (kind, base.map(str::to_owned)), "{place}");
+        }
+        assert_eq!(LAYOUT.loose_place("package.json", None), None);
+        assert_eq!(LAYOUT.loose_place("a/b/c.target", Some("figure")).as_deref(), Some("target/figure/a_b/c.target"));
+    }
+
+    #[test]
+    fn a_path_inside_knows_where_its_root_would_be() {
+        assert_eq!(LAYOUT.root_above("data/target/hm08"), Some("data"));
+        assert_eq!(LAYOUT.root_above("target"), Some(""));
+        assert_eq!(LAYOUT.root_above("src/formats"), None);
+    }
+}

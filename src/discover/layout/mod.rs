@@ -1,0 +1,157 @@
+//! What the applications make of paths: one [`Layout`] each.
+
+mod makehuman1;
+pub(super) mod makehuman2;
+mod mpfb;
+
+use super::{Candidate, Kind, Use};
+use crate::diag::Application;
+
+/// How an application lays out its data folders: what their paths say, without a look into a file.
+#[derive(Debug)]
+pub struct Layout {
+    /// Whose layout it is.
+    pub application: Application,
+    /// What tells its data folder, for people.
+    pub shape: &'static str,
+    /// Levels below a data root on which its signs stand.
+    pub depth: usize,
+    /// Folders at the top of a data root.
+    folders: &'static [&'static [&'static str]],
+    /// Whether a path is a sign of a data root, how telling, and how many levels above the root is.
+    sign: fn(&[&str]) -> Option<(Sign, usize)>,
+    /// What a path below a data root is for, and the base mesh that it belongs to.
+    place: Classify,
+    /// Whether the file of this name, in these folders, is read although it is hidden.
+    reads_hidden: fn(&HiddenPath<'_>) -> bool,
+    /// Where a loose file would be kept, for a base mesh if one is known.
+    loose_place: fn(&str, Option<&str>) -> Option<String>,
+    /// The part that a data root plays.
+    role: fn(&[Candidate<'_>]) -> Role,
+    /// Whether a root that plays both parts is rather the system, beside another.
+    is_system_of_two: fn(&[Candidate<'_>]) -> bool,
+}
+
+type Classify = for<'p> fn(&[&'p str]) -> (Kind, Option<&'p str>);
+
+/// How telling a path is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Sign {
+    /// Could stand elsewhere, too; counts only where nothing better is near.
+    Weak,
+    /// Only this application has such a file.
+    Strong,
+}
+
+/// The part a data root plays.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Role {
+    /// What the application calls its system data.
+    System,
+    /// A user's folder with base meshes of its own, or both in one.
+    Both,
+    /// A user's folder.
+    User,
+}
+
+/// A path with a name in it that begins with a point. It may begin above the data root.
+struct HiddenPath<'p> {
+    /// What lies above the hidden part.
+    visible: &'p [&'p str],
+    /// The last name.
+    name: &'p str,
+    /// Whether that is a folder.
+    is_folder: bool,
+}
+
+/// The base mesh of the applications that have but one.
+const HM08: &str = "hm08";
+
+/// Folders that tools keep beside the data; nothing of the family is in them.
+const VERSION_CONTROL: [&str; 3] = [".git", ".svn", ".hg"];
+
+impl Layout {
+    /// The layout of an application.
+    pub const fn of(application: Application) -> &'static Self {
+        match application {
+            Application::Makehuman2 => &makehuman2::LAYOUT,
+            Application::Makehuman1 => &makehuman1::LAYOUT,
+            Application::Mpfb => &mpfb::LAYOUT,
+        }
+    }
+
+    /// What a path below a data root is for.
+    pub fn use_of(&self, rel: &str) -> Use {
+        let parts: Vec<&str> = rel.split('/').collect();
+        let (kind, owner) = (self.place)(&parts);
+        Use { application: self.application, kind, owner: owner.map(str::to_owned) }
+    }
+
+    /// The part that the data root with these files plays.
+    pub fn role(&self, below: &[Candidate<'_>]) -> Role {
+        (self.role)(below)
+    }
+
+    /// Whether the root with these files, beside another one, is the system although it could play both parts.
+    pub fn is_system_of_two(&self, below: &[Candidate<'_>]) -> bool {
+        (self.is_system_of_two)(below)
+    }
+
+    /// The place below a user's data root that the file at `path` belongs to, for `base` if one is known.
+    /// `None` for files that are not judged outside a data root.
+    pub fn loose_place(&self, path: &str, base: Option<&str>) -> Option<String> {
+        (self.loose_place)(path, base)
+    }
+
+    /// The part of `path` above the first folder name that belongs to a data root: where a data root would
+    /// be that `path` lies inside of.
+    pub fn root_above<'p>(&self, path: &'p str) -> Option<&'p str> {
+        let mut end = path.len();
+        for part in path.rsplit('/') {
+            let start = end - part.len();
+            if self.folders.iter().any(|folders| folders.contains(&part)) {
+                return Some(path.get(..start).unwrap_or_default().trim_end_matches('/'));
+            }
+            end = start.saturating_sub(1);
+        }
+        None
+    }
+
+    /// Whether a path below a data root is that of an asset, or would be one outside of any.
+    pub fn is_asset(&self, rel: &str) -> bool {
+        let folder = rel.rsplit_once('/').map_or("", |(folder, _)| folder);
+        let is_known = || !matches!(self.use_of(rel).kind, Kind::Other | Kind::Packed);
+        self.root_above(folder).is_some() && is_known() || self.loose_place(rel, None).is_some()
+    }
+
+    /// The data root that a file is a sign of.
+    pub(super) fn sign<'p>(&self, path: &'p str) -> Option<(&'p str, Sign)> {
+        let parts: Vec<&str> = path.split('/').collect();
+        let (sign, levels) = (self.sign)(&parts)?;
+        Some((ancestor(path, levels)?, sign))
+    }
+}
+
+/// Whether an application reads a file whose name, or that of a folder above it, begins with a point; of a folder,
+/// whether such a file could be in it. `path` may begin above the data root.
+pub fn is_read_though_hidden(path: &str, is_folder: bool) -> bool {
+    let parts: Vec<&str> = path.split('/').collect();
+    let hidden = parts.iter().position(|part| part.starts_with('.')).unwrap_or(parts.len());
+    let visible = parts.get(..hidden).unwrap_or_default();
+    let path = HiddenPath { visible, name: parts.last().copied().unwrap_or_default(), is_folder };
+    !parts.iter().any(|part| VERSION_CONTROL.contains(part))
+        && Application::ALL.iter().any(|application| (Layout::of(*application).reads_hidden)(&path))
+}
+
+/// The path without its last `levels` parts.
+fn ancestor(path: &str, levels: usize) -> Option<&str> {
+    let mut rest = path;
+    for _ in 0..levels {
+        match rest.rsplit_once('/') {
+            Some((parent, _)) => rest = parent,
+            None if rest.is_empty() => return None,
+            None => rest = "",
+        }
+    }
+    Some(rest)
+}

@@ -1,0 +1,71 @@
+//! MPFB: one base mesh, packed targets, sliders in a catalogue (formats/mpfb.md §1).
+
+use super::super::Kind;
+use super::super::kind::extension;
+use super::{HM08, Layout, Role, Sign};
+use crate::diag::Application;
+
+pub(super) static LAYOUT: Layout = Layout {
+    application: Application::Mpfb,
+    shape: "targets/target.json",
+    depth: 3,
+    folders: &[&["targets", "3dobjs", "mesh_metadata", "ink_layers", "uv_layers", "packs", "custom"]],
+    sign,
+    place,
+    reads_hidden: |_| false,
+    loose_place: |_, _| None,
+    role: |below| if below.iter().any(|one| one.kind() == Kind::TargetCatalog) { Role::System } else { Role::User },
+    is_system_of_two: |_| false,
+};
+
+fn sign(parts: &[&str]) -> Option<(Sign, usize)> {
+    match parts {
+        [.., "targets", "target.json"] | [.., "mesh_metadata", _] => Some((Sign::Strong, 2)),
+        [.., "targets", "macrodetails", "macro.json"] => Some((Sign::Strong, 3)),
+        [.., "rigs", "standard" | "rigify", name] if name.starts_with("rig.") => Some((Sign::Strong, 3)),
+        _ => None,
+    }
+}
+
+/// `macro.json` shares nothing but its name with that of MakeHuman 2.
+fn place<'p>(parts: &[&'p str]) -> (Kind, Option<&'p str>) {
+    let kind = match parts {
+        ["3dobjs", "base.obj"] => Kind::BaseMesh,
+        ["targets", "target.json"] => Kind::TargetCatalog,
+        ["targets", "_images", file] if extension(file) == "png" => Kind::TargetIcon,
+        ["targets" | "custom", .., file] => Kind::of_target(file).unwrap_or(Kind::by_extension(file)),
+        [.., file] => Kind::by_extension(file),
+        [] => Kind::Other,
+    };
+    (kind, (parts.len() > 1).then_some(HM08))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn place_decides_the_kind() {
+        for (path, kind) in [
+            ("3dobjs/base.obj", Kind::BaseMesh),
+            ("targets/target.json", Kind::TargetCatalog),
+            ("targets/macrodetails/macro.json", Kind::Json),
+            ("targets/nose/nose-up.target.gz", Kind::PackedTarget),
+            ("targets/custom/a.target", Kind::Target),
+            ("custom/a/b.target.gz", Kind::PackedTarget),
+            ("targets/_images/l-ear-up.png", Kind::TargetIcon),
+            ("targets/nose/a.TARGET", Kind::Other),
+            ("rigs/standard/rig.default.json", Kind::Json),
+            ("rigs/standard/weights.default.json", Kind::Json),
+            ("mesh_metadata/basemesh_vertex_groups.json", Kind::Json),
+            ("mesh_metadata/hm08.mirror", Kind::Other),
+            ("clothes/a/a.mhclo", Kind::Clothes),
+            ("clothes/a/a.mhw", Kind::AssetWeights),
+            ("skins/a/a.mhmat", Kind::Material),
+            ("uv_layers/a.json.gz", Kind::Other),
+        ] {
+            let found = LAYOUT.use_of(path);
+            assert_eq!((found.kind, found.owner.as_deref()), (kind, Some(HM08)), "{path}");
+        }
+    }
+}

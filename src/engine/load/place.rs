@@ -1,0 +1,93 @@
+//! A data root in its tree: what lies in it, and what each file is for.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::discover::{Candidate, Layout, Role, candidates, loose_candidates};
+use crate::formats::Needs;
+use crate::source::Tree;
+
+/// A data root in its tree.
+pub(in crate::engine) struct Place<'t> {
+    pub(in crate::engine) tree: &'t Tree,
+    /// Path from the top of the tree.
+    pub(super) root: String,
+    /// The layouts that it has.
+    pub(super) layouts: Vec<&'static Layout>,
+    /// Whether it is no data root at all, but files that would belong into one.
+    pub(super) is_loose: bool,
+    /// Everything in it.
+    pub(super) below: Vec<Candidate<'t>>,
+    /// Places among those of the bulk of each base mesh, which is read in turn; `None` for that of no base mesh.
+    bulk: BTreeMap<Option<String>, Vec<usize>>,
+}
+
+impl<'t> Place<'t> {
+    /// The data root at `root` with these layouts.
+    pub(in crate::engine) fn new(tree: &'t Tree, root: &str, layouts: &[&'static Layout]) -> Self {
+        Self::with(tree, root, layouts, candidates(tree, root, layouts), false)
+    }
+
+    /// The loose files of a tree, as if they lay in a user's data root of `layout`, for `base` if one is known.
+    pub(super) fn loose(tree: &'t Tree, layout: &'static Layout, base: Option<&str>) -> Self {
+        Self::with(tree, "", &[layout], loose_candidates(tree, layout, base), true)
+    }
+
+    fn with(
+        tree: &'t Tree,
+        root: &str,
+        layouts: &[&'static Layout],
+        below: Vec<Candidate<'t>>,
+        is_loose: bool,
+    ) -> Self {
+        let mut bulk: BTreeMap<Option<String>, Vec<usize>> = BTreeMap::new();
+        for (number, file) in below.iter().enumerate().filter(|(_, file)| is_bulk(file)) {
+            bulk.entry(file.owner().map(str::to_owned)).or_default().push(number);
+        }
+        Self { tree, root: root.to_owned(), layouts: layouts.to_vec(), is_loose, below, bulk }
+    }
+
+    /// Path of the root as reports print it.
+    pub(in crate::engine) fn path(&self) -> String {
+        self.tree.shown(&self.root)
+    }
+
+    /// The part that it plays among the data roots of its application.
+    pub(super) fn role(&self) -> Role {
+        self.layouts.first().map_or(Role::User, |layout| layout.role(&self.below))
+    }
+
+    /// Whether it is the system data beside another root, although it could be a user's.
+    pub(super) fn is_system_of_two(&self) -> bool {
+        self.layouts.first().is_some_and(|layout| layout.is_system_of_two(&self.below))
+    }
+
+    /// Whether nothing lies in it.
+    pub(super) fn is_empty(&self) -> bool {
+        self.below.is_empty()
+    }
+
+    /// Its files but for the bulk.
+    pub(super) fn files(&self) -> impl Iterator<Item = &Candidate<'t>> {
+        self.below.iter().filter(|file| file.is_file() && !is_bulk(file))
+    }
+
+    /// Everything that is read in turn.
+    pub(super) fn bulk(&self) -> impl Iterator<Item = &Candidate<'t>> {
+        self.below.iter().filter(|file| is_bulk(file))
+    }
+
+    /// What is read in the turn of a base mesh; `None` for what belongs to none.
+    pub(super) fn bulk_of(&self, base: Option<&str>) -> impl Iterator<Item = &Candidate<'t>> {
+        let numbers = self.bulk.get(&base.map(str::to_owned)).into_iter().flatten();
+        numbers.filter_map(|number| self.below.get(*number))
+    }
+
+    /// Names of the bases that have targets here.
+    pub(in crate::engine) fn target_bases(&self) -> BTreeSet<Option<&str>> {
+        self.bulk.keys().map(Option::as_deref).collect()
+    }
+}
+
+fn is_bulk(file: &Candidate<'_>) -> bool {
+    file.is_file() && file.kind().format().needs == Needs::MeshInTurn
+}

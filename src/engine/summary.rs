@@ -1,0 +1,31 @@
+//! What a run says of the data roots that it checked.
+
+use std::collections::BTreeSet;
+
+use super::error::Error;
+use super::load::shown;
+use crate::config::Config;
+use crate::diag::{Outcome, RootSummary};
+use crate::repo::Repository;
+
+/// Says that a repository was checked, and which base meshes it has.
+pub(super) fn summarise(repository: &Repository<'_>, outcome: &mut Outcome) {
+    let judged = repository.judged;
+    let own = |name: &str| judged.files.values().any(|file| file.base() == Some(name));
+    let bases = repository.bases.iter().map(|base| base.name).filter(|name| own(name));
+    outcome.roots.push(RootSummary {
+        path: shown(&judged.path).to_owned(),
+        application: repository.application,
+        bases: bases.map(str::to_owned).collect(),
+        checked: true,
+    });
+}
+
+/// Refuses `--base` with a name that no data root has.
+pub(super) fn check_bases(options: &Config, outcome: &Outcome) -> Result<(), Error> {
+    let known: BTreeSet<&String> = outcome.roots.iter().flat_map(|root| &root.bases).collect();
+    let unknown = options.bases.iter().find(|name| !known.contains(name));
+    unknown.filter(|_| outcome.checked_anything()).map_or(Ok(()), |name| {
+        Err(Error::UnknownBase { name: name.clone(), known: known.into_iter().cloned().collect() })
+    })
+}

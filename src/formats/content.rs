@@ -1,0 +1,45 @@
+//! What is kept of a file's content.
+
+use super::base_json::BaseJson;
+use super::geometry::Geometry;
+use super::json_file::JsonFault;
+use super::macro_json::MacroFile;
+use super::mhskel::Skeleton;
+use super::mhw::Weights;
+use super::modelling::Modelling;
+use super::npz::Archive;
+use super::obj::Mesh;
+use super::target::TargetFacts;
+use super::target_cat::TargetCategories;
+
+/// Content of a file as rules need it.
+#[derive(Debug, Clone, Default)]
+pub enum Content {
+    /// Not read: of no interest, or unreadable.
+    #[default]
+    Unread,
+    /// A JSON that the application cannot read.
+    Broken(JsonFault),
+    /// A JSON without a model of its own.
+    Json,
+    /// `base.json`.
+    BaseJson(Box<BaseJson>),
+    /// `geometry.json`.
+    Geometry(Box<Geometry>),
+    /// `macro.json`.
+    Macro(Box<MacroFile>),
+    /// `modelling.json`.
+    Modelling(Box<Modelling>),
+    /// `target_cat.json`.
+    Categories(Box<TargetCategories>),
+    /// `.mhskel`.
+    Skeleton(Box<Skeleton>),
+    /// `.mhw`.
+    Weights(Box<Weights>),
+    /// `.obj` of a base mesh.
+    Mesh(Box<Mesh>),
+    /// `.target`.
+    Target(Box<TargetFacts>),
+    /// `compressedtargets.npz`.
+    Archive(Box<Archive>),
+}

@@ -1,0 +1,130 @@
+//! Bytes of one file to what is kept of them, as the table of formats says.
+
+use xxhash_rust::xxh3::xxh3_64;
+
+use super::inline_ignore::{self, InlineIgnore};
+use super::json_file::{self, JsonFacts, JsonFault};
+use super::table::{Format, Reader, Syntax};
+use super::target::{self, MeshSize, Row};
+use super::{Content, mhw, npz, obj};
+use crate::json::{self, Document, SchemaFaults};
+use crate::source::{Encoding, GzipFault, Limits, try_gunzip, zip_bomb};
+
+/// What a reader is given.
+#[derive(Debug, Clone, Copy)]
+pub struct Input<'b> {
+    /// The content.
+    pub bytes: &'b [u8],
+    /// Its encoding.
+    pub encoding: &'b Encoding,
+    /// What is too much.
+    pub limits: &'b Limits,
+    /// Size of the mesh that the file is for.
+    pub mesh: Option<MeshSize>,
+}
+
+/// What is kept of a file's bytes.
+#[derive(Debug, Clone, Default)]
+pub struct Parsed {
+    /// What was in it.
+    pub content: Content,
+    /// Why it could not be unpacked.
+    pub gzip_fault: Option<GzipFault>,
+    /// Facts on the text of a JSON.
+    pub json: JsonFacts,
+    /// What the schema of its format says.
+    pub schema: SchemaFaults,
+    /// Mutes in its comments.
+    pub ignores: Vec<InlineIgnore>,
+    /// Hash of the decoded content where equal content matters.
+    pub content_hash: Option<u64>,
+    /// The rows of a target.
+    pub rows: Vec<Row>,
+}
+
+impl Format {
+    /// Reads a file of this format.
+    pub fn read(&self, input: &Input<'_>) -> Parsed {
+        if input.encoding.lfs_pointer {
+            return Parsed { content: self.without(JsonFault::LfsPointer), ..Parsed::default() };
+        }
+        match (self.reader, self.syntax) {
+            (Some(Reader::Bytes(read)), _) => read(input),
+            (Some(Reader::Tree(model)), _) => tree(input, self.schema, model),
+            (None, Syntax::Json) => tree(input, self.schema, |_| Content::Json),
+            (None, Syntax::Text) => {
+                Parsed { ignores: inline_ignore::of_lines(input.bytes, self.comments), ..hashed(input) }
+            }
+            (None, Syntax::Binary) => hashed(input),
+        }
+    }
+
+    /// What stands for the content of a file that could not be read for `fault`.
+    pub fn without(&self, fault: JsonFault) -> Content {
+        if self.syntax == Syntax::Json { Content::Broken(fault) } else { Content::Unread }
+    }
+}
+
+fn hashed(input: &Input<'_>) -> Parsed {
+    Parsed { content_hash: Some(xxh3_64(input.bytes)), ..Parsed::default() }
+}
+
+fn tree(input: &Input<'_>, schema: Option<&str>, model: fn(&Document) -> Content) -> Parsed {
+    match json_file::parse(input.bytes, input.encoding) {
+        Ok(document) => Parsed {
+            json: JsonFacts::of(&document),
+            schema: schema.map_or_else(SchemaFaults::default, |schema| json::check(schema, &document)),
+            content: model(&document),
+            ..Parsed::default()
+        },
+        Err(fault) => Parsed { content: Content::Broken(fault), ..Parsed::default() },
+    }
+}
+
+/// A target, with its rows.
+pub(super) fn target(input: &Input<'_>) -> Parsed {
+    let Some(parsed) = target::parse_file(input.bytes, input.encoding, input.mesh) else { return Parsed::default() };
+    Parsed {
+        content_hash: Some(parsed.facts.displacement),
+        ignores: parsed.ignores,
+        content: Content::Target(Box::new(parsed.facts)),
+        rows: parsed.rows,
+        ..Parsed::default()
+    }
+}
+
+/// A file without anything in it gives no mesh: everything measured against none would be out of range.
+pub(super) fn mesh(input: &Input<'_>) -> Parsed {
+    let mut parsed = hashed(input);
+    if !input.encoding.blank && !input.encoding.only_comments {
+        parsed.content = Content::Mesh(Box::new(obj::parse(input.bytes)));
+    }
+    parsed
+}
+
+/// Weights are read without a tree; the tree is made only to explain what the typed reader refused.
+pub(super) fn weights(input: &Input<'_>) -> Parsed {
+    let weights = match mhw::parse(input.bytes, input.encoding, input.mesh.map(|mesh| mesh.vertices)) {
+        Ok(weights) => weights,
+        Err(fault) => return Parsed { content: Content::Broken(fault), ..Parsed::default() },
+    };
+    let needs_explaining =
+        !weights.has_weights || weights.has_shapeless_bone || !weights.facts.json.duplicates.is_empty();
+    let explained = if needs_explaining { tree(input, Some("mhw"), |_| Content::Json) } else { Parsed::default() };
+    Parsed { content: Content::Weights(Box::new(weights)), ..explained }
+}
+
+/// A packed target: whether it can be unpacked.
+pub(super) fn packed(input: &Input<'_>) -> Parsed {
+    Parsed { gzip_fault: try_gunzip(input.bytes, input.limits).err(), ..Parsed::default() }
+}
+
+/// An archive of any kind: whether it can be unpacked.
+pub(super) fn zip(input: &Input<'_>) -> Parsed {
+    Parsed { gzip_fault: zip_bomb(input.bytes, input.limits), ..Parsed::default() }
+}
+
+/// An archive of targets.
+pub(super) fn archive(input: &Input<'_>) -> Parsed {
+    Parsed { content: Content::Archive(Box::new(npz::parse(input.bytes, input.limits))), ..zip(input) }
+}

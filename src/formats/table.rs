@@ -1,0 +1,163 @@
+//! The table of formats: what is to be known of each kind of file before and while it is read.
+
+use super::readers::{archive, mesh, packed, target, weights, zip};
+use super::{Content, Input, Parsed, base_json, geometry, macro_json, mhskel, modelling, target_cat};
+use crate::discover::Kind;
+use crate::json::Document;
+
+/// What there is to know of a kind of files.
+pub struct Format {
+    /// The kind that it is the format of.
+    pub kind: Kind,
+    /// What people call it.
+    pub title: &'static str,
+    /// What its bytes are.
+    pub syntax: Syntax,
+    /// Name of its schema.
+    pub schema: Option<&'static str>,
+    /// What comments begin with, where they may hold mutes.
+    pub comments: &'static [&'static str],
+    /// Makes a model of it. A format without one gets the rules on any file, and on any JSON.
+    pub reader: Option<Reader>,
+    /// What has to be read before it.
+    pub needs: Needs,
+}
+
+/// What the bytes of a file are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Syntax {
+    /// JSON.
+    Json,
+    /// Other text.
+    Text,
+    /// No text.
+    Binary,
+}
+
+/// How a model is made.
+#[derive(Clone, Copy)]
+pub enum Reader {
+    /// From the tree of a JSON.
+    Tree(fn(&Document) -> Content),
+    /// From the bytes.
+    Bytes(fn(&Input<'_>) -> Parsed),
+}
+
+/// What has to be read before a file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Needs {
+    /// Nothing.
+    Nothing,
+    /// The mesh that it is measured against.
+    Mesh,
+    /// The mesh; and of all that is bulk, one base mesh is in memory at a time.
+    MeshInTurn,
+}
+
+/// A format of which nothing but the syntax is known.
+const fn plain(kind: Kind, title: &'static str, syntax: Syntax) -> Format {
+    Format { kind, title, syntax, schema: None, comments: &[], reader: None, needs: Needs::Nothing }
+}
+
+/// A text with comments and without a reader.
+const fn text(kind: Kind, comments: &'static [&'static str]) -> Format {
+    Format { comments, ..plain(kind, "text asset", Syntax::Text) }
+}
+
+/// A JSON with a schema and a model.
+const fn json(kind: Kind, title: &'static str, schema: &'static str, model: fn(&Document) -> Content) -> Format {
+    Format { schema: Some(schema), reader: Some(Reader::Tree(model)), ..plain(kind, title, Syntax::Json) }
+}
+
+/// A format with a reader of its bytes.
+const fn read(kind: Kind, title: &'static str, syntax: Syntax, reader: fn(&Input<'_>) -> Parsed) -> Format {
+    Format { reader: Some(Reader::Bytes(reader)), ..plain(kind, title, syntax) }
+}
+
+/// Weights, of whatever mesh.
+const fn mhw(kind: Kind, needs: Needs) -> Format {
+    Format { schema: Some("mhw"), needs, ..read(kind, "weights", Syntax::Json, weights) }
+}
+
+/// All formats, one a kind, in the order of [`Kind`].
+pub static FORMATS: [Format; 25] = [
+    json(Kind::BaseJson, "base.json", "base", |json| Content::BaseJson(Box::new(base_json::read(json)))),
+    read(Kind::BaseMesh, "base mesh", Syntax::Text, mesh),
+    json(Kind::Geometry, "geometry.json", "geometry", |json| Content::Geometry(Box::new(geometry::read(json)))),
+    json(Kind::MacroJson, "macro.json", "macro", |json| Content::Macro(Box::new(macro_json::read(json)))),
+    json(Kind::ModellingJson, "modelling.json", "modelling", |json| {
+        Content::Modelling(Box::new(modelling::read(json)))
+    }),
+    json(Kind::TargetCategories, "target_cat.json", "target_cat", |json| {
+        Content::Categories(Box::new(target_cat::read(json)))
+    }),
+    plain(Kind::TargetCatalog, "target.json", Syntax::Json),
+    Format { needs: Needs::MeshInTurn, ..read(Kind::Target, "target", Syntax::Text, target) },
+    read(Kind::PackedTarget, "packed target", Syntax::Binary, packed),
+    read(Kind::TargetArchive, "target archive", Syntax::Binary, archive),
+    plain(Kind::TargetIcon, "icon", Syntax::Binary),
+    json(Kind::Skeleton, "skeleton", "mhskel", |json| Content::Skeleton(Box::new(mhskel::read(json)))),
+    mhw(Kind::Weights, Needs::Mesh),
+    mhw(Kind::AssetWeights, Needs::Nothing),
+    plain(Kind::Pose, "JSON", Syntax::Json),
+    text(Kind::Clothes, &["#"]),
+    text(Kind::Material, &["#", "//"]),
+    text(Kind::Model, &["#"]),
+    text(Kind::Motion, &[]),
+    text(Kind::MotionMeta, &[]),
+    text(Kind::AssetMesh, &[]),
+    read(Kind::Packed, "file", Syntax::Binary, zip),
+    plain(Kind::Json, "JSON", Syntax::Json),
+    plain(Kind::Image, "picture", Syntax::Binary),
+    OTHER,
+];
+
+/// What nobody knows.
+const OTHER: Format = plain(Kind::Other, "file", Syntax::Binary);
+
+impl Kind {
+    /// What there is to know of files of this kind.
+    pub fn format(self) -> &'static Format {
+        static UNKNOWN: Format = OTHER;
+        FORMATS.get(self as usize).unwrap_or(&UNKNOWN)
+    }
+
+    /// Whether the file is JSON.
+    pub fn is_json(self) -> bool {
+        self.format().syntax == Syntax::Json
+    }
+
+    /// Whether the file is text in which an encoding matters.
+    pub fn is_text(self) -> bool {
+        self.format().syntax != Syntax::Binary
+    }
+
+    /// What people call it.
+    pub fn title(self) -> &'static str {
+        self.format().title
+    }
+}
+
+impl Format {
+    /// Whether the content matters, not only the size.
+    pub fn is_read(&self) -> bool {
+        self.syntax != Syntax::Binary || self.reader.is_some()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_kind_has_its_row() {
+        assert!(FORMATS.iter().all(|format| std::ptr::eq(format.kind.format(), format)));
+        assert_eq!(FORMATS.len(), Kind::Other as usize + 1);
+    }
+
+    #[test]
+    fn every_schema_is_there() {
+        let is_there = |name| crate::json::schema_names().any(|known| known == name);
+        assert!(FORMATS.iter().filter_map(|format| format.schema).all(is_there));
+    }
+}
