@@ -75,7 +75,7 @@ impl Baseline {
         // Findings that have entries of their own, or that others moved to.
         let own = self.entries.iter().filter(|entry| now.contains(&entry.subject()));
         let mut taken: BTreeMap<_, &str> = own.map(|entry| (entry.subject(), entry.path.as_str())).collect();
-        let mut home = |entry: &'e Entry| {
+        let home = |entry: &'e Entry| {
             let is_free = |found: &&&Found| taken.get(&found.entry.subject()).is_none_or(|path| *path == entry.path);
             let is_gone = |found: &&&Found| !roots.contains(root_of(&entry.path, &found.rel)) && !is_there(entry);
             let mut alike = alike.get(entry.fingerprint.as_str()).into_iter().flatten();
@@ -86,7 +86,7 @@ impl Baseline {
             taken.insert(found.entry.subject(), &entry.path);
             found.entry.path.as_str()
         };
-        self.entries.iter().map(|entry| home(entry)).collect()
+        self.entries.iter().map(home).collect()
     }
 }
 

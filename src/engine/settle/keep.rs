@@ -28,7 +28,7 @@ impl Keeper<'_> {
         let commented = files.filter(|file| !file.ignores.is_empty() && self.is_reported(&file.path));
         commented.for_each(|file| ignores.note(file, self.selection, self.scope));
         let filter = self.filter();
-        let (mut kept, mut ignored) = (Vec::new(), 0);
+        let (mut kept, mut hidden) = (Vec::new(), 0);
         for mut finding in findings.into_iter().filter(|finding| self.is_wanted(finding)) {
             let consequence = finding.level;
             match filter.of(&mut finding, ignores) {
@@ -38,11 +38,11 @@ impl Keeper<'_> {
                     finding.regrade(level);
                     kept.push((finding, consequence));
                 }
-                Heard::Hidden => ignored += 1,
+                Heard::Hidden => hidden += 1,
                 Heard::Off | Heard::Excluded => {}
             }
         }
-        (identify(self.repository, kept), ignored)
+        (identify(self.repository, kept), hidden)
     }
 
     fn filter(&self) -> Filter<'_> {
