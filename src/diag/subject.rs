@@ -3,7 +3,7 @@
 use super::Parts;
 
 /// With its rule, all that decides whether a finding is the same as another one: never line, count, wording or level.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Subject {
     /// What the fault belongs to, written as paths are, where that is not the file at which the finding stands: a folder,
     /// a base mesh.

@@ -74,6 +74,12 @@ impl FileFacts {
         self.path.rsplit_once('/').map_or("", |(folder, _)| folder)
     }
 
+    /// The folder that targets of a base are loaded from: the first two parts of the path.
+    pub fn target_folder(&self) -> &str {
+        let end = self.rel.match_indices('/').nth(1).map_or(self.rel.len(), |(at, _)| at);
+        self.rel.get(..end).unwrap_or(&self.rel)
+    }
+
     /// File name without folders.
     pub fn file_name(&self) -> &str {
         self.rel.rsplit('/').next().unwrap_or(&self.rel)

@@ -11,7 +11,7 @@ pub(super) mod unknown_preset;
 pub(super) mod unsafe_rule;
 pub(super) mod vertex_count;
 
-use crate::repo::Base;
+use crate::repo::makehuman2::Base;
 
 /// The way to leave a measure out.
 const NO_MEASURE: &str = "none";

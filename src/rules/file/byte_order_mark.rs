@@ -1,11 +1,11 @@
 //! A byte order mark becomes part of the first word.
 
-use super::super::archived::Unread;
+use super::super::archived::weigh;
 use super::super::{Check, Rule, RuleCx};
 use super::loader::{is_met, is_override, refused_json};
 use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Place, Rewrite, RuleInfo};
 use crate::discover::Kind;
-use crate::repo::{FileFacts, Repository};
+use crate::repo::{FileFacts, View, makehuman2};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -24,15 +24,15 @@ pub(in crate::rules) static RULE: Rule = Rule {
 /// Fields of a line that a target's reader takes for data.
 const ROW_FIELDS: usize = 4;
 
-fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let unread = Unread::of(repository);
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(view) = view.makehuman2() else { return };
     // Behind a mark alone there is nothing to lose: the file is empty.
     let marked = |file: &&FileFacts| {
         file.encoding.byte_order_mark && file.encoding.invalid_utf8_at.is_none() && !file.encoding.blank
     };
-    let texts = repository.judged.files.values().filter(|file| file.kind.is_text() && !is_override(file));
-    for file in texts.filter(|file| is_met(repository, file)).filter(marked) {
-        let (level, effect) = consequence(repository, file);
+    let texts = view.layers.checked.files.values().filter(|file| file.kind.is_text() && !is_override(file));
+    for file in texts.filter(|file| is_met(view, file)).filter(marked) {
+        let (level, effect) = consequence(view, file);
         let message = format!("`{}` begins with a byte order mark", file.file_name());
         let fix = Fix::new(RULE.info.fix, "remove the mark");
         let finding = RULE
@@ -42,15 +42,15 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             .breaks(Application::Makehuman2, effect)
             .help("save the file as UTF-8 without byte order mark");
         let is_fatal = file.kind == Kind::Target && level == Level::Error;
-        out.push(if is_fatal { unread.weigh(file, finding) } else { finding });
+        out.push(if is_fatal { weigh(&view.target(file), finding) } else { finding });
     }
 }
 
-fn consequence(repository: &Repository<'_>, file: &FileFacts) -> (Level, &'static str) {
+fn consequence(view: &makehuman2::View<'_>, file: &FileFacts) -> (Level, &'static str) {
     let words = &file.encoding.marked_words;
     let is_comment = words.first().is_none_or(|word| word.starts_with('#'));
     match file.kind {
-        kind if kind.is_json() => refused_json(repository, file),
+        kind if kind.is_json() => refused_json(view, file),
         Kind::Target if words.len() == ROW_FIELDS => {
             (Level::Error, "takes the first line for a row and stops at start with a ValueError")
         }

@@ -8,7 +8,7 @@ use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
 use crate::formats::Content;
 use crate::json::SchemaFault;
-use crate::repo::{FileFacts, ReferenceKind, Repository, Resolution};
+use crate::repo::{FileFacts, ReferenceKind, Resolution, View, makehuman2};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -23,16 +23,17 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Repository(run),
 };
 
-fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let macros = targets_of_macros(repository);
-    let needed = |file: &&FileFacts| is_met(repository, file) && !is_override(file);
-    for file in repository.judged.files.values().filter(needed) {
-        let Some(what) = emptiness(file).or_else(|| counts_as_missing(repository, file)) else { continue };
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(view) = view.makehuman2() else { return };
+    let macros = targets_of_macros(view);
+    let needed = |file: &&FileFacts| is_met(view, file) && !is_override(file);
+    for file in view.layers.checked.files.values().filter(needed) {
+        let Some(what) = emptiness(file).or_else(|| counts_as_missing(view, file)) else { continue };
         if macros.contains(file.rel.as_str()) {
             continue;
         }
-        let Some((level, effect)) = consequence(repository, file) else { continue };
-        let (level, effect) = if needs_no_macros(repository, file) {
+        let Some((level, effect)) = consequence(view, file) else { continue };
+        let (level, effect) = if needs_no_macros(view, file) {
             (Level::Info, "takes it as missing, as it may be: no slider needs macros")
         } else {
             (level, effect)
@@ -48,9 +49,9 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 
 /// Python takes an empty object, list or text, 0, false and null for false, and the loader that for no file. An empty
 /// generated modelling.json is usual.
-fn counts_as_missing(repository: &Repository<'_>, file: &FileFacts) -> Option<&'static str> {
+fn counts_as_missing(view: &makehuman2::View<'_>, file: &FileFacts) -> Option<&'static str> {
     let wanted = matches!(file.kind, Kind::BaseJson | Kind::MacroJson | Kind::ModellingJson | Kind::TargetCategories);
-    let usual = file.kind == Kind::ModellingJson && is_generated(repository, file);
+    let usual = file.kind == Kind::ModellingJson && is_generated(view, file);
     let read = !matches!(file.content, Content::Broken(_) | Content::Unread);
     let is_object = !file.schema.faults.iter().any(SchemaFault::is_wrong_root);
     let what =
@@ -59,17 +60,17 @@ fn counts_as_missing(repository: &Repository<'_>, file: &FileFacts) -> Option<&'
 }
 
 /// Whether the file is the `macro.json` of a base without a macro slider, which does as well without.
-fn needs_no_macros(repository: &Repository<'_>, file: &FileFacts) -> bool {
-    let mut bases = repository.bases.iter().filter(|base| file.base() == Some(base.name));
+fn needs_no_macros(view: &makehuman2::View<'_>, file: &FileFacts) -> bool {
+    let mut bases = view.bases.iter().filter(|base| file.base() == Some(base.name));
     file.kind == Kind::MacroJson && bases.all(|base| !base.sliders.iter().any(|slider| slider.slider.is_macro()))
 }
 
 /// `macro-empty-target` knows these better.
-fn targets_of_macros<'r>(repository: &'r Repository<'_>) -> BTreeSet<&'r str> {
-    let macros = repository.references.iter().filter(|reference| reference.kind == ReferenceKind::MacroTarget);
+fn targets_of_macros<'r>(view: &'r makehuman2::View<'_>) -> BTreeSet<&'r str> {
+    let macros = view.references.iter().filter(|reference| reference.kind == ReferenceKind::MacroTarget);
     macros
         .filter_map(|reference| match reference.resolution {
-            Resolution::Found(file) if repository.is_judged(file) => Some(file.rel.as_str()),
+            Resolution::Found(file) if view.layers.is_checked(file) => Some(file.rel.as_str()),
             _ => None,
         })
         .collect()
@@ -89,9 +90,9 @@ fn emptiness(file: &FileFacts) -> Option<&'static str> {
 }
 
 /// Level and consequence, or nothing where nobody needs content.
-fn consequence(repository: &Repository<'_>, file: &FileFacts) -> Option<(Level, &'static str)> {
+fn consequence(view: &makehuman2::View<'_>, file: &FileFacts) -> Option<(Level, &'static str)> {
     Some(match (file.kind, extension(&file.rel)) {
-        (kind, _) if kind.is_json() => refused_json(repository, file),
+        (kind, _) if kind.is_json() => refused_json(view, file),
         (Kind::Target, _) => (Level::Warning, "loads it; nothing moves"),
         // `archive-malformed` speaks.
         (Kind::TargetArchive, _) => return None,

@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
-use crate::repo::Repository;
+use crate::repo::View;
 use crate::source::GzipFault;
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -24,10 +24,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Repository(run),
 };
 
-fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     // Only the application that the folder belongs to can be hurt.
-    let is_unread = repository.application == Application::Makehuman2;
-    for file in repository.judged.files.values() {
+    let is_unread = view.application() == Application::Makehuman2;
+    for file in view.layers().checked.files.values() {
         let message = match &file.gzip_fault {
             Some(GzipFault::Corrupt(reason)) => format!("cannot be unpacked: {reason}"),
             Some(GzipFault::TrailingGarbage { bytes }) => format!("{bytes} bytes of garbage behind the packed data"),

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Evidence, Finding, Level, RuleInfo};
-use crate::repo::{FileFacts, Layer};
+use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -18,10 +18,11 @@ pub(in crate::rules) static RULE: Rule = Rule {
             Nothing else is said about these files.\n\nRun `git lfs pull`, or in a CI job check out with LFS switched on.",
         ..RuleInfo::new("file-lfs-pointer", Level::Warning, "a Git LFS pointer stands where the content should be")
     },
-    check: Check::Layer(run),
+    check: Check::Repository(run),
 };
 
-fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let layer = view.layers().checked;
     let mut folders: BTreeMap<(&str, bool), Vec<&FileFacts>> = BTreeMap::new();
     for file in layer.files.values().filter(|file| file.encoding.lfs_pointer) {
         let folder = file.rel.rsplit_once('/').map_or("", |(folder, _)| folder);

@@ -2,7 +2,8 @@
 
 use crate::diag::Level;
 use crate::discover::{Kind, SCANNED};
-use crate::repo::{FileFacts, Layer, Repository};
+use crate::repo::makehuman2::View;
+use crate::repo::{FileFacts, Layer};
 
 /// When a file is opened.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -113,20 +114,20 @@ pub(super) fn is_override(file: &FileFacts) -> bool {
 /// Whether the text of the file is somebody's to read, and nothing else speaks before it: it was read, a loader
 /// opens its name, and it is not the `macro.json` of a user's target folder (`overlay-shadowed` tells that it is
 /// never read).
-pub(super) fn is_met(repository: &Repository<'_>, file: &FileFacts) -> bool {
-    let ignored = file.kind == Kind::MacroJson && is_generated(repository, file);
+pub(super) fn is_met(view: &View<'_>, file: &FileFacts) -> bool {
+    let ignored = file.kind == Kind::MacroJson && is_generated(view, file);
     opens(&file.rel) && !is_unread(file) && !ignored
 }
 
 /// Whether the file lies in the target folder of a user, whose JSON MakeHuman 2 writes itself.
-pub(super) fn is_generated(repository: &Repository<'_>, file: &FileFacts) -> bool {
-    let user = repository.user.is_some_and(|user| std::ptr::eq(user, repository.judged));
-    user && !repository.is_one_root() && file.rel.starts_with("target/")
+pub(super) fn is_generated(view: &View<'_>, file: &FileFacts) -> bool {
+    let user = view.layers.user.is_some_and(|user| std::ptr::eq(user, view.layers.checked));
+    user && !view.layers.is_one_root() && file.rel.starts_with("target/")
 }
 
 /// What happens with a JSON that Python's reader refuses, and how bad that is (formats/makehuman2.md §1.2, §5.2,
 /// §7, §9, §11, §12, §19, §20).
-pub(super) fn refused_json(repository: &Repository<'_>, file: &FileFacts) -> (Level, &'static str) {
+pub(super) fn refused_json(view: &View<'_>, file: &FileFacts) -> (Level, &'static str) {
     let name = file.file_name();
     match (moment(file), file.kind) {
         (Moment::Never, _) => (Level::Warning, "does not read it; tools that do stop"),
@@ -134,9 +135,7 @@ pub(super) fn refused_json(repository: &Repository<'_>, file: &FileFacts) -> (Le
         (_, Kind::BaseJson) => (Level::Error, "does not load the base mesh"),
         (_, Kind::MacroJson) => (Level::Error, "logs a line and takes it as missing: the base has no macros"),
         (_, Kind::ModellingJson) => (Level::Error, "logs a line and takes it as missing: its sliders are gone"),
-        (_, Kind::TargetCategories) if is_generated(repository, file) => {
-            (Level::Error, "stops at start with a TypeError")
-        }
+        (_, Kind::TargetCategories) if is_generated(view, file) => (Level::Error, "stops at start with a TypeError"),
         (_, Kind::TargetCategories) => (Level::Error, "logs a line and takes it as missing: no slider can be reached"),
         (_, Kind::Weights | Kind::AssetWeights) => {
             (Level::Error, "has no weights: the mesh collapses as soon as it is posed")

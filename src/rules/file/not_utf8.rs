@@ -1,11 +1,11 @@
 //! Text must be UTF-8.
 
-use super::super::archived::Unread;
+use super::super::archived::weigh;
 use super::super::{Check, Rule, RuleCx};
 use super::loader::{Moment, is_met, moment};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
-use crate::repo::{FileFacts, Repository};
+use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -21,10 +21,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Repository(run),
 };
 
-fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let unread = Unread::of(repository);
-    let texts = repository.judged.files.values().filter(|file| file.kind.is_text());
-    for file in texts.filter(|file| is_met(repository, file)) {
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(view) = view.makehuman2() else { return };
+    let texts = view.layers.checked.files.values().filter(|file| file.kind.is_text());
+    for file in texts.filter(|file| is_met(view, file)) {
         let Some(at) = file.encoding.invalid_utf8_at else { continue };
         let guess = file.encoding.guess.unwrap_or("another encoding");
         let message = format!("`{}` is not UTF-8 (probably {guess})", file.file_name());
@@ -34,7 +34,7 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             .level(level)
             .breaks(Application::Makehuman2, effect)
             .help("save the file as UTF-8 without byte order mark");
-        out.push(if file.kind == Kind::Target { unread.weigh(file, finding) } else { finding });
+        out.push(if file.kind == Kind::Target { weigh(&view.target(file), finding) } else { finding });
     }
 }
 

@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Finding, Level, RuleInfo};
 use crate::discover::Kind;
-use crate::repo::Layer;
+use crate::repo::{Layer, View};
 use crate::source::{ReadFault, WalkFaultKind};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -18,13 +18,14 @@ pub(in crate::rules) static RULE: Rule = Rule {
             base mesh.\n\nMend the link or the permissions, or remove what stands in the place of the file.",
         ..RuleInfo::new("file-unreadable", Level::Error, "a file or folder that cannot be opened or read")
     },
-    check: Check::Layer(run),
+    check: Check::Repository(run),
 };
 
 /// Folders below the data root that are sorted by base mesh.
 const BY_BASE: [&str; 5] = ["base", "target", "contarget", "rigs", "models"];
 
-fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let layer = view.layers().checked;
     for fault in &layer.walk_faults {
         if let WalkFaultKind::Unreadable { reason } = &fault.kind {
             out.push(finding(layer, &fault.path, format!("cannot be read: {reason}")));

@@ -10,12 +10,13 @@ pub(super) mod unknown_key;
 
 use crate::diag::Level;
 use crate::discover::Kind;
-use crate::repo::{FileFacts, Repository};
+use crate::repo::FileFacts;
+use crate::repo::makehuman2::View;
 
 /// What becomes of MakeHuman 2 and its user when it cannot read a JSON at all: it depends on what the
 /// file is for (formats/makehuman2.md §1.2, §5.2, §7, §9, §10, §11, §12, §19, §20, §21).
-fn loss(repository: &Repository<'_>, file: &FileFacts) -> (Level, &'static str) {
-    let generated = file.rel.starts_with("target/") && is_user_root(repository);
+fn loss(view: &View<'_>, file: &FileFacts) -> (Level, &'static str) {
+    let generated = file.rel.starts_with("target/") && is_user_root(view);
     match file.kind {
         Kind::MacroJson if generated => (Level::Info, "never reads this file"),
         Kind::MacroJson => (Level::Error, "logs a line and treats the file as absent: the base has no macros"),
@@ -52,7 +53,7 @@ fn loss_of_other(rel: &str) -> (Level, &'static str) {
     }
 }
 
-fn is_user_root(repository: &Repository<'_>) -> bool {
-    let judged_is_user = repository.user.is_some_and(|user| std::ptr::eq(user, repository.judged));
-    judged_is_user && !repository.is_one_root()
+fn is_user_root(view: &View<'_>) -> bool {
+    let judged_is_user = view.layers.user.is_some_and(|user| std::ptr::eq(user, view.layers.checked));
+    judged_is_user && !view.layers.is_one_root()
 }

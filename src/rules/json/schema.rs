@@ -8,7 +8,7 @@ use super::schema_words::{lack, sentence};
 use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
 use crate::json::SchemaFault;
-use crate::repo::{FileFacts, Layer};
+use crate::repo::FileFacts;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -23,19 +23,19 @@ pub(in crate::rules) static RULE: Rule = Rule {
             value as the schema wants it.",
         ..RuleInfo::new("json-schema", Level::Error, "a value does not fit the schema of its format")
     },
-    check: Check::Layer(run),
+    check: Check::File(run),
 };
 
-fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let judged = layer.files.values().filter(|file| !file.is_ignored_override() && !counts_as_missing(file));
-    for file in judged {
-        let mut by_keyword: BTreeMap<(&str, Option<String>), Vec<&SchemaFault>> = BTreeMap::new();
-        for fault in &file.schema.faults {
-            // Two missing keys of one object fail at the same keyword; they are two faults.
-            by_keyword.entry((&fault.keyword, lack(fault))).or_default().push(fault);
-        }
-        out.extend(by_keyword.into_iter().filter_map(|((keyword, lack), all)| judge(file, keyword, lack, &all)));
+fn run(file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    if file.is_ignored_override() || counts_as_missing(file) {
+        return;
     }
+    let mut by_keyword: BTreeMap<(&str, Option<String>), Vec<&SchemaFault>> = BTreeMap::new();
+    for fault in &file.schema.faults {
+        // Two missing keys of one object fail at the same keyword; they are two faults.
+        by_keyword.entry((&fault.keyword, lack(fault))).or_default().push(fault);
+    }
+    out.extend(by_keyword.into_iter().filter_map(|((keyword, lack), all)| judge(file, keyword, lack, &all)));
 }
 
 /// Whether the whole file is an empty value (`null`, `[]`, `0`), which Python takes for false and the loader for no

@@ -6,7 +6,7 @@ use crate::discover::Kind;
 use crate::formats::Content;
 use crate::formats::json_file::JsonFault;
 use crate::json::{SyntaxFault, SyntaxKind};
-use crate::repo::{FileFacts, Repository};
+use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -24,11 +24,12 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Repository(run),
 };
 
-fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for file in repository.judged.files.values().filter(|file| !file.is_ignored_override()) {
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(view) = view.makehuman2() else { return };
+    for file in view.layers.checked.files.values().filter(|file| !file.is_ignored_override()) {
         match &file.content {
             Content::Broken(JsonFault::Syntax(fault)) if fault.kind != SyntaxKind::TooDeep && !is_stray(file) => {
-                let (level, effect) = super::loss(repository, file);
+                let (level, effect) = super::loss(view, file);
                 let finding = RULE
                     .at(file, Place::Span(fault.span.clone()), format!("no JSON: {fault}"))
                     .parts([format!("{} {}", sort(&fault.kind), fault.within)]);

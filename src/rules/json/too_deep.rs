@@ -5,7 +5,7 @@ use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::formats::Content;
 use crate::formats::json_file::JsonFault;
 use crate::json::SyntaxKind;
-use crate::repo::Repository;
+use crate::repo::View;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -22,8 +22,9 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Repository(run),
 };
 
-fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for file in repository.judged.files.values() {
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(view) = view.makehuman2() else { return };
+    for file in view.layers.checked.files.values() {
         let Content::Broken(JsonFault::Syntax(fault)) = &file.content else { continue };
         if fault.kind == SyntaxKind::TooDeep {
             let finding = RULE.at(file, Place::Span(fault.span.clone()), fault.to_string());

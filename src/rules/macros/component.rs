@@ -1,15 +1,16 @@
 //! What the rules on components and their patterns share.
 
-use crate::diag::{Application, Finding, Level};
+use crate::diag::{Finding, Level};
 use crate::formats::macro_json::{Component, MacroFile};
-use crate::repo::{Base, FileFacts, Pattern};
+use crate::repo::FileFacts;
+use crate::repo::makehuman2::{Base, Pattern};
 
 /// Lowers a finding on a component that no macro definition uses: it is never evaluated.
 pub(super) fn weigh(finding: Finding, macros: &MacroFile, component: &Component) -> Finding {
     if macros.macrodefs.iter().any(|macrodef| macrodef.components.contains(&component.name)) {
         return finding;
     }
-    finding.level(Level::Info).breaks(Application::Makehuman2, "nothing yet: no macrodef uses the component")
+    finding.level(Level::Info).effect("nothing yet: no macrodef uses the component")
 }
 
 /// Whether the schema has nothing against the value at a pointer or below it; else the model lacks a part of it.

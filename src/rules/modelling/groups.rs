@@ -6,7 +6,7 @@ use super::is_damaged;
 use crate::diag::nearest;
 use crate::formats::modelling::EFFECTS;
 use crate::formats::target_cat::Category;
-use crate::repo::{Base, BoundSlider};
+use crate::repo::makehuman2::{Base, BoundSlider};
 
 /// Category that MakeHuman 2 always replaces with the generated one.
 pub(super) const USER_CATEGORY: &str = "User";

@@ -26,7 +26,7 @@ pub(super) mod user_key_collision;
 mod user_scan;
 
 use crate::diag::Suggestions;
-use crate::repo::{Base, BoundSlider, Overlaid};
+use crate::repo::makehuman2::{Base, BoundSlider, Overlaid};
 
 /// Whether one of the files is refused. What is then in use is not what the author meant, and everything
 /// that follows from it follows from the damage.

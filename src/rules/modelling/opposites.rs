@@ -5,7 +5,8 @@ use std::collections::BTreeMap;
 use super::super::{Check, Rule, RuleCx};
 use super::with_patterns;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
-use crate::repo::{Base, BoundSlider, FileFacts, Repository};
+use crate::repo::FileFacts;
+use crate::repo::makehuman2::{Base, BoundSlider, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -19,10 +20,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
             or correct the names. Without `target-opposites` no slider has two sides; that is one finding on `base.json`.",
         ..RuleInfo::new("modelling-opposites", Level::Warning, "`target-opposites` does not cover a pair of targets")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, settings)) = base.settings() else { return };
     if is_damaged_list(file) {
         return;
@@ -30,7 +31,7 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
     let sliders = with_patterns(base).unwrap_or_default();
     let undeclared: Vec<&BoundSlider<'_>> =
         sliders.iter().filter(|slider| slider.is_undeclared_pair() && !base.lacks_target(slider)).collect();
-    if settings.opposites.is_empty() && repository.is_judged(file) && undeclared.len() > 1 {
+    if settings.opposites.is_empty() && view.layers.is_checked(file) && undeclared.len() > 1 {
         let message = format!("no `target-opposites`: {} pairs of targets have one side only", undeclared.len());
         let evidence = Evidence::of_cases(undeclared.iter().map(|slider| &slider.slider.key));
         let help = "add `\"target-opposites\": {\"decr\": \"incr\"}` with the endings of the target names";

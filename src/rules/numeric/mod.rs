@@ -8,7 +8,7 @@ use crate::diag::{Finding, Place};
 use crate::eval::measures::{Seen, SpaceMeasure};
 use crate::eval::settings::SliderSetting;
 use crate::formats::macro_json::{Component, MacroFile, Macrodef};
-use crate::repo::Base;
+use crate::repo::makehuman2::Base;
 
 use super::Rule;
 

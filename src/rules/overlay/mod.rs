@@ -9,7 +9,8 @@ pub(super) mod user_key_clash;
 pub(super) mod user_target_too_deep;
 
 use crate::json::SchemaFault;
-use crate::repo::{Base, Candidate, FileFacts, Layer, Overlaid, Reference, Repository, Resolution};
+use crate::repo::makehuman2::{Base, Candidate, Overlaid, View};
+use crate::repo::{FileFacts, Layer, Reference, Resolution};
 
 /// One of the three files that contarget can override, whatever is in it.
 struct Override<'a> {
@@ -41,8 +42,8 @@ fn has_broken_override(base: &Base<'_>) -> bool {
 }
 
 /// Whether an override is there under a name with other capitals: `file-case-mismatch` says that nobody finds it.
-fn has_misnamed_override(repository: &Repository<'_>, base: &Base<'_>) -> bool {
-    let layers = [Some(repository.judged), repository.user].into_iter().flatten();
+fn has_misnamed_override(view: &View<'_>, base: &Base<'_>) -> bool {
+    let layers = [Some(view.layers.checked), view.layers.user].into_iter().flatten();
     let folder = format!("contarget/{}", base.name);
     let names = ["macro.json", "modelling.json", "target_cat.json"].map(|name| format!("{folder}/{name}"));
     let is_misnamed =
@@ -52,17 +53,14 @@ fn has_misnamed_override(repository: &Repository<'_>, base: &Base<'_>) -> bool {
 
 /// Whether everything that the application takes from contarget is there and fits: sliders and macros, sound, with
 /// all their targets. What is wrong with an override has a finding of its own.
-fn is_complete(repository: &Repository<'_>, base: &Base<'_>) -> bool {
+fn is_complete(view: &View<'_>, base: &Base<'_>) -> bool {
     let [macros, sliders, _] = overrides(base);
-    macros.active && sliders.active && !has_broken_override(base) && in_other_layer(repository, base).next().is_none()
+    macros.active && sliders.active && !has_broken_override(base) && in_other_layer(view, base).next().is_none()
 }
 
 /// Targets that exist in the layer that lost and not in the one in use.
-fn in_other_layer<'s, 'a>(
-    repository: &'s Repository<'a>,
-    base: &'s Base<'a>,
-) -> impl Iterator<Item = &'s Reference<'a>> {
-    let references = repository.references_of(base);
+fn in_other_layer<'s, 'a>(view: &'s View<'a>, base: &'s Base<'a>) -> impl Iterator<Item = &'s Reference<'a>> {
+    let references = view.references_of(base);
     references
         .filter(|reference| reference.kind.is_target() && matches!(reference.resolution, Resolution::OtherLayer(_)))
 }
@@ -78,9 +76,9 @@ enum SystemFolder {
     Unknown,
 }
 
-fn system_folder(repository: &Repository<'_>, base: &Base<'_>) -> SystemFolder {
+fn system_folder(view: &View<'_>, base: &Base<'_>) -> SystemFolder {
     let rel = format!("target/{}", base.name);
-    let Some(system) = repository.system.filter(|_| base.has_system) else { return SystemFolder::Unknown };
+    let Some(system) = view.layers.system.filter(|_| base.has_system) else { return SystemFolder::Unknown };
     let exists = system.folders.contains(&rel) || system.below(&rel).next().is_some();
     if exists { SystemFolder::Exists } else { SystemFolder::Absent }
 }

@@ -2,11 +2,10 @@
 
 use super::has_unusable_entries;
 use super::lost_after_threshold::RULE;
-use super::measured::pose_weights;
-use crate::repo::{Base, FileFacts, Repository};
+use crate::repo::{Body, FileFacts};
 use crate::rules::RuleCx;
 
-/// What the weights of the pose skeleton lose, and the vertex that it moves farthest.
+/// What the weights of the default rig lose, and the vertex that it moves farthest.
 pub(super) struct Loss<'a> {
     pub(super) file: &'a FileFacts,
     /// Vertices that lose something.
@@ -19,11 +18,11 @@ pub(super) struct Loss<'a> {
     pub(super) pull: f64,
 }
 
-/// The loss in the weights of the pose skeleton, if it is large enough to be seen: from a tenth of `distance`.
-pub(super) fn noticeable_loss<'a>(repository: &Repository<'a>, base: &Base<'a>, cx: &RuleCx<'_>) -> Option<Loss<'a>> {
-    let file = pose_weights(repository, base)?;
+/// The loss in the weights of the default rig, if it is large enough to be seen: from a tenth of `distance`.
+pub(super) fn noticeable_loss<'v>(body: &Body<'v>, cx: &RuleCx<'_>) -> Option<Loss<'v>> {
+    let file = body.default_weights()?;
     let weights = file.weights().filter(|weights| !has_unusable_entries(weights))?;
-    let (_, mesh) = base.mesh.filter(|(_, mesh)| mesh.facts.unreadable_lines == 0)?;
+    let mesh = body.whole_mesh()?;
     let losses = weights.facts.lost.iter().filter_map(|(vertex, share)| {
         let place = mesh.positions.get(*vertex as usize)?.map(f64::from);
         let pull = f64::from(*share) * place.iter().map(|part| part * part).sum::<f64>().sqrt();

@@ -3,13 +3,11 @@
 pub(super) mod above_one;
 pub(super) mod asymmetric;
 pub(super) mod below_threshold;
-mod binding;
 pub(super) mod duplicate_vertex;
 pub(super) mod empty_bone;
 mod loss;
 pub(super) mod lost_after_threshold;
 pub(super) mod malformed_pair;
-mod measured;
 pub(super) mod metadata;
 pub(super) mod negative;
 pub(super) mod non_finite;
@@ -22,12 +20,11 @@ pub(super) mod vertex_out_of_range;
 
 use crate::diag::{Cases, Place};
 use crate::formats::mhw::{PairTally, Weights};
-use crate::repo::{FileFacts, Layer};
+use crate::repo::FileFacts;
 
-/// All weights of a layer that are an object of bones.
-fn weights_files(layer: &Layer) -> impl Iterator<Item = (&FileFacts, &Weights)> {
-    let files = layer.files.values().filter_map(|file| Some((file, file.weights()?)));
-    files.filter(|(_, weights)| weights.has_weights)
+/// The weights in a file, if they are an object of bones.
+fn bones_of(file: &FileFacts) -> Option<&Weights> {
+    file.weights().filter(|weights| weights.has_weights)
 }
 
 /// Whether entries cannot be used, so that what is missing or off beside them may be their doing.
