@@ -14,7 +14,7 @@ use super::sight::{is_numeric, sight};
 use crate::diag::{Because, Finding, Note, Outcome, Place, Sight};
 use crate::discover::Kind;
 use crate::repo::{Layer, Reference, Resolution, View};
-use crate::source::{folder_of, link_targets, resolved, slashed};
+use crate::source::{canonical, folder_of, link_targets, resolved, slashed};
 
 /// Paths of changed files: absolute, without `..`, with forward slashes.
 pub(super) struct Change {
@@ -61,7 +61,7 @@ impl Change {
         let is_alone = |path: &str| matches!(roots.as_slice(), [root] if path.starts_with(root.as_str()));
         let decides = |path: &&String| match path.rsplit('/').take(3).collect::<Vec<_>>().as_slice() {
             ["base.json" | "base.obj", _, "base"] => !is_alone(path),
-            _ => path.contains("/contarget/") && !Path::new(path.as_str()).exists(),
+            _ => path.contains("/contarget/") && canonical(Path::new(path.as_str())).is_none(),
         };
         self.paths.iter().find(decides).map(String::as_str)
     }

@@ -10,11 +10,11 @@ use crate::repo::View;
 
 /// Says that a repository was checked, and which base meshes it has.
 pub(super) fn summarise(view: &View<'_>, outcome: &mut Outcome) {
-    let judged = view.layers().checked;
-    let own = |name: &str| judged.files.values().any(|file| file.base() == Some(name));
+    let checked = view.layers().checked;
+    let own = |name: &str| checked.files.values().any(|file| file.base() == Some(name));
     let bases = view.body_names().into_iter().filter(|name| own(name));
     outcome.roots.push(RootSummary {
-        path: shown(&judged.path).to_owned(),
+        path: shown(&checked.path).to_owned(),
         application: view.application(),
         bases: bases.map(str::to_owned).collect(),
         checked: true,

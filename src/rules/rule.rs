@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::diag::{Application, Finding, Place, RuleInfo, Upkeep};
+use crate::diag::{Application, Finding, OptionInfo, Place, RuleInfo, Upkeep};
 use crate::eval::measures::Measures;
 use crate::repo::{Body, FileFacts, Layer, View, makehuman1, makehuman2, mpfb};
 
@@ -62,8 +62,12 @@ impl Rule {
 impl RuleCx<'_> {
     /// Value of an option of `rule`: as set, or its default.
     pub(crate) fn option(&self, rule: &Rule, name: &'static str) -> f64 {
-        let set = self.options.get(&(rule.info.id.to_owned(), name.to_owned())).copied();
         let declared = rule.info.options.iter().find(|option| option.name == name);
-        set.or(declared.map(|option| option.default)).unwrap_or(f64::NAN)
+        declared.map_or(f64::NAN, |option| self.option_of(rule.info.id, option))
+    }
+
+    /// The same for an option that several rules ask for: that of the rule `id`.
+    pub(crate) fn option_of(&self, id: &str, option: &OptionInfo) -> f64 {
+        self.options.get(&(id.to_owned(), option.name.to_owned())).copied().unwrap_or(option.default)
     }
 }

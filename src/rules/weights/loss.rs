@@ -1,9 +1,17 @@
 //! What vertices lose to the threshold of the loader, and whether that can be seen.
 
 use super::has_unusable_entries;
-use super::lost_after_threshold::RULE;
+use crate::diag::OptionInfo;
 use crate::repo::{Body, FileFacts};
 use crate::rules::RuleCx;
+
+/// The rule on losses that can be seen, and its option.
+pub(super) const ID: &str = "weights-lost-after-threshold";
+pub(super) const DISTANCE: OptionInfo = OptionInfo {
+    name: "distance",
+    default: 0.01,
+    docs: "pull in mesh units (decimetres) from which it is a warning; a tenth of it is an info",
+};
 
 /// What the weights of the default rig lose, and the vertex that it moves farthest.
 pub(super) struct Loss<'a> {
@@ -31,5 +39,5 @@ pub(super) fn noticeable_loss<'v>(body: &Body<'v>, cx: &RuleCx<'_>) -> Option<Lo
     let (vertex, share, pull) = losses.max_by(|a, b| a.2.total_cmp(&b.2))?;
     let loss =
         Loss { file, vertices: weights.facts.lost.iter().map(|(vertex, _)| *vertex).collect(), vertex, share, pull };
-    (pull >= cx.option(&RULE, "distance") / 10.0).then_some(loss)
+    (pull >= cx.option_of(ID, &DISTANCE) / 10.0).then_some(loss)
 }

@@ -1,8 +1,8 @@
 //! What the loader drops is too little to be seen.
 
 use super::super::{Check, Rule, RuleCx};
-use super::loss::noticeable_loss;
-use crate::diag::{Application, Element, Evidence, Finding, Level, OptionInfo, Place, RuleInfo};
+use super::loss::{DISTANCE, ID, noticeable_loss};
+use crate::diag::{Application, Element, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -13,16 +13,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
             is.\n\nReported once the pull reaches `distance`: a warning; a tenth of it is an info. Less cannot be \
             seen; such entries are `weights-below-threshold`.\n\n\
             Remove the tiny weights and normalise.",
-        options: &[OptionInfo {
-            name: "distance",
-            default: 0.01,
-            docs: "pull in mesh units (decimetres) from which it is a warning; a tenth of it is an info",
-        }],
-        ..RuleInfo::new(
-            "weights-lost-after-threshold",
-            Level::Warning,
-            "vertices lose weight to the threshold of the loader",
-        )
+        options: &[DISTANCE],
+        ..RuleInfo::new(ID, Level::Warning, "vertices lose weight to the threshold of the loader")
     },
     check: Check::Body(run),
 };
@@ -40,7 +32,7 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let vertices = body.mesh.map_or(0, |(_, mesh)| mesh.positions.len());
     let evidence = Evidence { count: losing as u64, ..Evidence::default() }.out_of(vertices);
     let place = Place::Element(Element { kind: "vertex", index: u64::from(vertex) });
-    let level = if loss.pull < cx.option(&RULE, "distance") { Level::Info } else { Level::Warning };
+    let level = if loss.pull < cx.option_of(ID, &DISTANCE) { Level::Info } else { Level::Warning };
     out.push(
         RULE.at(loss.file, place, message)
             .level(level)
