@@ -106,7 +106,7 @@ fn special_numbers(file: &FileFacts) -> Option<Finding> {
             .key("special numbers")
             .level(Level::Warning)
             .help("write a finite number; Python accepts this one, JSON does not")
-            .breaks(Application::Makehuman2, "reads it and calculates with it")
+            .effect("reads it and calculates with it")
             .evidence(evidence),
     )
 }
