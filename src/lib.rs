@@ -30,6 +30,9 @@
 //! One way through the house: discover → source → formats → repo → rules → engine → report → cli
 //! (`docs/architecture.md`).
 
+// Files, streams and surroundings have few doors, and who may use them says so; tests are free.
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 pub mod cli;
 pub mod config;
 pub mod diag;

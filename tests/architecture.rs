@@ -1,13 +1,14 @@
 //! The house rules that a compiler does not check: who imports whom, who touches files, how long files are.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may stop where it fails")]
 
-mod scratch;
+#[path = "architecture/imports.rs"]
+mod imports;
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use scratch::project;
+use imports::{Crate, circles, used};
 
 /// What each folder of `src/` may import from the others. `docs/architecture.md` explains the table.
 const IMPORTS: &[(&str, &[&str])] = &[
@@ -27,7 +28,7 @@ const IMPORTS: &[(&str, &[&str])] = &[
         &["diag", "json", "source", "config", "fix", "discover", "formats", "repo", "eval", "evaluate", "rules"],
     ),
     ("report", &["diag"]),
-    ("cli", &["diag", "json", "source", "config", "fix", "evaluate", "engine", "report"]),
+    ("cli", &["diag", "json", "source", "config", "fix", "eval", "evaluate", "engine", "report"]),
 ];
 
 /// Where files may be opened; `engine/load/input.rs` turns PATH arguments into trees.
@@ -50,6 +51,12 @@ const RULE_LINES: usize = 150;
 const FILE_LINES: usize = 400;
 const MAIN_LINES: usize = 40;
 
+/// The wings of `engine`, and what each may import of the others.
+const WINGS: &[(&str, &[&str])] = &[("load", &["settle"]), ("settle", &[])];
+
+/// Folders of which a part belongs to an application.
+const OF_APPLICATIONS: [&str; 5] = ["discover", "eval", "evaluate", "repo", "rules"];
+
 /// A file of `src/` without its tests.
 struct Source {
     path: String,
@@ -57,14 +64,22 @@ struct Source {
 }
 
 impl Source {
-    fn folder(&self) -> Option<&str> {
-        self.path.split_once('/').map(|(folder, _)| folder)
+    fn code(&self) -> String {
+        self.lines().collect::<Vec<_>>().join("\n")
+    }
+
+    fn is_rule(&self) -> bool {
+        self.code.contains("static RULE: Rule")
     }
 
     /// Code without comment lines.
     fn lines(&self) -> impl Iterator<Item = &str> {
         self.code.lines().filter(|line| !line.trim_start().starts_with("//"))
     }
+}
+
+fn project(path: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
 }
 
 fn sources() -> Vec<Source> {
@@ -87,33 +102,22 @@ fn files_below(folder: &Path) -> Vec<PathBuf> {
     files
 }
 
-/// The modules named behind each `crate::`, `crate::{a, b::c}` over several lines included.
-fn imported(code: &str) -> Vec<&str> {
-    let word = |text: &str| text.chars().take_while(|c| c.is_alphanumeric() || *c == '_').count();
-    let mut found = Vec::new();
-    for (at, start) in code.match_indices("crate::") {
-        let rest = &code[at + start.len()..];
-        let list: Vec<&str> = match rest.strip_prefix('{') {
-            Some(inner) => inner.split(';').next().unwrap().split(',').map(str::trim_start).collect(),
-            None => vec![rest],
-        };
-        found.extend(list.into_iter().map(|part| &part[..word(part)]).filter(|part| !part.is_empty()));
-    }
-    found
+fn folder_of(path: &str) -> Option<&str> {
+    path.split_once('/').map(|(folder, _)| folder)
 }
 
 #[test]
 fn folders_import_only_what_the_table_allows() {
+    let sources = sources();
+    let all = Crate::of(&sources);
     let mut faults = Vec::new();
-    for source in sources() {
-        let Some(folder) = source.folder() else { continue };
+    for source in &sources {
+        let Some(folder) = folder_of(&source.path) else { continue };
         let row = IMPORTS.iter().find(|(name, _)| *name == folder);
         let (_, allowed) = row.unwrap_or_else(|| panic!("folder `{folder}` is not in the table of imports"));
-        let code: Vec<&str> = source.lines().collect();
-        for module in imported(&code.join("\n")) {
-            let is_folder = IMPORTS.iter().any(|(name, _)| *name == module);
-            if is_folder && module != folder && !allowed.contains(&module) {
-                faults.push(format!("{} imports {module}", source.path));
+        for other in all.imports(source) {
+            if folder_of(other).is_some_and(|other| other != folder && !allowed.contains(&other)) {
+                faults.push(format!("{} imports {other}", source.path));
             }
         }
     }
@@ -121,26 +125,92 @@ fn folders_import_only_what_the_table_allows() {
 }
 
 #[test]
-fn the_table_would_notice_an_import() {
-    assert_eq!(imported("use crate::engine::Outcome;"), ["engine"]);
-    assert_eq!(imported("    crate::report::printable(line)"), ["report"]);
-    assert_eq!(imported("use crate::{\n    diag::Level,\n    repo::Base,\n};"), ["diag", "repo"]);
-    assert_eq!(imported("pub(crate) fn x()"), Vec::<&str>::new());
+fn the_table_has_no_circle() {
+    let owned = |names: &[&str]| names.iter().map(|name| (*name).to_owned()).collect();
+    for table in [IMPORTS, WINGS] {
+        let edges = table.iter().map(|(name, allowed)| ((*name).to_owned(), owned(allowed))).collect();
+        assert_eq!(circles(&edges), Vec::<Vec<&str>>::new());
+    }
+}
+
+/// Folder below a folder, or file in it.
+fn room<'p>(path: &'p str, folder: &str) -> Option<&'p str> {
+    let rest = path.strip_prefix(folder)?.strip_prefix('/')?;
+    let room = rest.split_once('/').map_or(rest.trim_end_matches(".rs"), |(room, _)| room);
+    (room != "mod").then_some(room)
+}
+
+/// Who imports whom of the rooms of a folder.
+fn rooms(folder: &str) -> BTreeMap<String, BTreeSet<String>> {
+    let sources = sources();
+    let all = Crate::of(&sources);
+    let mut edges: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
+    for source in &sources {
+        let Some(own) = room(&source.path, folder) else { continue };
+        let others =
+            all.imports(source).into_iter().filter_map(|path| room(path, folder)).filter(|other| *other != own);
+        edges.entry(own.to_owned()).or_default().extend(others.map(str::to_owned));
+    }
+    edges
 }
 
 #[test]
-fn no_path_climbs_out_of_its_folder() {
-    let mut faults = Vec::new();
-    for source in sources() {
-        let depth = source.path.matches('/').count() + usize::from(!source.path.ends_with("mod.rs"));
-        for line in source.lines() {
-            let climbs = line.matches("super::").count();
-            if line.contains("super::super::") && climbs >= depth {
-                faults.push(format!("{}: {}", source.path, line.trim()));
-            }
-        }
+fn wings_of_the_engine_import_only_what_the_table_allows() {
+    let edges = rooms("engine");
+    for (wing, allowed) in WINGS {
+        let others = edges.get(*wing).into_iter().flatten().map(String::as_str);
+        let wings = others.filter(|other| WINGS.iter().any(|(name, _)| name == other));
+        assert_eq!(wings.filter(|other| !allowed.contains(other)).collect::<Vec<_>>(), Vec::<&str>::new(), "{wing}");
     }
-    assert!(faults.is_empty(), "\n{}", faults.join("\n"));
+    let folders = sources()
+        .into_iter()
+        .filter_map(|source| Some(source.path.strip_prefix("engine/")?.split_once('/')?.0.to_owned()));
+    let known: BTreeSet<String> = WINGS.iter().map(|(wing, _)| (*wing).to_owned()).collect();
+    assert_eq!(folders.collect::<BTreeSet<_>>(), known, "the table of wings");
+}
+
+/// Folders below folders, each with what lies beside it. Of what all applications have and what is one's own each knows
+/// the other: those folders are left out.
+#[test]
+fn folders_and_the_files_beside_them_import_in_no_circle() {
+    let folders: BTreeSet<String> =
+        sources().iter().filter_map(|source| Some(source.path.rsplit_once('/')?.0.to_owned())).collect();
+    let inner = |folder: &&String| folders.iter().any(|other| room(&format!("{other}/x"), folder).is_some());
+    let with_folders = folders.iter().filter(inner).filter(|folder| !OF_APPLICATIONS.contains(&folder.as_str()));
+    let mut found = Vec::new();
+    for folder in with_folders {
+        let edges = rooms(folder);
+        let is_folder = |room: &&str| folders.contains(&format!("{folder}/{room}"));
+        let circles = circles(&edges).into_iter().filter(|circle| circle.iter().any(is_folder));
+        found.extend(circles.map(|circle| format!("{folder}: {circle:?}")));
+    }
+    assert_eq!(found, Vec::<String>::new());
+}
+
+#[test]
+fn an_import_is_noticed_however_it_is_written() {
+    let file = |path: &str, code: &str| Source { path: path.to_owned(), code: code.to_owned() };
+    let sources = [
+        file("lib.rs", "pub use engine::Outcome;\npub use config::Config;"),
+        file("engine/mod.rs", "mod load;\npub use crate::eval::SAMPLES;\npub(crate) use outcome::Outcome as Outcome;"),
+        file("engine/outcome.rs", "pub struct Outcome;"),
+        file("engine/load/mod.rs", "use super::outcome::Outcome;"),
+        file("engine/load/read.rs", "use super::super::outcome;\nuse super::super::super::report::x;"),
+        file("config/mod.rs", "pub struct Config;"),
+        file("eval/mod.rs", "pub const SAMPLES: usize = 1;"),
+        file("report/mod.rs", "use crate::{\n    Config,\n    engine::{Outcome, SAMPLES},\n};\nuse std::fs;"),
+        file("cli.rs", "fn f() { crate::engine::SAMPLES }\npub(super) fn g() {}"),
+    ];
+    let all = Crate::of(&sources);
+    let of = |number: usize| all.imports(&sources[number]).into_iter().collect::<Vec<_>>();
+    assert_eq!(of(3), ["engine/mod.rs", "engine/outcome.rs"].split_at(1).1);
+    assert_eq!(of(4), ["engine/outcome.rs", "report/mod.rs"]);
+    assert_eq!(of(7), ["config/mod.rs", "engine/mod.rs", "engine/outcome.rs", "eval/mod.rs"]);
+    assert_eq!(of(8), ["engine/mod.rs", "eval/mod.rs"]);
+    let edges = [("a", "b"), ("b", "c"), ("c", "a"), ("d", "a")];
+    let edges = edges.map(|(from, to)| (from.to_owned(), BTreeSet::from([to.to_owned()]))).into();
+    assert_eq!(circles(&edges), [["a", "b", "c"]]);
+    assert_eq!(used("pub use a::b as c;").len(), 1);
 }
 
 #[test]
@@ -168,7 +238,7 @@ fn files_stay_short() {
     for source in sources() {
         let bound = match source.path.as_str() {
             "main.rs" => MAIN_LINES,
-            path if path.starts_with("rules/") && source.code.contains("static RULE: Rule") => RULE_LINES,
+            path if path.starts_with("rules/") && source.is_rule() => RULE_LINES,
             _ => FILE_LINES,
         };
         let lines = source.code.lines().count();
@@ -192,49 +262,21 @@ fn every_rule_file_has_its_row() {
         .split("::RULE")
         .filter_map(|text| text.rsplit_once('&').map(|(_, path)| format!("rules/{}.rs", path.replace("::", "/"))))
         .collect();
-    let is_rule = |source: &Source| source.code.contains("static RULE: Rule");
-    let files: BTreeSet<String> = sources().into_iter().filter(is_rule).map(|source| source.path).collect();
+    let files: BTreeSet<String> = sources().into_iter().filter(Source::is_rule).map(|source| source.path).collect();
     assert_eq!(rows, files);
 }
 
-/// What two rules need lies in a file beside them.
+/// What two rules need lies in a file beside them, and that file needs no rule.
 #[test]
-fn no_rule_imports_another_rule() {
-    let rules: Vec<Source> = sources().into_iter().filter(|source| source.code.contains("static RULE: Rule")).collect();
-    let name = |source: &Source| source.path["rules/".len()..].trim_end_matches(".rs").replace('/', "::");
-    let names: BTreeSet<String> = rules.iter().map(name).collect();
-    let mut faults = Vec::new();
-    for rule in &rules {
-        let own = name(rule);
-        let family = own.split("::").next().unwrap();
-        for (module, word) in neighbours(&rule.code, family) {
-            if module != own && names.contains(&module) {
-                faults.push(format!("{} imports {word}", rule.path));
-            }
-        }
-    }
-    assert_eq!(faults, Vec::<String>::new());
-    let found = |code: &str| neighbours(code, "target").into_iter().map(|(module, _)| module).collect::<Vec<_>>();
-    assert!(found("use super::{a, syntax};").contains(&"target::syntax".to_owned()));
-    assert!(found("use super::super::file::empty::x;").contains(&"file::empty".to_owned()));
-}
-
-/// What stands behind each `super::` of a rule file, as a module below `rules`, and as it is written.
-fn neighbours<'c>(code: &'c str, family: &str) -> Vec<(String, &'c str)> {
-    let mut found = Vec::new();
-    for (at, start) in code.match_indices("super::") {
-        let rest = &code[at + start.len()..];
-        let words: Vec<&str> = match rest.strip_prefix('{') {
-            Some(list) => list.split('}').next().unwrap().split(',').map(str::trim).collect(),
-            None => vec![rest.split(|c: char| !c.is_alphanumeric() && !"_:".contains(c)).next().unwrap()],
-        };
-        for word in words {
-            let parts: Vec<&str> = word.split("::").collect();
-            found.push((format!("{family}::{}", parts[0]), word));
-            found.extend(parts.get(1).map(|second| (format!("{}::{second}", parts[0]), word)));
-        }
-    }
-    found
+fn nothing_imports_a_rule() {
+    let sources = sources();
+    let all = Crate::of(&sources);
+    let rules: BTreeSet<&str> =
+        sources.iter().filter(|source| source.is_rule()).map(|source| source.path.as_str()).collect();
+    let others = sources.iter().filter(|source| source.path != "rules/mod.rs");
+    let imports = |source| all.imports(source).into_iter().map(move |other: &str| (source.path.as_str(), other));
+    let faults: Vec<_> = others.flat_map(imports).filter(|(_, other)| rules.contains(other)).collect();
+    assert_eq!(faults, []);
 }
 
 /// How far a rule sees, or what it is for, is data of the rule: a new family brings its own.

@@ -1,27 +1,13 @@
 //! Whole repositories of the applications, where `MHLINT_CORPORA` names the folder that holds them.
 //!
-//! They are not part of the project. Without the variable every test here passes with a word on it.
+//! They are not part of the project, so that the tests are ignored unless asked for (`-- --ignored`).
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may stop where it fails")]
-#![allow(clippy::print_stderr, reason = "a test that is left out must say so")]
 
 mod scratch;
 
-use std::path::PathBuf;
-
 use mhlint::eval::skin::{pose_bones, skin};
 use mhlint::eval::vector::distance;
-use scratch::mhlint;
-
-/// The folder of a corpus, `None` (said aloud) where it is not at hand.
-fn corpus(name: &str) -> Option<PathBuf> {
-    let Some(folder) = std::env::var_os("MHLINT_CORPORA").map(PathBuf::from) else {
-        eprintln!("skipped: MHLINT_CORPORA does not name a folder with `{name}`");
-        return None;
-    };
-    let path = folder.join(name);
-    assert!(path.is_dir(), "{} is missing", path.display());
-    Some(path)
-}
+use scratch::{corpus, mhlint};
 
 /// The JSON report on a folder of a corpus.
 fn report(corpus: &std::path::Path, args: &[&str]) -> serde_json::Value {
@@ -31,8 +17,9 @@ fn report(corpus: &std::path::Path, args: &[&str]) -> serde_json::Value {
 }
 
 #[test]
+#[ignore = "needs the corpora: MHLINT_CORPORA=FOLDER cargo test -- --ignored"]
 fn makehuman2_ends_with_a_verdict_that_its_counts_bear_out() {
-    let Some(corpus) = corpus("makehuman2") else { return };
+    let corpus = corpus("makehuman2");
     let report = report(&corpus, &["data"]);
     let summary = &report["summary"];
     assert_eq!(report["roots"][0]["bases"], serde_json::json!(["hm08", "mh2bot"]));
@@ -54,8 +41,9 @@ fn said<'r>(report: &'r serde_json::Value, rule: &str, path: &str) -> Vec<&'r st
 /// Vertices whose weights the loader cuts down are drawn towards the origin by what they lack, in the application as
 /// well; the others must not move at all.
 #[test]
+#[ignore = "needs the corpora: MHLINT_CORPORA=FOLDER cargo test -- --ignored"]
 fn skinning_the_rest_pose_gives_the_meshes_back() {
-    let Some(corpus) = corpus("makehuman2") else { return };
+    let corpus = corpus("makehuman2");
     for base in ["hm08", "mh2bot"] {
         let mut evaluation = mhlint::open_base(&corpus.join("data"), None, Some(base)).unwrap();
         let defaults = evaluation.scene().defaults();
@@ -74,8 +62,9 @@ fn skinning_the_rest_pose_gives_the_meshes_back() {
 }
 
 #[test]
+#[ignore = "needs the corpora: MHLINT_CORPORA=FOLDER cargo test -- --ignored"]
 fn makehuman2_shows_its_known_defects() {
-    let Some(corpus) = corpus("makehuman2") else { return };
+    let corpus = corpus("makehuman2");
     let report = report(&corpus, &["data", "--no-eval"]);
     let expected = [
         ("macro-missing-combination", "target/hm08/macro.json", &["108 of 216", "72 of 216", "432 of 648"][..]),
@@ -106,8 +95,9 @@ fn makehuman2_shows_its_known_defects() {
 }
 
 #[test]
+#[ignore = "needs the corpora: MHLINT_CORPORA=FOLDER cargo test -- --ignored"]
 fn nothing_else_in_makehuman2_is_an_error_or_a_warning() {
-    let Some(corpus) = corpus("makehuman2") else { return };
+    let corpus = corpus("makehuman2");
     let report = report(&corpus, &["data", "--no-eval"]);
     let loud = report["findings"].as_array().unwrap().iter().filter(|finding| finding["level"] != "info");
     let mut rules: Vec<&str> = loud.map(|finding| finding["rule"].as_str().unwrap()).collect();

@@ -2,11 +2,10 @@
 //! cause, and nothing behind it. What the undamaged data have is in a baseline, which must hide all of that and
 //! nothing else.
 //!
-//! Runs where `MHLINT_CORPORA` names the folder that holds the corpora; passes with a word on it elsewhere. Where
+//! Needs the corpora, in the folder that `MHLINT_CORPORA` names, and is ignored unless asked for (`-- --ignored`). Where
 //! `MHLINT_DAMAGED` names a folder, every report of every damaged copy is written into it (of every tenth with
 //! `MHLINT_DAMAGED_EVERY=10`): `tests/browser/run.sh` has them read.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may stop where it fails")]
-#![allow(clippy::print_stderr, reason = "a test that is left out must say so")]
 
 #[path = "damage/cases.rs"]
 mod cases;
@@ -96,8 +95,7 @@ fn with_baseline(files: &Files, folder: &str, no_eval: bool) -> Config {
 }
 
 fn every_case_of(cases: &[&Case], base: &str, without: &str, no_eval: bool) {
-    let Some(corpus) = corpus() else { return };
-    let files = load(&corpus, without);
+    let files = load(&corpus(), without);
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path().to_str().unwrap();
     let config = with_baseline(&files, folder, no_eval);
@@ -109,11 +107,13 @@ fn every_case_of(cases: &[&Case], base: &str, without: &str, no_eval: bool) {
 }
 
 #[test]
+#[ignore = "needs the corpora: MHLINT_CORPORA=FOLDER cargo test -- --ignored"]
 fn damage_to_hm08_is_named_once() {
     every_case_of(&CASES.iter().collect::<Vec<_>>(), "hm08", "mh2bot", true);
 }
 
 #[test]
+#[ignore = "needs the corpora: MHLINT_CORPORA=FOLDER cargo test -- --ignored"]
 fn damage_to_mh2bot_is_named_once() {
     every_case_of(&CASES.iter().collect::<Vec<_>>(), "mh2bot", "hm08", true);
 }
@@ -125,6 +125,7 @@ fn knows(rule: &str) -> bool {
 }
 
 #[test]
+#[ignore = "needs the corpora: MHLINT_CORPORA=FOLDER cargo test -- --ignored"]
 fn damage_that_evaluation_sees_is_named_once() {
     let findings = NUMERIC.iter().flat_map(|case| case.fresh.iter().copied());
     let unknown = findings.filter(|finding| !finding.split(' ').next().is_some_and(knows));

@@ -1,4 +1,5 @@
-//! Every rule on its fixtures through the real binary: the whole set of findings is compared.
+//! Every rule on its fixtures: the whole set of findings is compared. They run in memory, through the library; those
+//! that need a disk (links, hidden files, a baseline) through the real binary, and one of each family both ways.
 //!
 //! `fixtures/rules/<id>/<case>/` holds `case.toml` (edits over the example repository) and, where
 //! something is found, `expected.txt`. Cases named `good…` must be silent, cases named `bad…` must show
@@ -11,7 +12,9 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use mhlint::rule_infos;
 use rayon::prelude::*;
+use scratch::memory::{Asked, Memory, concise};
 use scratch::{Case, example, findings, mhlint, project};
 
 /// A folder below `fixtures/rules`.
@@ -33,10 +36,7 @@ fn every_case_gives_exactly_its_findings() {
 
 #[test]
 fn every_rule_has_cases_and_every_folder_a_rule() {
-    let output = mhlint(&project("."), &["rules", "--format", "json"]);
-    let rules: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
-    let ids = rules.as_array().unwrap().iter().map(|rule| rule["id"].as_str().unwrap().to_owned());
-    let ids: BTreeSet<String> = ids.collect();
+    let ids: BTreeSet<String> = rule_infos().into_iter().map(|rule| rule.id.to_owned()).collect();
     let folders: BTreeSet<String> = fixtures().into_iter().map(|fixture| fixture.rule).collect();
     assert_eq!(folders, ids);
     for id in &ids {
@@ -44,6 +44,23 @@ fn every_rule_has_cases_and_every_folder_a_rule() {
         assert!(names.iter().any(|name| name == "bad"), "{id} has no case `bad`");
         assert!(names.iter().any(|name| name.starts_with("good")), "{id} has no good case");
     }
+}
+
+#[test]
+fn memory_and_binary_find_the_same() {
+    let mut families = BTreeSet::new();
+    let mut faults = Vec::new();
+    for fixture in fixtures().into_iter().filter(|fixture| fixture.name == "bad") {
+        let case = Case::read(&fixture.folder);
+        let family = fixture.rule.split('-').next().unwrap().to_owned();
+        if Asked::of(&case).is_some() && families.insert(family) {
+            let [ours, binary] = [by_library(&case), by_binary(&case)].map(Result::unwrap);
+            let differs = || format!("{}: {ours:#?} {binary:#?}", fixture.rule);
+            faults.extend((ours != binary).then(differs));
+        }
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+    assert!(families.len() > 10, "{families:?}");
 }
 
 #[test]
@@ -74,19 +91,11 @@ fn folders(path: &Path) -> Vec<PathBuf> {
 /// Runs a case; gives what is wrong with it.
 fn check(fixture: &Fixture) -> Option<String> {
     let case = Case::read(&fixture.folder);
-    let repository = example();
-    case.apply(repository.path());
-    let mut args: Vec<&str> = case.args.iter().map(String::as_str).collect();
-    if args.is_empty() {
-        args.extend(["check", "."]);
-    }
-    args.extend(["--report", "concise"]);
-    let output = mhlint(repository.path(), &args);
-    let found = findings(&output);
     let title = format!("{}/{}", fixture.rule, fixture.name);
-    if !matches!(output.status.code(), Some(0 | 1)) {
-        return Some(format!("{title}: {:?} {}", output.status, String::from_utf8_lossy(&output.stderr)));
-    }
+    let found = match by_library(&case) {
+        Ok(found) => found,
+        Err(fault) => return Some(format!("{title}: {fault}")),
+    };
     let shows_rule = found.iter().any(|line| line.contains(&format!("[{}]", fixture.rule)));
     if fixture.name.starts_with("bad") != shows_rule {
         return Some(format!(
@@ -95,6 +104,35 @@ fn check(fixture: &Fixture) -> Option<String> {
         ));
     }
     compare(&title, &fixture.folder.join("expected.txt"), &found)
+}
+
+/// The findings of a case by the library, or by the binary where it needs a disk.
+fn by_library(case: &Case) -> Result<Vec<String>, String> {
+    let Some(asked) = Asked::of(case) else { return by_binary(case) };
+    let mut repository = Memory::example();
+    repository.apply(case);
+    let outcome = asked.lint(&repository);
+    if outcome.is_whole() && outcome.checked_anything() {
+        Ok(concise(&outcome))
+    } else {
+        Err(format!("failed {:?} {:?}", outcome.failed_rules, outcome.failed_files))
+    }
+}
+
+/// The same by the binary.
+fn by_binary(case: &Case) -> Result<Vec<String>, String> {
+    let repository = example();
+    case.apply(repository.path());
+    let mut args: Vec<&str> = case.args.iter().map(String::as_str).collect();
+    if args.is_empty() {
+        args.extend(["check", "."]);
+    }
+    args.extend(["--report", "concise"]);
+    let output = mhlint(repository.path(), &args);
+    match output.status.code() {
+        Some(0 | 1) => Ok(findings(&output)),
+        _ => Err(format!("{:?} {}", output.status, String::from_utf8_lossy(&output.stderr))),
+    }
 }
 
 fn compare(title: &str, path: &Path, found: &[String]) -> Option<String> {

@@ -30,6 +30,11 @@ use tree::Tree;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let folder = std::env::args_os().nth(1).map_or_else(default_folder, PathBuf::from);
+    make().replace_in(&folder)?;
+    Ok(())
+}
+
+fn make() -> Tree {
     let mut tree = Tree::new();
     let body = figure::build();
     figure_base::add(&mut tree, &body);
@@ -38,10 +43,20 @@ fn main() -> Result<(), Box<dyn Error>> {
     figure_rig::add(&mut tree, &body);
     user_targets::add(&mut tree, &body.mesh);
     imp_assets::add(&mut tree);
-    tree.replace_in(&folder)?;
-    Ok(())
+    tree
 }
 
 fn default_folder() -> PathBuf {
     PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/fixtures/makehuman2"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Who changes the example by hand loses it with the next run.
+    #[test]
+    fn the_example_repository_is_what_is_made_here() {
+        assert_eq!(make().differences(&default_folder()).unwrap(), Vec::<String>::new());
+    }
 }

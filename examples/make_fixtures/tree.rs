@@ -40,6 +40,22 @@ impl Tree {
         }
         Ok(())
     }
+
+    /// Paths of the files that are missing, others or too many in `folder`.
+    #[cfg(test)]
+    pub(crate) fn differences(&self, folder: &Path) -> Result<Vec<String>, Box<dyn std::error::Error>> {
+        let mut found = BTreeMap::new();
+        for entry in walkdir::WalkDir::new(folder) {
+            let entry = entry?;
+            if entry.file_type().is_file() {
+                let path = entry.path().strip_prefix(folder)?.to_string_lossy().replace('\\', "/");
+                found.insert(path, fs::read(entry.path())?);
+            }
+        }
+        let paths: std::collections::BTreeSet<&String> = found.keys().chain(self.files.keys()).collect();
+        let differs = paths.into_iter().filter(|path| found.get(*path) != self.files.get(*path));
+        Ok(differs.cloned().collect())
+    }
 }
 
 fn remove_layer(layer: &Path, mark: &str) -> io::Result<()> {

@@ -8,9 +8,10 @@ use clap_complete::Shell;
 
 use super::eval::EvalCommand;
 use super::fix::FixArgs;
+use super::one_of::not_one_of;
 use super::output::Target;
 use crate::config::MOST_SAMPLES;
-use crate::diag::{Application, Level, nearest};
+use crate::diag::{Application, Level};
 
 const AFTER_HELP: &str = "\
 Exit codes: 0 nothing at or above --fail-on, 1 findings, 2 could not work, 3 nothing found to check.
@@ -273,13 +274,4 @@ fn level_setting(text: &str) -> Result<(String, Option<Level>), String> {
         _ => return Err(not_one_of("level", level, &["error", "warning", "info", "off"])),
     };
     Ok((rule.to_owned(), level))
-}
-
-/// Says that a word is not known, which one may be meant, and which there are.
-pub(super) fn not_one_of(what: &str, text: &str, known: &[&str]) -> String {
-    let list = known.join(", ");
-    nearest(text, known.iter().copied()).map_or_else(
-        || format!("there is no {what} `{text}`; known: {list}"),
-        |name| format!("there is no {what} `{text}`; did you mean `{name}`? known: {list}"),
-    )
 }

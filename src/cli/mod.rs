@@ -1,5 +1,7 @@
 //! The command line: arguments, streams, exit codes. No logic that a library user would miss.
 
+#![expect(clippy::disallowed_methods, reason = "a command has files of its own, streams, and surroundings")]
+
 mod args;
 mod changed;
 mod check;
@@ -12,6 +14,7 @@ mod git;
 mod harmless;
 mod init;
 mod list;
+mod one_of;
 mod output;
 mod panics;
 mod patch;

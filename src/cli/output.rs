@@ -3,8 +3,8 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-use super::args::not_one_of;
 use super::exit::Failure;
+use super::one_of::not_one_of;
 use crate::config::Config;
 use crate::diag::Outcome;
 use crate::engine::holds_asset;

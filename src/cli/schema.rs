@@ -2,8 +2,8 @@
 
 use std::io::Write;
 
-use super::args::not_one_of;
 use super::exit::{Exit, Failure};
+use super::one_of::not_one_of;
 use crate::json::{schema_names, schema_text};
 
 pub(super) fn run(name: Option<&str>, out: &mut dyn Write) -> Result<Exit, Failure> {

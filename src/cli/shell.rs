@@ -7,8 +7,9 @@ use clap::{Command, CommandFactory};
 use clap_complete::Shell;
 use clap_mangen::Man;
 
-use super::args::{Args, not_one_of};
+use super::args::Args;
 use super::exit::{Exit, Failure};
+use super::one_of::not_one_of;
 use crate::engine::rule_infos;
 
 /// Writes the completion script of a shell.

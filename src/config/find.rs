@@ -4,7 +4,7 @@ use std::path::{Component, Path, PathBuf};
 
 use super::{Config, Error, read};
 use crate::diag::RuleInfo;
-use crate::source::{Folder, Limits, ReadFault, canonical, holds, read_file, slashed};
+use crate::source::{Folder, Limits, ReadFault, canonical, holds, link_targets, read_file, slashed};
 
 /// Name of the configuration file.
 pub const FILE_NAME: &str = "mhlint.toml";
@@ -18,7 +18,7 @@ pub fn find(path: &Path) -> Option<PathBuf> {
     let place = canonical(path)?;
     for (up, folder) in place.ancestors().enumerate() {
         // A link that leads nowhere was meant to be settings, too.
-        if holds(folder, FILE_NAME) || folder.join(FILE_NAME).is_symlink() {
+        if holds(folder, FILE_NAME) || is_link(&folder.join(FILE_NAME)) {
             let shown = shown(path, up).join(FILE_NAME);
             // A link in PATH leads elsewhere than the names say.
             let same = canonical(&shown).is_some_and(|found| found.parent() == Some(folder));
@@ -29,6 +29,10 @@ pub fn find(path: &Path) -> Option<PathBuf> {
         }
     }
     None
+}
+
+fn is_link(path: &Path) -> bool {
+    !link_targets(path).is_empty()
 }
 
 /// The folder `up` levels above `path`, written as short as `path` was.
@@ -55,7 +59,7 @@ pub(super) fn load(path: &Path, rules: &[&'static RuleInfo]) -> Result<Config, E
 
 fn reason(path: &Path, fault: ReadFault) -> String {
     match fault {
-        ReadFault::Unreadable(_) if path.is_symlink() && !path.exists() => {
+        ReadFault::Unreadable(_) if is_link(path) && canonical(path).is_none() => {
             "it is a link that leads nowhere; mend or remove it".to_owned()
         }
         ReadFault::Unreadable(reason) => reason,

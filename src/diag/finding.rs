@@ -230,7 +230,15 @@ impl Finding {
         if self.parts.is_empty() && is_whole { self.parts(cases) } else { self }
     }
 
-    /// Replaces the usual consequence by the one of this case.
+    /// Replaces the usual consequence by the one of this case, in the application at hand.
+    #[must_use]
+    pub fn effect(mut self, effect: impl Into<String>) -> Self {
+        let effect = effect.into();
+        self.breaks.iter_mut().for_each(|other| other.effect.clone_from(&effect));
+        self
+    }
+
+    /// Replaces the usual consequence in one application.
     #[must_use]
     pub fn breaks(mut self, application: Application, effect: impl Into<String>) -> Self {
         let effect = effect.into();

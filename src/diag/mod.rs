@@ -29,6 +29,6 @@ pub use note::Note;
 pub use outcome::{
     ApplicationVerdict, NotChecked, Outcome, RootSummary, Scope, Summary, TakenOver, Timing, Unchecked, Verdict,
 };
-pub use place::{Element, Excerpt, Location, Place};
+pub use place::{Element, Excerpt, Location, Place, pointer};
 pub use rule_info::{FixKind, OptionInfo, RuleInfo, Sight};
 pub use upkeep::{BaselineUse, IdleGlob, IgnoreState, IgnoreUse, UnknownRule, Upkeep};

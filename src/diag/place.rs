@@ -65,16 +65,17 @@ pub struct Excerpt {
 impl Place {
     /// A JSON pointer built from unescaped parts.
     pub fn pointer<const N: usize>(parts: [&str; N]) -> Self {
-        Self::Pointer(join_pointer(&parts))
+        Self::Pointer(pointer(&parts))
     }
 
     /// The key of a JSON member, its pointer built from unescaped parts.
     pub fn key<const N: usize>(parts: [&str; N]) -> Self {
-        Self::Key(join_pointer(&parts))
+        Self::Key(pointer(&parts))
     }
 }
 
-fn join_pointer(parts: &[&str]) -> String {
+/// A JSON pointer built from unescaped parts.
+pub fn pointer(parts: &[&str]) -> String {
     let mut pointer = String::new();
     for part in parts {
         pointer.push('/');

@@ -103,11 +103,11 @@ mod tests {
     const FURTHER: [&str; 3] = ["target", "gz", "toml"];
 
     #[test]
-    fn hooks_start_on_every_extension_that_is_judged() {
-        let mut judged: Vec<&str> = BY_EXTENSION.iter().flat_map(|(_, extensions)| *extensions).copied().collect();
-        judged.extend(FURTHER);
-        judged.sort_unstable();
-        let files = format!("files: '(?i)\\.({})$'", judged.join("|"));
+    fn hooks_start_on_every_extension_that_is_checked() {
+        let mut checked: Vec<&str> = BY_EXTENSION.iter().flat_map(|(_, extensions)| *extensions).copied().collect();
+        checked.extend(FURTHER);
+        checked.sort_unstable();
+        let files = format!("files: '(?i)\\.({})$'", checked.join("|"));
         for (file, hooks, text) in [
             (".pre-commit-hooks.yaml", 3, include_str!("../../.pre-commit-hooks.yaml")),
             ("mirror", 1, include_str!("../../packaging/pre-commit-mirror/.pre-commit-hooks.yaml")),

@@ -10,6 +10,6 @@ mod roots;
 
 pub use candidate::{Candidate, Use, candidates, kind_of, loose_candidates, owner_of, uses_of};
 pub use kind::Kind;
-pub use layout::makehuman2::SCANNED;
+pub use layout::makehuman2::opened;
 pub use layout::{Layout, Role, is_read_though_hidden};
 pub use roots::{DataRoot, find_roots};

@@ -13,8 +13,8 @@ use std::path::{Path, PathBuf};
 use super::sight::{is_numeric, sight};
 use crate::diag::{Because, Finding, Note, Outcome, Place, Sight};
 use crate::discover::Kind;
-use crate::repo::{Layer, Reference, Repository, Resolution};
-use crate::source::{folder_of, link_targets, resolved, slashed};
+use crate::repo::{Layer, Reference, Resolution, View};
+use crate::source::{canonical, folder_of, link_targets, resolved, slashed};
 
 /// Paths of changed files: absolute, without `..`, with forward slashes.
 pub(super) struct Change {
@@ -56,13 +56,12 @@ impl Change {
 
     /// A changed path that can decide which data lie over which: a mesh or `base.json` that is not of these data alone,
     /// an override that is gone.
-    fn restacking(&self, repository: &Repository<'_>) -> Option<&str> {
-        let roots: Vec<String> =
-            layers(repository).map(|layer| format!("{}/", absolute(Path::new(&layer.path)))).collect();
+    fn restacking(&self, view: &View<'_>) -> Option<&str> {
+        let roots: Vec<String> = layers(view).map(|layer| format!("{}/", absolute(Path::new(&layer.path)))).collect();
         let is_alone = |path: &str| matches!(roots.as_slice(), [root] if path.starts_with(root.as_str()));
         let decides = |path: &&String| match path.rsplit('/').take(3).collect::<Vec<_>>().as_slice() {
             ["base.json" | "base.obj", _, "base"] => !is_alone(path),
-            _ => path.contains("/contarget/") && !Path::new(path.as_str()).exists(),
+            _ => path.contains("/contarget/") && canonical(Path::new(path.as_str())).is_none(),
         };
         self.paths.iter().find(decides).map(String::as_str)
     }
@@ -76,10 +75,10 @@ impl Change {
 }
 
 /// Says of each finding why the change can affect it; the others are left without a reason.
-pub(super) fn explain(repository: &Repository<'_>, findings: &mut [Finding], change: &Change) {
-    let reach = Reach::new(repository, change);
+pub(super) fn explain(view: &View<'_>, findings: &mut [Finding], change: &Change) {
+    let reach = Reach::new(view, change);
     for finding in findings {
-        finding.because = reach.reason(repository, finding);
+        finding.because = reach.reason(view, finding);
     }
 }
 
@@ -92,7 +91,7 @@ pub(super) fn narrow(outcome: &mut Outcome, change: &Change) {
     outcome.notes.push(Note::Narrowed { changed: change.files, left_out: outcome.left_out });
 }
 
-/// What a change reaches in one repository.
+/// What a change reaches in one view.
 struct Reach<'a> {
     /// Why everything can be a matter of the change.
     whole: Option<Because>,
@@ -120,9 +119,9 @@ struct Changed {
 }
 
 impl<'a> Reach<'a> {
-    fn new(repository: &'a Repository<'a>, change: &Change) -> Self {
+    fn new(view: &'a View<'a>, change: &Change) -> Self {
         let mut reach = Self {
-            whole: whole(repository, change),
+            whole: whole(view, change),
             changed: BTreeSet::new(),
             folded: BTreeSet::new(),
             of_base: BTreeMap::new(),
@@ -130,7 +129,7 @@ impl<'a> Reach<'a> {
             named: BTreeMap::new(),
             naming: BTreeMap::new(),
         };
-        for layer in layers(repository) {
+        for layer in layers(view) {
             reach.rels.extend(layer.files.values().map(|file| (file.path.as_str(), file.rel.as_str())));
             reach.changed.extend(change.below(layer).map(|rel| layer.display(rel)));
             let faults = layer.walk_faults.iter().map(|fault| layer.display(&fault.path));
@@ -143,7 +142,7 @@ impl<'a> Reach<'a> {
             reach.changed.extend(inside);
         }
         for path in &reach.changed {
-            let rel = reach.rel(repository, path);
+            let rel = reach.rel(view, path);
             if let [folder, base, rest @ ..] = rel.split('/').collect::<Vec<_>>().as_slice() {
                 // Nobody knows what was in a folder.
                 let is_folder = rest.is_empty() && !reach.rels.contains_key(path.as_str());
@@ -153,21 +152,21 @@ impl<'a> Reach<'a> {
             }
         }
         reach.folded = reach.changed.iter().map(|path| path.to_lowercase()).collect();
-        for reference in &repository.references {
-            reach.follow(repository, reference);
+        for reference in view.references() {
+            reach.follow(view, reference);
         }
         reach
     }
 
     /// The path below the data root. A loose file has the one where the application would look for it.
-    fn rel<'p>(&self, repository: &Repository<'_>, path: &'p str) -> Cow<'p, str>
+    fn rel<'p>(&self, view: &View<'_>, path: &'p str) -> Cow<'p, str>
     where
         'a: 'p,
     {
         if let Some(rel) = self.rels.get(path) {
             return Cow::Borrowed(rel);
         }
-        let below = || layers(repository).find_map(|layer| layer.relative(path)).unwrap_or(path);
+        let below = || layers(view).find_map(|layer| layer.relative(path)).unwrap_or(path);
         self.beside(path).map_or_else(|| Cow::Borrowed(below()), Cow::Owned)
     }
 
@@ -182,7 +181,7 @@ impl<'a> Reach<'a> {
         Some(format!("{above}/{name}"))
     }
 
-    fn follow(&mut self, repository: &Repository<'_>, reference: &'a Reference<'a>) {
+    fn follow(&mut self, view: &View<'_>, reference: &'a Reference<'a>) {
         let from = reference.from.path.as_str();
         let found = match reference.resolution {
             Resolution::OtherLayer(file) => Some(file),
@@ -194,7 +193,7 @@ impl<'a> Reach<'a> {
             self.named.insert(&file.path, from);
         }
         // A deleted or renamed file is where the reference would look in any layer.
-        let looked_at = layers(repository).map(|layer| layer.display(&reference.rel));
+        let looked_at = layers(view).map(|layer| layer.display(&reference.rel));
         let target = found.map(|file| file.path.clone()).into_iter().chain(looked_at);
         let mut near = target.filter_map(|path| {
             let changed = self.holding(&path);
@@ -208,7 +207,7 @@ impl<'a> Reach<'a> {
     }
 
     /// Why a finding can be a matter of the change.
-    fn reason(&self, repository: &Repository<'_>, finding: &Finding) -> Option<Because> {
+    fn reason(&self, view: &View<'_>, finding: &Finding) -> Option<Because> {
         if let Some(whole) = &self.whole {
             return Some(whole.clone());
         }
@@ -221,7 +220,7 @@ impl<'a> Reach<'a> {
         }
         let others = finding.related.iter().map(|other| other.path.as_str());
         let parts: Vec<String> =
-            layers(repository).flat_map(|layer| finding.parts.iter().map(|part| layer.display(part))).collect();
+            layers(view).flat_map(|layer| finding.parts.iter().map(|part| layer.display(part))).collect();
         let mut spoken_of = others.chain(finding.parts.iter().chain(&parts).map(String::as_str)).chain([path]);
         if let Some(changed) = spoken_of.find_map(|other| self.holding(other)) {
             return Some(Because::SpokenOf(changed.to_owned()));
@@ -235,8 +234,8 @@ impl<'a> Reach<'a> {
         if let Some(changed) = self.naming.get(path).and_then(|places| named_at(places, finding)) {
             return Some(Because::Names(changed.to_owned()));
         }
-        let rel = self.rel(repository, path);
-        self.of_its_base(&rel, repository.judged.kind_at(&rel), finding)
+        let rel = self.rel(view, path);
+        self.of_its_base(&rel, view.layers().checked.kind_at(&rel), finding)
     }
 
     /// Why a finding at `rel` can come from another file of its base mesh.
@@ -277,11 +276,11 @@ impl<'a> Reach<'a> {
 }
 
 /// Why everything in a repository can be a matter of the change, if so.
-fn whole(repository: &Repository<'_>, change: &Change) -> Option<Because> {
-    if let Some(layer) = layers(repository).find(|layer| change.replaces(layer)) {
+fn whole(view: &View<'_>, change: &Change) -> Option<Because> {
+    if let Some(layer) = layers(view).find(|layer| change.replaces(layer)) {
         return Some(Because::WholeFolder(layer.path.clone()));
     }
-    let path = change.restacking(repository)?;
+    let path = change.restacking(view)?;
     let name = path.rsplit('/').next().unwrap_or_default();
     Some(Because::Layers(name.to_owned()))
 }
@@ -329,9 +328,10 @@ fn decides_over_base(rel: &str) -> bool {
     )
 }
 
-fn layers<'a>(repository: &'a Repository<'_>) -> impl Iterator<Item = &'a Layer> {
-    let judged = std::iter::once(repository.judged);
-    let others = repository.strongest_first().filter(|layer| !std::ptr::eq(*layer, repository.judged));
+fn layers<'a>(view: &'a View<'_>) -> impl Iterator<Item = &'a Layer> {
+    let checked = view.layers().checked;
+    let judged = std::iter::once(checked);
+    let others = view.layers().strongest_first().filter(|layer| !std::ptr::eq(*layer, checked));
     judged.chain(others)
 }
 

@@ -7,7 +7,7 @@ use super::load::{Data, load_targets};
 use crate::config::Config;
 use crate::eval::measures::Measures;
 use crate::evaluate::{self, Rows};
-use crate::repo::Base;
+use crate::repo::makehuman2::Base;
 
 /// Reads the targets of all bases and measures each base of each repository: one map a repository. What could not be
 /// measured for a bug of ours is noted in `failed`.

@@ -5,9 +5,9 @@
 mod catalogue;
 mod caught;
 mod changed;
+mod check;
 mod error;
 mod fix;
-mod judge;
 mod load;
 mod measure;
 mod run;

@@ -5,8 +5,8 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use super::changed::{Change, explain, narrow};
+use super::check::{check, check_upkeep};
 use super::error::Error;
-use super::judge::{judge, look_after};
 use super::load::{Data, Input, Loaded, Roots, open};
 use super::measure::measure_bases;
 use super::settle::{Ignores, Keeper, Known, Placed, Scope, Selection, idle, place_and_sort};
@@ -15,7 +15,7 @@ use super::verdict::conclude;
 use crate::config::{Config, Selector};
 use crate::diag::{self, Application, IdleGlob, Level, Outcome, Timing, Upkeep};
 use crate::eval::measures::Measures;
-use crate::repo::Repository;
+use crate::repo::{Layers, View};
 use crate::source::Tree;
 
 /// Judges data roots found at `paths`.
@@ -133,14 +133,15 @@ fn judge_all(
     for (number, (system, user, judged)) in data.stacks().into_iter().enumerate() {
         outcome.summary.files += judged.layer.files.len();
         outcome.summary.bytes += judged.layer.files.values().map(|file| file.size).sum::<u64>();
-        let repository = Repository::connect(Application::Makehuman2, system, user, &judged.layer);
-        summarise(&repository, outcome);
-        let mut findings = judge(&repository, measures.get(number), selection, options, outcome);
+        let layers = Layers { system, user, checked: &judged.layer };
+        let view = View::connect(Application::Makehuman2, layers);
+        summarise(&view, outcome);
+        let mut findings = check(&[(&view, measures.get(number))], selection, options, outcome);
         if let Some(change) = change {
-            explain(&repository, &mut findings, change);
+            explain(&view, &mut findings, change);
         }
         let is_asked_for = |path: &str| judged.is_asked_for(path);
-        let keeper = Keeper { repository: &repository, is_asked_for: &is_asked_for, selection, scope, options };
+        let keeper = Keeper { layers, is_asked_for: &is_asked_for, selection, scope, options };
         let (kept, hidden) = keeper.keep(findings, ignores);
         outcome.summary.suppressed += hidden;
         found.extend(kept);
@@ -174,7 +175,7 @@ fn settle(
     // Known and ignored errors hid what they hide when the baseline and the ignores were written, too.
     let taken_over = outcome.taken_over.is_some_and(|taken_over| taken_over.errors > 0);
     upkeep.errors = taken_over || outcome.has_at_least(Level::Error);
-    outcome.findings.extend(look_after(&upkeep, selection, ignores, options, &mut outcome.failed_rules));
+    outcome.findings.extend(check_upkeep(&upkeep, selection, ignores, options, &mut outcome.failed_rules));
     if let Some(change) = change {
         narrow(outcome, change);
     }

@@ -10,7 +10,7 @@ pub(super) fn sight(finding: &Finding, kind: Kind) -> Sight {
     let Some(rule) = rule_of(finding) else { return Sight::Base };
     match (rule.info.sight, &rule.check) {
         // The archive stands for all targets beside and below it.
-        (_, Check::Layer(_) | Check::Repository(_)) if kind == Kind::TargetArchive => Sight::Folder,
+        (_, Check::File(_) | Check::Repository(_)) if kind == Kind::TargetArchive => Sight::Folder,
         // Told of a folder, a finding has no neighbours.
         (Some(Sight::Folder | Sight::FolderAndRigs), check) if kind == Kind::Other => usual(check, finding, kind),
         (Some(declared), _) => declared,
@@ -20,10 +20,10 @@ pub(super) fn sight(finding: &Finding, kind: Kind) -> Sight {
 
 fn usual(check: &Check, finding: &Finding, kind: Kind) -> Sight {
     match check {
-        Check::Layer(_) | Check::Repository(_) => Sight::File,
+        Check::File(_) | Check::Repository(_) => Sight::File,
         // Skeletons and weights are judged together.
-        Check::Base(_) if matches!(kind, Kind::Skeleton | Kind::Weights) => Sight::Rigs,
-        Check::Base(_) => Sight::File,
+        Check::Body(_) if matches!(kind, Kind::Skeleton | Kind::Weights) => Sight::Rigs,
+        Check::Body(_) | Check::Makehuman2(_) | Check::Makehuman1(_) | Check::Mpfb(_) => Sight::File,
         // Old remarks on evaluated shapes are many, and no gate hangs on them.
         Check::Numeric(_) if finding.level == Level::Info => Sight::Rigs,
         Check::Numeric(_) | Check::Upkeep(_) => Sight::Base,

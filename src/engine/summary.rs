@@ -6,16 +6,16 @@ use super::error::Error;
 use super::load::shown;
 use crate::config::Config;
 use crate::diag::{Outcome, RootSummary};
-use crate::repo::Repository;
+use crate::repo::View;
 
 /// Says that a repository was checked, and which base meshes it has.
-pub(super) fn summarise(repository: &Repository<'_>, outcome: &mut Outcome) {
-    let judged = repository.judged;
-    let own = |name: &str| judged.files.values().any(|file| file.base() == Some(name));
-    let bases = repository.bases.iter().map(|base| base.name).filter(|name| own(name));
+pub(super) fn summarise(view: &View<'_>, outcome: &mut Outcome) {
+    let checked = view.layers().checked;
+    let own = |name: &str| checked.files.values().any(|file| file.base() == Some(name));
+    let bases = view.body_names().into_iter().filter(|name| own(name));
     outcome.roots.push(RootSummary {
-        path: shown(&judged.path).to_owned(),
-        application: repository.application,
+        path: shown(&checked.path).to_owned(),
+        application: view.application(),
         bases: bases.map(str::to_owned).collect(),
         checked: true,
     });

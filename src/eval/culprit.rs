@@ -55,7 +55,7 @@ mod tests {
     }
 
     fn setting(a: f64, b: f64) -> Setting {
-        Setting { macros: Vec::new(), details: vec![a, b] }
+        Setting { macros: Vec::new(), details: [(0, a), (1, b)].into() }
     }
 
     #[test]

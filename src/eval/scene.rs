@@ -3,6 +3,8 @@
 //! Filled by the caller from files that could be read; what could not is absent here. Source of the order of
 //! application: MakeHuman 2, morph evaluation (formats/makehuman2.md §24).
 
+use std::collections::BTreeMap;
+
 use super::error::EvalError;
 use super::macros::{MacroWork, Macros};
 use super::makehuman2::MacroError;
@@ -90,8 +92,8 @@ pub enum SliderKind {
 pub struct Setting {
     /// Macro settings.
     pub macros: Vec<f64>,
-    /// Value of each slider of the scene (0 for macro sliders).
-    pub details: Vec<f64>,
+    /// Values of the detail sliders that are not at 0, by their number: a setting moves few of many.
+    pub details: BTreeMap<usize, f64>,
 }
 
 /// Why a setting cannot be evaluated.
@@ -111,9 +113,9 @@ pub enum SettingError {
 impl Scene {
     /// All sliders as a reset leaves them.
     pub fn defaults(&self) -> Setting {
-        let details = self.sliders.iter().map(|slider| match slider.kind {
-            SliderKind::Macro(_) => 0.0,
-            SliderKind::Detail { .. } => slider.default,
+        let details = self.sliders.iter().enumerate().filter_map(|(number, slider)| match slider.kind {
+            SliderKind::Detail { .. } if slider.default != 0.0 => Some((number, slider.default)),
+            _ => None,
         });
         Setting { macros: self.macro_defaults.clone(), details: details.collect() }
     }
@@ -125,13 +127,13 @@ impl Scene {
 
     /// Puts a slider to a value, as a model file does: not clamped.
     pub fn set(&self, setting: &mut Setting, slider: usize, value: f64) {
-        let place = match self.sliders.get(slider).map(|slider| slider.kind) {
-            Some(SliderKind::Macro(place)) => setting.macros.get_mut(place),
-            Some(SliderKind::Detail { .. }) => setting.details.get_mut(slider),
-            None => None,
-        };
-        if let Some(place) = place {
-            *place = value;
+        match self.sliders.get(slider).map(|slider| slider.kind) {
+            Some(SliderKind::Macro(place)) => setting.macros.get_mut(place).into_iter().for_each(|at| *at = value),
+            Some(SliderKind::Detail { .. }) => {
+                setting.details.remove(&slider);
+                setting.details.extend((value != 0.0).then_some((slider, value)));
+            }
+            None => {}
         }
     }
 
@@ -139,7 +141,7 @@ impl Scene {
     pub fn value(&self, setting: &Setting, slider: usize) -> Option<f64> {
         match self.sliders.get(slider)?.kind {
             SliderKind::Macro(place) => setting.macros.get(place).copied(),
-            SliderKind::Detail { .. } => setting.details.get(slider).copied(),
+            SliderKind::Detail { .. } => Some(setting.details.get(&slider).copied().unwrap_or_default()),
         }
     }
 
@@ -155,8 +157,8 @@ impl Scene {
 
     /// The targets of the detail sliders of a setting.
     pub(super) fn detail_factors(&self, setting: &Setting) -> impl Iterator<Item = (usize, f64)> {
-        self.sliders.iter().zip(&setting.details).filter_map(|(slider, value)| {
-            let SliderKind::Detail { incr, decr, .. } = slider.kind else { return None };
+        setting.details.iter().filter_map(|(number, value)| {
+            let SliderKind::Detail { incr, decr, .. } = self.sliders.get(*number)?.kind else { return None };
             let (side, factor) = detail_factor(*value)?;
             let target = if side == Side::Incr { incr } else { decr };
             target.map(|target| (target, factor))

@@ -35,16 +35,17 @@ pub enum Dimension {
 
 /// The settings to look at, without repetition, in a fixed order.
 pub fn plan(scene: &Scene, samples: usize, exhaustive: bool) -> Vec<Setting> {
-    let mut plan = Plan { settings: vec![scene.defaults()], seen: BTreeSet::new() };
+    let rest = scene.defaults();
+    let mut plan = Plan { settings: vec![rest.clone()], rest, seen: BTreeSet::new() };
     let dimensions = distinct(&scene.products);
     for dimension in &dimensions {
-        plan.alone(scene, dimension);
+        plan.alone(dimension);
     }
     for product in &scene.products {
-        plan.corners(scene, product);
+        plan.corners(product);
     }
     if exhaustive {
-        plan.corners(scene, &dimensions);
+        plan.corners(&dimensions);
     }
     plan.details(scene);
     plan.sample(scene, &dimensions, samples);
@@ -111,6 +112,8 @@ fn distinct(products: &[Vec<Dimension>]) -> Vec<Dimension> {
 }
 
 struct Plan {
+    /// All sliders as a reset leaves them.
+    rest: Setting,
     settings: Vec<Setting>,
     seen: BTreeSet<Vec<u64>>,
 }
@@ -123,25 +126,25 @@ impl Plan {
         }
     }
 
-    fn alone(&mut self, scene: &Scene, dimension: &Dimension) {
+    fn alone(&mut self, dimension: &Dimension) {
         let Dimension::Steps { place, steps } = dimension else { return };
         let middles = steps.windows(2).map(|pair| f64::midpoint(pair[0], pair[1]));
         let sides = steps.iter().flat_map(|step| [step - BESIDE, step + BESIDE]);
         let inside = sides.filter(|value| (0.0..=1.0).contains(value));
         for value in steps.iter().copied().chain([0.0, 1.0]).chain(middles).chain(inside) {
-            let mut setting = scene.defaults();
+            let mut setting = self.rest.clone();
             put(&mut setting, *place, value);
             self.add(setting);
         }
     }
 
-    fn corners(&mut self, scene: &Scene, dimensions: &[Dimension]) {
+    fn corners(&mut self, dimensions: &[Dimension]) {
         let count = corner_count(dimensions);
         if count > MOST_CORNERS {
             return;
         }
         for number in 0..count {
-            let mut setting = scene.defaults();
+            let mut setting = self.rest.clone();
             let mut rest = number;
             for dimension in dimensions {
                 dimension.put(&mut setting, rest % dimension.corners());
@@ -156,7 +159,7 @@ impl Plan {
             let SliderKind::Detail { incr, decr, two_sided } = slider.kind else { continue };
             let ends = [(1.0, incr.is_some()), (-1.0, two_sided && decr.is_some())];
             for (value, _) in ends.into_iter().filter(|(_, has)| *has) {
-                let mut setting = scene.defaults();
+                let mut setting = self.rest.clone();
                 scene.set(&mut setting, number, value);
                 self.settings.push(setting);
             }
@@ -167,7 +170,7 @@ impl Plan {
         let mut random = Random(SEED);
         let details = details_of(scene);
         for _ in 0..samples {
-            let mut setting = scene.defaults();
+            let mut setting = self.rest.clone();
             for dimension in dimensions {
                 random.macro_values(dimension, &mut setting);
             }
@@ -282,7 +285,7 @@ mod tests {
         let has = |age: f64, gender: f64| plan.iter().filter(|s| s.macros == [age, gender]).count();
         assert_eq!([has(0.0, 0.0), has(0.25, 1.0), has(1.0, 1.0)], [1, 1, 1]);
         assert_eq!([has(0.625, 0.5), has(0.25 - BESIDE, 0.5), has(0.25 + BESIDE, 0.5)], [1, 1, 1]);
-        assert_eq!(plan.iter().filter(|s| s.details == [0.0, 0.0, 1.0] && s.macros == [0.5, 0.5]).count(), 1);
+        assert_eq!(plan.iter().filter(|s| s.details == [(2, 1.0)].into() && s.macros == [0.5, 0.5]).count(), 1);
     }
 
     #[test]

@@ -219,7 +219,7 @@ mod tests {
     }
 
     fn setting(details: [f64; 4]) -> Setting {
-        Setting { macros: Vec::new(), details: details.to_vec() }
+        Setting { macros: Vec::new(), details: (0..).zip(details).collect() }
     }
 
     #[test]

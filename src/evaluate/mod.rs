@@ -47,7 +47,7 @@ use std::collections::BTreeMap;
 use crate::config::Config;
 use crate::eval::measures::Measures;
 use crate::formats::target::Row;
-use crate::repo::Base;
+use crate::repo::makehuman2::Base;
 
 /// Rows of targets by printed path.
 pub(crate) type Rows = BTreeMap<String, Vec<Row>>;

@@ -2,6 +2,8 @@
 //!
 //! Knows neither formats nor rules: it gets byte ranges. A file is replaced as a whole or left alone.
 
+#![expect(clippy::disallowed_methods, reason = "the only writer of assets")]
+
 mod beside;
 mod diff;
 mod packed;

@@ -201,7 +201,7 @@ impl Node {
         }
     }
 
-    pub(super) fn step(&self, step: &str) -> Option<&Self> {
+    fn step(&self, step: &str) -> Option<&Self> {
         match &self.value {
             Value::Object(_) => self.get(step),
             Value::Array(elements) => elements.get(step.parse::<usize>().ok()?),

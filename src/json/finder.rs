@@ -8,10 +8,14 @@ use super::document::{Document, Member, Node, steps};
 /// Members of an object that are as soon gone through as sorted.
 const FEW: usize = 16;
 
-/// Numbers of the members by key, of equal ones the last, for each object by its first byte.
-type Sorted = BTreeMap<usize, BTreeMap<String, usize>>;
+/// Members of large objects by key, sorted when one is first passed through.
+#[derive(Default)]
+pub(super) struct Sorted {
+    /// Numbers of the members, of equal ones the last, for each object by its first byte.
+    objects: BTreeMap<usize, BTreeMap<String, usize>>,
+}
 
-/// A document of which many places are asked for: the keys of a large object are sorted when it is first passed through.
+/// A document of which many places are asked for.
 pub struct Finder {
     document: Document,
     sorted: Sorted,
@@ -19,39 +23,46 @@ pub struct Finder {
 
 impl Finder {
     /// Looks into a document.
-    pub const fn new(document: Document) -> Self {
-        Self { document, sorted: Sorted::new() }
+    pub fn new(document: Document) -> Self {
+        Self { document, sorted: Sorted::default() }
     }
 
     /// The value a pointer leads to; of equal keys the last, as the applications see it.
     pub fn at(&mut self, pointer: &str) -> Option<&Node> {
-        find(&self.document.root, &mut self.sorted, pointer)
+        self.sorted.find(&self.document.root, pointer)
     }
 
     /// Span of the key a pointer leads to.
     pub fn key_at(&mut self, pointer: &str) -> Option<Range<usize>> {
         let (parent, _) = pointer.rsplit_once('/')?;
         let key = steps(pointer).last()?;
-        let object = find(&self.document.root, &mut self.sorted, parent)?;
-        member(object, &mut self.sorted, &key).map(|member| member.key_span.clone())
+        let object = self.sorted.find(&self.document.root, parent)?;
+        self.sorted.member(object, &key).map(|member| member.key_span.clone())
     }
 }
 
-fn find<'n>(root: &'n Node, sorted: &mut Sorted, pointer: &str) -> Option<&'n Node> {
-    steps(pointer).try_fold(root, |node, step| match member(node, sorted, &step) {
-        Some(member) => Some(&member.node),
-        None => node.elements().get(step.parse::<usize>().ok()?),
-    })
-}
-
-fn member<'n>(node: &'n Node, sorted: &mut Sorted, key: &str) -> Option<&'n Member> {
-    let members = node.members();
-    if members.len() <= FEW {
-        return node.member(key);
+impl Sorted {
+    fn find<'n>(&mut self, root: &'n Node, pointer: &str) -> Option<&'n Node> {
+        steps(pointer).try_fold(root, |node, step| self.step(node, &step))
     }
-    let numbered = || members.iter().enumerate().map(|(number, member)| (member.key.clone(), number)).collect();
-    let by_key = sorted.entry(node.span.start).or_insert_with(numbered);
-    members.get(*by_key.get(key)?)
+
+    /// A member of an object, or an element of a list.
+    pub(super) fn step<'n>(&mut self, node: &'n Node, step: &str) -> Option<&'n Node> {
+        match self.member(node, step) {
+            Some(member) => Some(&member.node),
+            None => node.elements().get(step.parse::<usize>().ok()?),
+        }
+    }
+
+    fn member<'n>(&mut self, node: &'n Node, key: &str) -> Option<&'n Member> {
+        let members = node.members();
+        if members.len() <= FEW {
+            return node.member(key);
+        }
+        let numbered = || members.iter().enumerate().map(|(number, member)| (member.key.clone(), number)).collect();
+        let by_key = self.objects.entry(node.span.start).or_insert_with(numbered);
+        members.get(*by_key.get(key)?)
+    }
 }
 
 #[cfg(test)]

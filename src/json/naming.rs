@@ -3,18 +3,19 @@
 
 use super::Document;
 use super::document::{Node, Value};
+use super::finder::Sorted;
 
 /// Members that name the object they stand in.
 const NAMES: [&str; 2] = ["name", "title"];
 /// Longest name of one step, in characters.
 const LONGEST: usize = 48;
 
-/// The pointer with names for positions in lists; `*` for an element without one.
-pub(super) fn named(document: &Document, pointer: &str) -> String {
+/// The pointer with names for positions in lists; `*` for an element without one. `sorted` is of the same document.
+pub(super) fn named(document: &Document, sorted: &mut Sorted, pointer: &str) -> String {
     let mut node = Some(&document.root);
     let mut out = String::new();
     for step in pointer.split('/').skip(1) {
-        let next = node.and_then(|node| node.step(&step.replace("~1", "/").replace("~0", "~")));
+        let next = node.and_then(|node| sorted.step(node, &step.replace("~1", "/").replace("~0", "~")));
         let is_list = node.is_some_and(|node| matches!(node.value, Value::Array(_)));
         out.push('/');
         match next.filter(|_| is_list) {
@@ -125,7 +126,8 @@ mod tests {
     #[test]
     fn elements_go_by_their_names() {
         let document = parse(br#"{"a": [{"title": "x", "cat": 1}, [1, "two"], {}], "7": 0}"#).unwrap();
-        let all = ["/a/0/cat", "/a/0/gone", "/a/1/1", "/a/2", "/7", ""].map(|pointer| named(&document, pointer));
+        let all = ["/a/0/cat", "/a/0/gone", "/a/1/1", "/a/2", "/7", ""]
+            .map(|pointer| named(&document, &mut Sorted::default(), pointer));
         assert_eq!(all, ["/a/x/cat", "/a/x/gone", "/a/*/two", "/a/*", "/7", ""]);
     }
 

@@ -7,6 +7,7 @@ use std::sync::OnceLock;
 
 use serde_json::Value as Plain;
 
+use super::finder::Sorted;
 use super::naming::named;
 use super::schema_fault::{Misfit, SchemaFault, describe};
 use super::{Document, Node, Value, unknown_key};
@@ -93,8 +94,9 @@ pub fn check(name: &str, document: &Document) -> SchemaFaults {
         faults: empty_objects_once(&plain, faults),
         unknown: unknown_key::find(&document.root, &schema.tree),
     };
-    found.faults.iter_mut().for_each(|fault| fault.name = named(document, &fault.pointer));
-    found.unknown.iter_mut().for_each(|unknown| unknown.name = named(document, &unknown.pointer));
+    let sorted = &mut Sorted::default();
+    found.faults.iter_mut().for_each(|fault| fault.name = named(document, sorted, &fault.pointer));
+    found.unknown.iter_mut().for_each(|unknown| unknown.name = named(document, sorted, &unknown.pointer));
     found
 }
 

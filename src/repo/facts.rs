@@ -3,13 +3,13 @@
 use crate::discover::{Kind, Use, owner_of};
 use crate::formats::Content;
 use crate::formats::inline_ignore::InlineIgnore;
-use crate::formats::json_file::{JsonFacts, JsonFault};
+use crate::formats::json_file::JsonFacts;
 use crate::formats::mhskel::Skeleton;
 use crate::formats::mhw::Weights;
 use crate::formats::npz::Archive;
 use crate::formats::obj::Mesh;
 use crate::formats::target::TargetFacts;
-use crate::json::{SchemaFaults, SyntaxKind};
+use crate::json::SchemaFaults;
 use crate::source::{Encoding, GzipFault, ReadFault};
 
 /// Facts of one file.
@@ -74,6 +74,12 @@ impl FileFacts {
         self.path.rsplit_once('/').map_or("", |(folder, _)| folder)
     }
 
+    /// The folder that targets of a base are loaded from: the first two parts of the path.
+    pub fn target_folder(&self) -> &str {
+        let end = self.rel.match_indices('/').nth(1).map_or(self.rel.len(), |(at, _)| at);
+        self.rel.get(..end).unwrap_or(&self.rel)
+    }
+
     /// File name without folders.
     pub fn file_name(&self) -> &str {
         self.rel.rsplit('/').next().unwrap_or(&self.rel)
@@ -83,23 +89,6 @@ impl FileFacts {
     pub fn stem(&self) -> &str {
         let name = self.file_name();
         name.rsplit_once('.').map_or(name, |(stem, _)| stem)
-    }
-
-    /// Whether this is an override in `contarget/` that the application takes for absent without a word to
-    /// its user: no JSON, a byte order mark, or nothing in it (formats/makehuman2.md §1.2, §2.1).
-    ///
-    /// `overlay-broken-override` speaks for such a file; other rules on its text keep quiet. Bytes that are
-    /// no UTF-8 stop the application instead, and nesting beyond all measure does, too.
-    pub fn is_ignored_override(&self) -> bool {
-        let overrides = matches!(self.kind, Kind::MacroJson | Kind::ModellingJson | Kind::TargetCategories);
-        overrides
-            && self.rel.starts_with("contarget/")
-            && match &self.content {
-                Content::Broken(JsonFault::Empty | JsonFault::ByteOrderMark) => self.unreadable.is_none(),
-                Content::Broken(JsonFault::Syntax(fault)) => fault.kind != SyntaxKind::TooDeep,
-                Content::Broken(JsonFault::NotUtf8 | JsonFault::LfsPointer) => false,
-                _ => self.json.falsy,
-            }
     }
 
     /// The target facts, if it is a target that could be read.

@@ -3,8 +3,8 @@
 //! A rule reads facts and says what would happen. It reads no files, knows no report and no other rule.
 
 mod archive;
-mod archived;
 mod base;
+mod cause;
 mod config;
 mod file;
 mod json;

@@ -2,29 +2,37 @@
 
 use std::collections::BTreeMap;
 
-use crate::diag::{Finding, Place, RuleInfo, Upkeep};
+use crate::diag::{Application, Finding, OptionInfo, Place, RuleInfo, Upkeep};
 use crate::eval::measures::Measures;
-use crate::repo::{Base, FileFacts, Layer, Repository};
+use crate::repo::{Body, FileFacts, Layer, View, makehuman1, makehuman2, mpfb};
 
-/// A rule.
+/// A rule. It runs where one of the applications that its `breaks` name is checked.
 pub(crate) struct Rule {
     /// Declared half.
     pub(crate) info: RuleInfo,
-    /// Judging half.
+    /// Checking half.
     pub(crate) check: Check,
 }
 
-/// What a rule looks at. A rule takes the narrowest.
+/// What a rule looks at. A rule takes the narrowest, and what all applications have before what one of them has.
 pub(crate) enum Check {
-    /// The files of the judged layer, whatever the application.
-    Layer(fn(&Layer, &RuleCx<'_>, &mut Vec<Finding>)),
-    /// One base mesh over all layers.
-    Base(fn(&Repository<'_>, &Base<'_>, &RuleCx<'_>, &mut Vec<Finding>)),
-    /// One base mesh with what evaluation measured on it.
-    Numeric(fn(&Repository<'_>, &Base<'_>, &Measures, &RuleCx<'_>, &mut Vec<Finding>)),
-    /// All layers.
-    Repository(fn(&Repository<'_>, &RuleCx<'_>, &mut Vec<Finding>)),
-    /// Mutes and baseline, after everything else.
+    /// Each file of the checked layer.
+    File(fn(&FileFacts, &RuleCx<'_>, &mut Vec<Finding>)),
+    /// Each body.
+    Body(fn(&Body<'_>, &RuleCx<'_>, &mut Vec<Finding>)),
+    /// Each base mesh of `MakeHuman` 2, over all layers.
+    Makehuman2(fn(&makehuman2::View<'_>, &makehuman2::Base<'_>, &RuleCx<'_>, &mut Vec<Finding>)),
+    /// The data of `MakeHuman` 1.
+    #[expect(dead_code, reason = "no rule yet")]
+    Makehuman1(fn(&makehuman1::View<'_>, &RuleCx<'_>, &mut Vec<Finding>)),
+    /// The data of MPFB.
+    #[expect(dead_code, reason = "no rule yet")]
+    Mpfb(fn(&mpfb::View<'_>, &RuleCx<'_>, &mut Vec<Finding>)),
+    /// Each body with what evaluation measured on it.
+    Numeric(fn(&Body<'_>, &Measures, &RuleCx<'_>, &mut Vec<Finding>)),
+    /// All layers, whatever the application.
+    Repository(fn(&View<'_>, &RuleCx<'_>, &mut Vec<Finding>)),
+    /// Ignores and baseline, after everything else.
     Upkeep(fn(&Upkeep, &RuleCx<'_>, &mut Vec<Finding>)),
 }
 
@@ -44,13 +52,22 @@ impl Rule {
     pub(crate) fn in_layer(&self, layer: &Layer, rel: &str, message: impl Into<String>) -> Finding {
         Finding::new(&self.info, layer.display(rel), Place::File, message)
     }
+
+    /// Whether the rule says what an application does. One on mhlint's own settings concerns every one.
+    pub(crate) fn concerns(&self, application: Application) -> bool {
+        self.info.breaks.is_empty() || self.info.breaks.iter().any(|(concerned, _)| *concerned == application)
+    }
 }
 
 impl RuleCx<'_> {
     /// Value of an option of `rule`: as set, or its default.
     pub(crate) fn option(&self, rule: &Rule, name: &'static str) -> f64 {
-        let set = self.options.get(&(rule.info.id.to_owned(), name.to_owned())).copied();
         let declared = rule.info.options.iter().find(|option| option.name == name);
-        set.or(declared.map(|option| option.default)).unwrap_or(f64::NAN)
+        declared.map_or(f64::NAN, |option| self.option_of(rule.info.id, option))
+    }
+
+    /// The same for an option that several rules ask for: that of the rule `id`.
+    pub(crate) fn option_of(&self, id: &str, option: &OptionInfo) -> f64 {
+        self.options.get(&(id.to_owned(), option.name.to_owned())).copied().unwrap_or(option.default)
     }
 }

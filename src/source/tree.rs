@@ -116,7 +116,8 @@ impl Tree {
         }
     }
 
-    /// A tree of files held in memory: `Vec<u8>`, or `Arc<[u8]>` where several trees share their bytes.
+    /// A tree of files held in memory: `Vec<u8>`, or `Arc<[u8]>` where several trees share their bytes. A path that ends
+    /// in a slash is a folder, which may be empty.
     pub fn in_memory<B: Into<Arc<[u8]>>>(
         label: impl Into<String>,
         files: impl IntoIterator<Item = (String, B)>,
@@ -263,7 +264,9 @@ fn memory_entries(files: &BTreeMap<String, Arc<[u8]>>) -> Vec<Entry> {
             let folder = path.get(..at).unwrap_or_default();
             entries.entry(folder.to_owned()).or_insert_with(|| memory_entry(folder, EntryKind::Folder, 0));
         }
-        entries.insert(path.clone(), memory_entry(path, EntryKind::File, bytes.len() as u64));
+        if !path.ends_with('/') {
+            entries.insert(path.clone(), memory_entry(path, EntryKind::File, bytes.len() as u64));
+        }
     }
     entries.into_values().collect()
 }
@@ -282,9 +285,10 @@ mod tests {
         fs::create_dir(folder.path().join("b")).unwrap();
         fs::write(folder.path().join("b/c.txt"), "hello").unwrap();
         fs::write(folder.path().join("a.txt"), "").unwrap();
+        fs::create_dir(folder.path().join("d")).unwrap();
         let disk = Tree::on_disk("x", folder.path(), |_, _| false);
-        let memory =
-            Tree::in_memory("x", [("b/c.txt".to_owned(), b"hello".to_vec()), ("a.txt".to_owned(), Vec::new())]);
+        let files = [("b/c.txt", b"hello".to_vec()), ("a.txt", Vec::new()), ("d/", Vec::new())];
+        let memory = Tree::in_memory("x", files.map(|(path, bytes)| (path.to_owned(), bytes)));
         let seen = |tree: &Tree| -> Vec<_> {
             let limits = Limits::default();
             let line = |e: &Entry| (e.path.clone(), e.kind, tree.read(e, &limits).ok());

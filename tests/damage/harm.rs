@@ -9,12 +9,9 @@ use super::cases::Edit;
 /// Files by path below the corpus; the bytes are shared by all cases.
 pub(crate) type Files = BTreeMap<String, Arc<[u8]>>;
 
-pub(crate) fn corpus() -> Option<PathBuf> {
-    let Some(folder) = std::env::var_os("MHLINT_CORPORA").map(PathBuf::from) else {
-        eprintln!("skipped: MHLINT_CORPORA does not name a folder with `makehuman2`");
-        return None;
-    };
-    Some(folder.join("makehuman2"))
+pub(crate) fn corpus() -> PathBuf {
+    let corpora = std::env::var_os("MHLINT_CORPORA").expect("MHLINT_CORPORA names the folder that holds the corpora");
+    PathBuf::from(corpora).join("makehuman2")
 }
 
 /// Everything below `folder` but photographs and what belongs to the base `without`.

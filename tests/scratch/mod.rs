@@ -1,6 +1,8 @@
 //! Throw-away copies of the example repository, damaged as a `case.toml` says, and the real binary on them.
 #![allow(dead_code, unreachable_pub, clippy::unwrap_used, clippy::panic, reason = "each test binary uses its part")]
 
+pub mod memory;
+
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -109,9 +111,14 @@ impl Edit {
     fn apply(&self, root: &Path) {
         let path = root.join(&self.file);
         let text = fs::read_to_string(&path).unwrap_or_else(|e| panic!("edit {}: {e}", self.file));
+        fs::write(&path, self.edited(&text)).unwrap();
+    }
+
+    /// The text with the replacement made.
+    fn edited(&self, text: &str) -> String {
         let count = text.matches(&self.find).count();
         assert!(count == 1 || (self.all && count > 1), "{}: `{}` occurs {count} times", self.file, self.find);
-        fs::write(&path, text.replace(&self.find, &self.replace)).unwrap();
+        text.replace(&self.find, &self.replace)
     }
 }
 
@@ -119,13 +126,18 @@ impl Write {
     fn apply(&self, root: &Path) {
         let path = root.join(&self.file);
         make_parent(&path);
+        fs::write(path, self.bytes()).unwrap();
+    }
+
+    /// What is to be in the file.
+    fn bytes(&self) -> Vec<u8> {
         let mut bytes = self.text.repeat(self.times.unwrap_or(1)).into_bytes();
         let digits: Vec<u8> = self.hex.bytes().filter(|byte| !byte.is_ascii_whitespace()).collect();
         for pair in digits.chunks(2) {
             let text = std::str::from_utf8(pair).unwrap();
             bytes.push(u8::from_str_radix(text, 16).unwrap_or_else(|e| panic!("hex {text}: {e}")));
         }
-        fs::write(path, if self.gzip { gzip(&bytes) } else { bytes }).unwrap();
+        if self.gzip { gzip(&bytes) } else { bytes }
     }
 }
 
@@ -151,6 +163,14 @@ pub fn remove(path: &Path) {
 /// A folder of the project.
 pub fn project(path: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
+}
+
+/// A folder of the corpora, which are not part of the project: tests that need them are ignored unless asked for.
+pub fn corpus(name: &str) -> PathBuf {
+    let corpora = std::env::var_os("MHLINT_CORPORA").expect("MHLINT_CORPORA names the folder that holds the corpora");
+    let path = PathBuf::from(corpora).join(name);
+    assert!(path.is_dir(), "{} is missing", path.display());
+    path
 }
 
 /// Copies a folder with everything in it.

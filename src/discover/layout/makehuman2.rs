@@ -1,5 +1,7 @@
 //! MakeHuman 2: folders of assets with a folder for each base mesh in them (formats/makehuman2.md §1).
 
+pub mod opened;
+
 use super::super::kind::extension;
 use super::super::{Candidate, Kind};
 use super::{HiddenPath, Layout, Role, Sign};
@@ -19,7 +21,7 @@ pub(super) static LAYOUT: Layout = Layout {
 };
 
 /// Folders that the asset scan visits, with one level of folders below the base mesh.
-pub const SCANNED: [&str; 12] = [
+const SCANNED: [&str; 12] = [
     "clothes",
     "hair",
     "eyes",
@@ -37,7 +39,7 @@ pub const SCANNED: [&str; 12] = [
 /// Folders with a folder for each base mesh that the scan leaves out.
 const NOT_SCANNED: [&str; 4] = ["target", "contarget", "base", "skins"];
 
-/// Folder of loose files for no known base mesh, which are judged alone; no application has one of this name.
+/// Folder of loose files for no known base mesh, which are checked alone; no application has one of this name.
 const ALONE: &str = "(loose)";
 
 fn sign(parts: &[&str]) -> Option<(Sign, usize)> {
@@ -103,8 +105,8 @@ fn reads_hidden(path: &HiddenPath<'_>) -> bool {
     above.iter().any(|part| is_target_folder(part)) && (path.is_folder || extension(path.name) == "target")
 }
 
-/// A loose target, skeleton or weights file is judged as if its owner had already copied it into a user
-/// folder; without a base mesh to copy it to, it is judged alone.
+/// A loose target, skeleton or weights file is checked as if its owner had already copied it into a user
+/// folder; without a base mesh to copy it to, it is checked alone.
 fn loose_place(path: &str, base: Option<&str>) -> Option<String> {
     let (folder, file) = path.rsplit_once('/').unwrap_or(("", path));
     let (_, extension) = file.rsplit_once('.')?;

@@ -98,7 +98,7 @@ impl Layout {
     }
 
     /// The place below a user's data root that the file at `path` belongs to, for `base` if one is known.
-    /// `None` for files that are not judged outside a data root.
+    /// `None` for files that are not checked outside a data root.
     pub fn loose_place(&self, path: &str, base: Option<&str>) -> Option<String> {
         (self.loose_place)(path, base)
     }

@@ -1,5 +1,7 @@
 //! PATH arguments to trees: downwards, or upwards when a path lies inside a data root.
 
+#![expect(clippy::disallowed_methods, reason = "what a PATH argument is, a file or a folder, is asked here")]
+
 use std::path::{Path, PathBuf};
 
 use super::super::error::{Error, PathFault};

@@ -43,16 +43,14 @@ pub(in crate::engine) fn load_targets(
     limits: &Limits,
     keep_rows: bool,
 ) -> Rows {
-    let (mut files, rows) = read_all(place.tree, place.bulk_of(base).collect(), limits, sizes, keep_rows);
-    layer.files.append(&mut files);
+    let (files, rows) = read_all(place.tree, place.bulk_of(base).collect(), limits, sizes, keep_rows);
+    layer.add(files);
     rows
 }
 
 /// Enters the targets into `layer` without reading them.
 pub(in crate::engine) fn list_targets(place: &Place<'_>, layer: &mut Layer) {
-    for file in place.bulk() {
-        layer.files.insert(file.rel.to_string(), read::unread(place.tree, file));
-    }
+    layer.add(place.bulk().map(|file| (file.rel.to_string(), read::unread(place.tree, file))).collect());
 }
 
 type ByRel = BTreeMap<String, FileFacts>;

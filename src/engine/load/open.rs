@@ -12,7 +12,8 @@ use crate::diag::nearest;
 use crate::discover::Role;
 use crate::engine::Error as RunError;
 use crate::evaluate::{Error, Evaluation};
-use crate::repo::{Base, Layer};
+use crate::repo::Layer;
+use crate::repo::makehuman2::Base;
 use crate::source::{Limits, Tree, slashed};
 
 /// Opens a base of the data folder `root` (which lies over `system`, if given). Without `base` there must be only one.

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::diag::{Finding, Level, fingerprint};
-use crate::repo::{Layer, Repository};
+use crate::repo::{Layer, Layers};
 
 /// A finding with the place of its asset.
 pub(in crate::engine) struct Placed {
@@ -19,12 +19,12 @@ pub(in crate::engine) struct Placed {
 }
 
 /// Fingerprints. Keys tell findings of one rule on one asset apart; the ordinal is for those that do not.
-pub(super) fn identify(repository: &Repository<'_>, findings: Vec<(Finding, Level)>) -> Vec<Placed> {
+pub(super) fn identify(layers: Layers<'_>, findings: Vec<(Finding, Level)>) -> Vec<Placed> {
     let mut ordinals: BTreeMap<(&str, String, String), u32> = BTreeMap::new();
     // What names the fault may be part of the system data, such as the mesh.
     let below = |asset: &str| {
-        let system = || repository.system?.relative(asset);
-        own_path(repository, asset).or_else(system).unwrap_or_default().to_owned()
+        let system = || layers.system?.relative(asset);
+        own_path(layers, asset).or_else(system).unwrap_or_default().to_owned()
     };
     let identified = findings.into_iter().map(|(mut finding, consequence)| {
         let asset = finding.asset.clone().unwrap_or_else(|| finding.path.clone());
@@ -42,9 +42,9 @@ pub(super) fn identify(repository: &Repository<'_>, findings: Vec<(Finding, Leve
 }
 
 /// Path below the judged root, if the file belongs to it and not to a layer inside or beside it.
-pub(super) fn own_path<'p>(repository: &Repository<'_>, path: &'p str) -> Option<&'p str> {
-    let judged = repository.judged;
+pub(super) fn own_path<'p>(layers: Layers<'_>, path: &'p str) -> Option<&'p str> {
+    let judged = layers.checked;
     let deeper = |layer: &&Layer| layer.path.len() > judged.path.len() && layer.holds(path);
-    let foreign = [repository.system, repository.user].into_iter().flatten().any(|layer| deeper(&layer));
+    let foreign = [layers.system, layers.user].into_iter().flatten().any(|layer| deeper(&layer));
     if foreign { None } else { judged.relative(path) }
 }

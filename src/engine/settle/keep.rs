@@ -1,4 +1,4 @@
-//! Which findings of one repository are reported, at which level, and which files of their fixes stay as they are.
+//! Which findings on some layers are reported, at which level, and which files of their fixes stay as they are.
 
 use std::collections::BTreeSet;
 
@@ -9,11 +9,11 @@ use super::scope::Scope;
 use super::select::Selection;
 use crate::config::Config;
 use crate::diag::{Finding, Over};
-use crate::repo::Repository;
+use crate::repo::Layers;
 
-/// All that decides what is reported of a repository.
+/// All that decides what is reported of some layers.
 pub(in crate::engine) struct Keeper<'r> {
-    pub(in crate::engine) repository: &'r Repository<'r>,
+    pub(in crate::engine) layers: Layers<'r>,
     /// Whether a path is one that the PATHs ask for.
     pub(in crate::engine) is_asked_for: &'r dyn Fn(&str) -> bool,
     pub(in crate::engine) selection: &'r Selection<'r>,
@@ -24,7 +24,7 @@ pub(in crate::engine) struct Keeper<'r> {
 impl Keeper<'_> {
     /// Keeps what is to be reported for the judged layer and gives it level and fingerprint; counts what is ignored.
     pub(in crate::engine) fn keep(&self, findings: Vec<Finding>, ignores: &mut Ignores<'_>) -> (Vec<Placed>, usize) {
-        let files = self.repository.judged.files.values();
+        let files = self.layers.checked.files.values();
         let commented = files.filter(|file| !file.ignores.is_empty() && self.is_reported(&file.path));
         commented.for_each(|file| ignores.note(file, self.selection, self.scope));
         let filter = self.filter();
@@ -42,12 +42,12 @@ impl Keeper<'_> {
                 Heard::Off | Heard::Excluded => {}
             }
         }
-        (identify(self.repository, kept), ignored)
+        (identify(self.layers, kept), ignored)
     }
 
     fn filter(&self) -> Filter<'_> {
         let Self { selection, scope, options, .. } = self;
-        Filter { layer: self.repository.judged, selection, scope, options }
+        Filter { layer: self.layers.checked, selection, scope, options }
     }
 
     /// Files of a fix that are not to be written: those for which the rule is ignored, and those beside the PATHs.
@@ -58,7 +58,7 @@ impl Keeper<'_> {
     }
 
     fn is_wanted(&self, finding: &Finding) -> bool {
-        let Some(rel) = own_path(self.repository, &finding.path) else { return false };
+        let Some(rel) = own_path(self.layers, &finding.path) else { return false };
         let asked = |base: &str| self.options.asks_for_base(base);
         // One finding may speak for several files; who names one of them is told.
         let others = match &finding.over {
@@ -66,7 +66,7 @@ impl Keeper<'_> {
             Over::Each(files) | Over::Between(files) => files.as_slice(),
         };
         let mut files = std::iter::once(&finding.path).chain(others);
-        files.any(|file| (self.is_asked_for)(file)) && self.repository.judged.base_at(rel).as_deref().is_none_or(asked)
+        files.any(|file| (self.is_asked_for)(file)) && self.layers.checked.base_at(rel).as_deref().is_none_or(asked)
     }
 
     fn is_reported(&self, path: &str) -> bool {

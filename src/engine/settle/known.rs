@@ -11,7 +11,7 @@ use crate::config::Config;
 use crate::diag::{Baseline, BaselineUse, Entry, Finding, Level, TakenOver};
 use crate::engine::error::{BaselineFault, Error};
 use crate::rules::RULES;
-use crate::source::{Folder, holds, slashed};
+use crate::source::{Folder, canonical, holds, slashed};
 
 /// The baseline of a run, read before it begins.
 pub(in crate::engine) struct Known {
@@ -93,7 +93,7 @@ impl Known {
     /// Whether there is something at the path of an entry, or at one beside it.
     fn is_there(&self, path: &str) -> bool {
         let folder = self.path.parent().unwrap_or(Path::new(""));
-        folder.join(path).exists() || Path::new(path).exists()
+        [folder.join(path).as_path(), Path::new(path)].into_iter().any(|path| canonical(path).is_some())
     }
 
     /// A file of which nothing was found, neither the faults nor the assets nor their folders, is not for these data.

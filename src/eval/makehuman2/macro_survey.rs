@@ -380,7 +380,7 @@ mod tests {
     #[test]
     fn small_factors_are_lost_where_they_are_many() {
         let table = table(vec![("child-f", Some(0))]);
-        let setting = |macros: [f64; 2]| Setting { macros: macros.to_vec(), details: Vec::new() };
+        let setting = |macros: [f64; 2]| Setting { macros: macros.to_vec(), details: [].into() };
         let found = losses(&table, &dimensions(), &[setting([0.5, 0.5]), setting([0.0025, 0.5])], &setting([0.5, 0.5]));
         // The worse of the two settings loses 0.005; uphill from there is more, but never the 0.02 of two sliders.
         assert!(found[0].lost > 0.005 && found[0].lost <= 0.02, "{found:?}");

@@ -8,10 +8,10 @@ use crate::evaluate::outputs::rounded;
 use crate::evaluate::{Error, Evaluation};
 use crate::formats::macro_json::MacroFile;
 use crate::formats::target::MeshSize;
-use crate::repo::{Base, BoundSlider};
+use crate::repo::makehuman2::{Base, BoundSlider};
 use crate::source::Limits;
 
-use super::compose::{compose, pose_skeleton, weights_of};
+use super::compose::compose;
 use super::skeleton::SkeletonFile;
 use crate::evaluate::Rows;
 
@@ -38,9 +38,7 @@ impl Evaluation {
             macros: macros_of(base, &scene),
             mesh_path: file.path.clone(),
             skeleton: skeleton_of(base),
-            weights_path: pose_skeleton(base)
-                .and_then(|(file, skeleton)| weights_of(base, file, skeleton))
-                .map(|(file, _)| file.path.clone()),
+            weights_path: base.pose_rig().and_then(|(rig, _)| rig.usable_weights()).map(|(file, _)| file.path.clone()),
             weights_fault: weights_fault(base, &scene),
             archive: base.targets.and_then(|folder| folder.archive()).and_then(|file| {
                 let members = file.archive()?.members.iter().map(|member| member.name.clone());
@@ -77,8 +75,7 @@ impl Evaluation {
 
 /// Weights of a bone that the skeleton lacks, or for a vertex that the mesh lacks (formats/makehuman2.md §11).
 fn weights_fault(base: &Base<'_>, scene: &Scene) -> Option<Error> {
-    let (skeleton, model) = pose_skeleton(base)?;
-    let (file, weights) = weights_of(base, skeleton, model)?;
+    let (file, weights) = base.pose_rig()?.0.usable_weights()?;
     let names = &scene.skeleton.as_ref()?.names;
     let stops = |exception, reason| Some(Error::Stops { exception, reason });
     for bone in weights.bones.iter().filter(|bone| !bone.pairs.is_empty()) {
@@ -122,8 +119,8 @@ fn macros_of(base: &Base<'_>, scene: &Scene) -> Result<MacroFile, String> {
 }
 
 fn skeleton_of(base: &Base<'_>) -> Result<SkeletonFile, String> {
-    if let Some((file, model)) = pose_skeleton(base) {
-        return Ok(SkeletonFile { path: file.path.clone(), model: model.clone() });
+    if let Some((rig, model)) = base.pose_rig() {
+        return Ok(SkeletonFile { path: rig.file.path.clone(), model: model.clone() });
     }
     let Some((file, settings)) = base.settings() else {
         return Err("no skeleton, since there is no usable base.json".to_owned());

@@ -22,7 +22,8 @@ use crate::formats::mhskel::{Plane, RotationPlane, Skeleton};
 use crate::formats::mhw::Weights;
 use crate::formats::obj::Mesh;
 use crate::formats::target::{Row, TargetFacts};
-use crate::repo::{Base, FileFacts, Pattern, TargetFolder};
+use crate::repo::FileFacts;
+use crate::repo::makehuman2::{Base, Pattern, TargetFolder};
 
 /// Barycentric sets after a reset, whatever `default` says.
 const BARYCENTRIC_DEFAULTS: [f64; 3] = [0.33, 0.33, 0.34];
@@ -55,18 +56,16 @@ pub(in crate::evaluate) fn compose(base: &Base<'_>, rows: &mut Rows) -> Option<C
         composer.macros(base, file, &registered);
     }
     let mut scene = composer.scene;
-    let pose = pose_skeleton(base);
-    if let Some((file, skeleton)) = pose {
+    if let Some((rig, skeleton)) = base.pose_rig() {
         scene.skeleton = skeleton_of(skeleton, mesh.positions.len());
-        let weights = weights_of(base, file, skeleton).map(|(_, weights)| weights);
+        let weights = rig.usable_weights().map(|(_, weights)| weights);
         scene.weights = scene.skeleton.as_ref().zip(weights).and_then(|(bones, weights)| bind(bones, weights, mesh));
     }
-    let rigs = base.skeletons.iter().filter_map(|file| {
-        let model = file.skeleton()?;
+    let rigs = base.rigs.iter().filter_map(|rig| {
+        let model = rig.skeleton()?;
         let skeleton = skeleton_of(model, mesh.positions.len())?;
-        let is_pose = pose.is_some_and(|(pose, _)| std::ptr::eq(pose, *file));
-        let without_weights = if is_pose { Vec::new() } else { without_weights(&scene, model) };
-        Some(Rig { path: file.path.clone(), skeleton, without_weights })
+        let without_weights = if rig.is_default { Vec::new() } else { without_weights(&scene, model) };
+        Some(Rig { path: rig.file.path.clone(), skeleton, without_weights })
     });
     let rigs = rigs.collect();
     Some(Composed { scene, rigs })
@@ -260,26 +259,6 @@ fn component(component: &crate::formats::macro_json::Component) -> Option<Compon
 /// Whether the application could load and apply a target.
 pub(in crate::evaluate) fn is_usable(target: &TargetFacts) -> bool {
     target.unreadable_rows == 0 && target.negative.count == 0 && target.out_of_range.count == 0
-}
-
-/// The skeleton that `base.json` names, searched in `rigs/<base>/`, user before system.
-pub(in crate::evaluate) fn pose_skeleton<'a>(base: &Base<'a>) -> Option<(&'a FileFacts, &'a Skeleton)> {
-    let name = base.settings()?.1.pose_skeleton.as_deref()?;
-    let rel = format!("rigs/{}/{name}", base.name);
-    let file = base.skeletons.iter().find(|file| file.rel == rel)?;
-    Some((file, file.skeleton()?))
-}
-
-/// The weights file of a skeleton in `rigs/<base>/`, user before system.
-pub(in crate::evaluate) fn weights_of<'a>(
-    base: &Base<'a>,
-    file: &FileFacts,
-    skeleton: &Skeleton,
-) -> Option<(&'a FileFacts, &'a Weights)> {
-    let name = skeleton.weights_file.as_deref().unwrap_or("default_weights.mhw");
-    let rel = format!("rigs/{}/{name}", base.name);
-    let found = base.weights.iter().find(|weights| weights.rel == rel && weights.path != file.path)?;
-    Some((found, found.weights().filter(|weights| weights.has_weights)?))
 }
 
 /// Bones in an order with parents first. `None` if the application refuses the skeleton or would stop.

@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::npz::{Archive, ArchiveFault, Member, NpyFault};
-use crate::repo::{FileFacts, Layer};
+use crate::repo::FileFacts;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -17,20 +17,18 @@ pub(in crate::rules) static RULE: Rule = Rule {
             belong into version control.",
         ..RuleInfo::new("archive-malformed", Level::Error, "an archive of targets that cannot be loaded")
     },
-    check: Check::Layer(run),
+    check: Check::File(run),
 };
 
-fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for file in layer.files.values() {
-        let Some(archive) = file.archive() else { continue };
-        match &archive.fault {
-            Some(ArchiveFault::Empty) => {
-                let effect = "stops at every start with an EOFError until the file is deleted by hand";
-                out.push(at(file, "the archive is empty (0 bytes)".to_owned()).breaks(Application::Makehuman2, effect));
-            }
-            Some(ArchiveFault::NotZip(reason)) => out.push(at(file, format!("no zip archive: {reason}"))),
-            None => out.extend(members(file, archive)),
+fn run(file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(archive) = file.archive() else { return };
+    match &archive.fault {
+        Some(ArchiveFault::Empty) => {
+            let effect = "stops at every start with an EOFError until the file is deleted by hand";
+            out.push(at(file, "the archive is empty (0 bytes)".to_owned()).breaks(Application::Makehuman2, effect));
         }
+        Some(ArchiveFault::NotZip(reason)) => out.push(at(file, format!("no zip archive: {reason}"))),
+        None => out.extend(members(file, archive)),
     }
 }
 

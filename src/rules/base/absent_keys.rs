@@ -1,36 +1,31 @@
 //! Keys that `base.json` needs for what the base mesh has.
 
 use super::super::Rule;
-use crate::diag::{Application, Finding, Level, Place};
-use crate::repo::{Base, Repository};
+use super::super::cause::schema::is_faulty;
+use crate::diag::{Finding, Level, Place};
+use crate::repo::makehuman2::{Base, View};
 
 /// Keys of `base.json` without which a part of the base is silently not used. A base without sliders needs no start
 /// model, and one without skeletons no skeleton.
-pub(super) fn findings(rule: &Rule, repository: &Repository<'_>, base: &Base<'_>) -> Vec<Finding> {
-    let Some((file, settings)) = base.settings().filter(|(file, _)| repository.is_judged(file)) else {
+pub(super) fn findings(rule: &Rule, view: &View<'_>, base: &Base<'_>) -> Vec<Finding> {
+    let Some((file, settings)) = base.settings().filter(|(file, _)| view.layers.is_checked(file)) else {
         return Vec::new();
-    };
-    // A wrong type and a misspelt key have findings of their own.
-    let is_explained = |key: &str| {
-        let pointer = format!("/{key}");
-        file.schema.faults.iter().any(|fault| fault.pointer == pointer)
-            || file.schema.unknown.iter().any(|unknown| unknown.nearest.as_deref() == Some(key))
     };
     let finding = |key: &str, message: String, effect: &'static str, near: &str| {
         let finding = rule.at(file, Place::File, message).key(format!("no {key}")).level(Level::Warning);
-        finding.breaks(Application::Makehuman2, effect).help(format!("add `\"{key}\": \"{near}\"`"))
+        finding.effect(effect).help(format!("add `\"{key}\": \"{near}\"`"))
     };
     let mut found = Vec::new();
-    if settings.mhm.is_none() && !base.sliders.is_empty() && !is_explained("mhm") {
+    if settings.mhm.is_none() && !base.sliders.is_empty() && !is_faulty(file, "mhm") {
         let message = format!("the base `{}` names no start model (`mhm`)", base.name);
         let effect = "loads the base with the default material and applies no targets, without a message";
         found.push(finding("mhm", message, effect, "base.mhm"));
     }
-    if let (None, [skeleton, ..], false) = (&settings.pose_skeleton, &*base.skeletons, is_explained("pose-skeleton")) {
+    if let (None, [rig, ..], false) = (&settings.pose_skeleton, &*base.rigs, is_faulty(file, "pose-skeleton")) {
         let message = format!("the base `{}` has skeletons, but names none as `pose-skeleton`", base.name);
         let effect = "has no pose mode and no bone weights for assets, without a message";
-        let own = base.skeletons.iter().find(|skeleton| skeleton.stem() == "default").unwrap_or(skeleton);
-        found.push(finding("pose-skeleton", message, effect, own.file_name()));
+        let own = base.rigs.iter().find(|rig| rig.file.stem() == "default").unwrap_or(rig);
+        found.push(finding("pose-skeleton", message, effect, own.file.file_name()));
     }
     found
 }

@@ -1,9 +1,9 @@
 //! The presets of a triangle must sum to 1.
 
+use super::super::cause::overlay::has_sliders;
 use super::super::{Check, Rule, RuleCx};
-use super::has_sliders;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
-use crate::repo::{Base, Pattern, Repository};
+use crate::repo::makehuman2::{Base, Pattern, View};
 
 /// Rounding of decimals like 0.33 + 0.33 + 0.34 in double precision is far below this.
 const TOLERANCE: f64 = 1e-6;
@@ -17,10 +17,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
             such as 0.33, 0.33 and 0.34.",
         ..RuleInfo::new("base-barycentric-presets", Level::Warning, "presets of one barycentric set do not sum to 1")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, settings)) = base.settings().filter(|_| has_sliders(base)) else { return };
     for bound in &base.sliders {
         let Pattern::Barycentric(corners) = &bound.pattern else { continue };

@@ -5,7 +5,8 @@ use crate::diag::{Application, Finding, Level, Place, RuleInfo, nearest};
 use crate::formats::Content;
 use crate::formats::geometry::Range;
 use crate::formats::obj::{Group, Mesh};
-use crate::repo::{Base, FileFacts, Repository};
+use crate::repo::FileFacts;
+use crate::repo::makehuman2::{Base, View};
 
 const GEOMETRY: &str = "geometry-ranges";
 const JOINTS: &str = "joint-ranges";
@@ -21,11 +22,11 @@ pub(in crate::rules) static RULE: Rule = Rule {
             Correct the name or the range.",
         ..RuleInfo::new("base-geometry-range", Level::Warning, "`geometry.json` differs from the groups of the mesh")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(file) = repository.first_existing(&format!("base/{}/geometry.json", base.name)) else { return };
+fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(file) = view.layers.first_existing(&format!("base/{}/geometry.json", base.name)) else { return };
     let (Content::Geometry(geometry), Some((_, mesh))) = (&file.content, base.mesh) else { return };
     if mesh.facts.unreadable_lines > 0 {
         return;

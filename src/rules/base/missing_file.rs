@@ -4,7 +4,8 @@ use super::super::{Check, Rule, RuleCx};
 use super::absent_keys;
 use super::sliders::{self, Gap};
 use crate::diag::{Application, Finding, Level, RuleInfo, Sight, nearest};
-use crate::repo::{Base, FileFacts, Layer, Reference, ReferenceKind, Repository, Resolution};
+use crate::repo::makehuman2::{Base, View};
+use crate::repo::{FileFacts, Layer, Reference, ReferenceKind, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -23,25 +24,25 @@ pub(in crate::rules) static RULE: Rule = Rule {
             Add the file, correct its name, or remove the key.",
         ..RuleInfo::new("base-missing-file", Level::Error, "a file that a base mesh needs does not exist")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for reference in repository.references_of(base) {
+fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for reference in view.references_of(base) {
         if matches!(reference.resolution, Resolution::Missing) {
-            out.extend(named(repository, base, reference));
+            out.extend(named(view, base, reference));
         }
     }
-    out.extend(absent_keys::findings(&RULE, repository, base));
+    out.extend(absent_keys::findings(&RULE, view, base));
     // Only system data can prove that a file exists nowhere.
-    if repository.system.is_some() {
-        out.extend(unnamed(repository, base));
-        out.extend(of_sliders(repository, base));
+    if view.layers.system.is_some() {
+        out.extend(unnamed(view, base));
+        out.extend(of_sliders(view, base));
     }
 }
 
 /// A file that `base.json` names.
-fn named(repository: &Repository<'_>, base: &Base<'_>, reference: &Reference<'_>) -> Option<Finding> {
+fn named(view: &View<'_>, base: &Base<'_>, reference: &Reference<'_>) -> Option<Finding> {
     let (what, folder) = match reference.kind {
         ReferenceKind::PoseSkeleton => ("skeleton", "rigs"),
         ReferenceKind::Model => ("start model", "base"),
@@ -51,7 +52,7 @@ fn named(repository: &Repository<'_>, base: &Base<'_>, reference: &Reference<'_>
     let finding = RULE.at(reference.from, reference.place.clone(), message).key(reference.owner);
     let extension = if what == "skeleton" { ".mhskel" } else { ".mhm" };
     let folder = format!("{folder}/{}", base.name);
-    let layers: Vec<&Layer> = repository.strongest_first().collect();
+    let layers: Vec<&Layer> = view.layers.strongest_first().collect();
     let files = layers.iter().flat_map(|layer| layer.below(&folder));
     let names: Vec<&str> = files.map(FileFacts::file_name).filter(|name| name.ends_with(extension)).collect();
     let help = match nearest(reference.text, names.iter().copied()).or_else(|| names.first().copied()) {
@@ -60,22 +61,22 @@ fn named(repository: &Repository<'_>, base: &Base<'_>, reference: &Reference<'_>
     };
     let finding = finding.help(help);
     Some(match reference.kind {
-        ReferenceKind::PoseSkeleton => finding
-            .level(Level::Warning)
-            .breaks(Application::Makehuman2, "has no pose mode and no bone weights for assets, without a message"),
-        _ => finding.breaks(Application::Makehuman2, "stops with a TypeError when the base is loaded"),
+        ReferenceKind::PoseSkeleton => {
+            finding.level(Level::Warning).effect("has no pose mode and no bone weights for assets, without a message")
+        }
+        _ => finding.effect("stops with a TypeError when the base is loaded"),
     })
 }
 
 /// `base.json` and the mesh, of a base that the judged layer holds a part of.
-fn unnamed(repository: &Repository<'_>, base: &Base<'_>) -> Option<Finding> {
-    let judged = repository.judged;
+fn unnamed(view: &View<'_>, base: &Base<'_>) -> Option<Finding> {
+    let judged = view.layers.checked;
     let folder = format!("base/{}", base.name);
     // What is there but cannot be opened, or is written with other capitals, has a finding of its own.
     let exists = |file: &str| {
         let rel = format!("{folder}/{file}");
         let is_here = |layer: &Layer| layer.file_ignoring_case(&rel).is_some() || layer.has_unusable(&rel);
-        repository.strongest_first().any(is_here)
+        view.layers.strongest_first().any(is_here)
     };
     let (settings, mesh) = (exists("base.json"), exists("base.obj") || exists("base.mhbin"));
     let has_base = judged.below(&folder).next().is_some();
@@ -91,17 +92,17 @@ fn unnamed(repository: &Repository<'_>, base: &Base<'_>) -> Option<Finding> {
             Some(finding.help(format!("add `{folder}/base.json`")))
         }
         // One root with `contarget/` may be a user's folder whose system data was not given.
-        (false, false) if !repository.is_one_root() => orphan(judged, base),
+        (false, false) if !view.layers.is_one_root() => orphan(judged, base),
         _ => None,
     }
 }
 
 /// What the sliders of a system's base need.
-fn of_sliders(repository: &Repository<'_>, base: &Base<'_>) -> Option<Finding> {
-    let Gap { name, level, message, effect, help } = sliders::gap(repository, base)?;
+fn of_sliders(view: &View<'_>, base: &Base<'_>) -> Option<Finding> {
+    let Gap { name, level, message, effect, help } = sliders::gap(view, base)?;
     let rel = format!("target/{}/{name}", base.name);
-    let finding = RULE.in_layer(repository.judged, &rel, message).key(name).level(level);
-    Some(finding.breaks(Application::Makehuman2, effect).help(help))
+    let finding = RULE.in_layer(view.layers.checked, &rel, message).key(name).level(level);
+    Some(finding.effect(effect).help(help))
 }
 
 /// Targets of a base that no layer has.
@@ -113,7 +114,7 @@ fn orphan(judged: &Layer, base: &Base<'_>) -> Option<Finding> {
         RULE.in_layer(judged, folder, message)
             .key("base")
             .level(Level::Warning)
-            .breaks(Application::Makehuman2, "never loads these targets")
+            .effect("never loads these targets")
             .help("the folder must have the name of a base; give the system data with `--system` if the base is there"),
     )
 }

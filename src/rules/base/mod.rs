@@ -11,12 +11,5 @@ pub(super) mod unknown_preset;
 pub(super) mod unsafe_rule;
 pub(super) mod vertex_count;
 
-use crate::repo::Base;
-
 /// The way to leave a measure out.
 const NO_MEASURE: &str = "none";
-
-/// Whether the sliders in use are those that were meant; without them no name can be judged.
-fn has_sliders(base: &Base<'_>) -> bool {
-    !base.modelling.contarget.is_refused() && base.modelling.winner().is_some()
-}

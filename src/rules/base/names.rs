@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use crate::diag::nearest;
-use crate::repo::Base;
+use crate::repo::makehuman2::Base;
 
 /// Beginning of the groups of user targets, which come and go.
 const USER: &str = "user";

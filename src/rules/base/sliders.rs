@@ -7,7 +7,8 @@ use super::NO_MEASURE;
 use crate::diag::Level;
 use crate::discover::Kind;
 use crate::formats::base_json::BaseJson;
-use crate::repo::{Base, FileFacts, Layer, Repository};
+use crate::repo::makehuman2::{Base, View};
+use crate::repo::{FileFacts, Layer};
 
 /// A file that is not there and what comes of it.
 pub(super) struct Gap {
@@ -23,9 +24,9 @@ pub(super) struct Gap {
 const VERSION_FILE: &str = "makehuman2_version.json";
 
 /// What is missing of the sliders of a base, if its data are the system's and nothing overrides them.
-pub(super) fn gap(repository: &Repository<'_>, base: &Base<'_>) -> Option<Gap> {
-    let judged = repository.judged;
-    let is_system = repository.system.is_some_and(|system| std::ptr::eq(system, judged)) && base.has_system;
+pub(super) fn gap(view: &View<'_>, base: &Base<'_>) -> Option<Gap> {
+    let judged = view.layers.checked;
+    let is_system = view.layers.system.is_some_and(|system| std::ptr::eq(system, judged)) && base.has_system;
     if !is_system || base.base_json.is_none() || judged.below(&format!("contarget/{}", base.name)).next().is_some() {
         return None;
     }

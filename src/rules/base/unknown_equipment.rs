@@ -4,7 +4,8 @@ use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, Sight, nearest};
 use crate::formats::base_json::BaseJson;
 use crate::formats::obj::Mesh;
-use crate::repo::{Base, FileFacts, Repository};
+use crate::repo::FileFacts;
+use crate::repo::makehuman2::{Base, View};
 
 /// Kinds of assets that a base can wear.
 const EQUIPMENT: [&str; 8] = ["clothes", "hair", "eyes", "eyebrows", "eyelashes", "teeth", "tongue", "proxy"];
@@ -24,10 +25,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
             "an equipment folder or visible group that does not exist",
         )
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, settings)) = base.settings() else { return };
     equipment(file, settings, out);
     if !settings.has_visible_groups {
@@ -61,7 +62,7 @@ fn equipment(file: &FileFacts, settings: &BaseJson, out: &mut Vec<Finding>) {
             RULE.at(file, Place::pointer(["equipment", &index.to_string()]), format!("unknown equipment `{name}`"))
                 .key(name)
                 .level(Level::Warning)
-                .breaks(Application::Makehuman2, "ignores it: assets of this kind are not offered")
+                .effect("ignores it: assets of this kind are not offered")
                 .help(help),
         );
     }
@@ -89,9 +90,9 @@ fn visible(file: &FileFacts, groups: &[String], mesh: &Mesh, out: &mut Vec<Findi
     let finding = RULE.at(file, Place::pointer([MEMBER]), message).key(MEMBER).help(help);
     let finding = finding.evidence(Evidence::of_cases(&unknown).out_of(groups.len()));
     out.push(if nothing_left {
-        finding.breaks(Application::Makehuman2, "shows an invisible character of height 0, without a message")
+        finding.effect("shows an invisible character of height 0, without a message")
     } else {
-        finding.level(Level::Warning).breaks(Application::Makehuman2, "does not draw the group, without a message")
+        finding.level(Level::Warning).effect("does not draw the group, without a message")
     });
 }
 
@@ -104,12 +105,11 @@ fn plain_text(file: &FileFacts, text: &str, mesh: &Mesh) -> Finding {
     };
     if shown.is_empty() {
         let effect = "shows an invisible character of height 0, without a message";
-        return finding(format!("no group of the mesh is part of the text `{text}`"))
-            .breaks(Application::Makehuman2, effect);
+        return finding(format!("no group of the mesh is part of the text `{text}`")).effect(effect);
     }
     let level = if shown == [text] { Level::Info } else { Level::Warning };
     finding("`visible groups` is a text; every group whose name is part of it is drawn".to_owned())
         .level(level)
-        .breaks(Application::Makehuman2, "draws every group whose name is part of the text")
+        .effect("draws every group whose name is part of the text")
         .evidence(Evidence::of_cases(shown))
 }

@@ -1,11 +1,13 @@
 //! Patterns, groups and entries named in `base.json` must exist.
 
+use super::super::cause::overlay::has_sliders;
 use super::super::{Check, Rule, RuleCx};
+use super::NO_MEASURE;
 use super::names::{Names, Unknown};
-use super::{NO_MEASURE, has_sliders};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::formats::base_json::{BaseJson, Random};
-use crate::repo::{Base, FileFacts, Repository};
+use crate::repo::FileFacts;
+use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -21,12 +23,12 @@ pub(in crate::rules) static RULE: Rule = Rule {
             "a preset, measure or random rule names what does not exist",
         )
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, settings)) = base.settings().filter(|_| has_sliders(base)) else { return };
-    let judges_macros = base.macro_file().is_some_and(|(file, _)| repository.is_judged(file));
+    let judges_macros = base.macro_file().is_some_and(|(file, _)| view.layers.is_checked(file));
     let names = Names { base, judges_macros };
     for (pattern, _) in &settings.presets {
         out.extend(names.pattern(pattern).map(|unknown| unknown_name(file, &["modifier-presets", pattern], unknown)));
@@ -71,7 +73,7 @@ fn measures(file: &FileFacts, names: &Names<'_, '_>, settings: &BaseJson, out: &
                 let message = format!("`age` names `{}`, which has no `display`", slider.key);
                 let effect = "stops with an AttributeError when the size information is shown";
                 let finding = finding(file, &at, message, pattern).level(Level::Error);
-                Some(finding.breaks(Application::Makehuman2, effect).help("name the slider that displays the age"))
+                Some(finding.effect(effect).help("name the slider that displays the age"))
             }
             ("chest" | "waist" | "hips" | "underbust", Some(slider)) if slider.measure.is_none() => {
                 let message = format!("`{purpose}` names `{}`, which has no `measure`", slider.key);
@@ -108,7 +110,7 @@ fn randomizer(file: &FileFacts, names: &Names<'_, '_>, random: &Random, out: &mu
         for condition in conditions {
             let Some(unknown) = names.entry(&condition.slider) else { continue };
             let finding = unknown_name(file, &["random", "rules", key, &condition.slider], unknown);
-            out.push(finding.breaks(Application::Makehuman2, "always resets the target of the rule to 0"));
+            out.push(finding.effect("always resets the target of the rule to 0"));
         }
     }
 }
@@ -120,7 +122,7 @@ fn random_group(file: &FileFacts, names: &Names<'_, '_>, group: &str) -> Option<
     }
     let message = format!("the random group `{group}` has more than two parts");
     let effect = "stops with a ValueError when a random character is made";
-    let finding = finding(file, &at, message, group).level(Level::Error).breaks(Application::Makehuman2, effect);
+    let finding = finding(file, &at, message, group).level(Level::Error).effect(effect);
     Some(finding.help("write `category` or `category|subcategory`"))
 }
 
@@ -130,5 +132,5 @@ fn nested(file: &FileFacts, group: &str, category: &str, selected: bool) -> Find
     let effect = "stops with an AttributeError when a random character is made with both selected";
     let level = if selected { Level::Error } else { Level::Warning };
     let finding = finding(file, &["random", "groups", group], message, group).level(level);
-    finding.breaks(Application::Makehuman2, effect).help("list either the category or its groups")
+    finding.effect(effect).help("list either the category or its groups")
 }

@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::formats::expression::FaultKind;
-use crate::repo::{Base, Repository};
+use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -19,10 +19,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
             cannot be muted.\n\nRewrite the condition as a comparison, such as `0.2 < x < 0.75`.",
         ..RuleInfo::new("base-unsafe-rule", Level::Error, "`random.rules` holds more than harmless arithmetic")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, settings)) = base.settings() else { return };
     for (key, conditions) in settings.random.iter().flat_map(|random| &random.rules) {
         for condition in conditions {
@@ -39,7 +39,7 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
             out.push(
                 RULE.at(file, Place::Span(fault.span.clone()), message)
                     .key(format!("{key} {}", condition.slider))
-                    .breaks(Application::Makehuman2, effect)
+                    .effect(effect)
                     .help("write a comparison of `x` with numbers, such as `0.2 < x < 0.75`"),
             );
         }

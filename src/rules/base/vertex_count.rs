@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
-use crate::repo::{Base, Repository};
+use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -17,10 +17,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
             and build binary assets anew.",
         ..RuleInfo::new("base-vertex-count", Level::Error, "`numverts` differs from the base mesh")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let (Some((file, settings)), Some((mesh_file, mesh))) = (base.settings(), base.mesh) else { return };
     let Some(claimed) = settings.numverts.filter(|_| mesh.facts.unreadable_lines == 0) else { return };
     let vertices = mesh.facts.vertices;

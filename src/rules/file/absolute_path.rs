@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use super::named::{causes, effect};
 use crate::diag::{Application, Finding, Level, RuleInfo};
-use crate::repo::{Repository, Resolution};
+use crate::repo::{Resolution, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -16,9 +16,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Repository(run),
 };
 
-fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(view) = view.makehuman2() else { return };
     let is_absolute = |resolution| matches!(resolution, Resolution::Absolute);
-    for cause in causes(repository, |reference| is_absolute(reference.resolution).then(String::new)) {
+    for cause in causes(view, |reference| is_absolute(reference.resolution).then(String::new)) {
         let finding = cause.finding(&RULE, |text| match text {
             "" => "`folder` is empty, which makes an absolute path of every name behind it".to_owned(),
             text => format!("`{text}` is an absolute path"),

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::super::{Check, Rule, RuleCx};
 use super::named::{causes, effect, is_known_by, written};
 use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Place, RuleInfo};
-use crate::repo::{Reference, Repository, Resolution};
+use crate::repo::{Reference, Resolution, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -19,9 +19,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Repository(run),
 };
 
-fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(view) = view.makehuman2() else { return };
     let key = |exists: bool| if exists { "found" } else { "missing" };
-    for cause in causes(repository, |reference| match reference.resolution {
+    for cause in causes(view, |reference| match reference.resolution {
         Resolution::Backslash(file) => Some(key(file.is_some()).to_owned()),
         _ => None,
     }) {
@@ -34,7 +35,7 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let level = if exists { Level::Warning } else { finding.level };
         let slashed = cause.text().replace('\\', "/");
         let is_fixable =
-            |reference: &Reference<'_>| exists && reference.text.contains('\\') && !is_known_by(repository, reference);
+            |reference: &Reference<'_>| exists && reference.text.contains('\\') && !is_known_by(view, reference);
         let mut fix = Fix::new(RULE.info.fix, "write `/` for `\\`");
         // Where nobody finds the file, its name has to be found out first.
         for reference in cause.references.iter().filter(|reference| is_fixable(reference)) {

@@ -1,11 +1,12 @@
 //! A byte order mark becomes part of the first word.
 
-use super::super::archived::Unread;
+use super::super::cause::archived::weigh;
+use super::super::cause::consequence::{Damage, consequence};
+use super::super::cause::{is_override, is_unmet};
 use super::super::{Check, Rule, RuleCx};
-use super::loader::{is_met, is_override, refused_json};
 use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Place, Rewrite, RuleInfo};
 use crate::discover::Kind;
-use crate::repo::{FileFacts, Repository};
+use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -24,40 +25,33 @@ pub(in crate::rules) static RULE: Rule = Rule {
 /// Fields of a line that a target's reader takes for data.
 const ROW_FIELDS: usize = 4;
 
-fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let unread = Unread::of(repository);
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(makehuman2) = view.makehuman2() else { return };
     // Behind a mark alone there is nothing to lose: the file is empty.
     let marked = |file: &&FileFacts| {
         file.encoding.byte_order_mark && file.encoding.invalid_utf8_at.is_none() && !file.encoding.blank
     };
-    let texts = repository.judged.files.values().filter(|file| file.kind.is_text() && !is_override(file));
-    for file in texts.filter(|file| is_met(repository, file)).filter(marked) {
-        let (level, effect) = consequence(repository, file);
+    let texts = makehuman2.layers.checked.files.values().filter(|file| file.kind.is_text() && !is_override(file));
+    for file in texts.filter(|file| !is_unmet(view, file)).filter(marked) {
+        let damage = damage(file);
+        let Some(loss) = consequence(view, &file.rel, damage) else { continue };
         let message = format!("`{}` begins with a byte order mark", file.file_name());
         let fix = Fix::new(RULE.info.fix, "remove the mark");
         let finding = RULE
             .at(file, Place::Span(0..3), message)
             .fix(fix.step(&file.path, Change::Rewrite(Rewrite::DropByteOrderMark)))
-            .level(level)
-            .breaks(Application::Makehuman2, effect)
             .help("save the file as UTF-8 without byte order mark");
-        let is_fatal = file.kind == Kind::Target && level == Level::Error;
-        out.push(if is_fatal { unread.weigh(file, finding) } else { finding });
+        let finding = loss.of(finding);
+        out.push(if damage == Damage::MarkedRow { weigh(&makehuman2.target(file), finding) } else { finding });
     }
 }
 
-fn consequence(repository: &Repository<'_>, file: &FileFacts) -> (Level, &'static str) {
+fn damage(file: &FileFacts) -> Damage {
     let words = &file.encoding.marked_words;
-    let is_comment = words.first().is_none_or(|word| word.starts_with('#'));
     match file.kind {
-        kind if kind.is_json() => refused_json(repository, file),
-        Kind::Target if words.len() == ROW_FIELDS => {
-            (Level::Error, "takes the first line for a row and stops at start with a ValueError")
-        }
-        _ if super::loader::extension(&file.rel) == "bvh" => {
-            (Level::Error, "refuses the file: it must begin with HIERARCHY")
-        }
-        _ if is_comment => (Level::Info, "loses the first line, which is a comment"),
-        _ => (Level::Warning, "does not recognise the first word and loses its line"),
+        kind if kind.is_json() => Damage::Refused,
+        Kind::Target if words.len() == ROW_FIELDS => Damage::MarkedRow,
+        _ if words.first().is_none_or(|word| word.starts_with('#')) => Damage::MarkedComment,
+        _ => Damage::MarkedWord,
     }
 }

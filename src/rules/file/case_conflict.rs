@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
-use crate::repo::Layer;
+use crate::repo::View;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -14,10 +14,11 @@ pub(in crate::rules) static RULE: Rule = Rule {
             names in the same folder are compared. Rename one of them and what refers to it.",
         ..RuleInfo::new("file-case-conflict", Level::Warning, "two names in one folder that differ only in case")
     },
-    check: Check::Layer(run),
+    check: Check::Repository(run),
 };
 
-fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let layer = view.layers().checked;
     let mut siblings: BTreeMap<(&str, String), Vec<&str>> = BTreeMap::new();
     let paths = layer.files.keys().chain(&layer.folders);
     for path in paths {

@@ -2,12 +2,13 @@
 
 use std::collections::BTreeMap;
 
+use super::super::cause::is_generated;
 use super::super::{Check, Rule, RuleCx};
-use super::loader::{is_generated, misnamed};
 use super::named::{Cause, alike, causes, differs_in_form, effect, is_known_by, written};
 use super::spelling::{as_on_disk, differing, folder_on_disk, found, plain};
 use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Place, RuleInfo};
-use crate::repo::{Reference, Repository, Resolution};
+use crate::discover::opened::misnamed;
+use crate::repo::{Reference, Resolution, View, makehuman2};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -23,16 +24,15 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Repository(run),
 };
 
-fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    fixed_names(repository, out);
-    for cause in
-        causes(repository, |reference| found(reference).map(|found| differing(&plain(&reference.rel), found).0))
-    {
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(view) = view.makehuman2() else { return };
+    fixed_names(view, out);
+    for cause in causes(view, |reference| found(reference).map(|found| differing(&plain(&reference.rel), found).0)) {
         let Some(first) = cause.references.first() else { continue };
         let Some(target) = found(first) else { continue };
         let written = plain(&first.rel);
         let (name, on_disk) = differing(&written, target);
-        let holder = repository.strongest_first().find(|layer| layer.file(target).is_some());
+        let holder = view.layers.strongest_first().find(|layer| layer.file(target).is_some());
         let in_form = differs_in_form(first);
         let finding = cause.finding(&RULE, |_| {
             if in_form {
@@ -63,14 +63,14 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             out.push(finding.help(format!("rename the file to `{right}`: extensions count with their capitals")));
             continue;
         }
-        let others = alike(repository, target);
+        let others = alike(view, target);
         if let [_, ..] = others.as_slice() {
             let names: Vec<String> = others.iter().map(|other| format!("`{other}`")).collect();
             let help = format!("write which is meant: there are `{target}` and {}", names.join(", "));
             out.push(finding.help(help));
             continue;
         }
-        let fix = fix(repository, &cause, &format!("write `{meant}`"));
+        let fix = fix(view, &cause, &format!("write `{meant}`"));
         out.push(finding.fix(fix).help(format!("write `{meant}`, or rename the {what}")));
     }
 }
@@ -94,7 +94,7 @@ fn meant(first: &Reference<'_>, name: &str, on_disk: &str) -> String {
 }
 
 /// Writes the folder that is at fault, or all names; nothing if one of them is known elsewhere as it is.
-fn fix(repository: &Repository<'_>, cause: &Cause<'_, '_>, title: &str) -> Fix {
+fn fix(view: &makehuman2::View<'_>, cause: &Cause<'_, '_>, title: &str) -> Fix {
     let fix = Fix::new(RULE.info.fix, title);
     let folders: Option<BTreeMap<_, _>> = cause.references.iter().map(|reference| folder_on_disk(reference)).collect();
     if let (Some(folders), Some(first)) = (folders, cause.references.first()) {
@@ -103,7 +103,7 @@ fn fix(repository: &Repository<'_>, cause: &Cause<'_, '_>, title: &str) -> Fix {
             .fold(fix, |fix, (pointer, text)| fix.step(&first.from.path, Change::Value { pointer, text: Some(text) }));
     }
     let names = cause.references.iter().map(|reference| {
-        let text = as_on_disk(reference).filter(|_| !is_known_by(repository, reference))?;
+        let text = as_on_disk(reference).filter(|_| !is_known_by(view, reference))?;
         Some((*reference, text))
     });
     let names: Vec<_> = names.collect::<Option<_>>().unwrap_or_default();
@@ -111,10 +111,10 @@ fn fix(repository: &Repository<'_>, cause: &Cause<'_, '_>, title: &str) -> Fix {
 }
 
 /// A file that MakeHuman 2 looks for by a fixed name.
-fn fixed_names(repository: &Repository<'_>, out: &mut Vec<Finding>) {
-    let layer = repository.judged;
-    for file in layer.files.values().filter(|file| !is_generated(repository, file)) {
-        let Some(right) = misnamed(layer, &file.rel) else { continue };
+fn fixed_names(view: &makehuman2::View<'_>, out: &mut Vec<Finding>) {
+    let layer = view.layers.checked;
+    for file in layer.files.values().filter(|file| !is_generated(view.layers, &file.rel)) {
+        let Some(right) = misnamed(&file.rel, |rel| layer.file(rel).is_some()) else { continue };
         let (name, wanted) = (file.file_name(), right.rsplit('/').next().unwrap_or_default());
         let message = format!("`{name}` is looked for as `{wanted}`");
         let effect = if right.starts_with("base/") {

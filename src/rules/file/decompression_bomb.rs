@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
-use crate::repo::Layer;
+use crate::repo::FileFacts;
 use crate::source::GzipFault;
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -19,13 +19,11 @@ pub(in crate::rules) static RULE: Rule = Rule {
             "a packed file that unpacks beyond every sensible size",
         )
     },
-    check: Check::Layer(run),
+    check: Check::File(run),
 };
 
-fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for file in layer.files.values() {
-        let Some(GzipFault::Bomb { packed, unpacked }) = file.gzip_fault else { continue };
-        let message = format!("{packed} bytes unpack to {unpacked} bytes or more");
-        out.push(RULE.at(file, Place::File, message).help("do not open it; ask where it comes from"));
-    }
+fn run(file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(GzipFault::Bomb { packed, unpacked }) = file.gzip_fault else { return };
+    let message = format!("{packed} bytes unpack to {unpacked} bytes or more");
+    out.push(RULE.at(file, Place::File, message).help("do not open it; ask where it comes from"));
 }

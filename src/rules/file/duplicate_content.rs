@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
-use crate::repo::{FileFacts, ReferenceKind, Repository, Resolution};
+use crate::repo::{FileFacts, ReferenceKind, Resolution, View, makehuman2};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -22,11 +22,13 @@ pub(in crate::rules) static RULE: Rule = Rule {
 /// Smaller files (a dot of an icon, a target of a few rows) are equal by chance.
 const SMALLEST: u64 = 200;
 
-fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(view) = view.makehuman2() else { return };
     let mut twins: BTreeMap<(String, &str, u64), Vec<&FileFacts>> = BTreeMap::new();
     // Through a link it is the same file, not another one.
-    let is_link = |file: &FileFacts| file.link_to.as_deref().is_some_and(|real| repository.judged.file(real).is_some());
-    for file in repository.judged.files.values().filter(|file| !is_link(file)) {
+    let is_link =
+        |file: &FileFacts| file.link_to.as_deref().is_some_and(|real| view.layers.checked.file(real).is_some());
+    for file in view.layers.checked.files.values().filter(|file| !is_link(file)) {
         if let (Some(class), Some(hash)) = (class(file), file.content_hash) {
             twins.entry((category(file), class, hash)).or_default().push(file);
         }
@@ -38,7 +40,7 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         }
         let names: Vec<String> = others.iter().map(|file| format!("`{}`", file.shown())).collect();
         let message = format!("the same {class} as {}", names.join(", "));
-        let mut finding = RULE.at(first, Place::File, message).help(advice(repository, first, others));
+        let mut finding = RULE.at(first, Place::File, message).help(advice(view, first, others));
         for other in others {
             finding = finding.related(other.path.clone(), Place::File, "the same content");
         }
@@ -66,9 +68,9 @@ fn category(file: &FileFacts) -> String {
     file.rel.split('/').take(2).collect::<Vec<_>>().join("/")
 }
 
-fn advice(repository: &Repository<'_>, first: &FileFacts, others: &[&FileFacts]) -> String {
+fn advice(view: &makehuman2::View<'_>, first: &FileFacts, others: &[&FileFacts]) -> String {
     let is_other = |found: &FileFacts| others.iter().any(|other| std::ptr::eq(*other, found));
-    let reference = repository.references.iter().find(|reference| match reference.resolution {
+    let reference = view.references.iter().find(|reference| match reference.resolution {
         Resolution::Found(file) => is_other(file),
         _ => false,
     });

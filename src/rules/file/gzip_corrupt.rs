@@ -1,8 +1,9 @@
 //! Packed files that cannot be unpacked.
 
+use super::super::cause::consequence::{Damage, Moment, consequence, moment};
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
-use crate::repo::Repository;
+use crate::repo::View;
 use crate::source::GzipFault;
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -24,21 +25,19 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Repository(run),
 };
 
-fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    // Only the application that the folder belongs to can be hurt.
-    let is_unread = repository.application == Application::Makehuman2;
-    for file in repository.judged.files.values() {
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for file in view.layers().checked.files.values() {
         let message = match &file.gzip_fault {
             Some(GzipFault::Corrupt(reason)) => format!("cannot be unpacked: {reason}"),
             Some(GzipFault::TrailingGarbage { bytes }) => format!("{bytes} bytes of garbage behind the packed data"),
             Some(GzipFault::Bomb { .. }) | None => continue,
         };
-        let finding = RULE.at(file, Place::File, message);
-        out.push(if is_unread {
-            let help = "MakeHuman 2 reads plain targets only: put the unpacked target here, or remove the file";
-            finding.level(Level::Info).breaks(Application::Makehuman2, "never opens it").help(help)
+        let help = if moment(view, &file.rel) == Moment::Never {
+            "MakeHuman 2 reads plain targets only: put the unpacked target here, or remove the file"
         } else {
-            finding.help("pack the file again from its source")
-        });
+            "pack the file again from its source"
+        };
+        let finding = RULE.at(file, Place::File, message).help(help);
+        out.extend(consequence(view, &file.rel, Damage::Packed).map(|loss| loss.of(finding)));
     }
 }

@@ -5,19 +5,20 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::super::cause::overlay::has_sliders;
 use crate::diag::Sought;
-use crate::repo::{Base, FileFacts, Reference, ReferenceKind, Repository, Resolution, TargetFolder};
+use crate::repo::makehuman2::{Base, TargetFolder, View};
+use crate::repo::{FileFacts, Reference, ReferenceKind, Resolution};
 
 /// Icons count as unused only where the sliders that could name them are known: in the folder in use.
-pub(super) fn is_store(repository: &Repository<'_>, file: &FileFacts) -> bool {
+pub(super) fn is_store(view: &View<'_>, file: &FileFacts) -> bool {
     let inside = |folder: Option<TargetFolder<'_>>| {
         folder.is_some_and(|folder| {
-            std::ptr::eq(folder.layer, repository.judged) && file.rel.starts_with(&format!("{}/icons/", folder.rel()))
+            std::ptr::eq(folder.layer, view.layers.checked) && file.rel.starts_with(&format!("{}/icons/", folder.rel()))
         })
     };
-    repository.bases.iter().any(|base| {
-        let known =
-            base.modelling.winner().is_some() && !base.modelling.contarget.is_refused() && !base.has_unreadable_icons();
+    view.bases.iter().any(|base| {
+        let known = has_sliders(base) && !base.has_unreadable_icons();
         (known && inside(base.targets)) || inside(base.user_targets)
     })
 }
@@ -38,15 +39,15 @@ pub(super) struct Icons<'r> {
 }
 
 impl<'r> Icons<'r> {
-    pub(super) fn of(repository: &'r Repository<'_>) -> Self {
-        let icons = repository.references.iter().filter(|reference| reference.kind == ReferenceKind::Icon);
+    pub(super) fn of(view: &'r View<'_>) -> Self {
+        let icons = view.references.iter().filter(|reference| reference.kind == ReferenceKind::Icon);
         let lost = icons.filter(|reference| !matches!(reference.resolution, Resolution::Found(_)));
         // With a wrong path in front of it, the name itself may be right.
         let names = lost.map(|reference| reference.text.rsplit(['/', '\\']).next().unwrap_or_default());
-        let sliders = repository.bases.iter().flat_map(|base| &base.sliders);
-        let targets = repository.references.iter().filter(|reference| reference.kind.is_target());
+        let sliders = view.bases.iter().flat_map(|base| &base.sliders);
+        let targets = view.references.iter().filter(|reference| reference.kind.is_target());
         let used: BTreeSet<&str> = targets.filter_map(Reference::meant).map(|file| file.path.as_str()).collect();
-        let folders = repository.bases.iter().filter_map(|base| base.targets);
+        let folders = view.bases.iter().filter_map(|base| base.targets);
         let files = folders.flat_map(|folder| folder.layer.below(&folder.rel())).filter(|file| file.target().is_some());
         let unused_targets: BTreeSet<&str> =
             files.filter(|file| !used.contains(file.path.as_str())).map(FileFacts::stem).collect();
@@ -74,10 +75,10 @@ impl<'r> Icons<'r> {
 }
 
 /// Paths of the icons that some slider asks for, relative to the root.
-pub(super) fn in_use(repository: &Repository<'_>) -> BTreeSet<String> {
-    let icons = repository.references.iter().filter(|reference| reference.kind == ReferenceKind::Icon);
+pub(super) fn in_use(view: &View<'_>) -> BTreeSet<String> {
+    let icons = view.references.iter().filter(|reference| reference.kind == ReferenceKind::Icon);
     let mut used: BTreeSet<String> = icons.filter_map(|icon| Some(icon.meant()?.rel.clone())).collect();
-    repository.bases.iter().for_each(|base| used.extend(generated_icons(base)));
+    view.bases.iter().for_each(|base| used.extend(generated_icons(base)));
     used
 }
 

@@ -2,9 +2,10 @@
 
 use std::collections::BTreeMap;
 
+use super::super::cause::consequence::{Damage, consequence};
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Evidence, Finding, Level, RuleInfo};
-use crate::repo::{FileFacts, Layer};
+use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -18,17 +19,19 @@ pub(in crate::rules) static RULE: Rule = Rule {
             Nothing else is said about these files.\n\nRun `git lfs pull`, or in a CI job check out with LFS switched on.",
         ..RuleInfo::new("file-lfs-pointer", Level::Warning, "a Git LFS pointer stands where the content should be")
     },
-    check: Check::Layer(run),
+    check: Check::Repository(run),
 };
 
-fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let layer = view.layers().checked;
     let mut folders: BTreeMap<(&str, bool), Vec<&FileFacts>> = BTreeMap::new();
     for file in layer.files.values().filter(|file| file.encoding.lfs_pointer) {
         let folder = file.rel.rsplit_once('/').map_or("", |(folder, _)| folder);
         folders.entry((folder, file.kind.is_text())).or_default().push(file);
     }
     for ((folder, parsed), files) in folders {
-        let level = if parsed { Level::Error } else { Level::Warning };
+        let losses = files.iter().filter_map(|file| consequence(view, &file.rel, Damage::Pointer));
+        let Some(loss) = losses.max_by_key(|loss| loss.level) else { continue };
         let finding = match files.as_slice() {
             [file] => RULE.in_layer(layer, &file.rel, format!("`{}` is a Git LFS pointer", file.file_name())),
             several => {
@@ -39,9 +42,8 @@ fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         };
         let evidence = Evidence::of_cases(files.iter().map(|file| file.file_name()));
         out.push(
-            finding
+            loss.of(finding)
                 .asset(layer.display(folder))
-                .level(level)
                 .key(if parsed { "parsed" } else { "" })
                 .evidence(evidence)
                 .over_each(files.iter().map(|file| &file.path))

@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Finding, Level, RuleInfo};
-use crate::repo::Layer;
+use crate::repo::View;
 use crate::source::{WalkFault, WalkFaultKind};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -16,10 +16,11 @@ pub(in crate::rules) static RULE: Rule = Rule {
             "a symbolic link that leads back to itself or a folder above it",
         )
     },
-    check: Check::Layer(run),
+    check: Check::Repository(run),
 };
 
-fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let layer = view.layers().checked;
     let is_loop = |path: &str| {
         let same = |fault: &&WalkFault| fault.path == path && matches!(fault.kind, WalkFaultKind::LinkLoop { .. });
         layer.walk_faults.iter().any(|fault| same(&fault))

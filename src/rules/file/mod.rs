@@ -19,6 +19,5 @@ pub(super) mod unreadable;
 pub(super) mod unreferenced;
 
 mod icons;
-mod loader;
 mod named;
 mod spelling;

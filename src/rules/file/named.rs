@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use super::super::Rule;
 use crate::diag::{Change, Evidence, Finding, Fix, Level, Place};
-use crate::repo::{Reference, ReferenceKind, Repository, Resolution, composed, fold};
+use crate::repo::makehuman2::View;
+use crate::repo::{Reference, ReferenceKind, Resolution, composed, fold};
 
 /// References of one cause in one file, in the order of the file.
 pub(super) struct Cause<'r, 'a> {
@@ -15,12 +16,9 @@ pub(super) struct Cause<'r, 'a> {
 }
 
 /// The references that `key` gives a cause for, one [`Cause`] for each file and key.
-pub(super) fn causes<'r, 'a>(
-    repository: &'r Repository<'a>,
-    key: impl Fn(&Reference<'a>) -> Option<String>,
-) -> Vec<Cause<'r, 'a>> {
+pub(super) fn causes<'r, 'a>(view: &'r View<'a>, key: impl Fn(&Reference<'a>) -> Option<String>) -> Vec<Cause<'r, 'a>> {
     let mut causes: BTreeMap<(&str, String), Vec<&Reference<'a>>> = BTreeMap::new();
-    for reference in repository.references.iter().filter(|reference| repository.is_judged(reference.from)) {
+    for reference in view.references.iter().filter(|reference| view.layers.is_checked(reference.from)) {
         if let Some(key) = key(reference) {
             // A faulty folder is one cause for all names behind it, and another than a name of its own.
             let folder = reference.folder_at_fault.as_ref().map(|(_, folder)| format!("folder {folder}"));
@@ -56,17 +54,17 @@ impl Cause<'_, '_> {
 
 /// Whether a slider must keep its name: it is part of a pattern by which something else knows the slider, or would,
 /// rightly written, give the pattern of another one.
-pub(super) fn is_known_by(repository: &Repository<'_>, reference: &Reference<'_>) -> bool {
-    is_slider(reference.kind) && (is_part_of_pattern(repository, reference) || has_double(repository, reference))
+pub(super) fn is_known_by(view: &View<'_>, reference: &Reference<'_>) -> bool {
+    is_slider(reference.kind) && (is_part_of_pattern(view, reference) || has_double(view, reference))
 }
 
 fn is_slider(kind: ReferenceKind) -> bool {
     matches!(kind, ReferenceKind::Incr | ReferenceKind::Decr)
 }
 
-fn is_part_of_pattern(repository: &Repository<'_>, reference: &Reference<'_>) -> bool {
+fn is_part_of_pattern(view: &View<'_>, reference: &Reference<'_>) -> bool {
     let names_it = |pattern: &str| pattern.starts_with(reference.text);
-    let mut bases = repository.bases.iter().filter(|base| base.name == reference.base);
+    let mut bases = view.bases.iter().filter(|base| base.name == reference.base);
     bases.any(|base| {
         let mut partners = base.sliders.iter().flat_map(|bound| [&bound.slider.lsym, &bound.slider.rsym]);
         let presets = base.settings().map(|(_, settings)| settings.presets.as_slice()).unwrap_or_default();
@@ -76,9 +74,9 @@ fn is_part_of_pattern(repository: &Repository<'_>, reference: &Reference<'_>) ->
 }
 
 /// Whether another slider moves the same targets.
-fn has_double(repository: &Repository<'_>, reference: &Reference<'_>) -> bool {
+fn has_double(view: &View<'_>, reference: &Reference<'_>) -> bool {
     let mut by_slider: BTreeMap<&str, BTreeMap<ReferenceKind, &str>> = BTreeMap::new();
-    let of_base = repository.references.iter().filter(|other| other.base == reference.base && is_slider(other.kind));
+    let of_base = view.references.iter().filter(|other| other.base == reference.base && is_slider(other.kind));
     for other in of_base {
         if let Some(file) = other.meant() {
             by_slider.entry(other.owner).or_default().insert(other.kind, &file.path);
@@ -121,8 +119,8 @@ pub(super) fn differs_in_form(reference: &Reference<'_>) -> bool {
 }
 
 /// Other files of the layer that the name fits as well, but for capitals.
-pub(super) fn alike<'r>(repository: &'r Repository<'_>, target: &str) -> Vec<&'r str> {
-    let layer = repository.strongest_first().find(|layer| layer.file(target).is_some());
+pub(super) fn alike<'r>(view: &'r View<'_>, target: &str) -> Vec<&'r str> {
+    let layer = view.layers.strongest_first().find(|layer| layer.file(target).is_some());
     let wanted = fold(target);
     let is_alike = |rel: &&str| *rel != target && fold(rel) == wanted;
     layer.into_iter().flat_map(|layer| layer.files.values().map(|file| file.rel.as_str())).filter(is_alike).collect()

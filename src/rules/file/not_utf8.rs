@@ -1,11 +1,12 @@
 //! Text must be UTF-8.
 
-use super::super::archived::Unread;
+use super::super::cause::archived::weigh;
+use super::super::cause::consequence::{Damage, consequence};
+use super::super::cause::is_unmet;
 use super::super::{Check, Rule, RuleCx};
-use super::loader::{Moment, is_met, moment};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
-use crate::repo::{FileFacts, Repository};
+use crate::repo::View;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -21,30 +22,16 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Repository(run),
 };
 
-fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let unread = Unread::of(repository);
-    let texts = repository.judged.files.values().filter(|file| file.kind.is_text());
-    for file in texts.filter(|file| is_met(repository, file)) {
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(makehuman2) = view.makehuman2() else { return };
+    let texts = makehuman2.layers.checked.files.values().filter(|file| file.kind.is_text());
+    for file in texts.filter(|file| !is_unmet(view, file)) {
         let Some(at) = file.encoding.invalid_utf8_at else { continue };
         let guess = file.encoding.guess.unwrap_or("another encoding");
         let message = format!("`{}` is not UTF-8 (probably {guess})", file.file_name());
-        let (level, effect) = consequence(file);
-        let finding = RULE
-            .at(file, Place::Span(at..at + 1), message)
-            .level(level)
-            .breaks(Application::Makehuman2, effect)
-            .help("save the file as UTF-8 without byte order mark");
-        out.push(if file.kind == Kind::Target { unread.weigh(file, finding) } else { finding });
-    }
-}
-
-fn consequence(file: &FileFacts) -> (Level, &'static str) {
-    let drops_bytes = matches!(file.kind, Kind::Clothes | Kind::Material | Kind::Model | Kind::MotionMeta);
-    match moment(file) {
-        Moment::Never => (Level::Warning, "does not read it; tools that do stop"),
-        Moment::Scan => (Level::Error, "stops at start while it scans the assets"),
-        Moment::Start => (Level::Error, "stops at start with a UnicodeDecodeError"),
-        Moment::Use if drops_bytes => (Level::Warning, "drops the bytes that are no UTF-8"),
-        Moment::Use => (Level::Error, "stops with a UnicodeDecodeError when the file is used"),
+        let Some(loss) = consequence(view, &file.rel, Damage::NotUtf8) else { continue };
+        let finding = RULE.at(file, Place::Span(at..at + 1), message);
+        let finding = loss.of(finding).help("save the file as UTF-8 without byte order mark");
+        out.push(if file.kind == Kind::Target { weigh(&makehuman2.target(file), finding) } else { finding });
     }
 }

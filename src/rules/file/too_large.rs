@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Finding, Level, OptionInfo, Place, RuleInfo};
 use crate::discover::Kind;
-use crate::repo::{FileFacts, Layer};
+use crate::repo::FileFacts;
 use crate::source::ReadFault;
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -34,32 +34,30 @@ pub(in crate::rules) static RULE: Rule = Rule {
             said about it.",
         ..RuleInfo::new("file-too-large", Level::Warning, "a file beyond the size of its kind")
     },
-    check: Check::Layer(run),
+    check: Check::File(run),
 };
 
 /// Bytes in a MB.
 const MB: f64 = 1e6;
 
-fn run(layer: &Layer, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for file in layer.files.values() {
-        let size = file.size as f64;
-        let limit = cx.option(&RULE, option(file));
-        let unread = matches!(file.unreadable, Some(ReadFault::TooLarge { .. }));
-        if size <= limit * MB && !unread {
-            continue;
-        }
-        let message = if unread {
-            format!("{} with {:.1} MB: too large to be judged", file.kind.title(), size / MB)
-        } else {
-            format!("{} with {:.1} MB; more than {limit} MB is unusual", file.kind.title(), size / MB)
-        };
-        let help = if unread {
-            "make it smaller; mhlint reads no file of more than 512 MiB".to_owned()
-        } else {
-            format!("make it smaller, or raise the option `{}` of this rule", option(file))
-        };
-        out.push(RULE.at(file, Place::File, message).help(help));
+fn run(file: &FileFacts, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let size = file.size as f64;
+    let limit = cx.option(&RULE, option(file));
+    let unread = matches!(file.unreadable, Some(ReadFault::TooLarge { .. }));
+    if size <= limit * MB && !unread {
+        return;
     }
+    let message = if unread {
+        format!("{} with {:.1} MB: too large to be judged", file.kind.title(), size / MB)
+    } else {
+        format!("{} with {:.1} MB; more than {limit} MB is unusual", file.kind.title(), size / MB)
+    };
+    let help = if unread {
+        "make it smaller; mhlint reads no file of more than 512 MiB".to_owned()
+    } else {
+        format!("make it smaller, or raise the option `{}` of this rule", option(file))
+    };
+    out.push(RULE.at(file, Place::File, message).help(help));
 }
 
 fn option(file: &FileFacts) -> &'static str {

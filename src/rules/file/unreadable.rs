@@ -1,9 +1,10 @@
 //! What cannot be opened, listed or read, and folders in the place of files.
 
+use super::super::cause::consequence::{Damage, consequence};
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Finding, Level, RuleInfo};
-use crate::discover::Kind;
-use crate::repo::Layer;
+use crate::discover::{Kind, opened};
+use crate::repo::View;
 use crate::source::{ReadFault, WalkFaultKind};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -18,57 +19,42 @@ pub(in crate::rules) static RULE: Rule = Rule {
             base mesh.\n\nMend the link or the permissions, or remove what stands in the place of the file.",
         ..RuleInfo::new("file-unreadable", Level::Error, "a file or folder that cannot be opened or read")
     },
-    check: Check::Layer(run),
+    check: Check::Repository(run),
 };
 
-/// Folders below the data root that are sorted by base mesh.
-const BY_BASE: [&str; 5] = ["base", "target", "contarget", "rigs", "models"];
-
-fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let layer = view.layers().checked;
+    let finding = |rel: &str, message: String| {
+        let finding = RULE.in_layer(layer, rel, message);
+        consequence(view, rel, Damage::Closed).map(|loss| loss.of(finding))
+    };
     for fault in &layer.walk_faults {
         if let WalkFaultKind::Unreadable { reason } = &fault.kind {
-            out.push(finding(layer, &fault.path, format!("cannot be read: {reason}")));
+            out.extend(finding(&fault.path, format!("cannot be read: {reason}")));
         }
     }
+    let is_base = |name: &str| layer.files.values().any(|file| file.base() == Some(name));
     for file in layer.files.values() {
         match &file.unreadable {
             Some(ReadFault::Unreadable(reason)) => {
-                out.push(finding(layer, &file.rel, format!("cannot be read: {reason}")));
+                out.extend(finding(&file.rel, format!("cannot be read: {reason}")));
             }
-            _ if is_folder_name(layer, &file.rel) => {
+            _ if opened::is_folder(&file.rel, is_base) => {
                 let message = format!("`{}` is a file, but a folder belongs here", file.file_name());
-                out.push(finding(layer, &file.rel, message).help("remove the file or give it another name"));
+                out.extend(finding(&file.rel, message).map(|it| it.help("remove the file or give it another name")));
             }
             _ => {}
         }
     }
-    for folder in layer.folders.iter().filter(|folder| is_file_name(layer, folder)) {
+    for folder in layer.folders.iter().filter(|folder| is_file(layer.kind_at(folder))) {
         let name = folder.rsplit('/').next().unwrap_or(folder);
         let message = format!("`{name}` is a folder, but a file belongs here");
-        out.push(finding(layer, folder, message).help("put the file here, or give the folder another name"));
+        let help = "put the file here, or give the folder another name";
+        out.extend(finding(folder, message).map(|finding| finding.help(help)));
     }
 }
 
-fn finding(layer: &Layer, rel: &str, message: String) -> Finding {
-    let kind = layer.kind_at(rel);
-    let harmless = matches!(kind, Kind::Image | Kind::TargetIcon) && rel.contains('.');
-    let level = if harmless { Level::Warning } else { Level::Error };
-    RULE.in_layer(layer, rel, message).level(level)
-}
-
-/// Names that loaders open as files.
-fn is_file_name(layer: &Layer, rel: &str) -> bool {
-    let kind = layer.kind_at(rel);
+/// Whether loaders open what is of this kind as a file.
+fn is_file(kind: Kind) -> bool {
     kind.is_text() || kind == Kind::TargetArchive
-}
-
-/// Names that loaders list as folders.
-fn is_folder_name(layer: &Layer, rel: &str) -> bool {
-    let is_base = |name: &str| layer.files.values().any(|file| file.base() == Some(name));
-    match rel.split('/').collect::<Vec<_>>().as_slice() {
-        [folder] => BY_BASE.contains(folder),
-        [folder, base] => BY_BASE.contains(folder) && is_base(base),
-        ["target" | "contarget", _, "icons"] => true,
-        _ => false,
-    }
 }

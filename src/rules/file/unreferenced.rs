@@ -4,10 +4,10 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx};
 use super::icons;
-use super::loader::{extension, misnamed, opens};
 use crate::diag::{Application, Evidence, Finding, Level, RuleInfo, Sight};
 use crate::discover::Kind;
-use crate::repo::{FileFacts, Repository, Resolution};
+use crate::discover::opened::{extension, misnamed, opens};
+use crate::repo::{FileFacts, Resolution, View, makehuman2};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -23,13 +23,14 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Repository(run),
 };
 
-fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let references = References::of(repository);
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(view) = view.makehuman2() else { return };
+    let references = References::of(view);
     // One finding for a folder and reason: a folder of packed targets is one decision.
     let mut idle: BTreeMap<(&str, Reason), Vec<&FileFacts>> = BTreeMap::new();
-    for file in repository.judged.files.values() {
+    for file in view.layers.checked.files.values() {
         let folder = file.rel.rsplit_once('/').map_or("", |(folder, _)| folder);
-        if let Some(reason) = reason(repository, file, &references) {
+        if let Some(reason) = reason(view, file, &references) {
             idle.entry((folder, reason)).or_default().push(file);
         }
     }
@@ -37,18 +38,20 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let names = files.iter().map(|file| file.file_name());
         let paths = files.iter().map(|file| &file.path);
         let finding = match files.as_slice() {
-            [file] => {
-                RULE.in_layer(repository.judged, &file.rel, format!("`{}` is not used: {}", file.file_name(), reason.1))
-            }
+            [file] => RULE.in_layer(
+                view.layers.checked,
+                &file.rel,
+                format!("`{}` is not used: {}", file.file_name(), reason.1),
+            ),
             [first, .., last] => {
                 let (count, first, last) = (files.len(), first.file_name(), last.file_name());
                 let message = format!("{count} files here (`{first}` to `{last}`) are not used: {}", reason.1);
-                RULE.in_layer(repository.judged, folder, message)
+                RULE.in_layer(view.layers.checked, folder, message)
             }
             [] => continue,
         };
         let help = "give it the name that is looked for, refer to it, or remove it";
-        let asset = repository.judged.display(folder);
+        let asset = view.layers.checked.display(folder);
         out.push(finding.key(reason.0).asset(asset).evidence(Evidence::of_cases(names)).help(help).over_each(paths));
     }
 }
@@ -67,16 +70,16 @@ struct References<'r> {
 }
 
 impl<'r> References<'r> {
-    fn of(repository: &'r Repository<'_>) -> Self {
+    fn of(view: &'r makehuman2::View<'_>) -> Self {
         let (mut meant, mut missing) = (BTreeSet::new(), BTreeSet::new());
-        for reference in &repository.references {
+        for reference in &view.references {
             match reference.resolution {
                 Resolution::CaseOnly(found) | Resolution::Backslash(Some(found)) => meant.insert(found.path.as_str()),
                 Resolution::Missing => missing.insert(reference.rel.as_str()),
                 _ => false,
             };
         }
-        Self { used_icons: icons::in_use(repository), icons: icons::Icons::of(repository), meant, missing }
+        Self { used_icons: icons::in_use(view), icons: icons::Icons::of(view), meant, missing }
     }
 
     fn mean(&self, file: &FileFacts) -> bool {
@@ -86,20 +89,20 @@ impl<'r> References<'r> {
 }
 
 /// Why nothing uses the file, if nothing does.
-fn reason(repository: &Repository<'_>, file: &FileFacts, references: &References<'_>) -> Option<Reason> {
+fn reason(view: &makehuman2::View<'_>, file: &FileFacts, references: &References<'_>) -> Option<Reason> {
     let name = file.file_name();
     // A file called `icons` stands in the place of a folder: unreadable.
     if file.encoding.lfs_pointer || file.gzip_fault.is_some() || name == "icons" || is_note(name) {
         return None;
     }
     if file.kind == Kind::TargetIcon {
-        let idle = icons::is_store(repository, file) && !references.used_icons.contains(&file.rel);
+        let idle = icons::is_store(view, file) && !references.used_icons.contains(&file.rel);
         let icons = &references.icons;
         let idle = idle && !icons.is_misspelt(name) && !icons.is_of_unused_target(file.stem());
         return idle.then(|| ("icon".to_owned(), "no slider has this icon".to_owned()));
     }
     // `file-case-mismatch` names a file that takes the place of one that is needed.
-    if misnamed(repository.judged, &file.rel).is_some()
+    if misnamed(&file.rel, |rel| view.layers.checked.file(rel).is_some()).is_some()
         || references.used_icons.contains(&file.rel)
         || references.mean(file)
         || !is_judged_folder(&file.rel)

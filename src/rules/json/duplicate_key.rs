@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo, structural};
 use crate::json::Duplicate;
-use crate::repo::{FileFacts, Layer};
+use crate::repo::FileFacts;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -16,17 +16,15 @@ pub(in crate::rules) static RULE: Rule = Rule {
             values are the same nothing is lost, which makes it an info.",
         ..RuleInfo::new("json-duplicate-key", Level::Warning, "a key occurs twice in an object")
     },
-    check: Check::Layer(run),
+    check: Check::File(run),
 };
 
-fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for file in layer.files.values() {
-        let mut by_member: BTreeMap<&str, Vec<&Duplicate>> = BTreeMap::new();
-        for duplicate in &file.json.duplicates {
-            by_member.entry(&duplicate.pointer).or_default().push(duplicate);
-        }
-        out.extend(by_member.into_iter().filter_map(|(pointer, all)| judge(file, pointer, &all)));
+fn run(file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let mut by_member: BTreeMap<&str, Vec<&Duplicate>> = BTreeMap::new();
+    for duplicate in &file.json.duplicates {
+        by_member.entry(&duplicate.pointer).or_default().push(duplicate);
     }
+    out.extend(by_member.into_iter().filter_map(|(pointer, all)| judge(file, pointer, &all)));
 }
 
 /// One finding for a key, however often it occurs: at the first one that is lost, with the one that wins.

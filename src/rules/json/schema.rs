@@ -2,13 +2,13 @@
 
 use std::collections::BTreeMap;
 
+use super::super::cause::consequence::of_value;
+use super::super::cause::{counts_as_missing, is_ignored_override};
 use super::super::{Check, Rule, RuleCx};
-use super::schema_effects::effect_of;
 use super::schema_words::{lack, sentence};
 use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
-use crate::discover::Kind;
 use crate::json::SchemaFault;
-use crate::repo::{FileFacts, Layer};
+use crate::repo::FileFacts;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -23,26 +23,19 @@ pub(in crate::rules) static RULE: Rule = Rule {
             value as the schema wants it.",
         ..RuleInfo::new("json-schema", Level::Error, "a value does not fit the schema of its format")
     },
-    check: Check::Layer(run),
+    check: Check::File(run),
 };
 
-fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let judged = layer.files.values().filter(|file| !file.is_ignored_override() && !counts_as_missing(file));
-    for file in judged {
-        let mut by_keyword: BTreeMap<(&str, Option<String>), Vec<&SchemaFault>> = BTreeMap::new();
-        for fault in &file.schema.faults {
-            // Two missing keys of one object fail at the same keyword; they are two faults.
-            by_keyword.entry((&fault.keyword, lack(fault))).or_default().push(fault);
-        }
-        out.extend(by_keyword.into_iter().filter_map(|((keyword, lack), all)| judge(file, keyword, lack, &all)));
+fn run(file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    if is_ignored_override(file) || counts_as_missing(file) {
+        return;
     }
-}
-
-/// Whether the whole file is an empty value (`null`, `[]`, `0`), which Python takes for false and the loader for no
-/// file: `file-empty` speaks.
-fn counts_as_missing(file: &FileFacts) -> bool {
-    let wanted = matches!(file.kind, Kind::BaseJson | Kind::MacroJson | Kind::ModellingJson | Kind::TargetCategories);
-    wanted && file.json.falsy
+    let mut by_keyword: BTreeMap<(&str, Option<String>), Vec<&SchemaFault>> = BTreeMap::new();
+    for fault in &file.schema.faults {
+        // Two missing keys of one object fail at the same keyword; they are two faults.
+        by_keyword.entry((&fault.keyword, lack(fault))).or_default().push(fault);
+    }
+    out.extend(by_keyword.into_iter().filter_map(|((keyword, lack), all)| judge(file, keyword, lack, &all)));
 }
 
 /// One finding for all values that fail in the same way.
@@ -55,9 +48,9 @@ fn judge(file: &FileFacts, keyword: &str, lack: Option<String>, all: &[&SchemaFa
     let mut finding = RULE.at(file, Place::Pointer(first.pointer.clone()), message);
     finding = finding.key(format!("{keyword}{}", lack.unwrap_or_default())).help(help(file, first));
     // Of values that fail in the same way the worst counts.
-    let each = all.iter().map(|fault| effect_of(file.kind, fault));
-    if let Some(Some((level, effect))) = each.max_by_key(|effect| effect.map_or(Level::Error, |(level, _)| level)) {
-        finding = finding.level(level).breaks(Application::Makehuman2, effect);
+    let each = all.iter().map(|fault| of_value(file.kind, fault));
+    if let Some(Some(loss)) = each.max_by_key(|loss| loss.map_or(RULE.info.level, |loss| loss.level)) {
+        finding = loss.of(finding);
     }
     for other in all.iter().skip(1).take(EXAMPLES - 1) {
         finding = finding.related(file.path.clone(), Place::Pointer(other.pointer.clone()), sentence(other));

@@ -1,12 +1,14 @@
 //! The text of a JSON must be JSON.
 
+use super::super::cause::consequence::{Damage, consequence};
+use super::super::cause::is_ignored_override;
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
-use crate::discover::Kind;
+use crate::discover::{Kind, opened};
 use crate::formats::Content;
 use crate::formats::json_file::JsonFault;
 use crate::json::{SyntaxFault, SyntaxKind};
-use crate::repo::{FileFacts, Repository};
+use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -24,15 +26,15 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Repository(run),
 };
 
-fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for file in repository.judged.files.values().filter(|file| !file.is_ignored_override()) {
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for file in view.layers().checked.files.values().filter(|file| !is_ignored_override(file)) {
         match &file.content {
             Content::Broken(JsonFault::Syntax(fault)) if fault.kind != SyntaxKind::TooDeep && !is_stray(file) => {
-                let (level, effect) = super::loss(repository, file);
                 let finding = RULE
                     .at(file, Place::Span(fault.span.clone()), format!("no JSON: {fault}"))
-                    .parts([format!("{} {}", sort(&fault.kind), fault.within)]);
-                out.push(finding.level(level).help(help(fault)).breaks(Application::Makehuman2, effect));
+                    .parts([format!("{} {}", sort(&fault.kind), fault.within)])
+                    .help(help(fault));
+                out.extend(consequence(view, &file.rel, Damage::Syntax).map(|loss| loss.of(finding)));
             }
             // What NaN does to weights is worse, and another rule's business.
             _ if !matches!(file.kind, Kind::Weights | Kind::AssetWeights) && !is_stray(file) => {
@@ -59,13 +61,7 @@ fn sort(kind: &SyntaxKind) -> &'static str {
 
 /// Whether no loader looks for a JSON of this name where it lies: `file-unreferenced` speaks, or `file-case-mismatch`.
 fn is_stray(file: &FileFacts) -> bool {
-    let parts: Vec<&str> = file.rel.split('/').collect();
-    match parts.as_slice() {
-        ["rigs", _, "icons", ..] => false,
-        ["target" | "contarget", _, _, ..] => matches!(file.kind, Kind::Json | Kind::Pose),
-        ["rigs", _, .., name] => matches!(file.kind, Kind::Json | Kind::Pose) && *name != "selection_filter.json",
-        _ => false,
-    }
+    matches!(file.kind, Kind::Json | Kind::Pose) && !file.rel.starts_with("base/") && !opened::opens(&file.rel)
 }
 
 /// Quotes that word processors and chat programs make of straight ones.

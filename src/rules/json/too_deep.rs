@@ -1,11 +1,12 @@
 //! Nesting has a limit.
 
+use super::super::cause::consequence::{Damage, consequence};
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::formats::Content;
 use crate::formats::json_file::JsonFault;
 use crate::json::SyntaxKind;
-use crate::repo::Repository;
+use crate::repo::View;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -22,12 +23,13 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Repository(run),
 };
 
-fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for file in repository.judged.files.values() {
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for file in view.layers().checked.files.values() {
         let Content::Broken(JsonFault::Syntax(fault)) = &file.content else { continue };
         if fault.kind == SyntaxKind::TooDeep {
             let finding = RULE.at(file, Place::Span(fault.span.clone()), fault.to_string());
-            out.push(finding.help("no format needs more than ten levels; replace the file"));
+            let finding = finding.help("no format needs more than ten levels; replace the file");
+            out.extend(consequence(view, &file.rel, Damage::TooDeep).map(|loss| loss.of(finding)));
         }
     }
 }

@@ -4,7 +4,7 @@ use super::combination_patterns::{Cell, Pattern, cover, systematic};
 use super::listing::Listing;
 use super::space::Space;
 use crate::formats::macro_json::Component;
-use crate::repo::Base;
+use crate::repo::makehuman2::Base;
 
 /// Absent combinations that are told apart by name; more of them are one mass.
 const NAMED: usize = 256;

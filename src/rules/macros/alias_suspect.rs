@@ -4,7 +4,7 @@ use super::super::{Check, Rule, RuleCx};
 use super::links::unreferenced;
 use super::suspects::suspects;
 use crate::diag::{Application, Confidence, Finding, Level, Place, RuleInfo};
-use crate::repo::{Base, Repository};
+use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -20,16 +20,16 @@ pub(in crate::rules) static RULE: Rule = Rule {
             "`t` spells another value than `name` while a better fitting file lies unused beside it",
         )
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, _)) = base.macro_file() else { return };
-    let free = unreferenced(repository, base);
+    let free = unreferenced(view, base);
     if free.is_empty() {
         return;
     }
-    for suspect in suspects(repository, base, &free) {
+    for suspect in suspects(view, base, &free) {
         let (spelt, meant) = suspect.values;
         let name = &suspect.link.link.name;
         let message = format!("`{name}` names `{}`: `{spelt}` where it means `{meant}`", suspect.link.reference.text);

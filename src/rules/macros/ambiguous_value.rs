@@ -4,7 +4,7 @@ use super::super::{Check, Rule, RuleCx};
 use super::component::sound_components;
 use super::space::Space;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
-use crate::repo::{Base, Repository};
+use crate::repo::makehuman2::{Base, View};
 use std::collections::BTreeSet;
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -24,10 +24,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
             "a value holds a dash, or two combinations spell the same name",
         )
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };
     let mut explained: BTreeSet<&str> = BTreeSet::new();
     for macrodef in &macros.macrodefs {
@@ -50,10 +50,6 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
         let message = format!("value `{value}` of `{}` holds a dash, which separates values in names", component.name);
         let place = Place::pointer(["components", &component.name, "values", &at.to_string()]);
         let finding = RULE.at(file, place, message).key(&component.name).level(Level::Info);
-        out.push(
-            finding
-                .breaks(Application::Makehuman2, "nothing yet: every listed name has one meaning")
-                .help("name the value without `-`"),
-        );
+        out.push(finding.effect("nothing yet: every listed name has one meaning").help("name the value without `-`"));
     }
 }

@@ -1,10 +1,10 @@
 //! `sum` of a component must be the `barycentric` list of its slider.
 
+use super::super::cause::component::is_even;
 use super::super::{Check, Rule, RuleCx};
 use super::component::{patterns, sound_components, weigh};
-use super::judgeable::is_even;
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
-use crate::repo::{Base, BoundSlider, Pattern, Repository};
+use crate::repo::makehuman2::{Base, BoundSlider, Pattern, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -23,10 +23,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
             "`sum` of a component and the `barycentric` list of its slider differ",
         )
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };
     for component in sound_components(file, macros).filter(|c| c.steps.is_none() && c.sum.is_some() && is_even(c)) {
         let patterns = patterns(component);
@@ -41,8 +41,7 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
         let mut finding = RULE.at(file, place, format!("component `{name}`: {message}")).key(name).level(level);
         finding = finding.help("list the corners as in `barycentric` of the slider, in the same order");
         if level == Level::Warning {
-            finding = finding
-                .breaks(Application::Makehuman2, "takes the weights by position: values get the weights of others");
+            finding = finding.effect("takes the weights by position: values get the weights of others");
         }
         let place = Place::key([&slider.slider.key]);
         out.push(weigh(finding.related(&slider.file.path, place, "the slider"), macros, component));

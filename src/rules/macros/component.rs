@@ -1,27 +1,17 @@
 //! What the rules on components and their patterns share.
 
-use crate::diag::{Application, Finding, Level};
+use super::super::cause::component::is_sound_component;
+use crate::diag::{Finding, Level};
 use crate::formats::macro_json::{Component, MacroFile};
-use crate::repo::{Base, FileFacts, Pattern};
+use crate::repo::FileFacts;
+use crate::repo::makehuman2::{Base, Pattern};
 
 /// Lowers a finding on a component that no macro definition uses: it is never evaluated.
 pub(super) fn weigh(finding: Finding, macros: &MacroFile, component: &Component) -> Finding {
     if macros.macrodefs.iter().any(|macrodef| macrodef.components.contains(&component.name)) {
         return finding;
     }
-    finding.level(Level::Info).breaks(Application::Makehuman2, "nothing yet: no macrodef uses the component")
-}
-
-/// Whether the schema has nothing against the value at a pointer or below it; else the model lacks a part of it.
-pub(super) fn is_sound(file: &FileFacts, pointer: &str) -> bool {
-    let below = |fault: &str| fault.strip_prefix(pointer).is_some_and(|rest| rest.is_empty() || rest.starts_with('/'));
-    !file.schema.faults.iter().any(|fault| below(&fault.pointer))
-}
-
-/// The same for a component.
-pub(super) fn is_sound_component(file: &FileFacts, component: &Component) -> bool {
-    let name = component.name.replace('~', "~0").replace('/', "~1");
-    is_sound(file, &format!("/components/{name}"))
+    finding.level(Level::Info).effect("nothing yet: no macrodef uses the component")
 }
 
 /// The components that the schema has nothing against.

@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use super::titles;
 use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Place, RuleInfo};
-use crate::repo::{Base, Repository};
+use crate::repo::makehuman2::{Base, View};
 use std::collections::BTreeMap;
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -16,10 +16,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
             entries.",
         ..RuleInfo::new("macro-duplicate-combination", Level::Error, "a macrodef lists a combination twice")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };
     for macrodef in &macros.macrodefs {
         let mut by_name: BTreeMap<&str, Vec<_>> = BTreeMap::new();
@@ -45,7 +45,7 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
                 let fix = surplus.fold(Fix::new(RULE.info.fix, "remove the repetition"), |fix, link| {
                     fix.step(&file.path, Change::Element(macrodef.entry_pointer(link)))
                 });
-                finding = finding.level(Level::Info).breaks(Application::Makehuman2, effect).fix(fix);
+                finding = finding.level(Level::Info).effect(effect).fix(fix);
             }
             out.push(finding);
         }

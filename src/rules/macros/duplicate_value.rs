@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use super::component::{sound_components, weigh};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
-use crate::repo::{Base, Repository};
+use crate::repo::makehuman2::{Base, View};
 use std::collections::BTreeSet;
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -18,10 +18,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
             warning.\n\nGive every value a name of its own; the same file can still be used for several names.",
         ..RuleInfo::new("macro-duplicate-value", Level::Warning, "a component names a value twice")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };
     for component in sound_components(file, macros) {
         let mut seen = BTreeSet::new();

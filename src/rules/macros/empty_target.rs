@@ -5,7 +5,8 @@ use super::links::{MacroLink, links};
 use crate::diag::{Application, Change, Evidence, Finding, Fix, FixKind, Level, Place, RuleInfo};
 use crate::formats::macro_json::without_suffix;
 use crate::formats::target::TargetFacts;
-use crate::repo::{Base, FileFacts, Reference, ReferenceKind, Repository, Resolution};
+use crate::repo::makehuman2::{Base, View};
+use crate::repo::{FileFacts, Reference, ReferenceKind};
 use std::collections::BTreeMap;
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -19,18 +20,19 @@ pub(in crate::rules) static RULE: Rule = Rule {
             file, or store the shape that was meant.",
         ..RuleInfo::new("macro-empty-target", Level::Info, "a combination names a target without any displacement")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, _)) = base.macro_file() else { return };
     let mut by_file: BTreeMap<&str, Vec<MacroLink<'_>>> = BTreeMap::new();
-    let all = links(repository, base);
+    let all = links(view, base);
     for link in &all {
         if let Some(target) = link.reference.meant().filter(|target| moves_nothing(target)) {
             by_file.entry(&target.rel).or_default().push(*link);
         }
     }
+    let unmet = if by_file.is_empty() { BTreeMap::new() } else { unmet(view) };
     for (rel, links) in by_file {
         let Some((first, target)) = links.first().and_then(|link| Some((link, link.reference.meant()?))) else {
             continue;
@@ -38,11 +40,11 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
         let more = if links.len() > 1 { format!(" ({} combinations)", links.len()) } else { String::new() };
         let what = if target.size == 0 { "is an empty file and moves nothing" } else { "moves nothing" };
         let text = &first.reference.text;
-        let finding = match slider_of(repository, target) {
+        let finding = match slider_of(view, target) {
             Some(slider) => RULE
                 .at(file, first.place(), format!("`{text}` {what}{more}; the slider `{}` uses it, too", slider.owner))
                 .level(Level::Warning)
-                .breaks(Application::Makehuman2, "loads it and changes nothing: the slider seems dead")
+                .effect("loads it and changes nothing: the slider seems dead")
                 .help("store the shape that was meant; for the macro `null` would do, but the slider needs the file")
                 .related(&slider.from.path, slider.place.clone(), "uses it, too"),
             None => RULE
@@ -52,7 +54,7 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
         out.push(
             finding
                 .key(rel)
-                .fix(fix(repository, base, file, &links, target))
+                .fix(fix(view, base, file, &links, target, &unmet))
                 .related(&target.path, Place::File, "no displacement")
                 .evidence(Evidence::of_cases(links.iter().map(|link| &link.link.name))),
         );
@@ -60,34 +62,28 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
 }
 
 /// What uses the file besides the macros.
-fn slider_of<'s>(repository: &'s Repository<'_>, target: &FileFacts) -> Option<&'s Reference<'s>> {
+fn slider_of<'s>(view: &'s View<'_>, target: &FileFacts) -> Option<&'s Reference<'s>> {
     let is_slider = |reference: &&Reference<'_>| {
-        reference.kind.is_target()
-            && reference.kind != ReferenceKind::MacroTarget
-            && matches!(reference.resolution, Resolution::Found(found) if found.path == target.path)
+        reference.kind.is_target() && reference.kind != ReferenceKind::MacroTarget && reference.found().is_some()
     };
-    repository.references.iter().find(is_slider)
+    view.references.to_file(target).find(is_slider)
 }
 
 /// Writes `null` and removes the file, which would only be left lying around. Not where something else names it, or
 /// a binary archive holds it.
 fn fix(
-    repository: &Repository<'_>,
+    view: &View<'_>,
     base: &Base<'_>,
     file: &FileFacts,
     links: &[MacroLink<'_>],
     target: &FileFacts,
+    unmet: &BTreeMap<&str, usize>,
 ) -> Fix {
     // Also names that are not quite right: they may be mended next.
-    let stem = |rel: &str| without_suffix(rel).to_owned();
-    let names_it = |reference: &&Reference<'_>| match reference.meant() {
-        Some(meant) => meant.path == target.path,
-        None => reference.rel.strip_suffix(".target").map(stem) == target.rel.strip_suffix(".target").map(stem),
-    };
-    let users = repository.references.iter().filter(names_it).count();
+    let users = view.references.to_file(target).count() + unmet.get(stem(&target.rel)).copied().unwrap_or_default();
     let archived = base.targets.is_some_and(|folder| folder.archive().is_some());
     let fix = Fix::new(RULE.info.fix, "write `null` and remove the file");
-    if users != links.len() || archived || !repository.is_judged(target) {
+    if users != links.len() || archived || !view.layers.is_checked(target) {
         return fix;
     }
     let nulls =
@@ -96,11 +92,24 @@ fn fix(
     fix.step(&target.path, Change::Remove)
 }
 
+/// How many references that lead nowhere write each name.
+fn unmet<'s>(view: &'s View<'_>) -> BTreeMap<&'s str, usize> {
+    let mut unmet = BTreeMap::new();
+    for reference in view.references.iter().filter(|reference| reference.meant().is_none()) {
+        *unmet.entry(stem(&reference.rel)).or_default() += 1;
+    }
+    unmet
+}
+
+fn stem(rel: &str) -> &str {
+    rel.strip_suffix(".target").map_or("", without_suffix)
+}
+
 fn moves_nothing(file: &FileFacts) -> bool {
     let judged = |facts: &TargetFacts| {
         // Lines that are no rows are lost, which is a finding of its own.
         let damaged = facts.unreadable_rows + facts.non_finite.count + facts.field_count.count;
         facts.moving == 0 && damaged == 0
     };
-    file.encoding.invalid_utf8_at.is_none() && file.target().is_some_and(judged)
+    file.target().is_some_and(judged)
 }

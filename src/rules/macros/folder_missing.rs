@@ -1,11 +1,11 @@
 //! The folder of a macro definition must be given and exist.
 
+use super::super::cause::schema::is_sound;
 use super::super::{Check, Rule, RuleCx};
-use super::component::is_sound;
 use super::links::{MacroLink, links};
 use super::lost_folder::{holds_files, is_lost};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo, Sight, nearest};
-use crate::repo::{Base, Repository};
+use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -21,12 +21,12 @@ pub(in crate::rules) static RULE: Rule = Rule {
             folder.",
         ..RuleInfo::new("macro-folder-missing", Level::Error, "`folder` of a macrodef is not given, or does not exist")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };
-    let all = links(repository, base);
+    let all = links(view, base);
     for macrodef in &macros.macrodefs {
         let own: Vec<&MacroLink<'_>> = all.iter().filter(|link| link.macrodef.index == macrodef.index).collect();
         let index = macrodef.index.to_string();
@@ -43,8 +43,7 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
                     _ => format!("folder `{folder}` holds no target"),
                 };
                 RULE.at(file, place, message)
-                    .breaks(
-                        Application::Makehuman2,
+                    .effect(
                         "finds none of the targets and stops with an AttributeError as soon as one of them has weight",
                     )
                     .help(folder_of_files(base, &own).unwrap_or_else(|| nearest_folder(base, folder)))
@@ -54,19 +53,17 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
                 let message = format!("no `folder`: `{folder}` of the macrodef before is used again");
                 let effect =
                     "searches the targets in that folder, and stops as soon as one that is not there has weight";
-                let finding = RULE
-                    .at(file, Place::pointer(["macrodef", &index]), message)
-                    .breaks(Application::Makehuman2, effect);
+                let finding = RULE.at(file, Place::pointer(["macrodef", &index]), message).effect(effect);
                 if own.iter().all(|link| link.found().is_some()) {
                     let effect = "nothing: the targets are in the folder of the macrodef before";
-                    finding.level(Level::Info).breaks(Application::Makehuman2, effect)
+                    finding.level(Level::Info).effect(effect)
                 } else {
                     finding
                 }
             }
             (None, None) => RULE
                 .at(file, Place::pointer(["macrodef", &index]), "the first macrodef has no `folder`")
-                .breaks(Application::Makehuman2, "stops at start"),
+                .effect("stops at start"),
         };
         let help = finding.help.clone().unwrap_or_else(|| "write the name of the folder".to_owned());
         let folder = macrodef.folder.as_deref().unwrap_or("none");

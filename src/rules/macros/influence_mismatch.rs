@@ -1,11 +1,13 @@
 //! `macro_influence` should be the macro definitions that really read the slider.
 
+use super::super::cause::schema::is_sound;
 use super::super::{Check, Rule, RuleCx};
-use super::component::{is_sound, patterns, unknown_patterns};
+use super::component::{patterns, unknown_patterns};
 use super::judgeable::clear_space;
-use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo, pointer};
 use crate::formats::macro_json::{MacroFile, Macrodef};
-use crate::repo::{Base, BoundSlider, FileFacts, Pattern, Repository};
+use crate::repo::FileFacts;
+use crate::repo::makehuman2::{Base, BoundSlider, Pattern, View};
 use std::collections::BTreeSet;
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -25,10 +27,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
             "`macro_influence` differs from the macrodefs that read the slider",
         )
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };
     let unsure: BTreeSet<i64> =
         macros.macrodefs.iter().filter(|macrodef| is_unsure(base, (file, macros), macrodef)).map(index).collect();
@@ -75,7 +77,7 @@ fn dead(bound: &BoundSlider<'_>, names: &[String]) -> Finding {
     RULE.at(bound.file, Place::pointer([key, member]), message)
         .key(key)
         .level(Level::Warning)
-        .breaks(Application::Makehuman2, "shows a slider that moves nothing, and says nothing")
+        .effect("shows a slider that moves nothing, and says nothing")
         .help("let the `pattern` of a component in macro.json name it, or remove the slider")
 }
 
@@ -86,8 +88,7 @@ fn is_doubled(base: &Base<'_>, names: &[String]) -> bool {
 
 /// Whether the schema refuses an element of the list, or the list.
 fn is_misshapen(bound: &BoundSlider<'_>) -> bool {
-    let key = bound.slider.key.replace('~', "~0").replace('/', "~1");
-    !is_sound(bound.file, &format!("/{key}/macro_influence"))
+    !is_sound(bound.file, &pointer(&[&bound.slider.key, "macro_influence"]))
 }
 
 fn index(macrodef: &Macrodef) -> i64 {

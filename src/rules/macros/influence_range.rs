@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
-use crate::repo::{Base, BoundSlider, Repository};
+use crate::repo::makehuman2::{Base, BoundSlider, View};
 use std::collections::BTreeMap;
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -18,10 +18,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
             index is kept and means nothing.\n\nCorrect the index.",
         ..RuleInfo::new("macro-influence-range", Level::Warning, "`macro_influence` holds an index without a macrodef")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((_, macros)) = base.macro_file() else { return };
     if macros.macrodefs.is_empty() {
         return; // `macro-unused-component`, or the schema: no index could be right.
@@ -76,7 +76,7 @@ fn finding(wrong: &[i64], sliders: &[&BoundSlider<'_>], count: i64) -> Option<Fi
         } else {
             "nothing: a negative index passes its test, and it only looks whether any index is left"
         };
-        finding = finding.level(Level::Info).breaks(Application::Makehuman2, effect);
+        finding = finding.level(Level::Info).effect(effect);
     }
     Some(finding)
 }

@@ -3,9 +3,10 @@
 //! A fault in a component or in `comp` is reported by the rule that knows it; the names of the combinations, which
 //! are spelled with that component, must not speak a second time.
 
-use super::component::{is_sound, is_sound_component};
+use super::super::cause::component::{is_even, is_sound_component};
+use super::super::cause::schema::is_sound;
 use super::space::Space;
-use crate::formats::macro_json::{Component, MacroFile, Macrodef};
+use crate::formats::macro_json::{MacroFile, Macrodef};
 use crate::repo::FileFacts;
 
 /// What a definition generates, if neither `comp`, `targets` nor one of its components is faulty.
@@ -22,18 +23,4 @@ pub(super) fn clear_space<'a>(file: &FileFacts, macros: &'a MacroFile, macrodef:
     let space = judged_space(file, macros, macrodef)?;
     let spelled = macrodef.links.iter().filter(|link| space.parse(&link.name).is_some()).count();
     (spelled * 2 >= macrodef.links.len()).then_some(space)
-}
-
-/// Whether every value has a step or a corner of its own: `macro-steps-length`, `macro-sum-arity`.
-pub(super) fn is_even(component: &Component) -> bool {
-    let places = match (&component.steps, &component.sum) {
-        (Some(steps), _) => Some(steps.len()),
-        (None, sum) => sum.as_ref().map(Vec::len),
-    };
-    places.is_none_or(|places| places == component.values.len())
-}
-
-/// Whether a step is `NaN` or infinite and `json-syntax` says so.
-pub(super) fn has_special_step(file: &FileFacts, component: &Component) -> bool {
-    !file.json.specials.is_empty() && component.steps.iter().flatten().any(|step| !step.is_finite())
 }

@@ -5,7 +5,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::fit::{fits, values_of};
 use crate::diag::{Place, Suggestions};
 use crate::formats::macro_json::{Link, Macrodef};
-use crate::repo::{Base, FileFacts, Reference, ReferenceKind, Repository, Resolution, is_beneath};
+use crate::repo::makehuman2::{Base, View, is_beneath};
+use crate::repo::{FileFacts, Reference, ReferenceKind, Resolution};
 
 /// An entry with a file name.
 #[derive(Clone, Copy)]
@@ -16,9 +17,9 @@ pub(super) struct MacroLink<'s> {
 }
 
 /// All entries with a file name, in file order. An empty name is no reference.
-pub(super) fn links<'s>(repository: &'s Repository<'_>, base: &'s Base<'_>) -> Vec<MacroLink<'s>> {
+pub(super) fn links<'s>(view: &'s View<'_>, base: &'s Base<'_>) -> Vec<MacroLink<'s>> {
     let mut by_pointer: BTreeMap<&str, &'s Reference<'s>> = BTreeMap::new();
-    for reference in repository.references_of(base) {
+    for reference in view.references_of(base) {
         if let (ReferenceKind::MacroTarget, Place::Pointer(pointer)) = (reference.kind, &reference.place) {
             by_pointer.insert(pointer, reference);
         }
@@ -58,7 +59,7 @@ pub(super) fn has_suffix(text: &str) -> bool {
 }
 
 /// Targets in macro folders that could be read and that nothing names, rightly or wrongly written.
-pub(super) fn unreferenced<'s>(repository: &'s Repository<'_>, base: &'s Base<'_>) -> Vec<&'s FileFacts> {
+pub(super) fn unreferenced<'s>(view: &'s View<'_>, base: &'s Base<'_>) -> Vec<&'s FileFacts> {
     let Some(folder) = base.targets else { return Vec::new() };
     let mut named: BTreeSet<&str> = BTreeSet::new();
     let mut by_stem: BTreeMap<&str, &str> = BTreeMap::new();
@@ -66,7 +67,7 @@ pub(super) fn unreferenced<'s>(repository: &'s Repository<'_>, base: &'s Base<'_
         by_stem.entry(file.rel.trim_end_matches(".target")).or_insert(&file.rel);
     }
     let suggestions = Suggestions::default();
-    for reference in repository.references_of(base).filter(|reference| reference.kind.is_target()) {
+    for reference in view.references_of(base).filter(|reference| reference.kind.is_target()) {
         if let Some(file) = reference.meant() {
             named.insert(&file.rel);
         } else {
@@ -76,11 +77,10 @@ pub(super) fn unreferenced<'s>(repository: &'s Repository<'_>, base: &'s Base<'_
             named.extend(nearest_file(base, reference, &suggestions).map(|file| file.rel.as_str()));
         }
     }
-    let faulty = FaultyEntries::of(repository, base);
+    let faulty = FaultyEntries::of(view, base);
     let readable = |file: &&FileFacts| file.target().is_some_and(|facts| facts.unreadable_rows == 0);
     let free = folder.targets().filter(|file| base.is_in_macro_folder(file) && !named.contains(file.rel.as_str()));
-    let free = free.filter(|file| file.encoding.invalid_utf8_at.is_none()).filter(readable);
-    free.filter(|file| !faulty.mean(base, file)).collect()
+    free.filter(readable).filter(|file| !faulty.mean(base, file)).collect()
 }
 
 /// Entries that lead to no file, for which something is reported.
@@ -92,10 +92,10 @@ struct FaultyEntries<'s> {
 }
 
 impl<'s> FaultyEntries<'s> {
-    fn of(repository: &'s Repository<'_>, base: &'s Base<'_>) -> Self {
+    fn of(view: &'s View<'_>, base: &'s Base<'_>) -> Self {
         let mut faulty = Self { stems: BTreeSet::new(), names: Vec::new() };
         let Some((_, macros)) = base.macro_file() else { return faulty };
-        for link in links(repository, base) {
+        for link in links(view, base) {
             if link.is_nowhere() {
                 faulty.stems.extend(last_part(link.reference.text));
                 faulty.names.push((link.macrodef, values_of(&link.link.name)));

@@ -2,7 +2,7 @@
 
 use super::links::MacroLink;
 use crate::formats::macro_json::Macrodef;
-use crate::repo::{Base, TargetFolder};
+use crate::repo::makehuman2::{Base, TargetFolder};
 
 /// Whether the folder is the reason that targets of a definition are missing.
 pub(super) fn is_lost(base: &Base<'_>, macrodef: &Macrodef, all: &[MacroLink<'_>]) -> bool {

@@ -7,7 +7,8 @@ use super::links::unreferenced;
 use super::survey::{Survey, survey};
 use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::macro_json::Macrodef;
-use crate::repo::{Base, FileFacts, Repository};
+use crate::repo::FileFacts;
+use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -33,12 +34,12 @@ pub(in crate::rules) static RULE: Rule = Rule {
             "a macrodef leaves combinations of its components unlisted",
         )
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };
-    let free = unreferenced(repository, base);
+    let free = unreferenced(view, base);
     for macrodef in &macros.macrodefs {
         let Some(survey) = survey(base, macrodef, &free) else { continue };
         let Some([system, holes]) = &survey.absent else {
@@ -79,7 +80,7 @@ fn finding(
     } else {
         let effect = "nothing: these combinations are meant to have no shape of their own";
         let help = "nothing needs to be done if no shape is meant here";
-        finding.level(Level::Info).breaks(Application::Makehuman2, effect).help(help)
+        finding.level(Level::Info).effect(effect).help(help)
     };
     Some(finding.evidence(evidence))
 }

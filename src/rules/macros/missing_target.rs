@@ -3,7 +3,8 @@
 use super::super::{Check, Rule, RuleCx};
 use super::links::{MacroLink, has_suffix, links, nearest_file};
 use crate::diag::{Application, Evidence, Finding, Level, RuleInfo, Sight, Suggestions};
-use crate::repo::{Base, FileFacts, Repository};
+use crate::repo::FileFacts;
+use crate::repo::makehuman2::{Base, View};
 use std::collections::{BTreeMap, BTreeSet};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -19,13 +20,13 @@ pub(in crate::rules) static RULE: Rule = Rule {
             file, or write `null` where nothing should change.",
         ..RuleInfo::new("macro-missing-target", Level::Error, "a combination names a target that does not exist")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, _)) = base.macro_file() else { return };
     let mut by_file: BTreeMap<&str, Vec<MacroLink<'_>>> = BTreeMap::new();
-    let all = links(repository, base);
+    let all = links(view, base);
     let spoken_of: BTreeSet<usize> = all
         .chunk_by(|one, next| one.macrodef.index == next.macrodef.index)
         .filter_map(|own| own.first())
@@ -44,7 +45,7 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
         let Some(first) = links.first() else { continue };
         let more = if links.len() > 1 { format!(", which {} combinations use", links.len()) } else { String::new() };
         let packed = format!("{rel}.gz");
-        let packed = repository.strongest_first().find_map(|layer| layer.file(&packed));
+        let packed = view.layers.strongest_first().find_map(|layer| layer.file(&packed));
         let help =
             match nearest_file(base, first.reference, &suggestions).filter(|near| !own.contains(near.path.as_str())) {
                 _ if let Some(packed) = packed => {

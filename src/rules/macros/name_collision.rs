@@ -6,7 +6,8 @@ use super::space::Space;
 use super::titles;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::macro_json::{Link, Macrodef};
-use crate::repo::{Base, FileFacts, Repository};
+use crate::repo::FileFacts;
+use crate::repo::makehuman2::{Base, View};
 use std::collections::BTreeMap;
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -19,7 +20,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
             as `none` of two components, invite it.\n\nRename a value in one of the components.",
         ..RuleInfo::new("macro-name-collision", Level::Error, "two macrodefs list or generate the same name")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
 /// A definition with what it lists (last entry wins) and generates.
@@ -29,7 +30,7 @@ struct Table<'a> {
     links: BTreeMap<&'a str, &'a Link>,
 }
 
-fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };
     let table =
         |macrodef| Some(Table { macrodef, space: clear_space(file, macros, macrodef)?, links: links(macrodef) });
@@ -103,8 +104,7 @@ fn report(
         finding = finding.related(&file.path, twin, "the same name");
     }
     if level == Level::Warning {
-        finding = finding
-            .breaks(Application::Makehuman2, "applies the target once for each of the two macrodefs: a doubled morph");
+        finding = finding.effect("applies the target once for each of the two macrodefs: a doubled morph");
     }
     out.push(finding);
 }

@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
-use crate::repo::{Base, Repository};
+use crate::repo::makehuman2::{Base, View};
 use std::collections::BTreeSet;
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -16,10 +16,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
             the macrodef has no effect.\n\nRemove the repetition, or put the component there that was meant.",
         ..RuleInfo::new("macro-repeated-component", Level::Error, "a component occurs twice in one `comp`")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };
     for macrodef in &macros.macrodefs {
         let mut seen = BTreeSet::new();

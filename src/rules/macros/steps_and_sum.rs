@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use super::component::{sound_components, unknown_patterns, weigh};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
-use crate::repo::{Base, Repository};
+use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -15,10 +15,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
             the slider.",
         ..RuleInfo::new("macro-steps-and-sum", Level::Error, "a component has both `steps` and `sum`, or neither")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };
     for component in sound_components(file, macros) {
         let name = &component.name;
@@ -33,13 +33,13 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
                 let place = Place::key(["components", name, "sum"]);
                 RULE.at(file, place, format!("component `{name}` has both `steps` and `sum`"))
                     .level(level)
-                    .breaks(Application::Makehuman2, effect)
+                    .effect(effect)
                     .help("remove `sum` for a plain slider, `steps` for a triangle slider")
             }
             (None, None) => {
                 let place = Place::key(["components", name]);
                 RULE.at(file, place, format!("component `{name}` has neither `steps` nor `sum`"))
-                    .breaks(Application::Makehuman2, "stops with a KeyError")
+                    .effect("stops with a KeyError")
                     .help("add `steps` with a slider position for each value")
             }
             _ => continue,

@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use super::component::{sound_components, weigh};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
-use crate::repo::{Base, Repository};
+use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -17,10 +17,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
             surplus values and every target named after them are dead (warning).\n\nGive every value exactly one step.",
         ..RuleInfo::new("macro-steps-length", Level::Error, "`steps` and `values` of a component differ in length")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };
     for component in sound_components(file, macros) {
         let Some(steps) = &component.steps else { continue };
@@ -35,7 +35,7 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
             finding.help("name a value for every step, or remove the surplus steps")
         } else {
             let effect = surplus_effect(steps.len());
-            let finding = finding.level(Level::Warning).breaks(Application::Makehuman2, effect);
+            let finding = finding.level(Level::Warning).effect(effect);
             finding.help("give every value a step; the last values cannot be reached now")
         };
         out.push(weigh(finding, macros, component));

@@ -1,10 +1,10 @@
 //! `steps` of a component must increase strictly.
 
+use super::super::cause::component::has_special_step;
 use super::super::{Check, Rule, RuleCx};
 use super::component::{sound_components, weigh};
-use super::judgeable::has_special_step;
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
-use crate::repo::{Base, Repository};
+use crate::repo::makehuman2::{Base, View};
 use std::cmp::Ordering;
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -22,10 +22,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
             neighbours.",
         ..RuleInfo::new("macro-steps-order", Level::Error, "`steps` of a component do not increase strictly")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };
     for component in sound_components(file, macros).filter(|c| !has_special_step(file, c)) {
         let Some(steps) = &component.steps else { continue };
@@ -41,7 +41,7 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
         if !(equal && at == 0) {
             let effect =
                 if equal { "lets the shape jump at this position" } else { "never uses some of the intervals" };
-            finding = finding.level(Level::Warning).breaks(Application::Makehuman2, effect);
+            finding = finding.level(Level::Warning).effect(effect);
         }
         out.push(weigh(finding, macros, component));
     }

@@ -1,10 +1,10 @@
 //! `steps` of a component must run from 0 to 1.
 
+use super::super::cause::component::has_special_step;
 use super::super::{Check, Rule, RuleCx};
 use super::component::{sound_components, weigh};
-use super::judgeable::has_special_step;
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
-use crate::repo::{Base, Repository};
+use crate::repo::makehuman2::{Base, View};
 use std::cmp::Ordering;
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -21,10 +21,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
             reach in full.\n\nLet the first step be 0 and the last 1.",
         ..RuleInfo::new("macro-steps-range", Level::Warning, "`steps` of a component do not run from 0 to 1")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };
     for component in sound_components(file, macros).filter(|c| !has_special_step(file, c)) {
         let Some(steps) = &component.steps else { continue };
@@ -42,7 +42,7 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
             .at(file, place, message)
             .key(format!("{} {end}", component.name))
             .help("let the first step be 0 and the last 1");
-        out.push(weigh(finding.breaks(Application::Makehuman2, effect), macros, component));
+        out.push(weigh(finding.effect(effect), macros, component));
     }
 }
 

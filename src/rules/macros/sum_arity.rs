@@ -5,7 +5,7 @@ use super::component::sound_components;
 use super::component::weigh;
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::formats::macro_json::Component;
-use crate::repo::{Base, Repository};
+use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -25,13 +25,13 @@ pub(in crate::rules) static RULE: Rule = Rule {
             "`sum` of a component has not three entries, or not as many as `values`",
         )
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
 /// Corners of a triangle slider.
 const CORNERS: usize = 3;
 
-fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };
     for component in sound_components(file, macros) {
         let (None, Some(sum)) = (&component.steps, &component.sum) else { continue };
@@ -48,7 +48,7 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
             finding.help("give `values` and `sum` three entries each, in the order of `barycentric` of the slider");
         if !stops(base, component, sum) {
             let effect = "never reads the surplus, or the corners without a value";
-            finding = finding.level(Level::Warning).breaks(Application::Makehuman2, effect);
+            finding = finding.level(Level::Warning).effect(effect);
         }
         out.push(weigh(finding, macros, component));
     }

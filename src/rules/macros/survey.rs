@@ -13,7 +13,8 @@ use super::listing::Listing;
 use super::space::{Combination, Space};
 use super::spelled::Spelled;
 use crate::formats::macro_json::Macrodef;
-use crate::repo::{Base, FileFacts};
+use crate::repo::FileFacts;
+use crate::repo::makehuman2::Base;
 
 /// Cells times files that are compared at most.
 const COMPARED: usize = 1 << 24;

@@ -2,7 +2,8 @@
 
 use super::fit::{contradiction, fits, values_of};
 use super::links::{MacroLink, links};
-use crate::repo::{Base, FileFacts, Repository};
+use crate::repo::FileFacts;
+use crate::repo::makehuman2::{Base, View};
 
 /// An entry that names another value's file although a better one is free.
 pub(super) struct Suspect<'s> {
@@ -13,13 +14,9 @@ pub(super) struct Suspect<'s> {
 }
 
 /// All suspects; `free` are the unused files of the macro folders.
-pub(super) fn suspects<'s>(
-    repository: &'s Repository<'_>,
-    base: &'s Base<'_>,
-    free: &[&'s FileFacts],
-) -> Vec<Suspect<'s>> {
+pub(super) fn suspects<'s>(view: &'s View<'_>, base: &'s Base<'_>, free: &[&'s FileFacts]) -> Vec<Suspect<'s>> {
     let Some((_, macros)) = base.macro_file() else { return Vec::new() };
-    let all = links(repository, base);
+    let all = links(view, base);
     let found = all.iter().filter_map(|link| Some((link, link.found()?)));
     found
         .filter_map(|(link, file)| {

@@ -1,12 +1,15 @@
 //! `t` is written without suffix.
 
+use std::collections::BTreeSet;
+
 use super::super::{Check, Rule, RuleCx};
 use super::fit::{fits, values_of};
 use super::links::{has_suffix, is_in_folder, links};
 use super::titles;
 use crate::diag::{Application, Change, Evidence, Finding, Fix, FixKind, Level, Place, RuleInfo};
 use crate::formats::macro_json::{Link, Macrodef, without_suffix};
-use crate::repo::{Base, FileFacts, Reference, Repository};
+use crate::repo::FileFacts;
+use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -21,16 +24,15 @@ pub(in crate::rules) static RULE: Rule = Rule {
             weight.\n\nRemove the suffix; write the name of the file, or `null`, instead of an empty text.",
         ..RuleInfo::new("macro-target-extension", Level::Error, "`t` ends in `.target` or `.gz`, or is empty")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };
-    let all = links(repository, base);
+    let all = links(view, base).into_iter().filter(|link| link.found().is_some());
+    let found: BTreeSet<(usize, usize)> = all.map(|link| (link.macrodef.index, link.link.index)).collect();
     for macrodef in &macros.macrodefs {
-        let found = |index| {
-            all.iter().any(|l| l.macrodef.index == macrodef.index && l.link.index == index && l.found().is_some())
-        };
+        let found = |index| found.contains(&(macrodef.index, index));
         let wrong =
             macrodef.links.iter().filter(|link| link.target.as_deref().is_some_and(has_suffix) && !found(link.index));
         let wrong: Vec<_> = wrong.collect();
@@ -51,14 +53,14 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
         };
         let finding = RULE.at(file, Place::Pointer(macrodef.link_pointer(first, "t")), message).help(help);
         let evidence = Evidence::of_cases(wrong.iter().map(|link| &link.name)).out_of(macrodef.links.len());
-        let fix = fix(repository, base, file, macrodef, &wrong);
+        let fix = fix(view, base, file, macrodef, &wrong);
         out.push(finding.key(macrodef.components.join("-")).evidence(evidence).fix(fix));
     }
 }
 
 /// Takes the suffix off where that leads to a file. For an empty text writes the combination's own name if there is such
 /// a file, else `null`, unless an unused file may be the one that was meant.
-fn fix(repository: &Repository<'_>, base: &Base<'_>, file: &FileFacts, macrodef: &Macrodef, wrong: &[&Link]) -> Fix {
+fn fix(view: &View<'_>, base: &Base<'_>, file: &FileFacts, macrodef: &Macrodef, wrong: &[&Link]) -> Fix {
     let mut fix = Fix::new(RULE.info.fix, "remove the suffix; for an empty text write the name of its file, or `null`");
     for link in wrong {
         let text = match without_suffix(link.target.as_deref().unwrap_or_default()) {
@@ -66,7 +68,7 @@ fn fix(repository: &Repository<'_>, base: &Base<'_>, file: &FileFacts, macrodef:
             text if exists(base, macrodef, text) => Some(text),
             _ => continue,
         };
-        if text.is_none() && has_candidate(repository, base, macrodef, link) {
+        if text.is_none() && has_candidate(view, base, macrodef, link) {
             continue;
         }
         let pointer = macrodef.link_pointer(link, "t");
@@ -88,10 +90,8 @@ fn own_target<'a>(base: &Base<'_>, macrodef: &Macrodef, link: &'a Link) -> Optio
 }
 
 /// Whether the folder has a target for the combination that nothing uses.
-fn has_candidate(repository: &Repository<'_>, base: &Base<'_>, macrodef: &Macrodef, link: &Link) -> bool {
-    let is_used = |file: &FileFacts| {
-        repository.references_of(base).filter_map(Reference::meant).any(|meant| meant.rel == file.rel)
-    };
+fn has_candidate(view: &View<'_>, base: &Base<'_>, macrodef: &Macrodef, link: &Link) -> bool {
+    let is_used = |file: &FileFacts| view.references.to_file(file).next().is_some();
     let name = values_of(&link.name);
     let fitting = |file: &&FileFacts| is_in_folder(base, macrodef, file) && fits(&values_of(file.stem()), &name);
     base.targets.is_some_and(|targets| targets.targets().filter(fitting).any(|file| !is_used(file)))

@@ -4,7 +4,7 @@ use super::super::{Check, Rule, RuleCx};
 use super::space::Space;
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::formats::macro_json::Component;
-use crate::repo::{Base, Repository};
+use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -25,13 +25,13 @@ pub(in crate::rules) static RULE: Rule = Rule {
             "a macrodef blends so many values at once that every combination falls below the limit",
         )
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
 /// A combination counts only above this weight (formats/makehuman2.md §3.3).
 const SMALLEST_WEIGHT: f64 = 0.01;
 
-fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };
     for macrodef in &macros.macrodefs {
         let Some(space) = Space::of(macros, macrodef) else { continue };

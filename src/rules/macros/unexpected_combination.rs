@@ -8,7 +8,8 @@ use super::space::Space;
 use super::titles;
 use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::macro_json::{MacroFile, Macrodef};
-use crate::repo::{Base, FileFacts, Repository};
+use crate::repo::FileFacts;
+use crate::repo::makehuman2::{Base, View};
 use std::collections::{BTreeMap, BTreeSet};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -28,10 +29,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
             "a macrodef lists a name that its components cannot generate",
         )
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };
     let misspelt = misspelt_values(file, macros);
     out.extend(misspelt.iter().map(|value| finding_on_value(file, value)));
@@ -72,7 +73,7 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
             if home.is_some() {
                 let effect = "finds the name for another macrodef, in the folder of this one";
                 finding.help = Some("move the entry there, and check its folder".to_owned());
-                finding = finding.level(Level::Info).breaks(Application::Makehuman2, effect);
+                finding = finding.level(Level::Info).effect(effect);
             }
             let names = strangers.iter().map(|stranger| &stranger.link.name);
             out.push(finding.evidence(Evidence::of_cases(names).out_of(macrodef.links.len())));

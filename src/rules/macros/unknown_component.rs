@@ -3,7 +3,8 @@
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, EXAMPLES, Finding, Level, Place, RuleInfo, nearest};
 use crate::formats::macro_json::{MacroFile, Macrodef};
-use crate::repo::{Base, FileFacts, Repository};
+use crate::repo::FileFacts;
+use crate::repo::makehuman2::{Base, View};
 use std::collections::{BTreeMap, BTreeSet};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -18,10 +19,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
             or define the component.",
         ..RuleInfo::new("macro-unknown-component", Level::Error, "`comp` names a component that is not defined")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };
     // Without any component `components` is no object, or missing, and the schema says so.
     if macros.components.is_empty() && !file.schema.faults.is_empty() {

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::super::{Check, Rule, RuleCx};
 use super::component::{macro_patterns, sound_components, unknown_patterns, weigh};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, nearest};
-use crate::repo::{Base, Repository};
+use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -20,7 +20,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
             a triangle loses the targets of that corner.\n\nWrite the pattern exactly as in `modelling.json`.",
         ..RuleInfo::new("macro-unknown-pattern", Level::Error, "the pattern of a component belongs to no slider")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
 fn has_doubled(base: &Base<'_>) -> bool {
@@ -34,7 +34,7 @@ fn is_slip(written: &str, near: &str) -> bool {
     written == near || nearest(written, [near]).is_some()
 }
 
-fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };
     for component in sound_components(file, macros) {
         if component.steps.is_some() && component.sum.is_some() {
@@ -68,7 +68,7 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
         let mut finding = RULE.at(file, place, message).key(name).help(help);
         if is_corner {
             let effect = "skips this corner of the triangle without a word; the targets of its value are never applied";
-            finding = finding.breaks(Application::Makehuman2, effect);
+            finding = finding.effect(effect);
         }
         out.push(weigh(finding.evidence(Evidence::of_cases(&unknown).out_of(read.len())), macros, component));
     }

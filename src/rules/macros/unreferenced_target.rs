@@ -7,7 +7,8 @@ use super::survey::survey;
 use super::suspects::suspects;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, Sight};
 use crate::formats::macro_json::Macrodef;
-use crate::repo::{Base, FileFacts, Repository};
+use crate::repo::FileFacts;
+use crate::repo::makehuman2::{Base, View};
 use std::collections::BTreeSet;
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -24,16 +25,16 @@ pub(in crate::rules) static RULE: Rule = Rule {
             "a target in a macro folder is used by no macrodef",
         )
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((macro_file, macros)) = base.macro_file() else { return };
-    let free = unreferenced(repository, base);
+    let free = unreferenced(view, base);
     if free.is_empty() {
         return;
     }
-    let suspects = suspects(repository, base, &free);
+    let suspects = suspects(view, base, &free);
     // `macro-missing-combination` names the files of its holes.
     let surveys = macros.macrodefs.iter().filter_map(|macrodef| survey(base, macrodef, &free));
     let awaited: BTreeSet<&str> = surveys.flat_map(|survey| survey.files).map(|file| file.rel.as_str()).collect();

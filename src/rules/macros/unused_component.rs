@@ -1,12 +1,13 @@
 //! A component that no macro definition uses.
 
+use super::super::cause::schema::is_sound;
 use super::super::{Check, Rule, RuleCx};
-use super::component::is_sound;
 use super::judgeable::clear_space;
 use super::space::Space;
 use crate::diag::{Application, Finding, Level, Place, RuleInfo, nearest};
 use crate::formats::macro_json::{MacroFile, Macrodef};
-use crate::repo::{Base, FileFacts, Repository};
+use crate::repo::FileFacts;
+use crate::repo::makehuman2::{Base, View};
 use std::collections::BTreeSet;
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -17,10 +18,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
             component is missing from a `comp`.\n\nRemove it, or add it where it was meant.",
         ..RuleInfo::new("macro-unused-component", Level::Info, "a component is used by no macrodef")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };
     let used = || macros.macrodefs.iter().flat_map(|macrodef| &macrodef.components).map(String::as_str);
     let known = || macros.components.iter().map(|component| component.name.as_str());

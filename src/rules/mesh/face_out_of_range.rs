@@ -1,9 +1,8 @@
 //! Faces must use what exists.
 
 use super::super::{Check, Rule, RuleCx};
-use super::meshes;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
-use crate::repo::Layer;
+use crate::repo::FileFacts;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -17,23 +16,21 @@ pub(in crate::rules) static RULE: Rule = Rule {
             "a face uses a vertex or texture coordinate that does not exist",
         )
     },
-    check: Check::Layer(run),
+    check: Check::File(run),
 };
 
-fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for (file, mesh) in meshes(layer) {
-        let tally = &mesh.facts.face_out_of_range;
-        let Some((line, number)) = tally.first.first() else { continue };
-        let more = if tally.count > 1 { format!(" ({} faces like it)", tally.count) } else { String::new() };
-        let (vertices, uvs) = (mesh.facts.vertices, mesh.uvs.len());
-        let message = format!(
-            "a face uses number {number}, but there are {vertices} vertices and {uvs} texture coordinates{more}"
-        );
-        let lines = tally.first.iter().map(|(line, _)| format!("line {line}"));
-        out.push(
-            RULE.at(file, Place::Line(*line), message)
-                .help("number vertices from 1; export the mesh again if lines are missing")
-                .evidence(Evidence { examples: lines.collect(), ..tally.evidence(mesh.faces.len()) }),
-        );
-    }
+fn run(file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(mesh) = file.mesh() else { return };
+    let tally = &mesh.facts.face_out_of_range;
+    let Some((line, number)) = tally.first.first() else { return };
+    let more = if tally.count > 1 { format!(" ({} faces like it)", tally.count) } else { String::new() };
+    let (vertices, uvs) = (mesh.facts.vertices, mesh.uvs.len());
+    let message =
+        format!("a face uses number {number}, but there are {vertices} vertices and {uvs} texture coordinates{more}");
+    let lines = tally.first.iter().map(|(line, _)| format!("line {line}"));
+    out.push(
+        RULE.at(file, Place::Line(*line), message)
+            .help("number vertices from 1; export the mesh again if lines are missing")
+            .evidence(Evidence { examples: lines.collect(), ..tally.evidence(mesh.faces.len()) }),
+    );
 }

@@ -1,9 +1,8 @@
 //! Names of groups must be ASCII.
 
 use super::super::{Check, Rule, RuleCx};
-use super::meshes;
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
-use crate::repo::Layer;
+use crate::repo::FileFacts;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -13,17 +12,16 @@ pub(in crate::rules) static RULE: Rule = Rule {
             of `base.json`.",
         ..RuleInfo::new("mesh-group-name", Level::Error, "the name of a group has letters beyond ASCII")
     },
-    check: Check::Layer(run),
+    check: Check::File(run),
 };
 
-fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for (file, mesh) in meshes(layer) {
-        for group in mesh.groups.iter().filter(|group| group.faces > 0 && !group.name.is_ascii()) {
-            out.push(
-                RULE.at(file, Place::Line(group.line), format!("the name of group `{}` is not ASCII", group.name))
-                    .key(&group.name)
-                    .help("use letters a to z, digits, `-` and `_`"),
-            );
-        }
+fn run(file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(mesh) = file.mesh() else { return };
+    for group in mesh.groups.iter().filter(|group| group.faces > 0 && !group.name.is_ascii()) {
+        out.push(
+            RULE.at(file, Place::Line(group.line), format!("the name of group `{}` is not ASCII", group.name))
+                .key(&group.name)
+                .help("use letters a to z, digits, `-` and `_`"),
+        );
     }
 }

@@ -1,9 +1,8 @@
 //! Positions must be finite.
 
 use super::super::{Check, Rule, RuleCx};
-use super::meshes;
 use crate::diag::{Application, Element, Finding, Level, Place, RuleInfo};
-use crate::repo::Layer;
+use crate::repo::FileFacts;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -17,22 +16,21 @@ pub(in crate::rules) static RULE: Rule = Rule {
             height of the body.\n\nGive the vertex a position.",
         ..RuleInfo::new("mesh-non-finite", Level::Error, "the position of a vertex is not a number or infinite")
     },
-    check: Check::Layer(run),
+    check: Check::File(run),
 };
 
-fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for (file, mesh) in meshes(layer) {
-        let tally = &mesh.facts.non_finite;
-        let Some((line, vertex)) = tally.first.first() else { continue };
-        let message = match tally.count {
-            1 => format!("the position of vertex {vertex} is not finite"),
-            count => format!("the positions of {count} vertices are not finite, the first is vertex {vertex}"),
-        };
-        let element = Element { kind: "vertex", index: vertex.unsigned_abs() };
-        out.push(
-            RULE.at(file, Place::Row(*line, element), message)
-                .help("give the vertex a position")
-                .evidence(tally.evidence(mesh.facts.vertices)),
-        );
-    }
+fn run(file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(mesh) = file.mesh() else { return };
+    let tally = &mesh.facts.non_finite;
+    let Some((line, vertex)) = tally.first.first() else { return };
+    let message = match tally.count {
+        1 => format!("the position of vertex {vertex} is not finite"),
+        count => format!("the positions of {count} vertices are not finite, the first is vertex {vertex}"),
+    };
+    let element = Element { kind: "vertex", index: vertex.unsigned_abs() };
+    out.push(
+        RULE.at(file, Place::Row(*line, element), message)
+            .help("give the vertex a position")
+            .evidence(tally.evidence(mesh.facts.vertices)),
+    );
 }

@@ -1,9 +1,8 @@
 //! Texture coordinates must be complete in a group.
 
 use super::super::{Check, Rule, RuleCx};
-use super::meshes;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
-use crate::repo::Layer;
+use crate::repo::FileFacts;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -13,23 +12,20 @@ pub(in crate::rules) static RULE: Rule = Rule {
             remaining faces, or move them into a group of their own.",
         ..RuleInfo::new("mesh-partial-uv", Level::Error, "a group has faces with and without texture coordinates")
     },
-    check: Check::Layer(run),
+    check: Check::File(run),
 };
 
-fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for (file, mesh) in meshes(layer) {
-        for group in &mesh.facts.partial_uv {
-            let message = format!(
-                "{} of {} faces of group `{}` have no texture coordinates",
-                group.without, group.faces, group.name
-            );
-            let evidence = Evidence { count: group.without as u64, ..Evidence::default() };
-            out.push(
-                RULE.at(file, Place::Line(group.line), message)
-                    .key(&group.name)
-                    .help("unwrap all faces of the group, or none")
-                    .evidence(evidence.out_of(group.faces)),
-            );
-        }
+fn run(file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(mesh) = file.mesh() else { return };
+    for group in &mesh.facts.partial_uv {
+        let message =
+            format!("{} of {} faces of group `{}` have no texture coordinates", group.without, group.faces, group.name);
+        let evidence = Evidence { count: group.without as u64, ..Evidence::default() };
+        out.push(
+            RULE.at(file, Place::Line(group.line), message)
+                .key(&group.name)
+                .help("unwrap all faces of the group, or none")
+                .evidence(evidence.out_of(group.faces)),
+        );
     }
 }

@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::obj::Reopened;
-use crate::repo::{Base, FileFacts, Repository};
+use crate::repo::{Body, FileFacts};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -18,18 +18,18 @@ pub(in crate::rules) static RULE: Rule = Rule {
             (`error`).\n\nSort the faces so that each group comes once; exporters have an option for it.",
         ..RuleInfo::new("mesh-reopened-group", Level::Warning, "a face group is opened a second time")
     },
-    check: Check::Base(run),
+    check: Check::Body(run),
 };
 
-fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some((file, mesh)) = base.mesh else { return };
-    let visible = base.settings().and_then(|(_, settings)| settings.visible_groups.as_deref()).unwrap_or_default();
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some((file, mesh)) = body.mesh else { return };
+    let visible = body.visible_groups.unwrap_or_default();
     let is_visible = |group: &str| visible.iter().any(|name| name == group);
     let vanishes = |group: &&Reopened| is_visible(&group.name) && !group.lands_in.iter().all(|name| is_visible(name));
     let (vanishing, others): (Vec<&Reopened>, Vec<&Reopened>) = mesh.facts.reopened.iter().partition(vanishes);
     if let Some(finding) = finding(file, &vanishing, mesh.faces.len()) {
         let effect = "loses visible faces: they end up in a group that is not shown";
-        out.push(finding.key("visible").level(Level::Error).breaks(Application::Makehuman2, effect));
+        out.push(finding.key("visible").level(Level::Error).effect(effect));
     }
     out.extend(finding(file, &others, mesh.faces.len()));
 }

@@ -1,9 +1,8 @@
 //! Every line of a mesh must be readable.
 
 use super::super::{Check, Rule, RuleCx};
-use super::meshes;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
-use crate::repo::Layer;
+use crate::repo::FileFacts;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -14,25 +13,24 @@ pub(in crate::rules) static RULE: Rule = Rule {
             that is missing or no number.\n\nExport the mesh again, or correct the line.",
         ..RuleInfo::new("mesh-syntax", Level::Error, "a line of a mesh cannot be read")
     },
-    check: Check::Layer(run),
+    check: Check::File(run),
 };
 
-fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for (file, mesh) in meshes(layer) {
-        let Some(first) = mesh.facts.unreadable.first() else { continue };
-        let more = if mesh.facts.unreadable_lines > 1 {
-            format!(" ({} lines cannot be read)", mesh.facts.unreadable_lines)
-        } else {
-            String::new()
-        };
-        let cases = mesh.facts.unreadable.iter().map(|bad| format!("line {}", bad.line));
-        let mut evidence = Evidence::of_cases(cases).unnamed();
-        evidence.count = mesh.facts.unreadable_lines;
-        out.push(
-            RULE.at(file, Place::Line(first.line), format!("`{}`: {}{more}", first.text, first.what))
-                .help("correct the line, or export the mesh again")
-                .parts(mesh.facts.unreadable_names.names())
-                .evidence(evidence),
-        );
-    }
+fn run(file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(mesh) = file.mesh() else { return };
+    let Some(first) = mesh.facts.unreadable.first() else { return };
+    let more = if mesh.facts.unreadable_lines > 1 {
+        format!(" ({} lines cannot be read)", mesh.facts.unreadable_lines)
+    } else {
+        String::new()
+    };
+    let cases = mesh.facts.unreadable.iter().map(|bad| format!("line {}", bad.line));
+    let mut evidence = Evidence::of_cases(cases).unnamed();
+    evidence.count = mesh.facts.unreadable_lines;
+    out.push(
+        RULE.at(file, Place::Line(first.line), format!("`{}`: {}{more}", first.text, first.what))
+            .help("correct the line, or export the mesh again")
+            .parts(mesh.facts.unreadable_names.names())
+            .evidence(evidence),
+    );
 }

@@ -1,9 +1,9 @@
 //! Vertices that no face uses.
 
 use super::super::{Check, Rule, RuleCx};
-use super::meshes;
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
-use crate::repo::Layer;
+use crate::formats::obj::Mesh;
+use crate::repo::FileFacts;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -14,20 +14,18 @@ pub(in crate::rules) static RULE: Rule = Rule {
             not add any: removing one later renumbers the mesh.",
         ..RuleInfo::new("mesh-unused-vertex", Level::Info, "no face uses a vertex")
     },
-    check: Check::Layer(run),
+    check: Check::File(run),
 };
 
-fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     // Faces that could not be read may be the ones that use them.
-    let readable =
-        meshes(layer).filter(|(_, mesh)| mesh.facts.unreadable_lines == 0 && mesh.facts.face_out_of_range.count == 0);
-    for (file, mesh) in readable {
-        let tally = &mesh.facts.unused;
-        let Some((_, vertex)) = tally.first.first() else { continue };
-        let message = match tally.count {
-            1 => format!("no face uses vertex {vertex}"),
-            count => format!("no face uses {count} of {} vertices, the first is vertex {vertex}", mesh.facts.vertices),
-        };
-        out.push(RULE.at(file, Place::File, message).evidence(tally.evidence(mesh.facts.vertices)));
-    }
+    let is_whole = |mesh: &&Mesh| mesh.facts.unreadable_lines == 0 && mesh.facts.face_out_of_range.count == 0;
+    let Some(mesh) = file.mesh().filter(is_whole) else { return };
+    let tally = &mesh.facts.unused;
+    let Some((_, vertex)) = tally.first.first() else { return };
+    let message = match tally.count {
+        1 => format!("no face uses vertex {vertex}"),
+        count => format!("no face uses {count} of {} vertices, the first is vertex {vertex}", mesh.facts.vertices),
+    };
+    out.push(RULE.at(file, Place::File, message).evidence(tally.evidence(mesh.facts.vertices)));
 }

@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
-use crate::repo::{Base, BoundSlider, Repository};
+use crate::repo::makehuman2::{Base, BoundSlider, View};
 
 /// Corners of the triangle slider; also parts of a colour.
 const THREE: usize = 3;
@@ -15,10 +15,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
             missing cannot be mixed; surplus ones are never used (a warning).\n\nGive exactly three of each.",
         ..RuleInfo::new("modelling-barycentric-arity", Level::Error, "`barycentric` or its colours are not three")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for bound in &base.sliders {
         let slider = bound.slider;
         if slider.barycentric.is_some() && slider.barycentric_len != THREE {
@@ -49,7 +49,7 @@ fn finding(bound: &BoundSlider<'_>, member: &str, message: String) -> Finding {
 fn coloured(bound: &BoundSlider<'_>, message: String, surplus: bool) -> Finding {
     let finding = finding(bound, "barycentric_diffuse", message);
     if surplus {
-        return finding.level(Level::Warning).breaks(Application::Makehuman2, "never uses what is beyond three");
+        return finding.level(Level::Warning).effect("never uses what is beyond three");
     }
-    finding.breaks(Application::Makehuman2, "cannot mix the skin colour of a skin without diffuse texture")
+    finding.effect("cannot mix the skin colour of a skin without diffuse texture")
 }

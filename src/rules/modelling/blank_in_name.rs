@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::super::{Check, Rule, RuleCx};
 use super::{groups, user_scan};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
-use crate::repo::{Base, Repository};
+use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -19,10 +19,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
             never be loaded again: an error, because the user's work is lost.\n\nUse `-` or `_` instead.",
         ..RuleInfo::new("modelling-blank-in-name", Level::Error, "a blank in the name of a user target")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     user_files(base, out);
     patterns(base, out);
 }

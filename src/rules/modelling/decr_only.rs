@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use super::groups;
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
-use crate::repo::{Base, Repository};
+use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -14,10 +14,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
             get a slider with one side.",
         ..RuleInfo::new("modelling-decr-only", Level::Error, "`decr` without `incr`")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for bound in groups::hand_made(base) {
         let slider = bound.slider;
         if slider.decr.is_none() || !slider.lacks_incr() {

@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use super::groups;
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
-use crate::repo::{Base, Repository};
+use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -17,10 +17,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
             is usually meant in percent.\n\nWrite a number from 0 to 1.",
         ..RuleInfo::new("modelling-default-range", Level::Warning, "`default` outside 0 to 1")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for bound in groups::hand_made(base) {
         let slider = bound.slider;
         // `json-syntax` names what is no finite number.

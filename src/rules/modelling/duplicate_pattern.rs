@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::super::{Check, Rule, RuleCx};
 use super::with_patterns;
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
-use crate::repo::{Base, BoundSlider, Repository};
+use crate::repo::makehuman2::{Base, BoundSlider, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -19,10 +19,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
             value, without a message.\n\nRemove one entry, or give it targets of its own.",
         ..RuleInfo::new("modelling-duplicate-pattern", Level::Error, "two entries produce one pattern")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let mut by_pattern: BTreeMap<&str, Vec<&BoundSlider<'_>>> = BTreeMap::new();
     for slider in with_patterns(base).unwrap_or_default() {
         for name in slider.pattern.names() {

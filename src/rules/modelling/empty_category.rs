@@ -2,11 +2,13 @@
 
 use std::collections::BTreeSet;
 
+use super::super::cause::schema::is_misshapen;
 use super::super::{Check, Rule, RuleCx};
 use super::groups::{self, Groups, USER_CATEGORY};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::target_cat::Category;
-use crate::repo::{Base, FileFacts, Repository};
+use crate::repo::FileFacts;
+use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -19,16 +21,17 @@ pub(in crate::rules) static RULE: Rule = Rule {
             or give a slider its group.",
         ..RuleInfo::new("modelling-empty-category", Level::Info, "a category item has no slider")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     out.extend(without_user(base));
     let (Some((file, model)), Some(groups)) = (base.categories.winner(), groups::of(base)) else { return };
+    let mut used = None;
     for category in &model.categories {
         if category.name == USER_CATEGORY {
             // One root may be a user's folder; the file is then the generated one.
-            if !repository.is_one_root() {
+            if !view.layers.is_one_root() {
                 out.push(replaced(file, base, &groups));
             }
         } else if category.items.is_empty() {
@@ -41,7 +44,8 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
             let help = "add items, or remove the category";
             out.push(RULE.at(file, Place::key([&category.name]), message).key(&category.name).help(help));
         } else if base.modelling.winner().is_some() && !base.has_unreadable_sliders() {
-            empty_items(repository, file, base, &groups, category, out);
+            let used = used.get_or_insert_with(|| Used::of(view, base));
+            empty_items(file, used, &groups, category, out);
         }
     }
 }
@@ -49,33 +53,29 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
 /// The generated file must hold the category that MakeHuman 2 takes from it.
 fn without_user(base: &Base<'_>) -> Option<Finding> {
     let (file, model) = base.user_categories.accepted()?;
-    let sound = !file.schema.faults.iter().any(|fault| fault.pointer.is_empty());
     let there = model.categories.iter().any(|category| category.name == USER_CATEGORY);
-    (sound && !there).then(|| {
+    (!is_misshapen(file) && !there).then(|| {
         RULE.at(file, Place::File, "the generated target_cat.json has no category `User`")
             .key("generated")
             .level(Level::Error)
-            .breaks(Application::Makehuman2, "stops at start with a KeyError")
+            .effect("stops at start with a KeyError")
             .help("delete both generated JSON files, MakeHuman 2 writes them anew from the targets")
     })
 }
 
 fn empty_items(
-    repository: &Repository<'_>,
     file: &FileFacts,
-    base: &Base<'_>,
+    used: &Used<'_>,
     groups: &Groups<'_, '_>,
     category: &Category,
     out: &mut Vec<Finding>,
 ) {
-    let idle = idle_words(repository, base);
-    let used: BTreeSet<&str> = base.sliders.iter().filter_map(|slider| slider.as_meant().group.as_deref()).collect();
     for (index, item) in category.items.iter().enumerate() {
         let Some(group) = category.group_of(item) else { continue };
-        if used.contains(group.as_str())
+        if used.groups.contains(group.as_str())
             || groups.is_excused(&group)
             || groups.renamed.iter().any(|r| r.name == category.name)
-            || item.cat.as_deref().is_some_and(|cat| words(cat).any(|word| idle.contains(word)))
+            || item.cat.as_deref().is_some_and(|cat| words(cat).any(|word| used.idle_words.contains(word)))
         {
             continue;
         }
@@ -85,10 +85,22 @@ fn empty_items(
     }
 }
 
-/// Words of the names of targets that no slider uses: their slider is gone, and `target-unreferenced` says so.
-fn idle_words<'a>(repository: &Repository<'a>, base: &Base<'a>) -> BTreeSet<&'a str> {
-    let used: BTreeSet<&str> =
-        repository.references_of(base).filter_map(|one| Some(one.meant()?.path.as_str())).collect();
+/// What sliders use.
+struct Used<'b> {
+    groups: BTreeSet<&'b str>,
+    /// Words of the names of targets that no slider uses: their slider is gone, and `target-unreferenced` says so.
+    idle_words: BTreeSet<&'b str>,
+}
+
+impl<'b> Used<'b> {
+    fn of(view: &'b View<'_>, base: &'b Base<'_>) -> Self {
+        let groups = base.sliders.iter().filter_map(|slider| slider.as_meant().group.as_deref()).collect();
+        Self { groups, idle_words: idle_words(view, base) }
+    }
+}
+
+fn idle_words<'a>(view: &View<'a>, base: &Base<'a>) -> BTreeSet<&'a str> {
+    let used: BTreeSet<&str> = view.references_of(base).filter_map(|one| Some(one.meant()?.path.as_str())).collect();
     let targets = base.targets.into_iter().flat_map(|folder| folder.targets());
     targets.filter(|file| !used.contains(file.path.as_str())).flat_map(|file| words(file.stem())).collect()
 }
@@ -105,7 +117,7 @@ fn replaced(file: &FileFacts, base: &Base<'_>, groups: &Groups<'_, '_>) -> Findi
     RULE.at(file, Place::key([USER_CATEGORY]), "category `User` is always replaced by the generated one")
         .key(USER_CATEGORY)
         .level(Level::Warning)
-        .breaks(Application::Makehuman2, "drops the category and never shows the sliders under it")
+        .effect("drops the category and never shows the sliders under it")
         .help("give the category another name")
         .evidence(Evidence::of_cases(lost.map(|slider| &slider.slider.key)))
 }

@@ -2,11 +2,12 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::is_damaged;
+use super::super::cause::is_generated_for;
+use super::super::cause::overlay::is_damaged;
 use crate::diag::nearest;
 use crate::formats::modelling::EFFECTS;
 use crate::formats::target_cat::Category;
-use crate::repo::{Base, BoundSlider};
+use crate::repo::makehuman2::{Base, BoundSlider};
 
 /// Category that MakeHuman 2 always replaces with the generated one.
 pub(super) const USER_CATEGORY: &str = "User";
@@ -101,8 +102,7 @@ fn is_ungrouped(slider: &BoundSlider<'_>) -> bool {
 
 /// Sliders that are not generated from user targets.
 pub(super) fn hand_made<'b, 'a>(base: &'b Base<'a>) -> impl Iterator<Item = &'b BoundSlider<'a>> {
-    let generated = base.user_modelling.file();
-    base.sliders.iter().filter(move |slider| !generated.is_some_and(|file| std::ptr::eq(file, slider.file)))
+    base.sliders.iter().filter(|slider| !is_generated_for(base, slider.file))
 }
 
 impl Groups<'_, '_> {

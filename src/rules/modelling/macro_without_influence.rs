@@ -1,9 +1,11 @@
 //! A macro slider must name a macro definition that it influences.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Confidence, Finding, Level, Place, RuleInfo};
 use crate::formats::macro_json::MacroFile;
-use crate::repo::{Base, BoundSlider, Pattern, Repository};
+use crate::repo::makehuman2::{Base, BoundSlider, Pattern, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -17,17 +19,24 @@ pub(in crate::rules) static RULE: Rule = Rule {
             List the macro definitions that use the slider.",
         ..RuleInfo::new("modelling-macro-without-influence", Level::Warning, "a macro slider without `macro_influence`")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((_, macros)) = base.macro_file().filter(|(_, macros)| !macros.macrodefs.is_empty()) else { return };
+    let mut faulty: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
+    for (file, _) in base.modelling.winner().into_iter().chain(base.user_modelling.accepted()) {
+        faulty.insert(&file.path, file.schema.faults.iter().map(|fault| fault.pointer.as_str()).collect());
+    }
     for bound in &base.sliders {
         let slider = bound.slider;
         // A list of wrong positions or of a wrong type is a finding of its own.
         let pointer = format!("/{}/macro_influence", slider.key.replace('~', "~0").replace('/', "~1"));
-        let is_misshapen = bound.file.schema.faults.iter().any(|fault| fault.pointer.starts_with(&pointer));
-        let is_empty = slider.macro_influence.as_ref().is_some_and(Vec::is_empty) && !is_misshapen;
+        let is_misshapen = || {
+            let below = faulty.get(bound.file.path.as_str()).and_then(|faults| faults.range(pointer.as_str()..).next());
+            below.is_some_and(|fault| fault.starts_with(&pointer))
+        };
+        let is_empty = slider.macro_influence.as_ref().is_some_and(Vec::is_empty) && !is_misshapen();
         if bound.as_meant().has("macro_influence") && !is_empty {
             continue;
         }

@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::measure::{chain_length, closing_gap};
-use crate::repo::{Base, BoundSlider, Repository};
+use crate::repo::makehuman2::{Base, BoundSlider, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -16,13 +16,13 @@ pub(in crate::rules) static RULE: Rule = Rule {
             the base mesh, and the first one again at the end of a circumference.",
         ..RuleInfo::new("modelling-measure", Level::Error, "`measure` does not fit the base mesh")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
 /// Two vertices (of a seam, say) this close are one place, mesh units: meshes are written with four decimals.
 const SAME_PLACE: f64 = 2e-4;
 
-fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((_, mesh)) = base.mesh.filter(|(_, mesh)| mesh.facts.unreadable_lines == 0) else { return };
     // Behind the real vertices come the duplicates of seams: they exist, and have a rule of their own.
     let end = i64::try_from(mesh.facts.vertices + mesh.facts.seam_duplicates).unwrap_or(i64::MAX);
@@ -78,5 +78,5 @@ fn finding(bound: &BoundSlider<'_>, message: &str, effect: &str) -> Finding {
         .at(bound.file, Place::pointer([key, "measure"]), format!("`{key}` {message}"))
         .key(key)
         .help("vertices are counted from 0; was the line made for another mesh?");
-    if effect.is_empty() { finding } else { finding.breaks(Application::Makehuman2, effect) }
+    if effect.is_empty() { finding } else { finding.effect(effect) }
 }

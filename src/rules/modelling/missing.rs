@@ -3,7 +3,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::diag::Suggestions;
-use crate::repo::{Base, FileFacts, Reference, ReferenceKind, Repository, Resolution};
+use crate::repo::makehuman2::{Base, View};
+use crate::repo::{FileFacts, Reference, ReferenceKind, Resolution};
 
 /// Missing files that have one cause.
 pub(super) struct Group<'r, 'a> {
@@ -15,16 +16,16 @@ pub(super) struct Group<'r, 'a> {
 
 /// References of the wanted kinds that lead to nothing, in order of their first appearance.
 pub(super) fn groups<'r, 'a>(
-    repository: &'r Repository<'a>,
+    view: &'r View<'a>,
     base: &'r Base<'a>,
     wanted: fn(ReferenceKind) -> bool,
 ) -> Vec<Group<'r, 'a>> {
     let mut groups: Vec<Group<'r, 'a>> = Vec::new();
     let mut by_folder: BTreeMap<(&str, String), usize> = BTreeMap::new();
-    let references = repository.references_of(base).filter(|reference| wanted(reference.kind));
+    let references = view.references_of(base).filter(|reference| wanted(reference.kind));
     for reference in references.filter(|reference| is_missing(base, reference)) {
         let folder = folder_of(&reference.rel);
-        if !is_empty(repository, &folder) {
+        if !is_empty(view, &folder) {
             groups.push(Group { folder: None, references: vec![reference] });
             continue;
         }
@@ -61,13 +62,13 @@ fn folder_of(rel: &str) -> String {
     rel.rsplit_once('/').map_or(String::new(), |(folder, _)| folder.to_owned())
 }
 
-fn is_empty(repository: &Repository<'_>, folder: &str) -> bool {
-    repository.strongest_first().all(|layer| layer.below(folder).next().is_none())
+fn is_empty(view: &View<'_>, folder: &str) -> bool {
+    view.layers.strongest_first().all(|layer| layer.below(folder).next().is_none())
 }
 
 /// Files that a missing one may be meant to be.
 pub(super) struct Neighbours<'r, 'a> {
-    repository: &'r Repository<'a>,
+    view: &'r View<'a>,
     /// Paths of the targets that something uses already. They are not meant: the other side or the other direction
     /// often has nearly the same name.
     used: BTreeSet<&'a str>,
@@ -75,16 +76,16 @@ pub(super) struct Neighbours<'r, 'a> {
 }
 
 impl<'r, 'a> Neighbours<'r, 'a> {
-    pub(super) fn of(repository: &'r Repository<'a>) -> Self {
-        let used = repository.references.iter().filter_map(used_target).collect();
-        Self { repository, used, suggestions: Suggestions::default() }
+    pub(super) fn of(view: &'r View<'a>) -> Self {
+        let used = view.references.iter().filter_map(used_target).collect();
+        Self { view, used, suggestions: Suggestions::default() }
     }
 
     /// The file beside the missing one that is most like it, by name without folder.
     pub(super) fn nearest(&self, reference: &Reference<'_>) -> Option<&'a str> {
         let folder = folder_of(&reference.rel);
         let wanted = reference.rel.rsplit('/').next().unwrap_or_default();
-        let files = self.repository.strongest_first().flat_map(|layer| layer.below(&folder));
+        let files = self.view.layers.strongest_first().flat_map(|layer| layer.below(&folder));
         let free = files.filter(|file| !file.kind.is_json() && !self.used.contains(file.path.as_str()));
         self.suggestions.nearest(wanted, free.map(FileFacts::file_name))
     }

@@ -3,7 +3,8 @@
 use super::super::{Check, Rule, RuleCx};
 use super::missing::{self, Neighbours};
 use crate::diag::{Application, Evidence, Finding, Level, RuleInfo};
-use crate::repo::{Base, ReferenceKind, Repository};
+use crate::repo::ReferenceKind;
+use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -14,12 +15,12 @@ pub(in crate::rules) static RULE: Rule = Rule {
             the picture, or remove the key.",
         ..RuleInfo::new("modelling-missing-icon", Level::Warning, "`icon` names a picture that does not exist")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let neighbours = Neighbours::of(repository);
-    for group in missing::groups(repository, base, |kind| kind == ReferenceKind::Icon) {
+fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let neighbours = Neighbours::of(view);
+    for group in missing::groups(view, base, |kind| kind == ReferenceKind::Icon) {
         let Some(first) = group.references.first() else { continue };
         // Written anew by MakeHuman 2 whenever a target or a picture changes.
         if base.user_modelling.file().is_some_and(|file| std::ptr::eq(file, first.from)) {

@@ -1,9 +1,11 @@
 //! `incr` and `decr` must name targets that exist.
 
+use super::super::cause::is_generated_for;
 use super::super::{Check, Rule, RuleCx};
 use super::missing::{self, Group, Neighbours};
 use crate::diag::{Application, Evidence, Finding, Level, RuleInfo};
-use crate::repo::{Base, FileFacts, Reference, ReferenceKind, Repository};
+use crate::repo::makehuman2::{Base, View};
+use crate::repo::{FileFacts, Reference, ReferenceKind};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -19,19 +21,19 @@ pub(in crate::rules) static RULE: Rule = Rule {
             Correct the path, add the target, or remove the entry.",
         ..RuleInfo::new("modelling-missing-target", Level::Error, "`incr` or `decr` names a target that does not exist")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let is_target = |kind| matches!(kind, ReferenceKind::Incr | ReferenceKind::Decr);
-    let neighbours = Neighbours::of(repository);
-    for group in missing::groups(repository, base, is_target) {
-        out.extend(finding(repository, base, &group, &neighbours));
+    let neighbours = Neighbours::of(view);
+    for group in missing::groups(view, base, is_target) {
+        out.extend(finding(view, base, &group, &neighbours));
     }
 }
 
 fn finding(
-    repository: &Repository<'_>,
+    view: &View<'_>,
     base: &Base<'_>,
     group: &Group<'_, '_>,
     neighbours: &Neighbours<'_, '_>,
@@ -46,14 +48,13 @@ fn finding(
         .at(first.from, first.place.clone(), message)
         .key(format!("{key} {}", if group.folder.is_some() { "" } else { side(first) }).trim_end())
         .evidence(Evidence::of_cases(group.references.iter().map(|reference| reference.text)));
-    finding = finding.help(help(repository, first, neighbours));
-    if is_generated(base, first) {
+    finding = finding.help(help(view, first, neighbours));
+    if is_generated_for(base, first.from) {
         finding = finding.level(Level::Warning).help(
             "this file is generated: delete both generated JSON files, MakeHuman 2 writes them anew from the targets",
         );
     } else if is_unused(base, first) {
-        finding = finding.level(Level::Warning).breaks(
-            Application::Makehuman2,
+        finding = finding.level(Level::Warning).effect(
             "writes a line into its log; the targets of an entry with `macro` or `barycentric` are never applied",
         );
     }
@@ -64,12 +65,12 @@ fn side(reference: &Reference<'_>) -> &'static str {
     if reference.kind == ReferenceKind::Incr { "incr" } else { "decr" }
 }
 
-fn help(repository: &Repository<'_>, reference: &Reference<'_>, neighbours: &Neighbours<'_, '_>) -> String {
+fn help(view: &View<'_>, reference: &Reference<'_>, neighbours: &Neighbours<'_, '_>) -> String {
     if reference.text.is_empty() {
         "the name is empty: name a target or remove the key".to_owned()
     } else if let Some(stem) = reference.text.strip_suffix(".target") {
         format!("write it without the suffix: `{stem}`")
-    } else if let Some(packed) = packed(repository, reference) {
+    } else if let Some(packed) = packed(view, reference) {
         format!("MakeHuman 2 does not read packed targets: unpack `{packed}`")
     } else if let Some(near) = neighbours.nearest(reference) {
         let (folder, _) = reference.text.rsplit_once('/').unwrap_or_default();
@@ -82,13 +83,9 @@ fn help(repository: &Repository<'_>, reference: &Reference<'_>, neighbours: &Nei
 }
 
 /// The packed target that lies where the plain one is looked for.
-fn packed<'a>(repository: &Repository<'a>, reference: &Reference<'_>) -> Option<&'a str> {
+fn packed<'a>(view: &View<'a>, reference: &Reference<'_>) -> Option<&'a str> {
     let rel = format!("{}.gz", reference.rel);
-    repository.strongest_first().find_map(|layer| layer.file(&rel)).map(FileFacts::file_name)
-}
-
-fn is_generated(base: &Base<'_>, reference: &Reference<'_>) -> bool {
-    base.user_modelling.file().is_some_and(|file| std::ptr::eq(file, reference.from))
+    view.layers.strongest_first().find_map(|layer| layer.file(&rel)).map(FileFacts::file_name)
 }
 
 fn is_unused(base: &Base<'_>, reference: &Reference<'_>) -> bool {

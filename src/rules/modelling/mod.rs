@@ -25,14 +25,9 @@ pub(super) mod unsafe_formula;
 pub(super) mod user_key_collision;
 mod user_scan;
 
+use super::cause::overlay::is_damaged;
 use crate::diag::Suggestions;
-use crate::repo::{Base, BoundSlider, Overlaid};
-
-/// Whether one of the files is refused. What is then in use is not what the author meant, and everything
-/// that follows from it follows from the damage.
-fn is_damaged<T>(overlaid: &Overlaid<'_, T>) -> bool {
-    overlaid.contarget.is_refused() || overlaid.is_broken()
-}
+use crate::repo::makehuman2::{Base, BoundSlider};
 
 /// The sliders, if their patterns can be told: `base.json` declares which pairs of targets make one slider.
 fn with_patterns<'b, 'a>(base: &'b Base<'a>) -> Option<&'b [BoundSlider<'a>]> {

@@ -6,7 +6,8 @@ use super::super::{Check, Rule, RuleCx};
 use super::groups;
 use crate::diag::{Application, Finding, Level, Place, RuleInfo, Sight};
 use crate::formats::modelling::EFFECTS;
-use crate::repo::{Base, BoundSlider, Pattern, Reference, ReferenceKind, Repository, Resolution};
+use crate::repo::makehuman2::{Base, BoundSlider, Pattern, View};
+use crate::repo::{Reference, ReferenceKind, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -18,11 +19,11 @@ pub(in crate::rules) static RULE: Rule = Rule {
             entry of their own.",
         ..RuleInfo::new("modelling-no-effect", Level::Warning, "neither `incr`, `decr`, `macro` nor `barycentric`")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let loaded = loaded(repository, base);
+fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let loaded = loaded(view, base);
     for bound in groups::hand_made(base) {
         let slider = bound.slider;
         if EFFECTS.iter().any(|key| slider.has(key)) {
@@ -39,13 +40,13 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
 }
 
 /// The first target that is there of each entry, by key.
-fn loaded<'r>(repository: &'r Repository<'_>, base: &'r Base<'_>) -> BTreeMap<&'r str, &'r Reference<'r>> {
+fn loaded<'r>(view: &'r View<'_>, base: &'r Base<'_>) -> BTreeMap<&'r str, &'r Reference<'r>> {
     let is_loaded = |reference: &&Reference<'_>| {
         matches!(reference.kind, ReferenceKind::Incr | ReferenceKind::Decr)
             && matches!(reference.resolution, Resolution::Found(_))
     };
     let mut loaded = BTreeMap::new();
-    for reference in repository.references_of(base).filter(is_loaded) {
+    for reference in view.references_of(base).filter(is_loaded) {
         loaded.entry(reference.owner).or_insert(reference);
     }
     loaded
@@ -67,7 +68,7 @@ fn beside_macro(bound: &BoundSlider<'_>, loaded: &BTreeMap<&str, &Reference<'_>>
     let finding = RULE.at(bound.file, loaded.place.clone(), message).key(&slider.key);
     Some(
         finding
-            .breaks(Application::Makehuman2, format!("loads the target and ignores `{member}`, without a message"))
+            .effect(format!("loads the target and ignores `{member}`, without a message"))
             .help(format!("give `{member}` an entry of its own, or remove it")),
     )
 }

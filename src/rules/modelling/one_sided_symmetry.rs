@@ -4,7 +4,7 @@ use super::super::{Check, Rule, RuleCx};
 use super::with_patterns;
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::formats::modelling::Slider;
-use crate::repo::{Base, BoundSlider, Repository};
+use crate::repo::makehuman2::{Base, BoundSlider, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -15,10 +15,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
             name each other, each with the key of its own side.",
         ..RuleInfo::new("modelling-one-sided-symmetry", Level::Warning, "a symmetric partner does not point back")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for bound in with_patterns(base).unwrap_or_default() {
         let Some(link) = Link::of(bound) else { continue };
         let Some(partner) = base.slider(link.partner) else { continue };

@@ -2,10 +2,11 @@
 
 use std::collections::BTreeMap;
 
+use super::super::cause::schema::is_faulty;
 use super::super::{Check, Rule, RuleCx};
 use super::with_patterns;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
-use crate::repo::{Base, BoundSlider, FileFacts, Repository};
+use crate::repo::makehuman2::{Base, BoundSlider, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -19,18 +20,18 @@ pub(in crate::rules) static RULE: Rule = Rule {
             or correct the names. Without `target-opposites` no slider has two sides; that is one finding on `base.json`.",
         ..RuleInfo::new("modelling-opposites", Level::Warning, "`target-opposites` does not cover a pair of targets")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, settings)) = base.settings() else { return };
-    if is_damaged_list(file) {
+    if is_faulty(file, "target-opposites") {
         return;
     }
     let sliders = with_patterns(base).unwrap_or_default();
     let undeclared: Vec<&BoundSlider<'_>> =
         sliders.iter().filter(|slider| slider.is_undeclared_pair() && !base.lacks_target(slider)).collect();
-    if settings.opposites.is_empty() && repository.is_judged(file) && undeclared.len() > 1 {
+    if settings.opposites.is_empty() && view.layers.is_checked(file) && undeclared.len() > 1 {
         let message = format!("no `target-opposites`: {} pairs of targets have one side only", undeclared.len());
         let evidence = Evidence::of_cases(undeclared.iter().map(|slider| &slider.slider.key));
         let help = "add `\"target-opposites\": {\"decr\": \"incr\"}` with the endings of the target names";
@@ -64,13 +65,6 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
                 .evidence(Evidence::of_cases(sliders.iter().map(|slider| &slider.slider.key))),
         );
     }
-}
-
-/// Whether `target-opposites` is there with a fault in it, or under a misspelt key: that is a finding of its own.
-fn is_damaged_list(file: &FileFacts) -> bool {
-    let is_fault = |pointer: &str| pointer == "/target-opposites" || pointer.starts_with("/target-opposites/");
-    file.schema.faults.iter().any(|fault| is_fault(&fault.pointer))
-        || file.schema.unknown.iter().any(|key| key.nearest.as_deref() == Some("target-opposites"))
 }
 
 /// The part of a target's name behind its last `-`.

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
-use crate::repo::{Base, BoundSlider, Repository};
+use crate::repo::makehuman2::{Base, BoundSlider, View};
 
 /// Lines of the status area.
 const SLOTS: std::ops::RangeInclusive<f64> = 1.0..=5.0;
@@ -16,10 +16,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
             ignored. Of two sliders with one line only the last is shown.\n\nChoose a free line from 1 to 5.",
         ..RuleInfo::new("modelling-text-slot", Level::Warning, "`display.slot` outside 1 to 5 or taken twice")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let mut by_slot: BTreeMap<i64, Vec<&BoundSlider<'_>>> = BTreeMap::new();
     for bound in &base.sliders {
         let Some(slot) = bound.slider.display.as_ref().and_then(|display| display.slot) else { continue };

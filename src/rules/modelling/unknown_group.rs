@@ -5,7 +5,8 @@ use std::collections::BTreeMap;
 use super::super::{Check, Rule, RuleCx};
 use super::groups::{self, Groups, Renamed};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
-use crate::repo::{Base, BoundSlider, FileFacts, Repository};
+use crate::repo::FileFacts;
+use crate::repo::makehuman2::{Base, BoundSlider, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -16,10 +17,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
             (an error here, although shown sliders otherwise work).\n\nCorrect the group, or add an item for it.",
         ..RuleInfo::new("modelling-unknown-group", Level::Warning, "`group` of a slider is in no category")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     two_bars(base, out);
     if let Some(groups) = groups::of(base) {
         let mut lost: BTreeMap<&str, Vec<&BoundSlider<'_>>> = BTreeMap::new();
@@ -28,13 +29,13 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
                 Some((category, _)) if groups.meant(group).is_none() && !groups.knows_category(category) => {
                     lost.entry(if groups.offered.is_empty() { "" } else { category }).or_default().extend(sliders);
                 }
-                _ => out.extend(unknown(repository, base, &groups, group, sliders)),
+                _ => out.extend(unknown(view, base, &groups, group, sliders)),
             }
         }
-        out.extend(groups.renamed.iter().filter_map(|renamed| renamed_category(repository, base, renamed)));
-        out.extend(lost.iter().filter_map(|(category, sliders)| lost_category(repository, base, category, sliders)));
+        out.extend(groups.renamed.iter().filter_map(|renamed| renamed_category(view, base, renamed)));
+        out.extend(lost.iter().filter_map(|(category, sliders)| lost_category(view, base, category, sliders)));
     }
-    no_categories(repository, base, out);
+    no_categories(view, base, out);
 }
 
 /// Beginning of a message on these sliders.
@@ -46,25 +47,20 @@ fn are(sliders: &[&BoundSlider<'_>]) -> String {
 }
 
 /// A whole category that no item shows is one cause, however many groups it has.
-fn lost_category(
-    repository: &Repository<'_>,
-    base: &Base<'_>,
-    category: &str,
-    sliders: &[&BoundSlider<'_>],
-) -> Option<Finding> {
+fn lost_category(view: &View<'_>, base: &Base<'_>, category: &str, sliders: &[&BoundSlider<'_>]) -> Option<Finding> {
     let keys = Evidence::of_cases(sliders.iter().map(|slider| &slider.slider.key));
     let subject = are(sliders);
     let message = match category {
         "" => format!("{subject} never shown: target_cat.json has no item at all"),
         category => format!("{subject} never shown: target_cat.json has no category `{category}`"),
     };
-    let (file, place) = whose(repository, base, sliders.first()?)?;
+    let (file, place) = whose(view, base, sliders.first()?)?;
     let help = "add the category with an item for every group, or correct the groups";
     Some(RULE.at(file, place, message).key(category).help(help).evidence(keys))
 }
 
 /// A category that several sliders agree on is called differently in `target_cat.json`.
-fn renamed_category(repository: &Repository<'_>, base: &Base<'_>, renamed: &Renamed<'_, '_>) -> Option<Finding> {
+fn renamed_category(view: &View<'_>, base: &Base<'_>, renamed: &Renamed<'_, '_>) -> Option<Finding> {
     let (file, _) = base.categories.winner()?;
     let first = renamed.sliders.first()?;
     let (count, wanted) = (renamed.sliders.len(), &renamed.wanted);
@@ -72,7 +68,7 @@ fn renamed_category(repository: &Repository<'_>, base: &Base<'_>, renamed: &Rena
         "{count} sliders are never shown: the category `{}` has the group `{}`, they have `{wanted}`",
         renamed.name, renamed.group
     );
-    let finding = if repository.is_judged(file) {
+    let finding = if view.layers.is_checked(file) {
         RULE.at(file, Place::pointer([renamed.name, "group"]), message)
     } else {
         RULE.at(first.file, Place::pointer([first.slider.key.as_str(), "group"]), message)
@@ -82,7 +78,7 @@ fn renamed_category(repository: &Repository<'_>, base: &Base<'_>, renamed: &Rena
 }
 
 fn unknown(
-    repository: &Repository<'_>,
+    view: &View<'_>,
     base: &Base<'_>,
     groups: &Groups<'_, '_>,
     group: &str,
@@ -101,13 +97,13 @@ fn unknown(
         None if !group.contains('|') => "a group is `category|subcategory`".to_owned(),
         None => "correct the group, or add an item to target_cat.json".to_owned(),
     };
-    let (file, place) = whose(repository, base, first)?;
+    let (file, place) = whose(view, base, first)?;
     Some(RULE.at(file, place, message).key(group).help(help).evidence(keys))
 }
 
 /// The slider, or the categories if only they are the author's.
-fn whose<'a>(repository: &Repository<'_>, base: &Base<'a>, slider: &BoundSlider<'a>) -> Option<(&'a FileFacts, Place)> {
-    if repository.is_judged(slider.file) {
+fn whose<'a>(view: &View<'_>, base: &Base<'a>, slider: &BoundSlider<'a>) -> Option<(&'a FileFacts, Place)> {
+    if view.layers.is_checked(slider.file) {
         let key = slider.slider.key.as_str();
         let place = if slider.slider.has("group") { Place::pointer([key, "group"]) } else { Place::key([key]) };
         return Some((slider.file, place));
@@ -126,20 +122,21 @@ fn two_bars(base: &Base<'_>, out: &mut Vec<Finding>) {
             RULE.at(slider.file, Place::pointer([key, "group"]), format!("`{key}` has a group of more than two parts"))
                 .key(key)
                 .level(Level::Error)
-                .breaks(Application::Makehuman2, "stops with a ValueError when a random character is made")
+                .effect("stops with a ValueError when a random character is made")
                 .help(format!("`{group}` must be `category|subcategory`")),
         );
     }
 }
 
-fn no_categories(repository: &Repository<'_>, base: &Base<'_>, out: &mut Vec<Finding>) {
+fn no_categories(view: &View<'_>, base: &Base<'_>, out: &mut Vec<Finding>) {
     let absent = [base.categories.contarget.file(), base.categories.system.file()].iter().all(Option::is_none);
     let Some((file, modelling)) = base.modelling.winner() else { return };
     let rel = format!("target/{}/target_cat.json", base.name);
     // Written with other capitals it is a finding of its own.
-    let misnamed = repository.strongest_first().any(|layer| layer.file_ignoring_case(&rel).is_some());
+    let misnamed = view.layers.strongest_first().any(|layer| layer.file_ignoring_case(&rel).is_some());
     // Only system data can prove that there is none.
-    if !absent || misnamed || repository.system.is_none() || repository.is_one_root() || modelling.sliders.is_empty() {
+    if !absent || misnamed || view.layers.system.is_none() || view.layers.is_one_root() || modelling.sliders.is_empty()
+    {
         return;
     }
     let message = format!("there is no target_cat.json: none of {} sliders is shown", modelling.sliders.len());

@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use super::{advice, with_patterns};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo, Suggestions};
-use crate::repo::{Base, Repository};
+use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -14,10 +14,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
             `lsym` stops the random character view with a KeyError, which is an error.\n\nWrite the partner's pattern.",
         ..RuleInfo::new("modelling-unknown-symmetry", Level::Error, "`lsym` or `rsym` names no pattern")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let suggestions = Suggestions::default();
     for bound in with_patterns(base).unwrap_or_default() {
         let slider = bound.slider;
@@ -33,7 +33,7 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
         let place = Place::pointer([&slider.key, member]);
         let finding = RULE.at(bound.file, place, message).key(&slider.key).help(advice(base, partner, &suggestions));
         out.push(if member == "lsym" {
-            finding.breaks(Application::Makehuman2, "stops with a KeyError when a random character is made")
+            finding.effect("stops with a KeyError when a random character is made")
         } else {
             finding.level(Level::Warning)
         });

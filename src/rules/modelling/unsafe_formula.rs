@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::formats::expression::{Fault, FaultKind};
-use crate::repo::{Base, BoundSlider, Repository};
+use crate::repo::makehuman2::{Base, BoundSlider, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -20,10 +20,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
             every move of the slider raises an exception. This finding cannot be muted.\n\nRewrite the formula with what is safe.",
         ..RuleInfo::new("modelling-unsafe-formula", Level::Error, "`display.formula` is more than harmless arithmetic")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for bound in &base.sliders {
         let Some(display) = &bound.slider.display else { continue };
         for (member, fault) in [("formula", &display.formula_fault), ("text", &display.text_fault)] {
@@ -47,6 +47,6 @@ fn finding(bound: &BoundSlider<'_>, member: &str, fault: &Fault) -> Finding {
     };
     RULE.at(bound.file, Place::Span(fault.span.clone()), message)
         .key(format!("{key} {member}"))
-        .breaks(Application::Makehuman2, effect)
+        .effect(effect)
         .help(help)
 }

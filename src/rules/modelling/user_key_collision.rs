@@ -5,7 +5,8 @@ use std::collections::BTreeMap;
 use super::super::{Check, Rule, RuleCx};
 use super::user_scan;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
-use crate::repo::{Base, FileFacts, Repository};
+use crate::repo::FileFacts;
+use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -20,10 +21,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
             folder `user` with the targets beside it.\n\nRename one of the files.",
         ..RuleInfo::new("modelling-user-key-collision", Level::Error, "two user targets get the same key")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let targets = user_scan::targets(base);
     let mut by_key: BTreeMap<String, Vec<&FileFacts>> = BTreeMap::new();
     for entry in user_scan::entries(&targets) {

@@ -2,7 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use crate::repo::{Base, FileFacts};
+use crate::repo::FileFacts;
+use crate::repo::makehuman2::Base;
 
 /// A user target that is scanned.
 pub(super) struct UserTarget<'a> {

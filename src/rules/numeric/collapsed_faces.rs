@@ -4,7 +4,8 @@ use super::super::{Check, Rule, RuleCx};
 use super::{at_setting, percent, untold};
 use crate::diag::{Application, Confidence, Evidence, Finding, Level, RuleInfo};
 use crate::eval::measures::{Measures, Seen};
-use crate::repo::{Base, Repository};
+use crate::repo::Body;
+use crate::repo::makehuman2::Base;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -24,7 +25,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Numeric(run),
 };
 
-fn run(_: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some((_, base)) = body.makehuman2() else { return };
     let Some(space) = &measures.space else { return };
     if let Some(seen) = untold(base, space, space.collapsed.as_ref()) {
         let (faces, lose) = if seen.count == 1 { ("face", "loses its") } else { ("faces", "lose their") };

@@ -6,7 +6,7 @@ use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::makehuman2::macro_survey::DeadRange;
 use crate::eval::measures::Measures;
 use crate::formats::macro_json::{Component, MacroFile, Macrodef};
-use crate::repo::{Base, Repository};
+use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -27,7 +27,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Numeric(run),
 };
 
-fn run(_: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some((_, base)) = body.makehuman2() else { return };
     let Some((file, macros)) = base.macro_file() else { return };
     for (number, macrodef) in macros.macrodefs.iter().enumerate() {
         let judged = |range: &&DeadRange| range.macrodef == number && is_sound(macros, macrodef);

@@ -4,7 +4,7 @@ use super::super::{Check, Rule, RuleCx};
 use super::{component, has_sound_steps, percent, title};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::measures::Measures;
-use crate::repo::{Base, Repository};
+use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -21,7 +21,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Numeric(run),
 };
 
-fn run(_: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some((_, base)) = body.makehuman2() else { return };
     let Some((file, macros)) = base.macro_file() else { return };
     let mut told: Vec<&str> = Vec::new();
     for jump in &measures.macros.jumps {

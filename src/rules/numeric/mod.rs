@@ -8,9 +8,10 @@ use crate::diag::{Finding, Place};
 use crate::eval::measures::{Seen, SpaceMeasure};
 use crate::eval::settings::SliderSetting;
 use crate::formats::macro_json::{Component, MacroFile, Macrodef};
-use crate::repo::Base;
+use crate::repo::makehuman2::Base;
 
 use super::Rule;
+use super::cause::component::has_sound_steps;
 
 pub(super) mod collapsed_faces;
 pub(super) mod dead_range;
@@ -91,16 +92,6 @@ fn component(macros: &MacroFile, macrodef: usize, position: usize) -> Option<(&M
     let macrodef = macros.macrodefs.get(macrodef)?;
     let name = macrodef.components.get(position)?;
     Some((macrodef, macros.components.iter().rev().find(|component| component.name == *name)?))
-}
-
-/// Whether the steps of a component are as they must be, so that no other rule speaks of them.
-fn has_sound_steps(component: &Component) -> bool {
-    component.steps.as_ref().is_some_and(|steps| {
-        steps.len() == component.values.len()
-            && steps.is_sorted_by(|a, b| a < b)
-            && steps.first() == Some(&0.0)
-            && steps.last() == Some(&1.0)
-    })
 }
 
 /// What a macrodef is called in messages and keys.

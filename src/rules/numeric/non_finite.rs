@@ -5,7 +5,7 @@ use super::{at_setting, untold};
 use crate::diag::{Application, Evidence, Finding, Level, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::eval::skeleton::PARALLEL_SINE;
-use crate::repo::{Base, Repository};
+use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -29,7 +29,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Numeric(run),
 };
 
-fn run(_: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some((_, base)) = body.makehuman2() else { return };
     let Some(space) = &measures.space else { return };
     if let Some(seen) = untold(base, space, space.non_finite.as_ref()) {
         let message = format!("{} vertices are not finite, the first is {}", seen.count, seen.element);

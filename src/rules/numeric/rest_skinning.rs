@@ -5,7 +5,7 @@ use crate::diag::{Application, Element, Evidence, Finding, Level, Place, RuleInf
 use crate::eval::measures::Measures;
 use crate::eval::skeleton::PARALLEL_SINE;
 use crate::eval::survey::SHORTEST_BONE;
-use crate::repo::{Base, Repository};
+use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -28,18 +28,13 @@ pub(in crate::rules) static RULE: Rule = Rule {
 /// a little of it.
 const TOLERANCE: f64 = 1e-4;
 
-fn run(_: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((vertex, moved)) = measures.weights.as_ref().and_then(|weights| weights.rest_distance) else { return };
     // A default character that is not finite is the cause then, and told as such.
     if measures.space.is_none() {
         return;
     }
-    let pose = base.settings().and_then(|(_, settings)| settings.pose_skeleton.as_deref());
-    let skeleton = pose.and_then(|name| {
-        let rel = format!("rigs/{}/{name}", base.name);
-        base.skeletons.iter().find(|file| file.rel == rel)
-    });
-    let Some(skeleton) = skeleton.filter(|_| !(moved <= TOLERANCE)) else { return };
+    let Some(skeleton) = body.default_rig().map(|rig| rig.file).filter(|_| !(moved <= TOLERANCE)) else { return };
     let known = measures.skeletons.iter().filter(|measure| measure.path == skeleton.path).flat_map(|m| &m.bones);
     let mut known = known
         .filter(|bone| !(bone.length >= SHORTEST_BONE) || bone.plane_sine.is_some_and(|sine| !(sine > PARALLEL_SINE)));

@@ -5,7 +5,7 @@ use super::{percent, title, worded};
 use crate::diag::{Application, Evidence, Finding, Level, OptionInfo, Place, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::eval::settings::SliderSetting;
-use crate::repo::{Base, Repository};
+use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -25,7 +25,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Numeric(run),
 };
 
-fn run(_: &Repository<'_>, base: &Base<'_>, measures: &Measures, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(body: &Body<'_>, measures: &Measures, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some((_, base)) = body.makehuman2() else { return };
     let Some((file, macros)) = base.macro_file() else { return };
     let limit = cx.option(&RULE, "percent") / 100.0;
     let over = || measures.macros.losses.iter().filter(|(_, lost, _)| *lost > limit);

@@ -4,7 +4,7 @@ use super::super::{Check, Rule, RuleCx};
 use super::{at_setting, untold};
 use crate::diag::{Application, Evidence, Finding, Level, RuleInfo};
 use crate::eval::measures::Measures;
-use crate::repo::{Base, Repository};
+use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -23,7 +23,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Numeric(run),
 };
 
-fn run(_: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some((_, base)) = body.makehuman2() else { return };
     let Some(space) = &measures.space else { return };
     let Some(seen) = untold(base, space, space.short_bone.as_ref()) else { return };
     let length = 1.0 / seen.value;

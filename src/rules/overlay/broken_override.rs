@@ -1,11 +1,13 @@
 //! An override that the application ignores.
 
+use super::super::cause::is_ignored_override;
 use super::super::{Check, Rule, RuleCx};
 use super::{Override, SystemFolder, overrides, system_folder};
 use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Place, Rewrite, RuleInfo, Sight};
 use crate::formats::Content;
 use crate::formats::json_file::JsonFault;
-use crate::repo::{Base, FileFacts, Repository};
+use crate::repo::FileFacts;
+use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -24,16 +26,16 @@ pub(in crate::rules) static RULE: Rule = Rule {
             shown, or remove it. (Bytes that are no UTF-8 are worse: MakeHuman 2 stops; see `file-not-utf8`.)",
         ..RuleInfo::new("overlay-broken-override", Level::Error, "a contarget file that MakeHuman 2 silently ignores")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for each in overrides(base) {
-        let Some(file) = each.file.filter(|file| file.is_ignored_override()) else { continue };
+        let Some(file) = each.file.filter(|file| is_ignored_override(file)) else { continue };
         let (place, fault, help) = fault(file);
         let message = format!("the override `{}` is ignored: {fault}", file.rel);
         let finding = RULE.at(file, place, message).key(each.name).help(help);
-        let finding = finding.breaks(Application::Makehuman2, effect(repository, base, &each));
+        let finding = finding.breaks(Application::Makehuman2, effect(view, base, &each));
         let finding = match &file.content {
             Content::Broken(JsonFault::ByteOrderMark) => {
                 let change = Change::Rewrite(Rewrite::DropByteOrderMark);
@@ -67,8 +69,8 @@ fn fault(file: &FileFacts) -> (Place, String, &'static str) {
     }
 }
 
-fn effect(repository: &Repository<'_>, base: &Base<'_>, broken: &Override<'_>) -> String {
-    let folder = system_folder(repository, base);
+fn effect(view: &View<'_>, base: &Base<'_>, broken: &Override<'_>) -> String {
+    let folder = system_folder(view, base);
     let instead = match (broken.system.is_some(), folder) {
         (true, _) => "logs a line and takes the system's file instead",
         (false, SystemFolder::Unknown) => "logs a line and takes the system's file instead, if there is one",

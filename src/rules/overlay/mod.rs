@@ -8,8 +8,9 @@ pub(super) mod targets_not_in_layer;
 pub(super) mod user_key_clash;
 pub(super) mod user_target_too_deep;
 
-use crate::json::SchemaFault;
-use crate::repo::{Base, Candidate, FileFacts, Layer, Overlaid, Reference, Repository, Resolution};
+use super::cause::overlay::{has_broken_override, has_misnamed_override, is_active};
+use crate::repo::makehuman2::{Base, Candidate, Overlaid, View};
+use crate::repo::{FileFacts, Reference, Resolution};
 
 /// One of the three files that contarget can override, whatever is in it.
 struct Override<'a> {
@@ -17,8 +18,7 @@ struct Override<'a> {
     name: &'static str,
     /// The file in contarget.
     file: Option<&'a FileFacts>,
-    /// Whether the file in contarget is in use. One that is no object is taken, too, but stops the
-    /// application; nothing can be said about what it would do.
+    /// Whether the file in contarget is in use.
     active: bool,
     /// The system's file, if the application would accept it.
     system: Option<&'a FileFacts>,
@@ -28,41 +28,21 @@ struct Override<'a> {
 fn overrides<'a>(base: &Base<'a>) -> [Override<'a>; 3] {
     fn of<'a, T>(name: &'static str, both: &Overlaid<'a, T>) -> Override<'a> {
         let system = both.system.accepted().map(|(file, _)| file);
-        let file = both.contarget.file();
-        let wrong_root = |file: &FileFacts| file.schema.faults.iter().any(SchemaFault::is_wrong_root);
-        Override { name, file, active: both.is_overridden() && !file.is_some_and(wrong_root), system }
+        Override { name, file: both.contarget.file(), active: is_active(both), system }
     }
     [of("macro.json", &base.macros), of("modelling.json", &base.modelling), of("target_cat.json", &base.categories)]
 }
 
-/// Whether an override is there and not in use: what follows from that is no finding of its own.
-fn has_broken_override(base: &Base<'_>) -> bool {
-    overrides(base).iter().any(|each| each.file.is_some() && !each.active)
-}
-
-/// Whether an override is there under a name with other capitals: `file-case-mismatch` says that nobody finds it.
-fn has_misnamed_override(repository: &Repository<'_>, base: &Base<'_>) -> bool {
-    let layers = [Some(repository.judged), repository.user].into_iter().flatten();
-    let folder = format!("contarget/{}", base.name);
-    let names = ["macro.json", "modelling.json", "target_cat.json"].map(|name| format!("{folder}/{name}"));
-    let is_misnamed =
-        |layer: &Layer, rel: &String| layer.file(rel).is_none() && layer.file_ignoring_case(rel).is_some();
-    layers.into_iter().any(|layer| names.iter().any(|rel| is_misnamed(layer, rel)))
-}
-
 /// Whether everything that the application takes from contarget is there and fits: sliders and macros, sound, with
 /// all their targets. What is wrong with an override has a finding of its own.
-fn is_complete(repository: &Repository<'_>, base: &Base<'_>) -> bool {
+fn is_complete(view: &View<'_>, base: &Base<'_>) -> bool {
     let [macros, sliders, _] = overrides(base);
-    macros.active && sliders.active && !has_broken_override(base) && in_other_layer(repository, base).next().is_none()
+    macros.active && sliders.active && !has_broken_override(base) && in_other_layer(view, base).next().is_none()
 }
 
 /// Targets that exist in the layer that lost and not in the one in use.
-fn in_other_layer<'s, 'a>(
-    repository: &'s Repository<'a>,
-    base: &'s Base<'a>,
-) -> impl Iterator<Item = &'s Reference<'a>> {
-    let references = repository.references_of(base);
+fn in_other_layer<'s, 'a>(view: &'s View<'a>, base: &'s Base<'a>) -> impl Iterator<Item = &'s Reference<'a>> {
+    let references = view.references_of(base);
     references
         .filter(|reference| reference.kind.is_target() && matches!(reference.resolution, Resolution::OtherLayer(_)))
 }
@@ -78,9 +58,9 @@ enum SystemFolder {
     Unknown,
 }
 
-fn system_folder(repository: &Repository<'_>, base: &Base<'_>) -> SystemFolder {
+fn system_folder(view: &View<'_>, base: &Base<'_>) -> SystemFolder {
     let rel = format!("target/{}", base.name);
-    let Some(system) = repository.system.filter(|_| base.has_system) else { return SystemFolder::Unknown };
+    let Some(system) = view.layers.system.filter(|_| base.has_system) else { return SystemFolder::Unknown };
     let exists = system.folders.contains(&rel) || system.below(&rel).next().is_some();
     if exists { SystemFolder::Exists } else { SystemFolder::Absent }
 }

@@ -6,7 +6,8 @@ use super::super::{Check, Rule, RuleCx};
 use super::counted;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, Sight};
 use crate::formats::Content;
-use crate::repo::{Base, FileFacts, Reference, Repository, Resolution};
+use crate::repo::makehuman2::{Base, View};
+use crate::repo::{FileFacts, Reference, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -23,35 +24,35 @@ pub(in crate::rules) static RULE: Rule = Rule {
             "what cannot be judged without the system data (`--system`)",
         )
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     // With a macro.json that is refused, targets are searched in the wrong folder in the first place.
     if base.macros.contarget.is_refused() {
         return;
     }
-    let open = open_references(repository, base);
-    let unmeasured = unmeasured(repository, base);
+    let open = open_references(view, base);
+    let unmeasured = unmeasured(view, base);
     let what: Vec<String> = [references(open.len()), vertices(&unmeasured)].into_iter().flatten().collect();
     let (Some((file, place)), false) = (first(&open, &unmeasured), what.is_empty()) else { return };
     let message =
         format!("{} of base `{}` cannot be judged without the system data (`--system`)", what.join(" and "), base.name);
     let help = "add `--system` with the data folder of MakeHuman 2; it is read and not reported";
     let cases = open.iter().map(|open| &open.rel).chain(unmeasured.iter().map(|file| &file.rel));
-    let of = repository.references_of(base).count() + unmeasured.len();
-    let finding = RULE.at(file, place, message).key(base.name).asset(&repository.judged.path);
+    let of = view.references_of(base).count() + unmeasured.len();
+    let finding = RULE.at(file, place, message).key(base.name).asset(&view.layers.checked.path);
     out.push(finding.help(help).evidence(Evidence::of_cases(cases).out_of(of)));
 }
 
-fn open_references<'r, 'a>(repository: &'r Repository<'a>, base: &'r Base<'a>) -> Vec<&'r Reference<'a>> {
+fn open_references<'r, 'a>(view: &'r View<'a>, base: &'r Base<'a>) -> Vec<&'r Reference<'a>> {
     let open = |reference: &&Reference<'_>| matches!(reference.resolution, Resolution::NeedsSystem);
-    repository.references_of(base).filter(open).collect()
+    view.references_of(base).filter(open).collect()
 }
 
 /// Files whose vertices are those of a base mesh that only the system has.
-fn unmeasured<'a>(repository: &Repository<'a>, base: &Base<'a>) -> Vec<&'a FileFacts> {
-    let judged = repository.judged;
+fn unmeasured<'a>(view: &View<'a>, base: &Base<'a>) -> Vec<&'a FileFacts> {
+    let judged = view.layers.checked;
     let meshes = ["base.obj", "base.mhbin"].map(|name| format!("base/{}/{name}", base.name));
     // A mesh that is there and broken has a finding of its own.
     if base.has_system || meshes.iter().any(|mesh| judged.file(mesh).is_some() || judged.has_unusable(mesh)) {

@@ -6,7 +6,8 @@ use super::{
     user_sliders,
 };
 use crate::diag::{Application, Finding, Level, Place, RuleInfo, Sight};
-use crate::repo::{Base, FileFacts, Repository};
+use crate::repo::FileFacts;
+use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -22,20 +23,20 @@ pub(in crate::rules) static RULE: Rule = Rule {
             today, so that is an info.",
         ..RuleInfo::new("overlay-partial-override", Level::Warning, "an override without the files it needs beside it")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
 /// A gap: how bad, what is wrong, what MakeHuman 2 does, what to do.
 type Gap = (Level, String, &'static str, &'static str);
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     // What follows from a broken file, or shows as targets in the wrong layer, is said by those rules.
-    let system = system_folder(repository, base);
+    let system = system_folder(view, base);
     let [macros, sliders, categories] = overrides(base);
     let stops = !macros.active && system == SystemFolder::Absent;
     if has_broken_override(base)
-        || has_misnamed_override(repository, base)
-        || !stops && in_other_layer(repository, base).next().is_some()
+        || has_misnamed_override(view, base)
+        || !stops && in_other_layer(view, base).next().is_some()
     {
         return;
     }

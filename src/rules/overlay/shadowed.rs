@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use super::{Override, counted, is_complete, overrides};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, Sight};
-use crate::repo::{Base, Repository};
+use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -18,17 +18,17 @@ pub(in crate::rules) static RULE: Rule = Rule {
             system's data beside a user's folder.",
         ..RuleInfo::new("overlay-shadowed", Level::Info, "a file that another one replaces")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let all = overrides(base);
     let replaced: Vec<&Override<'_>> = all.iter().filter(|each| each.active && each.system.is_some()).collect();
     // An override with gaps is told by its gap.
-    if is_complete(repository, base) {
+    if is_complete(view, base) {
         out.extend(replaced_by_contarget(base, &replaced));
     }
-    out.extend(contarget_of_system(repository, base));
+    out.extend(contarget_of_system(view, base));
     let layer = base.user_targets.map(|folder| folder.layer);
     if let Some(file) = layer.and_then(|layer| layer.file(&format!("target/{}/macro.json", base.name))) {
         let message = format!("`{}` of the user's folder is never read", file.rel);
@@ -46,10 +46,10 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
 const BEGINNING: Place = Place::Span(0..1);
 
 /// A contarget folder in the system's data, beside a user's folder, which alone may have one.
-fn contarget_of_system(repository: &Repository<'_>, base: &Base<'_>) -> Option<Finding> {
+fn contarget_of_system(view: &View<'_>, base: &Base<'_>) -> Option<Finding> {
     let folder = format!("contarget/{}", base.name);
-    let first = repository.judged.below(&folder).next().filter(|_| repository.user.is_none())?;
-    let files = repository.judged.below(&folder).count();
+    let first = view.layers.checked.below(&folder).next().filter(|_| view.layers.user.is_none())?;
+    let files = view.layers.checked.below(&folder).count();
     let message = format!("`{folder}` of the system's folder is never read ({})", counted(files, "file"));
     Some(
         RULE.at(first, Place::File, message)

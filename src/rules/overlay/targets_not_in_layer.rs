@@ -5,7 +5,8 @@ use std::collections::BTreeSet;
 use super::super::{Check, Rule, RuleCx};
 use super::{SystemFolder, counted, has_misnamed_override, in_other_layer, system_folder};
 use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo, Sight};
-use crate::repo::{Base, Reference, ReferenceKind, Repository};
+use crate::repo::makehuman2::{Base, View};
+use crate::repo::{Reference, ReferenceKind};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -28,17 +29,17 @@ pub(in crate::rules) static RULE: Rule = Rule {
             "targets that exist only in the layer that is not in use",
         )
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     // A macro.json that is refused is the cause, and `overlay-broken-override` says so; without any folder
     // to load from the program does not get as far as the targets (`overlay-partial-override`).
-    let no_folder = !base.macros.is_overridden() && system_folder(repository, base) == SystemFolder::Absent;
-    if base.macros.contarget.is_refused() || has_misnamed_override(repository, base) || no_folder {
+    let no_folder = !base.macros.is_overridden() && system_folder(view, base) == SystemFolder::Absent;
+    if base.macros.contarget.is_refused() || has_misnamed_override(view, base) || no_folder {
         return;
     }
-    let lost: Vec<&Reference<'_>> = in_other_layer(repository, base).collect();
+    let lost: Vec<&Reference<'_>> = in_other_layer(view, base).collect();
     let (Some(used), Some(other)) = (base.targets, base.other_targets) else { return };
     if lost.is_empty() {
         return;
@@ -50,13 +51,13 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
         used.layer.display(&used.rel()),
         other.layer.display(&other.rel()),
     );
-    let mut finding = finding_where_to_act(repository, base, &lost, message).key(base.name);
-    finding = finding.asset(&repository.judged.path);
+    let mut finding = finding_where_to_act(view, base, &lost, message).key(base.name);
+    finding = finding.asset(&view.layers.checked.path);
     for reference in lost.iter().take(EXAMPLES) {
         let text = format!("needs `{}`", reference.rel);
         finding = finding.related(reference.from.path.clone(), reference.place.clone(), text);
     }
-    let targets = repository.references_of(base).filter(|reference| reference.kind.is_target());
+    let targets = view.references_of(base).filter(|reference| reference.kind.is_target());
     let of = targets.map(|reference| reference.rel.as_str()).collect::<BTreeSet<_>>().len();
     let cases: BTreeSet<&str> = lost.iter().map(|lost| lost.rel.as_str()).collect();
     out.push(finding.evidence(Evidence::of_cases(cases).out_of(of)));
@@ -79,12 +80,7 @@ fn by_source(lost: &[&Reference<'_>]) -> String {
 }
 
 /// At the `macro.json` that moved the folder, or at the sliders that count on a folder nothing moved to.
-fn finding_where_to_act(
-    repository: &Repository<'_>,
-    base: &Base<'_>,
-    lost: &[&Reference<'_>],
-    message: String,
-) -> Finding {
+fn finding_where_to_act(view: &View<'_>, base: &Base<'_>, lost: &[&Reference<'_>], message: String) -> Finding {
     if let Some((file, _)) = base.macros.contarget.accepted() {
         let help = "an active macro.json in contarget moves all targets there: copy the missing ones into it";
         let first = lost.iter().find(|reference| std::ptr::eq(reference.from, file));
@@ -92,10 +88,10 @@ fn finding_where_to_act(
         return RULE.at(file, place, message).help(help);
     }
     let help = "contarget has no macro.json, so its targets are not read: add one (it may be that of the system)";
-    if let Some(first) = lost.iter().find(|reference| repository.is_judged(reference.from)) {
+    if let Some(first) = lost.iter().find(|reference| view.layers.is_checked(reference.from)) {
         return RULE.at(first.from, first.place.clone(), message).help(help);
     }
     let folder = base.other_targets.or(base.targets);
     let rel = folder.map(|folder| folder.rel()).unwrap_or_default();
-    RULE.in_layer(repository.judged, &rel, message).help(help)
+    RULE.in_layer(view.layers.checked, &rel, message).help(help)
 }

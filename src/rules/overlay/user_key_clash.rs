@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use super::counted;
 use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo, Sight};
-use crate::repo::{Base, Repository};
+use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -15,10 +15,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
             target or its folder; MakeHuman 2 writes the file anew.",
         ..RuleInfo::new("overlay-user-key-clash", Level::Warning, "a user target replaces a slider of the same key")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let (Some((user_file, user)), Some((file, model))) = (base.user_modelling.accepted(), base.modelling.winner())
     else {
         return;

@@ -5,7 +5,8 @@ use std::collections::BTreeSet;
 use super::super::{Check, Rule, RuleCx};
 use super::counted;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, Sight};
-use crate::repo::{Base, FileFacts, Repository, Resolution};
+use crate::repo::makehuman2::{Base, View};
+use crate::repo::{FileFacts, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -17,12 +18,12 @@ pub(in crate::rules) static RULE: Rule = Rule {
             `target/<base>/` is one group of sliders.",
         ..RuleInfo::new("overlay-user-target-too-deep", Level::Warning, "user targets too deep to become sliders")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(folder) = base.user_targets else { return };
-    let used: BTreeSet<&str> = repository
+    let used: BTreeSet<&str> = view
         .references_of(base)
         .filter_map(|reference| if let Resolution::Found(file) = reference.resolution { Some(file) } else { None })
         .map(|file| file.path.as_str())

@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use super::lost::{LOST_AND_WEIGHTED, lost_bones};
 use crate::diag::{Finding, Level, RuleInfo};
-use crate::repo::{Base, Repository};
+use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -15,9 +15,9 @@ pub(in crate::rules) static RULE: Rule = Rule {
             reported as `skeleton-unreachable-bone`; a skeleton in which nothing but circles exists as `skeleton-no-root`.",
         ..RuleInfo::new("skeleton-cycle", Level::Error, "the parents of some bones run in a circle")
     },
-    check: Check::Base(run),
+    check: Check::Body(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    out.extend(lost_bones(&RULE, repository, base, |ring| ring.below.is_empty()));
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    out.extend(lost_bones(&RULE, body, |ring| ring.below.is_empty()));
 }

@@ -7,7 +7,7 @@ use super::measured::{Measured, measured, named, plane_of};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::eval::skeleton::PARALLEL_SINE;
-use crate::repo::{Base, Repository};
+use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -28,8 +28,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
 /// Sine of the angle between the edges below which rounding of joints decides the normal.
 const NOISE_SINE: f64 = 1e-4;
 
-fn run(_: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for rig in measured(base, measures) {
+fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for rig in measured(body, measures) {
         let mut planes: BTreeMap<&str, (f64, Vec<&str>)> = BTreeMap::new();
         for (bone, measure) in rig.bones() {
             let flat = measure.plane_sine.filter(|sine| !sine.is_finite() || *sine < NOISE_SINE);
@@ -63,5 +63,5 @@ fn finding(rig: &Measured<'_>, plane: &str, sine: f64, bones: &[&str]) -> Option
         .evidence(evidence);
     let effect = "rolls the bones by rounding errors, differently for every character";
     let is_noise = sine.is_finite() && sine >= PARALLEL_SINE;
-    Some(if is_noise { finding.level(Level::Warning).breaks(Application::Makehuman2, effect) } else { finding })
+    Some(if is_noise { finding.level(Level::Warning).effect(effect) } else { finding })
 }

@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use super::rigs;
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
-use crate::repo::{Base, Repository};
+use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -18,11 +18,11 @@ pub(in crate::rules) static RULE: Rule = Rule {
             corners of its cube in the base mesh.",
         ..RuleInfo::new("skeleton-empty-joint", Level::Error, "a joint lists no vertices")
     },
-    check: Check::Base(run),
+    check: Check::Body(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for rig in rigs(repository, base) {
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for rig in rigs(body) {
         let asked = rig.asked_joints();
         for joint in rig.skeleton.joints.iter().filter(|joint| joint.listed == 0) {
             let what = if joint.vertices.is_some() { "lists no vertices" } else { "is no list of vertices" };
@@ -32,14 +32,9 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
                 .key(&joint.name)
                 .help("list the vertices of the base mesh whose mean is the joint, or remove it");
             out.push(if asked.contains(joint.name.as_str()) {
-                finding.breaks(
-                    Application::Makehuman2,
-                    rig.stops_with("a KeyError at the first bone that needs the joint"),
-                )
+                finding.effect(rig.stops_with("a KeyError at the first bone that needs the joint"))
             } else {
-                finding
-                    .level(Level::Info)
-                    .breaks(Application::Makehuman2, "drops the joint without a word; no bone needs it")
+                finding.level(Level::Info).effect("drops the joint without a word; no bone needs it")
             });
         }
     }

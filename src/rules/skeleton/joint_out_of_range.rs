@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::super::{Check, Rule, RuleCx};
 use super::{Rig, rigs};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
-use crate::repo::{Base, Repository};
+use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -21,13 +21,13 @@ pub(in crate::rules) static RULE: Rule = Rule {
             "a joint lists a vertex that the base mesh does not have",
         )
     },
-    check: Check::Base(run),
+    check: Check::Body(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some((_, mesh)) = base.mesh.filter(|(_, mesh)| mesh.facts.vertices > 0) else { return };
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some((_, mesh)) = body.mesh.filter(|(_, mesh)| mesh.facts.vertices > 0) else { return };
     let sizes = (mesh.facts.vertices, mesh.facts.vertices + mesh.facts.seam_duplicates);
-    for rig in rigs(repository, base) {
+    for rig in rigs(body) {
         let mut faults: BTreeMap<Fault, Vec<(&str, usize, i64)>> = BTreeMap::new();
         let asked = rig.asked_joints();
         for joint in rig.skeleton.joints.iter().filter(|joint| asked.contains(joint.name.as_str())) {
@@ -97,6 +97,6 @@ fn finding(rig: &Rig<'_>, fault: Fault, cases: &[(&str, usize, i64)], vertices: 
             vertices.saturating_sub(1)
         ))
         .evidence(Evidence::of_cases(names))
-        .breaks(Application::Makehuman2, effect),
+        .effect(effect),
     )
 }

@@ -5,7 +5,7 @@ use super::super::Rule;
 use super::hierarchy::{Ring, hierarchy};
 use super::rigs;
 use crate::diag::{Application, Evidence, Finding, Level, Place};
-use crate::repo::{Base, Repository};
+use crate::repo::Body;
 
 /// What becomes of bones that are never reached, where the weights mention one.
 pub(super) const LOST_AND_WEIGHTED: &[(Application, &str)] = &[(
@@ -14,14 +14,9 @@ pub(super) const LOST_AND_WEIGHTED: &[(Application, &str)] = &[(
 )];
 
 /// One finding of `rule` for every circle that it is for.
-pub(super) fn lost_bones(
-    rule: &Rule,
-    repository: &Repository<'_>,
-    base: &Base<'_>,
-    is_for: impl Fn(&Ring<'_>) -> bool,
-) -> Vec<Finding> {
+pub(super) fn lost_bones(rule: &Rule, body: &Body<'_>, is_for: impl Fn(&Ring<'_>) -> bool) -> Vec<Finding> {
     let mut found = Vec::new();
-    for rig in rigs(repository, base) {
+    for rig in rigs(body) {
         let hierarchy = hierarchy(rig.skeleton);
         if hierarchy.lacks_root() {
             continue;
@@ -40,7 +35,7 @@ pub(super) fn lost_bones(
             found.push(if lost.iter().any(|bone| weighted.contains(bone)) {
                 finding
             } else {
-                finding.level(Level::Warning).breaks(Application::Makehuman2, "drops these bones without a word")
+                finding.level(Level::Warning).effect("drops these bones without a word")
             });
         }
     }

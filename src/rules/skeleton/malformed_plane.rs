@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use super::{Rig, rigs};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
-use crate::repo::{Base, Repository};
+use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -18,11 +18,11 @@ pub(in crate::rules) static RULE: Rule = Rule {
             one line, or remove the plane and `rotation_plane` of the bones.",
         ..RuleInfo::new("skeleton-malformed-plane", Level::Error, "a plane is not a list of three joints")
     },
-    check: Check::Base(run),
+    check: Check::Body(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for rig in rigs(repository, base) {
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for rig in rigs(body) {
         let asked = rig.asked_planes();
         for plane in &rig.skeleton.planes {
             let Some((what, effect)) = fault(&rig, plane.joints.as_deref()) else { continue };
@@ -31,9 +31,9 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
                 .key(&plane.name)
                 .help("name three joints that are not in one line, or remove the plane and let the bones use the vertical");
             out.push(if asked.contains(plane.name.as_str()) {
-                finding.breaks(Application::Makehuman2, effect)
+                finding.effect(effect)
             } else {
-                finding.level(Level::Info).breaks(Application::Makehuman2, "never looks at the plane: no bone uses it")
+                finding.level(Level::Info).effect("never looks at the plane: no bone uses it")
             });
         }
     }

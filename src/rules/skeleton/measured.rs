@@ -1,9 +1,11 @@
 //! Skeletons as evaluation measured them on the default character: what the numeric rules of this family share.
 
+use std::collections::BTreeMap;
+
 use crate::eval::measures::{Measures, SkeletonMeasure};
 use crate::eval::rig_measure::BoneMeasure;
 use crate::formats::mhskel::{Bone, RotationPlane, Skeleton};
-use crate::repo::{Base, FileFacts};
+use crate::repo::{Body, FileFacts};
 
 /// Head and tail closer than this are one point, mesh units: a rounding step of 32 bit floats at the size of a body.
 pub(super) const NO_LENGTH: f64 = 1e-6;
@@ -17,9 +19,10 @@ pub(super) struct Measured<'a> {
 
 /// Skeletons of the base that could be measured. Those on a mesh that is not finite are left out: mesh and targets
 /// are at fault there.
-pub(super) fn measured<'a>(base: &Base<'a>, measures: &'a Measures) -> Vec<Measured<'a>> {
+pub(super) fn measured<'a>(body: &Body<'a>, measures: &'a Measures) -> Vec<Measured<'a>> {
+    let files: BTreeMap<&str, &'a FileFacts> = body.rigs.iter().map(|rig| (rig.file.path.as_str(), rig.file)).collect();
     let with_file = |measure: &'a SkeletonMeasure| {
-        let file = base.skeletons.iter().find(|file| file.path == measure.path)?;
+        let file = *files.get(measure.path.as_str())?;
         let is_finite = measure.bones.iter().all(|bone| bone.length.is_finite());
         Some(Measured { file, skeleton: file.skeleton()?, measure }).filter(|_| is_finite)
     };
@@ -29,11 +32,10 @@ pub(super) fn measured<'a>(base: &Base<'a>, measures: &'a Measures) -> Vec<Measu
 impl<'a> Measured<'a> {
     /// Bones with their measures, in the order of the file.
     pub(super) fn bones(&self) -> impl Iterator<Item = (&'a Bone, &'a BoneMeasure)> {
-        let measures = &self.measure.bones;
-        self.skeleton
-            .bones
-            .iter()
-            .filter_map(|bone| Some((bone, measures.iter().find(|measure| measure.name == bone.name)?)))
+        let measures = self.measure.bones.iter().rev();
+        // Of equal names the first.
+        let measures: BTreeMap<&str, &BoneMeasure> = measures.map(|bone| (bone.name.as_str(), bone)).collect();
+        self.skeleton.bones.iter().filter_map(move |bone| Some((bone, *measures.get(bone.name.as_str())?)))
     }
 
     /// Head and tail of the bones without length.

@@ -1,10 +1,11 @@
 //! A skeleton needs `bones` and `joints`, a bone `head` and `tail`.
 
+use super::super::cause::schema::misspelt;
 use super::super::{Check, Rule, RuleCx};
 use super::{Rig, rigs};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::mhskel::Section;
-use crate::repo::{Base, FileFacts, Repository};
+use crate::repo::{Body, FileFacts};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -22,11 +23,11 @@ pub(in crate::rules) static RULE: Rule = Rule {
             "a part without which the skeleton is refused is missing",
         )
     },
-    check: Check::Base(run),
+    check: Check::Body(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for rig in rigs(repository, base) {
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for rig in rigs(body) {
         missing_sections(&rig, out);
         for member in ["head", "tail"] {
             let bones = rig.skeleton.bones.iter().filter(|bone| bone.missing.contains(&member));
@@ -54,7 +55,7 @@ fn missing_sections(rig: &Rig<'_>, out: &mut Vec<Finding>) {
         let finding = RULE.at(rig.file, Place::File, "the skeleton is empty: neither `bones` nor `joints`");
         let effect =
             "stops at start with an AttributeError while it scans the assets; afterwards all assets are missing";
-        out.push(finding.breaks(Application::Makehuman2, effect).help("remove the file or write the skeleton"));
+        out.push(finding.effect(effect).help("remove the file or write the skeleton"));
         return;
     }
     for (name, section) in [("bones", rig.skeleton.bones_section), ("joints", rig.skeleton.joints_section)] {
@@ -66,8 +67,7 @@ fn missing_sections(rig: &Rig<'_>, out: &mut Vec<Finding>) {
 }
 
 fn help(file: &FileFacts, section: &str) -> String {
-    let misspelt = file.schema.unknown.iter().find(|key| key.nearest.as_deref() == Some(section));
-    match misspelt {
+    match misspelt(file, section) {
         Some(key) => format!("is `{}` meant to be `{section}`?", key.key),
         None => format!("add an object `{section}`"),
     }

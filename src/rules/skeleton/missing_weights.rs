@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use super::{Rig, rigs};
 use crate::diag::{Application, Finding, Level, RuleInfo, nearest};
-use crate::repo::{Base, Reference, ReferenceKind, Repository, Resolution};
+use crate::repo::{Body, Reference, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -18,28 +18,24 @@ pub(in crate::rules) static RULE: Rule = Rule {
             "the weights file of a skeleton is not where MakeHuman 2 looks for it",
         )
     },
-    check: Check::Base(run),
+    check: Check::Body(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for rig in rigs(repository, base) {
-        let own = |reference: &&Reference<'_>| {
-            reference.kind == ReferenceKind::WeightsFile && std::ptr::eq(reference.from, rig.file)
-        };
-        let Some(reference) = repository.references_of(base).find(own) else { continue };
-        if !matches!(reference.resolution, Resolution::Missing) {
-            continue;
-        }
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for rig in rigs(body) {
+        let missing = |reference: &&Reference<'_>| matches!(reference.resolution, Resolution::Missing);
+        let Some(reference) = rig.own.weights.as_ref().filter(missing) else { continue };
+        let folder = reference.rel.strip_suffix(reference.text).unwrap_or_default();
         let named = if rig.skeleton.weights_file.is_some() { "" } else { ", used because no `weights_file` is named," };
-        let message = format!("weights `{}`{named} do not exist in `rigs/{}/`", reference.text, base.name);
-        out.push(RULE.at(rig.file, reference.place.clone(), message).help(help(base, &rig, reference.text)));
+        let message = format!("weights `{}`{named} do not exist in `{folder}`", reference.text);
+        let help = help(body, &rig, folder, reference.text);
+        out.push(RULE.at(rig.file, reference.place.clone(), message).help(help));
     }
 }
 
-fn help(base: &Base<'_>, rig: &Rig<'_>, text: &str) -> String {
-    let root = format!("rigs/{}/", base.name);
-    let below = rig.file.rel.strip_prefix(root.as_str()).and_then(|rest| rest.rsplit_once('/'));
-    let all: Vec<&str> = base.weights.iter().filter_map(|file| file.rel.strip_prefix(root.as_str())).collect();
+fn help(body: &Body<'_>, rig: &Rig<'_>, root: &str, text: &str) -> String {
+    let below = rig.file.rel.strip_prefix(root).and_then(|rest| rest.rsplit_once('/'));
+    let all: Vec<&str> = body.weights.iter().filter_map(|own| own.file.rel.strip_prefix(root)).collect();
     if let Some((folder, _)) = below
         && all.iter().any(|name| *name == format!("{folder}/{text}"))
     {

@@ -26,59 +26,28 @@ pub(super) mod zero_length_bone;
 use std::collections::BTreeSet;
 
 use crate::formats::mhskel::{RotationPlane, Skeleton};
-use crate::formats::mhw::Weights;
-use crate::repo::{Base, FileFacts, Reference, ReferenceKind, Repository, Resolution};
+use crate::repo::{self, Body, FileFacts};
 
 /// A skeleton that the application finds.
 struct Rig<'a> {
     file: &'a FileFacts,
     skeleton: &'a Skeleton,
-    /// Whether the base loads it at start, for poses.
-    is_pose: bool,
-    /// The weights that it loads, if they could be read.
-    weights: Option<&'a Weights>,
+    own: &'a repo::Rig<'a>,
 }
 
-/// The skeletons of a base, without those in folders that are too deep to be found.
-fn rigs<'a>(repository: &Repository<'a>, base: &Base<'a>) -> Vec<Rig<'a>> {
-    let pose = pose_skeleton(repository, base);
-    let rig = |file: &&'a FileFacts| {
-        let is_pose = pose.is_some_and(|pose| std::ptr::eq(pose, *file));
-        let weights = bound_weights(repository, base, file);
-        let skeleton = file.skeleton().filter(|skeleton| skeleton.is_object)?;
-        (is_pose || is_scanned(file)).then_some(Rig { file, skeleton, is_pose, weights })
+/// The skeletons of a body that the application finds and that are an object at all.
+fn rigs<'v>(body: &Body<'v>) -> impl Iterator<Item = Rig<'v>> + use<'v> {
+    let rig = |own: &'v repo::Rig<'v>| {
+        let skeleton = own.skeleton().filter(|skeleton| skeleton.is_object)?;
+        own.is_found.then_some(Rig { file: own.file, skeleton, own })
     };
-    base.skeletons.iter().filter_map(rig).collect()
-}
-
-/// One folder below `rigs/<base>/` is scanned.
-fn is_scanned(file: &FileFacts) -> bool {
-    file.rel.split('/').count() <= 4
-}
-
-/// The skeleton that `base.json` names, if it is known.
-fn pose_skeleton<'a>(repository: &Repository<'a>, base: &Base<'a>) -> Option<&'a FileFacts> {
-    let found = |reference: &Reference<'a>| match (reference.kind, reference.resolution) {
-        (ReferenceKind::PoseSkeleton, Resolution::Found(file)) => Some(file),
-        _ => None,
-    };
-    repository.references_of(base).find_map(found)
-}
-
-fn bound_weights<'a>(repository: &Repository<'a>, base: &Base<'a>, file: &FileFacts) -> Option<&'a Weights> {
-    let found = |reference: &Reference<'a>| match (reference.kind, reference.resolution) {
-        (ReferenceKind::WeightsFile, Resolution::Found(weights)) if std::ptr::eq(reference.from, file) => {
-            weights.weights()
-        }
-        _ => None,
-    };
-    repository.references_of(base).find_map(found)
+    body.rigs.iter().filter_map(rig)
 }
 
 impl<'a> Rig<'a> {
     /// When an exception in this skeleton reaches the user.
     fn stops_with(&self, error: &str) -> String {
-        if self.is_pose {
+        if self.own.is_default {
             format!("stops with {error} while the base is loaded")
         } else {
             format!("stops with {error} when the skeleton is chosen")
@@ -107,7 +76,8 @@ impl<'a> Rig<'a> {
 
     /// Bones that pose mode will look for because the weights mention them.
     fn weighted_bones(&self) -> BTreeSet<&'a str> {
-        let bones = self.weights.filter(|_| self.is_pose).map(|weights| weights.bones.as_slice());
+        let weights = if self.own.is_default { self.own.weights() } else { None };
+        let bones = weights.map(|weights| weights.bones.as_slice());
         let weighted = bones.unwrap_or_default().iter().filter(|bone| bone.listed > 0);
         weighted.map(|bone| bone.name.as_str()).collect()
     }

@@ -4,7 +4,7 @@ use super::super::{Check, Rule, RuleCx};
 use super::hierarchy::hierarchy;
 use super::rigs;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
-use crate::repo::{Base, Repository};
+use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -14,11 +14,11 @@ pub(in crate::rules) static RULE: Rule = Rule {
             every bone but one a parent; an unattached bone can hang on the root.",
         ..RuleInfo::new("skeleton-multiple-roots", Level::Error, "more than one bone of a skeleton has no parent")
     },
-    check: Check::Base(run),
+    check: Check::Body(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for rig in rigs(repository, base) {
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for rig in rigs(body) {
         let roots = hierarchy(rig.skeleton).roots;
         let [first, second, ..] = roots.as_slice() else { continue };
         let message = format!(

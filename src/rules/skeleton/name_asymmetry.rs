@@ -6,7 +6,7 @@ use super::super::{Check, Rule, RuleCx};
 use super::hierarchy::hierarchy;
 use super::rigs;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, nearest};
-use crate::repo::{Base, Repository};
+use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -19,11 +19,11 @@ pub(in crate::rules) static RULE: Rule = Rule {
             missing is usually misspelt or forgotten. It works in MakeHuman 2; mirrored poses leave it out.",
         ..RuleInfo::new("skeleton-name-asymmetry", Level::Info, "a bone of one side has no partner on the other")
     },
-    check: Check::Base(run),
+    check: Check::Body(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for rig in rigs(repository, base) {
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for rig in rigs(body) {
         let names: BTreeSet<&str> = rig.skeleton.bones.iter().map(|bone| bone.name.as_str()).collect();
         let lonely = names.iter().filter_map(|name| Some((*name, partner(name)?)));
         // A partner that others name as their parent is `skeleton-unknown-parent`.

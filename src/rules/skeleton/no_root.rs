@@ -5,7 +5,7 @@ use super::hierarchy::hierarchy;
 use super::rigs;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::mhskel::Section;
-use crate::repo::{Base, Repository};
+use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -16,11 +16,11 @@ pub(in crate::rules) static RULE: Rule = Rule {
             parents beside a root is `skeleton-cycle`; parents that do not exist are `skeleton-unknown-parent`.",
         ..RuleInfo::new("skeleton-no-root", Level::Error, "no bone of a skeleton is the root")
     },
-    check: Check::Base(run),
+    check: Check::Body(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for rig in rigs(repository, base) {
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for rig in rigs(body) {
         let hierarchy = hierarchy(rig.skeleton);
         if rig.skeleton.bones_section != Section::Present || rig.file.json.falsy || !hierarchy.lacks_root() {
             continue;

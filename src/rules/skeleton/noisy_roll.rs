@@ -4,7 +4,7 @@ use super::super::{Check, Rule, RuleCx};
 use super::measured::{NO_LENGTH, measured, plane_of};
 use crate::diag::{Application, Evidence, Finding, Level, OptionInfo, Place, RuleInfo};
 use crate::eval::measures::Measures;
-use crate::repo::{Base, Repository};
+use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -24,10 +24,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Numeric(run),
 };
 
-fn run(_: &Repository<'_>, base: &Base<'_>, measures: &Measures, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(body: &Body<'_>, measures: &Measures, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let cosine = cx.option(&RULE, "cosine");
     let sine = (1.0 - cosine * cosine).max(0.0).sqrt();
-    for rig in measured(base, measures) {
+    for rig in measured(body, measures) {
         let noisy = |measure: f64, length: f64| measure < sine && length >= NO_LENGTH;
         let bones: Vec<_> = rig.bones().filter(|(_, bone)| noisy(bone.roll_sine, bone.length)).collect();
         // Exactly parallel has a rule of its own in the application and does not jitter while it lasts.

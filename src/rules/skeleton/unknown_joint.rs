@@ -6,7 +6,7 @@ use super::super::{Check, Rule, RuleCx};
 use super::{Rig, rigs};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, Suggestions};
 use crate::formats::mhskel::Section;
-use crate::repo::{Base, Repository};
+use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -20,18 +20,18 @@ pub(in crate::rules) static RULE: Rule = Rule {
             the name or add the joint. A joint that is listed but empty is `skeleton-empty-joint`.",
         ..RuleInfo::new("skeleton-unknown-joint", Level::Error, "a bone or its plane names a joint that does not exist")
     },
-    check: Check::Base(run),
+    check: Check::Body(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let suggestions = Suggestions::default();
-    for rig in rigs(repository, base).iter().filter(|rig| rig.skeleton.joints_section == Section::Present) {
+    for rig in rigs(body).filter(|rig| rig.skeleton.joints_section == Section::Present) {
         let known: BTreeSet<&str> = rig.skeleton.joints.iter().map(|joint| joint.name.as_str()).collect();
-        if known.is_empty() && uses(rig).len() > 1 {
-            out.extend(without_joints(rig));
+        if known.is_empty() && uses(&rig).len() > 1 {
+            out.extend(without_joints(&rig));
             continue;
         }
-        for (joint, uses) in uses(rig).into_iter().filter(|(joint, _)| !known.contains(joint)) {
+        for (joint, uses) in uses(&rig).into_iter().filter(|(joint, _)| !known.contains(joint)) {
             let Some((place, owner)) = uses.first() else { continue };
             let message = match uses.len() {
                 1 => format!("{owner} names joint `{joint}`, which does not exist"),
@@ -46,7 +46,7 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
                     .key(joint)
                     .help(help)
                     .evidence(Evidence::of_cases(uses.iter().map(|(_, owner)| owner)))
-                    .breaks(Application::Makehuman2, rig.stops_with("a KeyError")),
+                    .effect(rig.stops_with("a KeyError")),
             );
         }
     }
@@ -59,7 +59,7 @@ fn without_joints(rig: &Rig<'_>) -> Option<Finding> {
     let message = format!("bones and planes name {} joints, but `joints` is empty", uses.len());
     let finding = RULE.at(rig.file, place.clone(), message).key("joints").help("add the joints to `joints`");
     let finding = finding.evidence(Evidence::of_cases(uses.keys()));
-    Some(finding.breaks(Application::Makehuman2, rig.stops_with("a KeyError")))
+    Some(finding.effect(rig.stops_with("a KeyError")))
 }
 
 /// Joints that are looked up, with the places that name them.

@@ -4,7 +4,7 @@ use super::super::{Check, Rule, RuleCx};
 use super::hierarchy::hierarchy;
 use super::rigs;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, Suggestions};
-use crate::repo::{Base, Repository};
+use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -14,12 +14,12 @@ pub(in crate::rules) static RULE: Rule = Rule {
             or add the missing bone. Names must agree in every letter, capitals included.",
         ..RuleInfo::new("skeleton-unknown-parent", Level::Error, "a bone names a parent that does not exist")
     },
-    check: Check::Base(run),
+    check: Check::Body(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let suggestions = Suggestions::default();
-    for rig in rigs(repository, base) {
+    for rig in rigs(body) {
         let names = || rig.skeleton.bones.iter().map(|bone| bone.name.as_str());
         for (parent, bones) in hierarchy(rig.skeleton).unknown_parents {
             let Some(first) = bones.first() else { continue };

@@ -7,7 +7,7 @@ use super::{Rig, rigs};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, Suggestions};
 use crate::formats::mhskel::{Bone, RotationPlane};
 use crate::json::UnknownKey;
-use crate::repo::{Base, Repository};
+use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -18,12 +18,12 @@ pub(in crate::rules) static RULE: Rule = Rule {
             the key.",
         ..RuleInfo::new("skeleton-unknown-plane", Level::Error, "a bone names a plane that does not exist")
     },
-    check: Check::Base(run),
+    check: Check::Body(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let suggestions = Suggestions::default();
-    for rig in rigs(repository, base) {
+    for rig in rigs(body) {
         let known: BTreeSet<&str> = rig.skeleton.planes.iter().map(|plane| plane.name.as_str()).collect();
         if known.is_empty() && rig.asked_planes().len() > 1 {
             out.extend(without_planes(&rig));

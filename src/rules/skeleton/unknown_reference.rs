@@ -3,10 +3,10 @@
 use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx};
-use super::{Rig, pose_skeleton, rigs};
+use super::{Rig, rigs};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, nearest};
 use crate::formats::mhskel::Bone;
-use crate::repo::{Base, Repository};
+use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -25,16 +25,16 @@ pub(in crate::rules) static RULE: Rule = Rule {
             "a bone refers to bones that the default skeleton does not have",
         )
     },
-    check: Check::Base(run),
+    check: Check::Body(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(pose) = pose_skeleton(repository, base).and_then(|file| file.skeleton()) else { return };
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(pose) = body.default_rig().and_then(|rig| rig.skeleton()) else { return };
     let known: BTreeSet<&str> = pose.bones.iter().map(|bone| bone.name.as_str()).collect();
     if known.is_empty() {
         return;
     }
-    for rig in rigs(repository, base) {
+    for rig in rigs(body) {
         let mut unknown = Vec::new();
         for bone in &rig.skeleton.bones {
             for (member, names) in [("reference", &bone.reference), ("weights_reference", &bone.weights_reference)] {

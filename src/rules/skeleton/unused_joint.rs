@@ -7,7 +7,7 @@ use super::hierarchy::hierarchy;
 use super::rigs;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::mhskel::Section;
-use crate::repo::{Base, Repository};
+use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -19,11 +19,11 @@ pub(in crate::rules) static RULE: Rule = Rule {
             over, or a bone that should use it names another one.\n\nRemove it, or use it.",
         ..RuleInfo::new("skeleton-unused-joint", Level::Info, "no bone and no plane uses a joint")
     },
-    check: Check::Base(run),
+    check: Check::Body(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for rig in rigs(repository, base).iter().filter(|rig| rig.skeleton.bones_section == Section::Present) {
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for rig in rigs(body).filter(|rig| rig.skeleton.bones_section == Section::Present) {
         let mut used = rig.asked_joints();
         let joints: BTreeSet<&str> = rig.skeleton.joints.iter().map(|joint| joint.name.as_str()).collect();
         // A joint that is asked for under a name that does not exist may be the one that seems unused.

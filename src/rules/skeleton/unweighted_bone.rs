@@ -2,11 +2,10 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::measured::{Measured, measured, named};
-use super::pose_skeleton;
 use crate::diag::{Application, Confidence, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::formats::mhskel::{Bone, Skeleton};
-use crate::repo::{Base, Repository};
+use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -22,9 +21,9 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Numeric(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(default) = pose_skeleton(repository, base).and_then(|file| file.skeleton()) else { return };
-    for rig in measured(base, measures) {
+fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(default) = body.default_rig().and_then(|rig| rig.skeleton()) else { return };
+    for rig in measured(body, measures) {
         let receives_nothing = |bone: &&Bone| rig.measure.without_weights.contains(&bone.name);
         let bones =
             rig.bones().map(|(bone, _)| bone).filter(receives_nothing).filter(|bone| names_nothing(bone, default));

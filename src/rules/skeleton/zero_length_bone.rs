@@ -6,7 +6,7 @@ use super::super::{Check, Rule, RuleCx};
 use super::measured::{Measured, NO_LENGTH, measured, named};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::measures::Measures;
-use crate::repo::{Base, Repository};
+use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -23,8 +23,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Numeric(run),
 };
 
-fn run(_: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for rig in measured(base, measures) {
+fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for rig in measured(body, measures) {
         let mut ends: BTreeMap<(&str, &str), Vec<&str>> = BTreeMap::new();
         for (bone, _) in rig.bones().filter(|(_, measure)| measure.length < NO_LENGTH) {
             if let (Some(head), Some(tail)) = (&bone.head, &bone.tail) {

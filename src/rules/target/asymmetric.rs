@@ -2,11 +2,11 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::shown::shown_by;
-use super::target_folder;
 use crate::diag::{Application, Evidence, Finding, Level, OptionInfo, Place, RuleInfo, Sight};
 use crate::eval::measures::Measures;
 use crate::eval::target_measure::TargetMeasure;
-use crate::repo::{Base, FileFacts, Repository};
+use crate::repo::makehuman2::Base;
+use crate::repo::{Body, FileFacts};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -30,7 +30,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
 /// Words of a name that say a side.
 const SIDES: [&str; 4] = ["l", "r", "left", "right"];
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, measures: &Measures, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(body: &Body<'_>, measures: &Measures, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some((_, base)) = body.makehuman2() else { return };
     // Without base.json nobody knows which endings are meant to have a side, and nothing is loaded.
     if base.settings().is_none() {
         return;
@@ -39,7 +40,7 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, measures: &Measures, cx: &R
     let mut slight: Vec<(&FileFacts, &TargetMeasure)> = Vec::new();
     let mut judged = 0;
     for target in measures.targets.iter().filter(|target| !is_meant(base, &target.name)) {
-        let Some(file) = repository.judged.files.values().find(|file| file.path == target.path) else { continue };
+        let Some(file) = body.target(&target.path).map(|own| own.file) else { continue };
         judged += 1;
         let mirror = &target.own_mirror;
         let different = mirror.different.len();
@@ -47,12 +48,12 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, measures: &Measures, cx: &R
             continue;
         }
         if different as f64 > share * mirror.compared as f64 {
-            out.extend(one_sided(repository, file, target));
+            out.extend(one_sided(body, file, target));
         } else {
             slight.push((file, target));
         }
     }
-    out.extend(uneven(repository, base, &slight, judged));
+    out.extend(uneven(body, &slight, judged));
 }
 
 /// Whether the name says that it is not symmetric.
@@ -69,11 +70,11 @@ fn is_told_by_cubes(target: &TargetMeasure) -> bool {
     target.own_mirror.different.len() <= CORNERS * target.torn.len()
 }
 
-fn one_sided(repository: &Repository<'_>, file: &FileFacts, target: &TargetMeasure) -> Option<Finding> {
+fn one_sided(body: &Body<'_>, file: &FileFacts, target: &TargetMeasure) -> Option<Finding> {
     let mirror = &target.own_mirror;
     let different = mirror.different.len();
     let (vertex, worst) = mirror.worst?;
-    let shown = shown_by(repository, file).map(|setting| format!(" (seen at {setting})")).unwrap_or_default();
+    let shown = shown_by(body, file).map(|setting| format!(" (seen at {setting})")).unwrap_or_default();
     let message = format!(
         "not symmetric: {different} of {} vertices differ from their mirror image, most vertex {vertex} by {worst:.3} \
          units{shown}",
@@ -89,12 +90,7 @@ fn one_sided(repository: &Repository<'_>, file: &FileFacts, target: &TargetMeasu
 }
 
 /// One line for all targets in which a few vertices were missed; it stands at their folder.
-fn uneven(
-    repository: &Repository<'_>,
-    base: &Base<'_>,
-    slight: &[(&FileFacts, &TargetMeasure)],
-    judged: usize,
-) -> Option<Finding> {
+fn uneven(body: &Body<'_>, slight: &[(&FileFacts, &TargetMeasure)], judged: usize) -> Option<Finding> {
     let worst = |target: &TargetMeasure| target.own_mirror.worst.map_or(0.0, |(_, worst)| worst);
     let (file, target) = slight.iter().max_by(|a, b| worst(a.1).total_cmp(&worst(b.1)))?;
     let (vertex, distance) = target.own_mirror.worst?;
@@ -108,7 +104,7 @@ fn uneven(
     }));
     let finding = match slight {
         [_] => RULE.at(file, Place::File, message),
-        _ => RULE.in_layer(repository.judged, target_folder(file), message).related(
+        _ => RULE.in_layer(body.layers.checked, file.target_folder(), message).related(
             &file.path,
             Place::File,
             "the worst of them",
@@ -116,7 +112,7 @@ fn uneven(
     };
     Some(
         finding
-            .key(base.name)
+            .key(body.name)
             .asset(file.root())
             .parts(slight.iter().flat_map(|(_, target)| {
                 target.own_mirror.different.iter().map(|vertex| format!("{} {vertex}", target.name))

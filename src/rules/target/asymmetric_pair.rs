@@ -4,7 +4,7 @@ use super::super::{Check, Rule, RuleCx};
 use super::shown::shown_by;
 use crate::diag::{Application, Element, Evidence, Finding, Level, Place, RuleInfo, Sight};
 use crate::eval::measures::{Measures, PairMeasure};
-use crate::repo::{Base, Repository};
+use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -22,13 +22,13 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Numeric(run),
 };
 
-fn run(repository: &Repository<'_>, _: &Base<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    out.extend(measures.pairs.iter().filter_map(|pair| finding(repository, pair)));
+fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    out.extend(measures.pairs.iter().filter_map(|pair| finding(body, pair)));
 }
 
-fn finding(repository: &Repository<'_>, pair: &PairMeasure) -> Option<Finding> {
-    let left = repository.judged.files.values().find(|file| file.path == pair.left)?;
-    let right = repository.judged.files.values().find(|file| file.path == pair.right)?;
+fn finding(body: &Body<'_>, pair: &PairMeasure) -> Option<Finding> {
+    let left = body.target(&pair.left)?.file;
+    let right = body.target(&pair.right)?.file;
     // A side that moves nothing at all is a finding of its own.
     if [left, right].iter().any(|file| file.target().is_some_and(|facts| facts.moving == 0)) {
         return None;
@@ -38,7 +38,7 @@ fn finding(repository: &Repository<'_>, pair: &PairMeasure) -> Option<Finding> {
     let different = difference.different.len();
     let (vertex, worst) = difference.worst.filter(|_| different > 0)?;
     let on = if on_body { "vertices of the body differ" } else { "vertices differ, all on helpers" };
-    let shown = shown_by(repository, left).map(|setting| format!(" (seen at {setting})")).unwrap_or_default();
+    let shown = shown_by(body, left).map(|setting| format!(" (seen at {setting})")).unwrap_or_default();
     let message = format!(
         "not the mirror image of `{}`: {different} of {} {on}, most vertex {vertex} by {worst:.3} units{shown}",
         right.file_name(),
@@ -54,5 +54,5 @@ fn finding(repository: &Repository<'_>, pair: &PairMeasure) -> Option<Finding> {
         .help("mirror one of the two and save it over the other")
         .evidence(evidence.out_of(difference.compared).with_worst(worst, format!("vertex {vertex}")));
     let effect = "fits clothes and hair unevenly at the helpers that differ; the body is even";
-    Some(if on_body { finding } else { finding.level(Level::Info).breaks(Application::Makehuman2, effect) })
+    Some(if on_body { finding } else { finding.level(Level::Info).effect(effect) })
 }

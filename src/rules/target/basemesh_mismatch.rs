@@ -3,9 +3,9 @@
 use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
-use super::{target_folder, targets};
+use super::targets;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
-use crate::repo::{FileFacts, Layer};
+use crate::repo::{Body, FileFacts, Layer};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -23,20 +23,20 @@ pub(in crate::rules) static RULE: Rule = Rule {
             "a target in the folder of another base mesh than its header names",
         )
     },
-    check: Check::Layer(run),
+    check: Check::Body(run),
 };
 
-fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let mut found: BTreeMap<(&str, &str), Vec<(&FileFacts, u32)>> = BTreeMap::new();
-    for (file, facts) in targets(layer) {
+    for (_, file, facts) in targets(body) {
         if let (Some(base), Some((line, named))) = (file.base(), &facts.basemesh)
             && !named.eq_ignore_ascii_case(base)
         {
-            found.entry((target_folder(file), named)).or_default().push((file, *line));
+            found.entry((file.target_folder(), named)).or_default().push((file, *line));
         }
     }
     for ((folder, named), files) in found {
-        out.extend(finding(layer, folder, named, &files));
+        out.extend(finding(body.layers.checked, folder, named, &files));
     }
 }
 

@@ -1,9 +1,10 @@
 //! A target that nothing uses and that stops the program all the same.
 
-use super::super::{Check, Rule, RuleCx, archived};
-use super::{decoded, unreadable_fields, usage};
+use super::super::cause::archived::weigh;
+use super::super::{Check, Rule, RuleCx};
+use super::{targets, unreadable_fields};
 use crate::diag::{Application, Finding, Level, RuleInfo};
-use crate::repo::{Base, Repository};
+use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -20,16 +21,13 @@ pub(in crate::rules) static RULE: Rule = Rule {
             sound archive lies in the folder the file is not parsed; then this is a warning.",
         ..RuleInfo::new("target-breaks-start", Level::Error, "a target nobody uses stops the program at start")
     },
-    check: Check::Base(run),
+    check: Check::Body(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for (file, facts) in usage::unused(repository, base).into_iter().filter_map(decoded) {
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for (target, file, facts) in targets(body).filter(|(target, ..)| target.is_unused) {
         let Some(mut finding) = unreadable_fields::finding(&RULE, file, facts) else { continue };
         finding.message.push_str(", and MakeHuman 2 parses this file at start although nothing uses it");
-        if archived::archive(repository, file).is_some() {
-            finding = finding.level(Level::Warning).breaks(Application::Makehuman2, archived::STOPS_LATER);
-        }
-        out.push(finding.help("mend the row, or move the file out of the target folder"));
+        out.push(weigh(target, finding).help("mend the row, or move the file out of the target folder"));
     }
 }

@@ -1,9 +1,9 @@
 //! A target names each vertex once.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{first_row, is_archived, targets};
+use super::{first_row, targets};
 use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Rewrite, RuleInfo};
-use crate::repo::Layer;
+use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -14,11 +14,11 @@ pub(in crate::rules) static RULE: Rule = Rule {
             vertex: the last, if the shape in MakeHuman 2 is right, or the sum, if it was made elsewhere.",
         ..RuleInfo::new("target-duplicate-vertex", Level::Warning, "a vertex twice in a target")
     },
-    check: Check::Layer(run),
+    check: Check::Body(run),
 };
 
-fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for (file, facts) in targets(layer) {
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for (target, file, facts) in targets(body) {
         let Some((_, index)) = facts.duplicate.first.first() else { continue };
         let message = match facts.duplicate.count {
             1 => format!("vertex {index} is named twice; only the last row counts"),
@@ -27,7 +27,7 @@ fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             }
         };
         let mut fix = Fix::new(RULE.info.fix, "keep the last row of each vertex, the one that MakeHuman 2 applies");
-        if !is_archived(layer, file) {
+        if target.packed_in.is_none() {
             fix = fix.step(&file.path, Change::Rewrite(Rewrite::KeepLastRows));
         }
         out.push(

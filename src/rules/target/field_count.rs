@@ -1,9 +1,9 @@
 //! A data line of a target has four fields.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{counted, targets};
+use super::{counted, decoded};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
-use crate::repo::Layer;
+use crate::repo::FileFacts;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -14,28 +14,27 @@ pub(in crate::rules) static RULE: Rule = Rule {
             Give the line four fields, put remarks on lines of their own that begin with `#`, or remove the line.",
         ..RuleInfo::new("target-field-count", Level::Warning, "a line of a target without exactly four fields")
     },
-    check: Check::Layer(run),
+    check: Check::File(run),
 };
 
-fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for (file, facts) in targets(layer) {
-        let Some((line, fields)) = facts.field_count.first.first() else { continue };
-        let count = facts.field_count.count;
-        let fields = counted(fields.unsigned_abs(), "field");
-        let message = match (facts.rows, count) {
-            (0, _) => format!("no line has four fields (the first has {fields}): the target does nothing"),
-            (_, 1) => format!("a row has four fields, this line has {fields} and is skipped"),
-            _ => format!("{count} lines do not have four fields and are skipped (the first has {fields})"),
-        };
-        let cases = facts.field_count.first.iter().map(|(line, fields)| format!("line {line}: {fields}"));
-        let mut evidence = Evidence::of_cases(cases).unnamed();
-        evidence.count = count;
-        let total = facts.rows.saturating_add(usize::try_from(count).unwrap_or(usize::MAX));
-        out.push(
-            RULE.at(file, Place::Line(*line), message)
-                .help("write rows as `INDEX X Y Z`, remarks on lines that begin with `#`")
-                .parts(facts.field_count_names.names())
-                .evidence(evidence.out_of(total)),
-        );
-    }
+fn run(file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(facts) = decoded(file) else { return };
+    let Some((line, fields)) = facts.field_count.first.first() else { return };
+    let count = facts.field_count.count;
+    let fields = counted(fields.unsigned_abs(), "field");
+    let message = match (facts.rows, count) {
+        (0, _) => format!("no line has four fields (the first has {fields}): the target does nothing"),
+        (_, 1) => format!("a row has four fields, this line has {fields} and is skipped"),
+        _ => format!("{count} lines do not have four fields and are skipped (the first has {fields})"),
+    };
+    let cases = facts.field_count.first.iter().map(|(line, fields)| format!("line {line}: {fields}"));
+    let mut evidence = Evidence::of_cases(cases).unnamed();
+    evidence.count = count;
+    let total = facts.rows.saturating_add(usize::try_from(count).unwrap_or(usize::MAX));
+    out.push(
+        RULE.at(file, Place::Line(*line), message)
+            .help("write rows as `INDEX X Y Z`, remarks on lines that begin with `#`")
+            .parts(facts.field_count_names.names())
+            .evidence(evidence.out_of(total)),
+    );
 }

@@ -4,18 +4,15 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::parent;
 use crate::diag::Suggestions;
-use crate::repo::{Base, FileFacts, Repository};
+use crate::repo::FileFacts;
+use crate::repo::makehuman2::{Base, View};
 
 /// Paths of files by a part of them.
 type Files<'f, 'a> = BTreeMap<&'f str, Vec<&'a str>>;
 
 /// Unused files that a name without file nearly fits, or would fit but for its path: that name is the
 /// fault to report.
-pub(super) fn meant_by_missing<'a>(
-    repository: &Repository<'_>,
-    base: &Base<'_>,
-    unused: &[&'a FileFacts],
-) -> BTreeSet<&'a str> {
+pub(super) fn meant_by_missing<'a>(view: &View<'_>, base: &Base<'_>, unused: &[&'a FileFacts]) -> BTreeSet<&'a str> {
     let mut meant = BTreeSet::new();
     let (mut by_stem, mut by_folder): (Files<'_, 'a>, Files<'_, 'a>) = (BTreeMap::new(), BTreeMap::new());
     for file in unused {
@@ -23,7 +20,7 @@ pub(super) fn meant_by_missing<'a>(
         by_folder.entry(parent(&file.rel)).or_default().push(&file.rel);
     }
     let suggestions = Suggestions::default();
-    for reference in repository.references_of(base).filter(|reference| reference.kind.is_target()) {
+    for reference in view.references_of(base).filter(|reference| reference.kind.is_target()) {
         if reference.meant().is_some() {
             continue;
         }
@@ -32,25 +29,38 @@ pub(super) fn meant_by_missing<'a>(
         let rel = reference.rel.replace('\\', "/");
         meant.extend(by_folder.get(parent(&rel)).and_then(|beside| suggestions.nearest(&rel, beside.iter().copied())));
     }
-    let lost = lost_partners(base);
-    meant.extend(unused.iter().filter(|file| is_of_one(&lost, base, file)).map(|file| file.rel.as_str()));
+    let lost = LostPartners::of(base);
+    meant.extend(unused.iter().filter(|file| lost.have(base, file)).map(|file| file.rel.as_str()));
     meant
 }
 
 /// Patterns that `lsym` or `rsym` of some slider asks for and no slider has.
-fn lost_partners<'b>(base: &'b Base<'_>) -> BTreeSet<&'b str> {
-    let partners = base.sliders.iter().flat_map(|bound| [&bound.slider.lsym, &bound.slider.rsym]).flatten();
-    partners.filter(|partner| base.slider(partner).is_none()).map(String::as_str).collect()
+struct LostPartners<'b> {
+    /// Targets of patterns of one, and the first ones of pairs.
+    names: BTreeSet<&'b str>,
+    /// First targets of pairs by the ending of the second.
+    pairs: BTreeMap<&'b str, BTreeSet<&'b str>>,
 }
 
-/// Whether one of the patterns has this target.
-fn is_of_one(partners: &BTreeSet<&str>, base: &Base<'_>, file: &FileFacts) -> bool {
-    let Some(name) = base.targets.and_then(|folder| folder.name_of(file)) else { return false };
-    partners.iter().any(|partner| match partner.split_once('|') {
-        Some((decr, incr)) => {
-            let stem = name.strip_suffix(incr);
-            name == decr || stem.is_some_and(|stem| stem.ends_with(['-', '/']) && decr.starts_with(stem))
+impl<'b> LostPartners<'b> {
+    fn of(base: &'b Base<'_>) -> Self {
+        let (mut names, mut pairs): (BTreeSet<&str>, BTreeMap<&str, BTreeSet<&str>>) = Default::default();
+        let partners = base.sliders.iter().flat_map(|bound| [&bound.slider.lsym, &bound.slider.rsym]).flatten();
+        for partner in partners.filter(|partner| base.slider(partner).is_none()) {
+            let pair = partner.split_once('|');
+            names.insert(pair.map_or(partner, |(decr, _)| decr));
+            pair.into_iter().for_each(|(decr, incr)| _ = pairs.entry(incr).or_default().insert(decr));
         }
-        None => name == *partner,
-    })
+        Self { names, pairs }
+    }
+
+    /// Whether one of them has this target.
+    fn have(&self, base: &Base<'_>, file: &FileFacts) -> bool {
+        let Some(name) = base.targets.and_then(|folder| folder.name_of(file)) else { return false };
+        self.names.contains(name)
+            || self.pairs.iter().any(|(incr, decrs)| {
+                let stem = name.strip_suffix(incr).filter(|stem| stem.ends_with(['-', '/']));
+                stem.is_some_and(|stem| decrs.range(stem..).next().is_some_and(|decr| decr.starts_with(stem)))
+            })
+    }
 }

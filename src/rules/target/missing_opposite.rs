@@ -1,10 +1,13 @@
 //! A target for one direction of a slider without the other direction.
 
+use std::collections::BTreeMap;
+
 use super::super::{Check, Rule, RuleCx};
-use super::{parent, usage};
+use super::{asked_for, parent};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo, Sight, nearest};
 use crate::discover::Kind;
-use crate::repo::{Base, FileFacts, Repository, TargetFolder};
+use crate::repo::FileFacts;
+use crate::repo::makehuman2::{Base, TargetFolder, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -21,18 +24,20 @@ pub(in crate::rules) static RULE: Rule = Rule {
             ending. Where modelling.json lists a target as single, it is meant to be single and nothing is reported.",
         ..RuleInfo::new("target-missing-opposite", Level::Warning, "a target for one direction without its opposite")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let pairs = pairs(base);
+fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let (pairs, asked) = (pairs(base), asked_for(view, base));
     let unlisted = base.modelling.winner().is_none() && !base.modelling.is_broken();
     let folders = [base.user_targets, base.targets.filter(|_| unlisted)];
-    for folder in folders.into_iter().flatten().filter(|folder| std::ptr::eq(folder.layer, repository.judged)) {
+    for folder in folders.into_iter().flatten().filter(|folder| std::ptr::eq(folder.layer, view.layers.checked)) {
+        // Whether a folder has both targets of a pair, once asked for.
+        let mut with_pair: BTreeMap<(&str, (&str, &str)), bool> = BTreeMap::new();
         for file in folder.targets() {
             let Some((opposite, pair)) = opposite_of(file, &pairs) else { continue };
             let rel = format!("{}/{opposite}.target", parent(&file.rel));
-            if folder.layer.file(&rel).is_some() || usage::is_missed(repository, base, &rel) {
+            if folder.layer.file(&rel).is_some() || asked.contains(rel.as_str()) {
                 continue;
             }
             let other_case = folder.layer.file_ignoring_case(&rel);
@@ -42,8 +47,12 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
                 // Each lacks the other: once is enough.
                 Some(other) if opposite_of(other, &pairs).is_some() && file.stem().ends_with(pair.0) => {}
                 Some(other) => out.push(renamed(file, &opposite, other)),
-                None if has_pair(folder, parent(&file.rel), pair) => out.push(finding(file, &opposite)),
-                None => {}
+                None => {
+                    let path = parent(&file.rel);
+                    if *with_pair.entry((path, pair)).or_insert_with(|| has_pair(folder, path, pair)) {
+                        out.push(finding(file, &opposite));
+                    }
+                }
             }
         }
     }
@@ -70,8 +79,8 @@ fn misnamed<'a>(folder: TargetFolder<'a>, file: &FileFacts, rel: &str, pair: (&s
     let (stem, ending) = rel.strip_suffix(".target")?.rsplit_once('-').filter(|_| pair == ("decr", "incr"))?;
     let plain = folder.layer.file(&format!("{stem}.target"));
     let path = parent(&file.rel);
-    let beside = folder.layer.below(path).filter(|other| other.kind == Kind::Target && parent(&other.rel) == path);
-    let mut misspelt = beside.filter(|other| {
+    let alike = folder.layer.beginning_with(format!("{stem}-"));
+    let mut misspelt = alike.filter(|other| other.kind == Kind::Target && parent(&other.rel) == path).filter(|other| {
         let word = other.rel.strip_prefix(stem).and_then(|rest| rest.strip_prefix('-')?.strip_suffix(".target"));
         word.is_some_and(|word| word != pair.0 && word != pair.1 && nearest(word, [ending]).is_some())
     });

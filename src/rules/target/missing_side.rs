@@ -1,12 +1,12 @@
 //! What is made for the left is made for the right.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx};
-use super::{parent, usage};
+use super::{asked_for, parent};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, Sight};
-use crate::discover::Kind;
-use crate::repo::{Base, FileFacts, Repository};
+use crate::repo::FileFacts;
+use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -20,23 +20,23 @@ pub(in crate::rules) static RULE: Rule = Rule {
             figure symmetric does not work for it.\n\nMirror the target and save it under the name of the other side.",
         ..RuleInfo::new("target-missing-side", Level::Warning, "a target for one side without its partner")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
 /// Words that stand for a side, between dashes.
 const SIDES: [(&str, &str); 4] = [("l", "r"), ("r", "l"), ("left", "right"), ("right", "left")];
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let unused: Vec<&str> = usage::unused(repository, base).iter().map(|file| file.path.as_str()).collect();
+fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let unused: BTreeSet<&str> = view.unused(base).iter().map(|file| file.path.as_str()).collect();
+    let asked = asked_for(view, base);
     let mut lone: BTreeMap<(&str, String), Vec<(&FileFacts, String)>> = BTreeMap::new();
-    for file in repository.judged.files.values() {
-        let is_own = file.kind == Kind::Target && file.base() == Some(base.name);
-        let Some(partner) = partner_of(file.stem()).filter(|_| is_own) else { continue };
+    for file in view.own_targets(base) {
+        let Some(partner) = partner_of(file.stem()) else { continue };
         let folder = parent(&file.rel);
         let rel = format!("{folder}/{partner}.target");
-        let exists = repository.judged.file(&rel).is_some() || repository.judged.file_ignoring_case(&rel).is_some();
+        let exists = view.layers.checked.file(&rel).is_some() || view.layers.checked.file_ignoring_case(&rel).is_some();
         // A partner that a slider asks for is a missing file; a target that nothing uses has nothing to mirror.
-        if !exists && !unused.contains(&file.path.as_str()) && !usage::is_missed(repository, base, &rel) {
+        if !exists && !unused.contains(file.path.as_str()) && !asked.contains(rel.as_str()) {
             lone.entry((folder, without_ending(base, &partner))).or_default().push((file, partner));
         }
     }

@@ -1,11 +1,13 @@
 //! Rules on `.target` files and their archives.
 //!
-//! What more than one of them needs: which files to look at at all, and how rows are named. Who uses a
-//! target is answered in `usage`.
+//! What more than one of them needs: which files to look at at all, and how rows are named.
+
+use std::collections::BTreeSet;
 
 use crate::diag::{Element, Place, Tally};
 use crate::formats::target::TargetFacts;
-use crate::repo::{FileFacts, Layer};
+use crate::repo::makehuman2::{Base, View};
+use crate::repo::{Body, FileFacts, Target, parent};
 
 pub(super) mod asymmetric;
 pub(super) mod asymmetric_pair;
@@ -26,21 +28,19 @@ pub(super) mod stale_binary;
 pub(super) mod syntax;
 mod unreadable_fields;
 pub(super) mod unreferenced;
-pub(super) mod usage;
 pub(super) mod vertex_out_of_range;
 pub(super) mod without_effect;
 pub(super) mod zero_delta;
 
-/// Targets of a layer that the loader can decode. For others the encoding is the one fault to name. A byte order mark
-/// is a fault of the first line only; all are judged as they are without it.
-fn targets(layer: &Layer) -> impl Iterator<Item = (&FileFacts, &TargetFacts)> {
-    layer.files.values().filter_map(decoded)
+/// Facts of a target that the loader can decode. For others the encoding is the one fault to name. A byte order mark
+/// is a fault of the first line only; all are checked as they are without it.
+fn decoded(file: &FileFacts) -> Option<&TargetFacts> {
+    file.target()
 }
 
-/// Facts of a target that the loader can decode.
-fn decoded(file: &FileFacts) -> Option<(&FileFacts, &TargetFacts)> {
-    let is_text = file.encoding.invalid_utf8_at.is_none();
-    file.target().filter(|_| is_text).map(|facts| (file, facts))
+/// The targets of a body that can be decoded.
+fn targets<'b, 'v>(body: &'b Body<'v>) -> impl Iterator<Item = (&'b Target<'v>, &'v FileFacts, &'v TargetFacts)> {
+    body.targets.iter().filter_map(|target| Some((target, target.file, decoded(target.file)?)))
 }
 
 /// The first row of a tally.
@@ -57,18 +57,8 @@ fn counted(count: u64, thing: &str) -> String {
     if count == 1 { format!("1 {thing}") } else { format!("{count} {thing}s") }
 }
 
-/// The folder that targets of a base are loaded from: the first two parts of the path.
-pub(super) fn target_folder(file: &FileFacts) -> &str {
-    let end = file.rel.match_indices('/').nth(1).map_or(file.rel.len(), |(at, _)| at);
-    file.rel.get(..end).unwrap_or(&file.rel)
-}
-
-/// Whether a binary archive stands for the target; a changed text would no longer be what the application loads.
-fn is_archived(layer: &Layer, file: &FileFacts) -> bool {
-    super::archived::beside(layer, file).is_some()
-}
-
-/// The folder of a path, empty at the top.
-fn parent(rel: &str) -> &str {
-    rel.rsplit_once('/').map_or("", |(folder, _)| folder)
+/// Paths of the targets that something refers to, found or not: where one is missing, that is the fault to name.
+fn asked_for<'v>(view: &'v View<'_>, base: &Base<'_>) -> BTreeSet<&'v str> {
+    let references = view.references_of(base).filter(|reference| reference.kind.is_target());
+    references.map(|reference| reference.rel.as_str()).collect()
 }

@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, Sight};
 use crate::eval::measures::Measures;
-use crate::repo::{Base, Repository};
+use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -21,13 +21,13 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Numeric(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     // Where nothing moves the body, the groups are the fault, not the targets.
     if measures.targets.iter().all(|target| target.body == 0) {
         return;
     }
     let hidden = measures.targets.iter().filter(|target| target.body == 0 && target.joints + target.helpers > 0);
-    let own = |path: &str| repository.judged.files.values().find(|file| file.path == path);
+    let own = |path: &str| body.target(path).map(|own| own.file);
     let hidden: Vec<_> = hidden.filter_map(|target| Some((own(&target.path)?, target))).collect();
     let Some((file, first)) = hidden.first() else { return };
     let message = match hidden.as_slice() {
@@ -35,7 +35,7 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &Ru
         _ => format!("{} targets move no vertex of the body but helpers, the first is `{}`", hidden.len(), first.name),
     };
     let evidence = Evidence::of_cases(hidden.iter().map(|(_, target)| &target.name)).out_of(measures.targets.len());
-    let mut finding = RULE.at(file, Place::File, message).key(base.name).asset(file.root()).evidence(evidence);
+    let mut finding = RULE.at(file, Place::File, message).key(body.name).asset(file.root()).evidence(evidence);
     finding = finding.over_each(hidden.iter().map(|(file, _)| &file.path));
     for (file, target) in hidden.iter().skip(1) {
         finding = finding.related(&file.path, Place::File, moved(target.joints, target.helpers));

@@ -1,10 +1,10 @@
 //! Vertices are counted from 0.
 
-use super::super::archived::Unread;
+use super::super::cause::archived::weigh;
 use super::super::{Check, Rule, RuleCx};
 use super::{first_row, targets};
 use crate::diag::{Application, Finding, Level, RuleInfo};
-use crate::repo::Repository;
+use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -20,12 +20,11 @@ pub(in crate::rules) static RULE: Rule = Rule {
             mesh has, or remove the row.",
         ..RuleInfo::new("target-negative-index", Level::Error, "a negative vertex index in a target")
     },
-    check: Check::Repository(run),
+    check: Check::Body(run),
 };
 
-fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let unread = Unread::of(repository);
-    for (file, facts) in targets(repository.judged) {
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for (target, file, facts) in targets(body) {
         let Some((_, index)) = facts.negative.first.first() else { continue };
         let message = match facts.negative.count {
             1 => format!("vertex index {index} is negative"),
@@ -35,6 +34,6 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             .at(file, first_row(&facts.negative), message)
             .help("vertices count from 0; write the right index or remove the row")
             .evidence(facts.negative.evidence(facts.rows));
-        out.push(unread.weigh(file, finding));
+        out.push(weigh(target, finding));
     }
 }

@@ -1,10 +1,10 @@
 //! Displacements are finite numbers.
 
-use super::super::{Check, Rule, RuleCx, archived};
+use super::super::{Check, Rule, RuleCx};
 use super::shown::shown_by;
 use super::{first_row, targets};
 use crate::diag::{Application, Finding, Level, RuleInfo};
-use crate::repo::Repository;
+use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -18,18 +18,18 @@ pub(in crate::rules) static RULE: Rule = Rule {
             Usually an export divided by zero. Write the right numbers or remove the rows.",
         ..RuleInfo::new("target-non-finite", Level::Error, "a displacement that is NaN or infinite")
     },
-    check: Check::Repository(run),
+    check: Check::Body(run),
 };
 
-fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for (file, facts) in targets(repository.judged) {
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for (target, file, facts) in targets(body) {
         let Some((_, index)) = facts.non_finite.first.first() else { continue };
         let message = match facts.non_finite.count {
             1 => format!("the displacement of vertex {index} is not finite"),
             count => format!("{count} displacements are not finite, the first of vertex {index}"),
         };
-        let is_outdated = archived::is_outdated(repository, file);
-        let shown = shown_by(repository, file)
+        let is_outdated = target.is_outdated();
+        let shown = shown_by(body, file)
             .filter(|_| !is_outdated)
             .map(|setting| format!(", seen at {setting}"))
             .unwrap_or_default();
@@ -40,7 +40,7 @@ fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         if is_outdated {
             let effect =
                 "applies the numbers of the archive; the vertex is nowhere once that is deleted to be made anew";
-            finding = finding.level(Level::Warning).breaks(Application::Makehuman2, effect);
+            finding = finding.level(Level::Warning).effect(effect);
         }
         out.push(finding);
     }

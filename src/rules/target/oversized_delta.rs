@@ -1,12 +1,12 @@
 //! Displacements out of all proportion: a lost decimal point, a wrong unit.
 
 use super::super::{Check, Rule, RuleCx};
-use super::decoded;
 use super::shown::shown_by;
+use super::targets;
 use crate::diag::{Application, Confidence, Element, Evidence, Finding, Level, OptionInfo, Place, RuleInfo};
 use crate::eval::proportion::{Lengths, MEDIAN_RATIO, Oversize, extent, oversize};
 use crate::formats::target::{Largest, TargetFacts};
-use crate::repo::{Base, FileFacts, Repository};
+use crate::repo::{Body, FileFacts};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -24,27 +24,26 @@ pub(in crate::rules) static RULE: Rule = Rule {
         }],
         ..RuleInfo::new("target-oversized-delta", Level::Warning, "a displacement out of proportion to mesh and target")
     },
-    check: Check::Base(run),
+    check: Check::Body(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(size) = base.mesh.and_then(|(_, mesh)| extent(&mesh.positions)) else { return };
+fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(size) = body.mesh.and_then(|(_, mesh)| extent(&mesh.positions)) else { return };
     #[expect(clippy::cast_possible_truncation, reason = "a factor set by people")]
     let ratio = cx.option(&RULE, "ratio") as f32;
-    let own = repository.judged.files.values().filter(|file| file.base() == Some(base.name));
-    for (file, facts) in own.filter_map(decoded) {
+    for (_, file, facts) in targets(body) {
         let Some(largest) = facts.largest else { continue };
         let lengths = Lengths { longest: largest.length, median: facts.median_length, tail: facts.tail_length };
-        let shown = shown_by(repository, file).map(|setting| format!(" at {setting}")).unwrap_or_default();
+        let shown = || shown_by(body, file).map(|setting| format!(" at {setting}")).unwrap_or_default();
         match oversize(lengths, size, ratio) {
             Some(Oversize::BeyondMesh) => {
                 let message =
-                    format!("{}{shown}, farther than the whole base mesh is large ({size:.1})", moves(&largest));
+                    format!("{}{}, farther than the whole base mesh is large ({size:.1})", moves(&largest), shown());
                 out.push(finding(file, facts, &largest, message));
             }
             Some(Oversize::Outlier) => {
                 let times = largest.length / facts.median_length;
-                let message = format!("{}{shown}, {times:.0} times the median of this target", moves(&largest));
+                let message = format!("{}{}, {times:.0} times the median of this target", moves(&largest), shown());
                 out.push(finding(file, facts, &largest, message).confidence(Confidence::Medium));
             }
             None => {}

@@ -5,7 +5,7 @@ use super::shown::shown_by;
 use crate::diag::{Application, Evidence, Finding, Level, OptionInfo, Place, RuleInfo, Sight};
 use crate::eval::measures::Measures;
 use crate::eval::target_measure::TargetMeasure;
-use crate::repo::{Base, Repository};
+use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -29,20 +29,20 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Numeric(run),
 };
 
-fn run(repository: &Repository<'_>, _: &Base<'_>, measures: &Measures, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(body: &Body<'_>, measures: &Measures, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let torn: usize = measures.targets.iter().map(|target| target.torn.len()).sum();
     let rigid: usize = measures.targets.iter().map(|target| target.rigid).sum();
     if torn as f64 > cx.option(&RULE, "share") * (torn + rigid) as f64 {
         return;
     }
-    out.extend(measures.targets.iter().filter_map(|target| finding(repository, measures, target, rigid)));
+    out.extend(measures.targets.iter().filter_map(|target| finding(body, measures, target, rigid)));
 }
 
-fn finding(repository: &Repository<'_>, measures: &Measures, target: &TargetMeasure, rigid: usize) -> Option<Finding> {
+fn finding(body: &Body<'_>, measures: &Measures, target: &TargetMeasure, rigid: usize) -> Option<Finding> {
     let (cube, apart) = target.torn.iter().max_by(|a, b| a.1.total_cmp(&b.1))?;
-    let file = repository.judged.files.values().find(|file| file.path == target.path)?;
+    let file = body.target(&target.path)?.file;
     let name = |cube: usize| measures.cubes.get(cube).map_or("", String::as_str);
-    let shown = shown_by(repository, file).map(|setting| format!(" (seen at {setting})")).unwrap_or_default();
+    let shown = shown_by(body, file).map(|setting| format!(" (seen at {setting})")).unwrap_or_default();
     let what = match target.torn.len() {
         1 => format!("tears joint cube `{}`", name(*cube)),
         count => format!("tears {count} joint cubes, most `{}`", name(*cube)),

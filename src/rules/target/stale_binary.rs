@@ -1,11 +1,11 @@
 //! `compressedtargets.npz` and the text files it was made from say the same.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{counted, decoded, target_folder};
+use super::{counted, decoded};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
 use crate::formats::npz::Archive;
-use crate::repo::{FileFacts, Layer};
+use crate::repo::{FileFacts, Layer, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -21,7 +21,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
             as 32 bit floats.\n\nDelete the archive; the program makes it anew. Do not keep it in version control.",
         ..RuleInfo::new("target-stale-binary", Level::Error, "an archive of targets that differs from the text files")
     },
-    check: Check::Layer(run),
+    check: Check::Repository(run),
 };
 
 /// Names of targets, sorted by what is wrong with them.
@@ -32,11 +32,12 @@ struct Stale<'a> {
     without_member: Vec<&'a str>,
 }
 
-fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let layer = view.layers().checked;
     for file in layer.files.values().filter(|file| file.kind == Kind::TargetArchive) {
         // What cannot be read as a whole cannot be compared.
         if let Some(archive) = file.archive().filter(|archive| archive.is_sound()) {
-            let stale = compare(layer, target_folder(file), archive);
+            let stale = compare(layer, file.target_folder(), archive);
             out.extend(finding(file, archive, &stale));
         }
     }
@@ -63,8 +64,8 @@ fn compare<'a>(layer: &'a Layer, folder: &str, archive: &'a Archive) -> Stale<'a
 
 /// A text that cannot be read completely has a finding of its own.
 fn differs(text: &FileFacts, content: u64) -> bool {
-    let whole = decoded(text).filter(|(_, facts)| facts.unreadable_rows == 0 && facts.negative.count == 0);
-    whole.is_some_and(|(_, facts)| facts.content != content)
+    let whole = decoded(text).filter(|facts| facts.unreadable_rows == 0 && facts.negative.count == 0);
+    whole.is_some_and(|facts| facts.content != content)
 }
 
 fn finding(file: &FileFacts, archive: &Archive, stale: &Stale<'_>) -> Option<Finding> {
@@ -87,7 +88,7 @@ fn finding(file: &FileFacts, archive: &Archive, stale: &Stale<'_>) -> Option<Fin
     Some(
         RULE.at(file, Place::File, message)
             .level(*level)
-            .breaks(Application::Makehuman2, effect)
+            .effect(effect)
             .help("delete the archive; MakeHuman 2 makes it anew at the next start")
             .evidence(Evidence::of_cases(names).out_of(archive.members.len() + stale.without_member.len())),
     )

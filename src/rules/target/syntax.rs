@@ -1,11 +1,11 @@
 //! Every field of a target row must be a number.
 
-use super::super::archived::Unread;
+use super::super::cause::archived::weigh;
 use super::super::{Check, Rule, RuleCx};
+use super::targets;
 use super::unreadable_fields::finding;
-use super::{targets, usage};
 use crate::diag::{Application, Finding, Level, RuleInfo};
-use crate::repo::Repository;
+use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -21,15 +21,13 @@ pub(in crate::rules) static RULE: Rule = Rule {
             that nothing uses see `target-breaks-start`.",
         ..RuleInfo::new("target-syntax", Level::Error, "a field of a target row is no number")
     },
-    check: Check::Repository(run),
+    check: Check::Body(run),
 };
 
-fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let unused = usage::unused_paths(repository);
-    let unread = Unread::of(repository);
-    for (file, facts) in targets(repository.judged) {
-        if !unused.contains(file.path.as_str()) {
-            out.extend(finding(&RULE, file, facts).map(|finding| unread.weigh(file, finding)));
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for (target, file, facts) in targets(body) {
+        if !target.is_unused {
+            out.extend(finding(&RULE, file, facts).map(|finding| weigh(target, finding)));
         }
     }
 }

@@ -4,9 +4,10 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx};
 use super::meant::meant_by_missing;
-use super::{decoded, parent, usage};
+use super::{decoded, parent};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
-use crate::repo::{Base, FileFacts, Layer, Repository};
+use crate::repo::makehuman2::{Base, View};
+use crate::repo::{FileFacts, Layer};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -22,21 +23,22 @@ pub(in crate::rules) static RULE: Rule = Rule {
             nearly fits is mentioned there. Nothing is reported while modelling.json or macro.json is missing or broken.",
         ..RuleInfo::new("target-unreferenced", Level::Warning, "a target that no slider and no macro uses")
     },
-    check: Check::Base(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(folder) = base.targets else { return };
-    let named = |file: &&FileFacts| folder.name_of(file).is_some_and(|name| !usage::is_in_macro_folder(base, name));
+    let named = |file: &&FileFacts| folder.name_of(file).is_some_and(|name| !base.keeps_for_macros(name));
     let own = |file: &&FileFacts| folder.layer.file(&file.rel).is_some_and(|own| std::ptr::eq(own, *file));
-    let unused: Vec<&FileFacts> = usage::unused(repository, base).into_iter().filter(own).filter(named).collect();
-    let meant = meant_by_missing(repository, base, &unused);
+    let unused: Vec<&FileFacts> = view.unused(base).iter().copied().filter(own).filter(named).collect();
+    let meant = meant_by_missing(view, base, &unused);
     let mut folders: BTreeMap<&str, Vec<&FileFacts>> = BTreeMap::new();
     for file in unused {
         if !meant.contains(file.rel.as_str()) && !breaks_start(file) {
             folders.entry(parent(&file.rel)).or_default().push(file);
         }
     }
+    let without_decr = without_decr(base);
     let is_lost = lost_macrodefs(base) || base.lacks_macrodef();
     for (path, files) in folders {
         let all = folder.layer.below(path).filter(|file| file.target().is_some()).count();
@@ -52,7 +54,7 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
                 let parts = [Some(file), decr].into_iter().flatten().map(FileFacts::file_name);
                 let finding = decr
                     .and_then(|decr| folder.name_of(decr))
-                    .map_or_else(|| single(base, file, name), |decr| pair(file, name, decr));
+                    .map_or_else(|| single(base, &without_decr, file, name), |decr| pair(file, name, decr));
                 let pair = [Some(file), decr].into_iter().flatten().map(|file| &file.path);
                 finding.part_of(folder.layer.display(path), parts).over_each(pair)
             }));
@@ -74,7 +76,7 @@ fn lost_macrodefs(base: &Base<'_>) -> bool {
 /// What cannot be parsed is worse than unused.
 fn breaks_start(file: &FileFacts) -> bool {
     let is_no_text = file.encoding.invalid_utf8_at.is_some();
-    is_no_text || decoded(file).is_some_and(|(_, facts)| facts.unreadable_rows > 0)
+    is_no_text || decoded(file).is_some_and(|facts| facts.unreadable_rows > 0)
 }
 
 /// Each target, and the two of a pair of opposites as one: a slider that is gone leaves both.
@@ -111,10 +113,23 @@ fn whole_folder(layer: &Layer, path: &str, files: &[&FileFacts]) -> Finding {
         .evidence(evidence)
 }
 
-fn single(base: &Base<'_>, file: &FileFacts, name: &str) -> Finding {
+fn single(base: &Base<'_>, sliders: &BTreeMap<&str, &str>, file: &FileFacts, name: &str) -> Finding {
     let finding = RULE.at(file, Place::File, format!("no slider and no macro uses `{name}`"));
-    finding.help(match usage::slider_without(base, name) {
+    finding.help(match slider_without(base, sliders, name) {
         Some(key) => format!("add `\"decr\": \"{name}\"` to the slider `{key}` in modelling.json, or remove the file"),
         None => format!("add a slider with `\"incr\": \"{name}\"` to modelling.json, or remove the file"),
     })
+}
+
+/// Keys of the sliders without `decr`, by what they have as `incr`; of several the first.
+fn without_decr<'b>(base: &'b Base<'_>) -> BTreeMap<&'b str, &'b str> {
+    let sliders = base.sliders.iter().rev().map(|bound| bound.slider).filter(|slider| slider.decr.is_none());
+    sliders.filter_map(|slider| Some((slider.incr.as_deref()?, slider.key.as_str()))).collect()
+}
+
+/// The slider that has the opposite of a target and lacks the target itself.
+fn slider_without<'b>(base: &Base<'_>, sliders: &BTreeMap<&str, &'b str>, decr: &str) -> Option<&'b str> {
+    let opposites = base.settings().map(|(_, settings)| settings.opposites.as_slice()).unwrap_or_default();
+    let names = opposites.iter().filter_map(|(less, more)| Some(decr.strip_suffix(less.as_str())?.to_owned() + more));
+    names.filter_map(|name| sliders.get(name.as_str()).copied()).next()
 }

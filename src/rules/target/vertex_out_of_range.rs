@@ -1,12 +1,11 @@
 //! Rows of a target name vertices that the base mesh has.
 
-use std::collections::{BTreeMap, BTreeSet};
-
-use super::super::{Check, Rule, RuleCx, archived};
-use super::{first_row, targets, usage};
+use super::super::cause::archived::weigh;
+use super::super::{Check, Rule, RuleCx};
+use super::{first_row, targets};
 use crate::diag::{Application, Finding, Level, RuleInfo, Tally};
 use crate::formats::target::TargetFacts;
-use crate::repo::{FileFacts, ReferenceKind, Repository};
+use crate::repo::{Body, FileFacts, ReferenceKind, Target};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -19,37 +18,29 @@ pub(in crate::rules) static RULE: Rule = Rule {
             target was made for another mesh, or for one that was exported with other vertices. Make it for this one.",
         ..RuleInfo::new("target-vertex-out-of-range", Level::Error, "a vertex index the base mesh does not have")
     },
-    check: Check::Repository(run),
+    check: Check::Body(run),
 };
 
 /// First index whose triple no longer fits 32 bits: coordinate 3·index wraps (formats/makehuman2.md §6.1).
 const FIRST_WRAPPED: i64 = (1 << 32) / 3 + 1;
 
-fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let users = usage::users(repository);
-    let unused = usage::unused_paths(repository);
-    let unread = archived::Unread::of(repository);
-    for (file, facts) in targets(repository.judged) {
-        let vertices = vertices(repository, file);
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let vertices = body.mesh.map(|(_, mesh)| mesh.facts.vertices);
+    for (target, file, facts) in targets(body) {
         if facts.overflow.count > 0 {
-            out.push(unread.weigh(file, overflow(file, facts)));
+            out.push(weigh(target, overflow(file, facts)));
         } else if facts.out_of_range.count > 0 {
             let finding = beyond(file, facts, vertices);
-            out.push(if archived::is_outdated(repository, file) {
+            out.push(if target.is_outdated() {
                 let effect = "applies the archive; it stops with an IndexError once that is deleted to be made anew";
-                finding.level(Level::Warning).breaks(Application::Makehuman2, effect)
+                finding.level(Level::Warning).effect(effect)
             } else {
-                with_consequence(finding, file, facts, &users, &unused)
+                with_consequence(finding, target, facts)
             });
         } else if facts.seam.count > 0 {
             out.push(seam(file, facts, vertices));
         }
     }
-}
-
-fn vertices(repository: &Repository<'_>, file: &FileFacts) -> Option<usize> {
-    let base = repository.bases.iter().find(|base| Some(base.name) == file.base())?;
-    base.mesh.map(|(_, mesh)| mesh.facts.vertices)
 }
 
 fn overflow(file: &FileFacts, facts: &TargetFacts) -> Finding {
@@ -58,8 +49,7 @@ fn overflow(file: &FileFacts, facts: &TargetFacts) -> Finding {
         .key("overflow")
         .help("write the index that the base mesh has, or remove the row")
         .evidence(facts.overflow.evidence(facts.rows))
-        .breaks(
-            Application::Makehuman2,
+        .effect(
             "stops at start with an OverflowError and leaves an empty compressedtargets.npz behind, which stops every \
              later start",
         )
@@ -80,23 +70,17 @@ fn beyond(file: &FileFacts, facts: &TargetFacts, vertices: Option<usize>) -> Fin
         .evidence(tally.evidence(facts.rows))
 }
 
-fn with_consequence(
-    finding: Finding,
-    file: &FileFacts,
-    facts: &TargetFacts,
-    users: &BTreeMap<&str, ReferenceKind>,
-    unused: &BTreeSet<&str>,
-) -> Finding {
-    let effect = match users.get(file.path.as_str()) {
-        _ if unused.contains(file.path.as_str()) => {
+fn with_consequence(finding: Finding, target: &Target<'_>, facts: &TargetFacts) -> Finding {
+    let effect = match target.used_as {
+        _ if target.is_unused => {
             let effect = "loads it; it stops with an IndexError once something uses the target";
-            return finding.level(Level::Warning).breaks(Application::Makehuman2, effect);
+            return finding.level(Level::Warning).effect(effect);
         }
         _ if facts.max_index >= Some(FIRST_WRAPPED) => "moves another vertex or stops with an IndexError",
         Some(ReferenceKind::MacroTarget) => "stops with an IndexError when the macro applies it, at start already",
         _ => "stops with an IndexError when the slider moves",
     };
-    finding.breaks(Application::Makehuman2, effect)
+    finding.effect(effect)
 }
 
 fn seam(file: &FileFacts, facts: &TargetFacts, vertices: Option<usize>) -> Finding {
@@ -110,7 +94,7 @@ fn seam(file: &FileFacts, facts: &TargetFacts, vertices: Option<usize>) -> Findi
         .level(Level::Warning)
         .help("name the original vertices, or remove the rows")
         .evidence(tally.evidence(facts.rows))
-        .breaks(Application::Makehuman2, "overwrites the double with its original: the row does nothing")
+        .effect("overwrites the double with its original: the row does nothing")
 }
 
 fn first(tally: &Tally) -> i64 {

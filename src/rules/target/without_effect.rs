@@ -1,9 +1,9 @@
 //! A target that moves nothing at all.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{targets, usage};
+use super::targets;
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
-use crate::repo::{ReferenceKind, Repository};
+use crate::repo::{Body, ReferenceKind};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -13,14 +13,12 @@ pub(in crate::rules) static RULE: Rule = Rule {
             without rows is `file-empty`; a target of a macro is `macro-empty-target`.",
         ..RuleInfo::new("target-without-effect", Level::Warning, "a target without any displacement")
     },
-    check: Check::Repository(run),
+    check: Check::Body(run),
 };
 
-fn run(repository: &Repository<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let users = usage::users(repository);
-    for (file, facts) in targets(repository.judged) {
-        let is_macro = users.get(file.path.as_str()) == Some(&ReferenceKind::MacroTarget);
-        if is_macro || !facts.moves_nothing() {
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for (target, file, facts) in targets(body) {
+        if target.used_as == Some(ReferenceKind::MacroTarget) || !facts.moves_nothing() {
             continue;
         }
         let message = match facts.rows {

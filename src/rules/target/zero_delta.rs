@@ -3,10 +3,10 @@
 use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
-use super::{counted, first_row, is_archived, target_folder, targets};
+use super::{counted, first_row, targets};
 use crate::diag::{Application, Change, EXAMPLES, Evidence, Finding, Fix, FixKind, Level, Rewrite, RuleInfo};
 use crate::formats::target::TargetFacts;
-use crate::repo::{FileFacts, Layer};
+use crate::repo::{Body, FileFacts, Layer};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -19,11 +19,12 @@ pub(in crate::rules) static RULE: Rule = Rule {
             target folder are one finding, at the first of them.",
         ..RuleInfo::new("target-zero-delta", Level::Info, "rows of a target that move nothing")
     },
-    check: Check::Layer(run),
+    check: Check::Body(run),
 };
 
-fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for (folder, found) in with_zero_rows(layer) {
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let layer = body.layers.checked;
+    for (folder, found) in with_zero_rows(body) {
         let finding = match found.as_slice() {
             [] => continue,
             [(file, facts)] => one_file(layer, file, facts),
@@ -39,12 +40,12 @@ fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             }
         };
         let help = "the rows can be removed, unless they should move something";
-        out.push(finding.help(help).fix(fix(layer, &found)));
+        out.push(finding.help(help).fix(fix(body, &found)));
     }
 }
 
-fn fix(layer: &Layer, found: &[(&FileFacts, &TargetFacts)]) -> Fix {
-    let read = found.iter().filter(|(file, _)| !is_archived(layer, file));
+fn fix(body: &Body<'_>, found: &[(&FileFacts, &TargetFacts)]) -> Fix {
+    let read = found.iter().filter(|(file, _)| body.target(&file.path).is_some_and(|own| own.packed_in.is_none()));
     let fix = Fix::new(RULE.info.fix, "remove the rows");
     read.fold(fix, |fix, (file, _)| fix.step(&file.path, Change::Rewrite(Rewrite::DropZeroRows)))
 }
@@ -55,7 +56,7 @@ fn one_file(layer: &Layer, file: &FileFacts, facts: &TargetFacts) -> Finding {
         count => format!("{count} zero rows move nothing"),
     };
     let finding = RULE.at(file, first_row(&facts.zero), message).parts([&file.rel]);
-    finding.asset(layer.display(target_folder(file))).evidence(facts.zero.evidence(facts.rows))
+    finding.asset(layer.display(file.target_folder())).evidence(facts.zero.evidence(facts.rows))
 }
 
 /// The files by how many of their rows are zero.
@@ -79,12 +80,12 @@ fn of_folder(folder: &str, files: &[(&FileFacts, &TargetFacts)]) -> (String, Evi
 type ZeroRows<'a> = BTreeMap<&'a str, Vec<(&'a FileFacts, &'a TargetFacts)>>;
 
 /// Targets that move something and hold rows that move nothing, by target folder.
-fn with_zero_rows(layer: &Layer) -> ZeroRows<'_> {
+fn with_zero_rows<'v>(body: &Body<'v>) -> ZeroRows<'v> {
     let mut folders = ZeroRows::new();
-    for (file, facts) in targets(layer) {
+    for (_, file, facts) in targets(body) {
         // A target that moves nothing is a finding of its own.
         if facts.zero.count > 0 && !facts.moves_nothing() {
-            folders.entry(target_folder(file)).or_default().push((file, facts));
+            folders.entry(file.target_folder()).or_default().push((file, facts));
         }
     }
     folders

@@ -1,9 +1,9 @@
 //! Weights must not be larger than 1.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{pair_place, weights_files, worst};
+use super::{bones_of, pair_place, worst};
 use crate::diag::{Application, Finding, Level, RuleInfo};
-use crate::repo::Layer;
+use crate::repo::FileFacts;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -19,26 +19,24 @@ pub(in crate::rules) static RULE: Rule = Rule {
             the share is the whole all the same: an info. Up to 1.0001 counts as 1.\n\nWrite the share as a number up to 1.",
         ..RuleInfo::new("weights-above-one", Level::Warning, "a weight is larger than 1")
     },
-    check: Check::Layer(run),
+    check: Check::File(run),
 };
 
-fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for (file, weights) in weights_files(layer) {
-        let tally = &weights.facts.above_one;
-        let (Some((bone, _, vertex, weight)), Some(place)) = (tally.first.first(), pair_place(tally)) else { continue };
-        let message = match tally.count {
-            1 => format!("vertex {vertex} has weight {weight} in bone `{bone}`, more than 1"),
-            count => {
-                format!("{count} weights are more than 1, the first is {weight} of vertex {vertex} in bone `{bone}`")
-            }
-        };
-        let evidence = worst(tally.evidence(weights.facts.pairs), tally);
-        let mut finding =
-            RULE.at(file, place, message).help("write the share as a number from 0 to 1").evidence(evidence);
-        if weights.facts.above_one_alone == tally.count {
-            let effect = "divides the only weight of the vertex by itself: nothing happens";
-            finding = finding.level(Level::Info).breaks(Application::Makehuman2, effect);
+fn run(file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(weights) = bones_of(file) else { return };
+    let tally = &weights.facts.above_one;
+    let (Some((bone, _, vertex, weight)), Some(place)) = (tally.first.first(), pair_place(tally)) else { return };
+    let message = match tally.count {
+        1 => format!("vertex {vertex} has weight {weight} in bone `{bone}`, more than 1"),
+        count => {
+            format!("{count} weights are more than 1, the first is {weight} of vertex {vertex} in bone `{bone}`")
         }
-        out.push(finding);
+    };
+    let evidence = worst(tally.evidence(weights.facts.pairs), tally);
+    let mut finding = RULE.at(file, place, message).help("write the share as a number from 0 to 1").evidence(evidence);
+    if weights.facts.above_one_alone == tally.count {
+        let effect = "divides the only weight of the vertex by itself: nothing happens";
+        finding = finding.level(Level::Info).effect(effect);
     }
+    out.push(finding);
 }

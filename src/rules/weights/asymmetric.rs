@@ -2,11 +2,10 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::has_unusable_entries;
-use super::measured::pose_weights;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::formats::mhw::Weights;
-use crate::repo::{Base, Repository};
+use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -20,8 +19,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Numeric(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some((weights, file)) = measures.weights.as_ref().zip(pose_weights(repository, base)) else { return };
+fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some((weights, file)) = measures.weights.as_ref().zip(body.default_weights()) else { return };
     // Weights with faulty entries, or of bones that the skeleton drops, are uneven for that reason.
     let is_whole = |weights: &Weights| {
         let facts = &weights.facts;

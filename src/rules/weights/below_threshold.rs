@@ -4,7 +4,7 @@ use super::super::{Check, Rule, RuleCx};
 use super::loss::noticeable_loss;
 use super::{has_unusable_entries, pair_place};
 use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Rewrite, RuleInfo};
-use crate::repo::{Base, Repository};
+use crate::repo::{Body, BodyWeights};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -17,13 +17,15 @@ pub(in crate::rules) static RULE: Rule = Rule {
             `weights-lost-after-threshold`.",
         ..RuleInfo::new("weights-below-threshold", Level::Info, "a weight is too small to have an effect")
     },
-    check: Check::Base(run),
+    check: Check::Body(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     // Where the loss can be seen, the same entries are told by `weights-lost-after-threshold`.
-    let told = noticeable_loss(repository, base, cx).map(|loss| loss.file);
-    for file in base.weights.iter().filter(|file| !told.is_some_and(|told| std::ptr::eq(told, **file))) {
+    let told = noticeable_loss(body, cx).map(|loss| loss.file);
+    for BodyWeights { file, .. } in
+        body.weights.iter().filter(|own| !told.is_some_and(|told| std::ptr::eq(told, own.file)))
+    {
         let Some(weights) = file.weights().filter(|weights| !has_unusable_entries(weights)) else { continue };
         let tally = &weights.facts.below_threshold;
         let (Some((bone, _, vertex, weight)), Some(place)) = (tally.first.first(), pair_place(tally)) else { continue };

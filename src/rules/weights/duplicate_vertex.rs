@@ -1,9 +1,9 @@
 //! A bone must list a vertex once.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{has_unusable_entries, pair_place, weights_files};
+use super::{bones_of, has_unusable_entries, pair_place};
 use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Rewrite, RuleInfo};
-use crate::repo::Layer;
+use crate::repo::FileFacts;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -20,23 +20,22 @@ pub(in crate::rules) static RULE: Rule = Rule {
             them by their sum, as the loader does; not where one of them is above 1, which has a rule of its own.",
         ..RuleInfo::new("weights-duplicate-vertex", Level::Warning, "a bone lists a vertex twice")
     },
-    check: Check::Layer(run),
+    check: Check::File(run),
 };
 
-fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for (file, weights) in weights_files(layer) {
-        let tally = &weights.facts.duplicate;
-        let (Some((bone, _, vertex, _)), Some(place)) = (tally.first.first(), pair_place(tally)) else { continue };
-        let message = match tally.count {
-            1 => format!("bone `{bone}` lists vertex {vertex} twice"),
-            count => format!("{count} entries list a vertex again, the first is vertex {vertex} of bone `{bone}`"),
-        };
-        let finding = RULE.at(file, place, message).help("replace the entries by one with the sum of their weights");
-        let mut fix = Fix::new(RULE.info.fix, "replace the entries by one with their sum");
-        // What a negative or malformed entry beside them should have been changes the sum.
-        if weights.facts.negative.count == 0 && !has_unusable_entries(weights) {
-            fix = fix.step(&file.path, Change::Rewrite(Rewrite::MergeWeights));
-        }
-        out.push(finding.evidence(tally.evidence(weights.facts.pairs)).fix(fix));
+fn run(file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(weights) = bones_of(file) else { return };
+    let tally = &weights.facts.duplicate;
+    let (Some((bone, _, vertex, _)), Some(place)) = (tally.first.first(), pair_place(tally)) else { return };
+    let message = match tally.count {
+        1 => format!("bone `{bone}` lists vertex {vertex} twice"),
+        count => format!("{count} entries list a vertex again, the first is vertex {vertex} of bone `{bone}`"),
+    };
+    let finding = RULE.at(file, place, message).help("replace the entries by one with the sum of their weights");
+    let mut fix = Fix::new(RULE.info.fix, "replace the entries by one with their sum");
+    // What a negative or malformed entry beside them should have been changes the sum.
+    if weights.facts.negative.count == 0 && !has_unusable_entries(weights) {
+        fix = fix.step(&file.path, Change::Rewrite(Rewrite::MergeWeights));
     }
+    out.push(finding.evidence(tally.evidence(weights.facts.pairs)).fix(fix));
 }

@@ -1,9 +1,9 @@
 //! Bones without weights.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{is_empty, weights_files};
+use super::{bones_of, is_empty};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
-use crate::repo::Layer;
+use crate::repo::FileFacts;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -16,23 +16,22 @@ pub(in crate::rules) static RULE: Rule = Rule {
             bone from the file, or paint it.",
         ..RuleInfo::new("weights-empty-bone", Level::Info, "a bone of the weights has no entry")
     },
-    check: Check::Layer(run),
+    check: Check::File(run),
 };
 
-fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     // Where no bone has an entry, that is the fault (`weights-unweighted-vertex`).
-    for (file, weights) in weights_files(layer).filter(|(_, weights)| !is_empty(weights)) {
-        let empty = weights.bones.iter().filter(|bone| bone.listed == 0 && bone.is_list);
-        let names: Vec<&str> = empty.map(|bone| bone.name.as_str()).collect();
-        let Some(first) = names.first() else { continue };
-        let message = match names.len() {
-            1 => format!("bone `{first}` has no weights"),
-            count => format!("{count} of {} bones have no weights, the first is `{first}`", weights.bones.len()),
-        };
-        out.push(
-            RULE.at(file, Place::key(["weights", first]), message)
-                .help("remove the bone, or paint it")
-                .evidence(Evidence::of_cases(&names).out_of(weights.bones.len())),
-        );
-    }
+    let Some(weights) = bones_of(file).filter(|weights| !is_empty(weights)) else { return };
+    let empty = weights.bones.iter().filter(|bone| bone.listed == 0 && bone.is_list);
+    let names: Vec<&str> = empty.map(|bone| bone.name.as_str()).collect();
+    let Some(first) = names.first() else { return };
+    let message = match names.len() {
+        1 => format!("bone `{first}` has no weights"),
+        count => format!("{count} of {} bones have no weights, the first is `{first}`", weights.bones.len()),
+    };
+    out.push(
+        RULE.at(file, Place::key(["weights", first]), message)
+            .help("remove the bone, or paint it")
+            .evidence(Evidence::of_cases(&names).out_of(weights.bones.len())),
+    );
 }

@@ -1,12 +1,19 @@
 //! What vertices lose to the threshold of the loader, and whether that can be seen.
 
 use super::has_unusable_entries;
-use super::lost_after_threshold::RULE;
-use super::measured::pose_weights;
-use crate::repo::{Base, FileFacts, Repository};
+use crate::diag::OptionInfo;
+use crate::repo::{Body, FileFacts};
 use crate::rules::RuleCx;
 
-/// What the weights of the pose skeleton lose, and the vertex that it moves farthest.
+/// The rule on losses that can be seen, and its option.
+pub(super) const ID: &str = "weights-lost-after-threshold";
+pub(super) const DISTANCE: OptionInfo = OptionInfo {
+    name: "distance",
+    default: 0.01,
+    docs: "pull in mesh units (decimetres) from which it is a warning; a tenth of it is an info",
+};
+
+/// What the weights of the default rig lose, and the vertex that it moves farthest.
 pub(super) struct Loss<'a> {
     pub(super) file: &'a FileFacts,
     /// Vertices that lose something.
@@ -19,11 +26,11 @@ pub(super) struct Loss<'a> {
     pub(super) pull: f64,
 }
 
-/// The loss in the weights of the pose skeleton, if it is large enough to be seen: from a tenth of `distance`.
-pub(super) fn noticeable_loss<'a>(repository: &Repository<'a>, base: &Base<'a>, cx: &RuleCx<'_>) -> Option<Loss<'a>> {
-    let file = pose_weights(repository, base)?;
+/// The loss in the weights of the default rig, if it is large enough to be seen: from a tenth of `distance`.
+pub(super) fn noticeable_loss<'v>(body: &Body<'v>, cx: &RuleCx<'_>) -> Option<Loss<'v>> {
+    let file = body.default_weights()?;
     let weights = file.weights().filter(|weights| !has_unusable_entries(weights))?;
-    let (_, mesh) = base.mesh.filter(|(_, mesh)| mesh.facts.unreadable_lines == 0)?;
+    let mesh = body.whole_mesh()?;
     let losses = weights.facts.lost.iter().filter_map(|(vertex, share)| {
         let place = mesh.positions.get(*vertex as usize)?.map(f64::from);
         let pull = f64::from(*share) * place.iter().map(|part| part * part).sum::<f64>().sqrt();
@@ -32,5 +39,5 @@ pub(super) fn noticeable_loss<'a>(repository: &Repository<'a>, base: &Base<'a>, 
     let (vertex, share, pull) = losses.max_by(|a, b| a.2.total_cmp(&b.2))?;
     let loss =
         Loss { file, vertices: weights.facts.lost.iter().map(|(vertex, _)| *vertex).collect(), vertex, share, pull };
-    (pull >= cx.option(&RULE, "distance") / 10.0).then_some(loss)
+    (pull >= cx.option_of(ID, &DISTANCE) / 10.0).then_some(loss)
 }

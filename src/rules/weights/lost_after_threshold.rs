@@ -1,9 +1,9 @@
 //! What the loader drops is too little to be seen.
 
 use super::super::{Check, Rule, RuleCx};
-use super::loss::noticeable_loss;
-use crate::diag::{Application, Element, Evidence, Finding, Level, OptionInfo, Place, RuleInfo};
-use crate::repo::{Base, Repository};
+use super::loss::{DISTANCE, ID, noticeable_loss};
+use crate::diag::{Application, Element, Evidence, Finding, Level, Place, RuleInfo};
+use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -13,22 +13,14 @@ pub(in crate::rules) static RULE: Rule = Rule {
             is.\n\nReported once the pull reaches `distance`: a warning; a tenth of it is an info. Less cannot be \
             seen; such entries are `weights-below-threshold`.\n\n\
             Remove the tiny weights and normalise.",
-        options: &[OptionInfo {
-            name: "distance",
-            default: 0.01,
-            docs: "pull in mesh units (decimetres) from which it is a warning; a tenth of it is an info",
-        }],
-        ..RuleInfo::new(
-            "weights-lost-after-threshold",
-            Level::Warning,
-            "vertices lose weight to the threshold of the loader",
-        )
+        options: &[DISTANCE],
+        ..RuleInfo::new(ID, Level::Warning, "vertices lose weight to the threshold of the loader")
     },
-    check: Check::Base(run),
+    check: Check::Body(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(loss) = noticeable_loss(repository, base, cx) else { return };
+fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(loss) = noticeable_loss(body, cx) else { return };
     let (losing, vertex) = (loss.vertices.len(), loss.vertex);
     let message = format!(
         "{} to the threshold 0.0001, most vertex {vertex}: {:.2} % of its weight, which pulls it {:.4} units towards the \
@@ -37,10 +29,10 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut 
         loss.share * 100.0,
         loss.pull
     );
-    let vertices = base.mesh.map_or(0, |(_, mesh)| mesh.positions.len());
+    let vertices = body.mesh.map_or(0, |(_, mesh)| mesh.positions.len());
     let evidence = Evidence { count: losing as u64, ..Evidence::default() }.out_of(vertices);
     let place = Place::Element(Element { kind: "vertex", index: u64::from(vertex) });
-    let level = if loss.pull < cx.option(&RULE, "distance") { Level::Info } else { Level::Warning };
+    let level = if loss.pull < cx.option_of(ID, &DISTANCE) { Level::Info } else { Level::Warning };
     out.push(
         RULE.at(loss.file, place, message)
             .level(level)

@@ -1,9 +1,9 @@
 //! Weights are pairs of vertex and weight.
 
 use super::super::{Check, Rule, RuleCx};
-use super::weights_files;
+use super::bones_of;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
-use crate::repo::Layer;
+use crate::repo::FileFacts;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -13,28 +13,27 @@ pub(in crate::rules) static RULE: Rule = Rule {
             `[12.0, 0.5]` included.\n\nCorrect the entry or remove it.",
         ..RuleInfo::new("weights-malformed-pair", Level::Error, "an entry of a bone is not a pair of vertex and weight")
     },
-    check: Check::Layer(run),
+    check: Check::File(run),
 };
 
-fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for (file, weights) in weights_files(layer) {
-        let tally = &weights.facts.malformed;
-        let Some((bone, position, ..)) = tally.first.first() else { continue };
-        let message = match tally.count {
-            1 => format!("entry {position} of bone `{bone}` is no pair `[vertex, weight]`"),
-            count => format!(
-                "{count} entries are no pairs `[vertex, weight]`, the first is entry {position} of bone `{bone}`"
-            ),
-        };
-        let cases = tally.first.iter().map(|(bone, position, ..)| format!("{bone}[{position}]"));
-        let mut evidence = Evidence::of_cases(cases).out_of(weights.bones.iter().map(|bone| bone.listed).sum());
-        evidence.count = tally.count;
-        evidence = evidence.unnamed();
-        out.push(
-            RULE.at(file, Place::pointer(["weights", bone, &position.to_string()]), message)
-                .help("write a vertex number without a point and a weight between 0 and 1")
-                .parts(weights.facts.malformed_names.names())
-                .evidence(evidence),
-        );
-    }
+fn run(file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(weights) = bones_of(file) else { return };
+    let tally = &weights.facts.malformed;
+    let Some((bone, position, ..)) = tally.first.first() else { return };
+    let message = match tally.count {
+        1 => format!("entry {position} of bone `{bone}` is no pair `[vertex, weight]`"),
+        count => {
+            format!("{count} entries are no pairs `[vertex, weight]`, the first is entry {position} of bone `{bone}`")
+        }
+    };
+    let cases = tally.first.iter().map(|(bone, position, ..)| format!("{bone}[{position}]"));
+    let mut evidence = Evidence::of_cases(cases).out_of(weights.bones.iter().map(|bone| bone.listed).sum());
+    evidence.count = tally.count;
+    evidence = evidence.unnamed();
+    out.push(
+        RULE.at(file, Place::pointer(["weights", bone, &position.to_string()]), message)
+            .help("write a vertex number without a point and a weight between 0 and 1")
+            .parts(weights.facts.malformed_names.names())
+            .evidence(evidence),
+    );
 }

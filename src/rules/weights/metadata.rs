@@ -1,9 +1,9 @@
 //! Name, version and licence of weights.
 
 use super::super::{Check, Rule, RuleCx};
-use super::weights_files;
+use super::bones_of;
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
-use crate::repo::Layer;
+use crate::repo::FileFacts;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -15,19 +15,18 @@ pub(in crate::rules) static RULE: Rule = Rule {
             for and whether they may be passed on.\n\nAdd them beside `weights`.",
         ..RuleInfo::new("weights-metadata", Level::Info, "weights do not say what they are")
     },
-    check: Check::Layer(run),
+    check: Check::File(run),
 };
 
-fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for (file, weights) in weights_files(layer) {
-        let missing = EXPECTED.iter().filter(|key| !weights.metadata.iter().any(|known| known == *key));
-        let missing: Vec<String> = missing.map(|key| format!("`{key}`")).collect();
-        if missing.is_empty() {
-            continue;
-        }
-        let message = format!("the weights have no {}", missing.join(", no "));
-        out.push(RULE.at(file, Place::File, message).parts(&missing).help("add them beside `weights`"));
+fn run(file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(weights) = bones_of(file) else { return };
+    let missing = EXPECTED.iter().filter(|key| !weights.metadata.iter().any(|known| known == *key));
+    let missing: Vec<String> = missing.map(|key| format!("`{key}`")).collect();
+    if missing.is_empty() {
+        return;
     }
+    let message = format!("the weights have no {}", missing.join(", no "));
+    out.push(RULE.at(file, Place::File, message).parts(&missing).help("add them beside `weights`"));
 }
 
 /// Keys that every weights file should have.

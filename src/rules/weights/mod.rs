@@ -3,13 +3,11 @@
 pub(super) mod above_one;
 pub(super) mod asymmetric;
 pub(super) mod below_threshold;
-mod binding;
 pub(super) mod duplicate_vertex;
 pub(super) mod empty_bone;
 mod loss;
 pub(super) mod lost_after_threshold;
 pub(super) mod malformed_pair;
-mod measured;
 pub(super) mod metadata;
 pub(super) mod negative;
 pub(super) mod non_finite;
@@ -20,29 +18,14 @@ pub(super) mod unknown_bone;
 pub(super) mod unweighted_vertex;
 pub(super) mod vertex_out_of_range;
 
+use super::cause::weights::{has_unusable_entries, unusable_entries};
 use crate::diag::{Evidence, Place};
 use crate::formats::mhw::{PairTally, Weights};
-use crate::repo::{FileFacts, Layer};
+use crate::repo::FileFacts;
 
-/// All weights of a layer that are an object of bones.
-fn weights_files(layer: &Layer) -> impl Iterator<Item = (&FileFacts, &Weights)> {
-    let files = layer.files.values().filter_map(|file| Some((file, file.weights()?)));
-    files.filter(|(_, weights)| weights.has_weights)
-}
-
-/// Whether entries cannot be used, so that what is missing or off beside them may be their doing.
-///
-/// Such entries have findings of their own: malformed, out of range, not finite, or against the schema. What else is
-/// wrong in the file (its metadata, say) does not matter.
-fn has_unusable_entries(weights: &Weights) -> bool {
-    unusable_entries(weights).is_none_or(|count| count > 0)
-}
-
-/// How many entries cannot be used; `None` if nobody can tell.
-fn unusable_entries(weights: &Weights) -> Option<u64> {
-    let facts = &weights.facts;
-    let countable = weights.has_weights && !weights.has_shapeless_bone;
-    countable.then_some(facts.malformed.count + facts.out_of_range.count + facts.non_finite.count)
+/// The weights in a file, if they are an object of bones.
+fn bones_of(file: &FileFacts) -> Option<&Weights> {
+    file.weights().filter(|weights| weights.has_weights)
 }
 
 /// Whether no bone has a single entry.

@@ -1,9 +1,9 @@
 //! Weights must not be negative.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{pair_place, weights_files, worst};
+use super::{bones_of, pair_place, worst};
 use crate::diag::{Application, Finding, Level, RuleInfo};
-use crate::repo::Layer;
+use crate::repo::FileFacts;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -18,18 +18,17 @@ pub(in crate::rules) static RULE: Rule = Rule {
             divide by zero.\n\nRemove the entry or paint the weight again.",
         ..RuleInfo::new("weights-negative", Level::Error, "a weight is negative")
     },
-    check: Check::Layer(run),
+    check: Check::File(run),
 };
 
-fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for (file, weights) in weights_files(layer) {
-        let tally = &weights.facts.negative;
-        let (Some((bone, _, vertex, weight)), Some(place)) = (tally.first.first(), pair_place(tally)) else { continue };
-        let message = match tally.count {
-            1 => format!("vertex {vertex} has the negative weight {weight} in bone `{bone}`"),
-            count => format!("{count} weights are negative, the first is {weight} of vertex {vertex} in bone `{bone}`"),
-        };
-        let evidence = worst(tally.evidence(weights.facts.pairs), tally);
-        out.push(RULE.at(file, place, message).help("remove the entry, or paint the weight again").evidence(evidence));
-    }
+fn run(file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(weights) = bones_of(file) else { return };
+    let tally = &weights.facts.negative;
+    let (Some((bone, _, vertex, weight)), Some(place)) = (tally.first.first(), pair_place(tally)) else { return };
+    let message = match tally.count {
+        1 => format!("vertex {vertex} has the negative weight {weight} in bone `{bone}`"),
+        count => format!("{count} weights are negative, the first is {weight} of vertex {vertex} in bone `{bone}`"),
+    };
+    let evidence = worst(tally.evidence(weights.facts.pairs), tally);
+    out.push(RULE.at(file, place, message).help("remove the entry, or paint the weight again").evidence(evidence));
 }

@@ -1,9 +1,9 @@
 //! Weights must be finite.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{pair_place, weights_files};
+use super::{bones_of, pair_place};
 use crate::diag::{Application, Finding, Level, RuleInfo};
-use crate::repo::Layer;
+use crate::repo::FileFacts;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -18,20 +18,19 @@ pub(in crate::rules) static RULE: Rule = Rule {
             vertex to the origin. Other readers refuse the file.\n\nPaint the weight of the vertex again.",
         ..RuleInfo::new("weights-non-finite", Level::Error, "a weight is not a number or infinite")
     },
-    check: Check::Layer(run),
+    check: Check::File(run),
 };
 
-fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for (file, weights) in weights_files(layer) {
-        let tally = &weights.facts.non_finite;
-        let (Some((bone, _, vertex, weight)), Some(place)) = (tally.first.first(), pair_place(tally)) else { continue };
-        let message = match tally.count {
-            1 => format!("vertex {vertex} has weight {weight} in bone `{bone}`"),
-            count => {
-                format!("{count} weights are not finite, the first is {weight} of vertex {vertex} in bone `{bone}`")
-            }
-        };
-        let evidence = tally.evidence(weights.facts.pairs);
-        out.push(RULE.at(file, place, message).help("write a number from 0 to 1").evidence(evidence));
-    }
+fn run(file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(weights) = bones_of(file) else { return };
+    let tally = &weights.facts.non_finite;
+    let (Some((bone, _, vertex, weight)), Some(place)) = (tally.first.first(), pair_place(tally)) else { return };
+    let message = match tally.count {
+        1 => format!("vertex {vertex} has weight {weight} in bone `{bone}`"),
+        count => {
+            format!("{count} weights are not finite, the first is {weight} of vertex {vertex} in bone `{bone}`")
+        }
+    };
+    let evidence = tally.evidence(weights.facts.pairs);
+    out.push(RULE.at(file, place, message).help("write a number from 0 to 1").evidence(evidence));
 }

@@ -7,7 +7,7 @@ use super::unusable_entries;
 use crate::diag::{Application, Change, Evidence, Finding, Fix, FixKind, Level, Place, Rewrite, RuleInfo};
 use crate::formats::mhw::{FAR_SUMS, Weights};
 use crate::formats::obj::Mesh;
-use crate::repo::{Base, Repository};
+use crate::repo::{Body, BodyWeights};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -23,11 +23,11 @@ pub(in crate::rules) static RULE: Rule = Rule {
             as that takes (seven to nine), and leaves all other vertices as they are.",
         ..RuleInfo::new("weights-not-normalized", Level::Info, "the weights of a vertex do not add up to 1")
     },
-    check: Check::Base(run),
+    check: Check::Body(run),
 };
 
-fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for file in &base.weights {
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for BodyWeights { file, .. } in &body.weights {
         // An entry that cannot be used may be what one vertex lacks; of more vertices it is not the reason.
         let explained = |weights: &&Weights| unusable_entries(weights).is_none_or(|lost| weights.facts.sum.off <= lost);
         let Some(weights) = file.weights().filter(|weights| !explained(weights)) else { continue };
@@ -50,7 +50,7 @@ fn run(_: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Findin
         };
         let mut help =
             format!("{range}; {far} are off by more than {}, {farther} by more than {}", FAR_SUMS[0], FAR_SUMS[1]);
-        if let Some(distance) = base.mesh.and_then(|(_, mesh)| shift(mesh, vertex, sum)) {
+        if let Some(distance) = body.mesh.and_then(|(_, mesh)| shift(mesh, vertex, sum)) {
             let _ = write!(help, "; if nobody normalised, vertex {vertex} would move by {distance:.2} units");
         }
         let evidence =

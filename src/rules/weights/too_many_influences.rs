@@ -1,11 +1,10 @@
 //! No vertex hangs on more bones than engines take.
 
 use super::super::{Check, Rule, RuleCx};
-use super::measured::pose_weights;
 use crate::diag::{Application, Element, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::eval::rig_measure::ENGINE_INFLUENCES;
-use crate::repo::{Base, Repository};
+use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -21,10 +20,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Numeric(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some((weights, file)) = measures.weights.as_ref().zip(pose_weights(repository, base)) else { return };
+fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some((weights, file)) = measures.weights.as_ref().zip(body.default_weights()) else { return };
     let Some((vertex, share)) = weights.worst_reduction.filter(|_| !weights.over.is_empty()) else { return };
-    let vertices = base.mesh.map_or(0, |(_, mesh)| mesh.positions.len());
+    let vertices = body.mesh.map_or(0, |(_, mesh)| mesh.positions.len());
     let message = format!(
         "{} of {vertices} vertices are moved by more than {ENGINE_INFLUENCES} bones (up to {}); cut to {ENGINE_INFLUENCES}, \
          vertex {vertex} loses {:.1} % of its weight",

@@ -1,9 +1,8 @@
 //! Weights should be used by a skeleton.
 
 use super::super::{Check, Rule, RuleCx};
-use super::binding::unbound;
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
-use crate::repo::{Base, Repository};
+use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -13,14 +12,14 @@ pub(in crate::rules) static RULE: Rule = Rule {
             skeleton is misspelt, or points to an older file.\n\nName it in a skeleton, or remove it.",
         ..RuleInfo::new("weights-unbound", Level::Warning, "no skeleton uses a weights file")
     },
-    check: Check::Base(run),
+    check: Check::Body(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for file in unbound(repository, base) {
-        let root = format!("rigs/{}/", base.name);
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for file in body.weights.iter().filter(|own| own.is_unbound).map(|own| own.file) {
+        let root = format!("rigs/{}/", body.name);
         let name = file.rel.strip_prefix(root.as_str()).unwrap_or(&file.rel);
-        let message = format!("no skeleton of base `{}` uses these weights", base.name);
+        let message = format!("no skeleton of base `{}` uses these weights", body.name);
         out.push(
             RULE.at(file, Place::File, message)
                 .help(format!("name `{name}` as `weights_file` of a skeleton, or remove the file")),

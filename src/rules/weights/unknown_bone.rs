@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, nearest};
-use crate::repo::{Base, FileFacts, Reference, ReferenceKind, Repository, Resolution};
+use crate::repo::{Body, BodyWeights, FileFacts, Rig};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -16,13 +16,13 @@ pub(in crate::rules) static RULE: Rule = Rule {
             empty list is harmless.\n\nCorrect the name of the bone, here or in the skeleton.",
         ..RuleInfo::new("weights-unknown-bone", Level::Error, "weights for a bone that the skeleton does not have")
     },
-    check: Check::Base(run),
+    check: Check::Body(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for file in &base.weights {
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for BodyWeights { file, .. } in &body.weights {
         let Some(weights) = file.weights() else { continue };
-        let Some(Binding { known, level }) = binding(repository, base, file) else { continue };
+        let Some(Binding { known, level }) = binding(body, file) else { continue };
         let unknown = weights.bones.iter().filter(|bone| bone.listed > 0 && !known.contains(bone.name.as_str()));
         let unknown: Vec<&str> = unknown.map(|bone| bone.name.as_str()).collect();
         let Some(first) = unknown.first() else { continue };
@@ -42,8 +42,7 @@ fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut V
             .help(help)
             .evidence(Evidence::of_cases(&unknown).out_of(weights.bones.len()));
         if level == Level::Warning {
-            finding = finding
-                .breaks(Application::Makehuman2, "never applies these weights: the base is posed by another skeleton");
+            finding = finding.effect("never applies these weights: the base is posed by another skeleton");
         }
         out.push(finding);
     }
@@ -55,20 +54,12 @@ struct Binding<'a> {
     level: Level,
 }
 
-/// The skeletons that use a weights file; of these the one for poses alone, if it is among them.
-fn binding<'a>(repository: &Repository<'a>, base: &Base<'a>, file: &FileFacts) -> Option<Binding<'a>> {
-    let references: Vec<_> = repository.references_of(base).collect();
-    let binds = |reference: &&&Reference<'a>| {
-        let found = matches!(reference.resolution, Resolution::Found(found) if std::ptr::eq(found, file));
-        reference.kind == ReferenceKind::WeightsFile && found
-    };
-    let users: Vec<&'a FileFacts> = references.iter().filter(binds).map(|reference| reference.from).collect();
-    let pose = references.iter().find(|reference| reference.kind == ReferenceKind::PoseSkeleton);
-    let pose =
-        pose.and_then(|reference| if let Resolution::Found(file) = reference.resolution { Some(file) } else { None });
-    let is_pose = |user: &&&'a FileFacts| pose.is_some_and(|pose| std::ptr::eq(pose, **user));
-    let (chosen, level) = match users.iter().find(is_pose) {
-        Some(user) => (vec![*user], Level::Error),
+/// The rigs that use a weights file; of these the one for poses alone, if it is among them.
+fn binding<'v>(body: &Body<'v>, file: &FileFacts) -> Option<Binding<'v>> {
+    let binds = |rig: &&Rig<'_>| rig.weights_file().is_some_and(|found| std::ptr::eq(found, file));
+    let users: Vec<&Rig<'v>> = body.rigs.iter().filter(binds).collect();
+    let (chosen, level) = match users.iter().find(|rig| rig.is_default) {
+        Some(default) => (vec![*default], Level::Error),
         None => (users, Level::Warning),
     };
     let mut known = BTreeSet::new();

@@ -3,11 +3,10 @@
 use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx};
-use super::binding::unbound;
 use super::{has_unusable_entries, is_empty};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::mhw::Weights;
-use crate::repo::{Base, FileFacts, Repository};
+use crate::repo::{Body, FileFacts};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -21,27 +20,25 @@ pub(in crate::rules) static RULE: Rule = Rule {
             (`info`): clothes that are fitted to a helper follow it.\n\nVertices that no face uses are not counted.\n\nPaint the vertices.",
         ..RuleInfo::new("weights-unweighted-vertex", Level::Warning, "a vertex has no weight at all")
     },
-    check: Check::Base(run),
+    check: Check::Body(run),
 };
 
-fn run(repository: &Repository<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let mesh = base.mesh.filter(|(_, mesh)| mesh.facts.unreadable_lines == 0);
-    let visible = base.settings().and_then(|(_, settings)| settings.visible_groups.as_ref());
-    let unbound = unbound(repository, base);
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     // Of a file that is never read that is all there is to say.
-    for file in base.weights.iter().filter(|file| !unbound.iter().any(|other| std::ptr::eq(*other, **file))) {
+    for file in body.weights.iter().filter(|own| !own.is_unbound).map(|own| own.file) {
         // Entries that cannot be used may be the missing ones.
         let Some(weights) = file.weights().filter(|weights| !has_unusable_entries(weights)) else { continue };
         if is_empty(weights) {
             out.push(without_any(file, weights));
             continue;
         }
-        let Some((_, mesh)) = mesh else { continue };
+        let Some(mesh) = body.whole_mesh() else { continue };
         // Vertices without a face are not seen.
         let groups = mesh.groups_of(&weights.facts.sum.unweighted);
         let vertices: BTreeSet<u32> = groups.values().flatten().copied().collect();
         let Some(first) = vertices.first() else { continue };
-        let is_visible = |group: &str| visible.is_none_or(|visible| visible.iter().any(|name| name == group));
+        let is_visible =
+            |group: &str| body.visible_groups.is_none_or(|visible| visible.iter().any(|name| name == group));
         let named: Vec<String> = groups
             .iter()
             .take(GROUPS_NAMED)
@@ -71,7 +68,7 @@ fn without_any(file: &FileFacts, weights: &Weights) -> Finding {
     let mut finding = RULE
         .at(file, Place::pointer(["weights"]), "no vertex has a weight: the file has no entry at all")
         .help("paint the weights and export them again, or name another file in the skeleton")
-        .breaks(Application::Makehuman2, "gives the whole mesh to the root bone: no other bone moves anything");
+        .effect("gives the whole mesh to the root bone: no other bone moves anything");
     if vertices > 0 {
         let evidence = Evidence { count: vertices as u64, ..Evidence::default() };
         finding = finding.evidence(evidence.out_of(vertices));

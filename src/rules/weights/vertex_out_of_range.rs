@@ -1,9 +1,9 @@
 //! Weights must be for vertices that exist.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{pair_place, weights_files};
+use super::{bones_of, pair_place};
 use crate::diag::{Application, Finding, Level, RuleInfo};
-use crate::repo::Layer;
+use crate::repo::FileFacts;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -14,29 +14,27 @@ pub(in crate::rules) static RULE: Rule = Rule {
             mesh.",
         ..RuleInfo::new("weights-vertex-out-of-range", Level::Error, "weights for a vertex that the mesh does not have")
     },
-    check: Check::Layer(run),
+    check: Check::File(run),
 };
 
-fn run(layer: &Layer, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for (file, weights) in weights_files(layer) {
-        let tally = &weights.facts.out_of_range;
-        let (Some((bone, _, vertex, _)), Some(place)) = (tally.first.first(), pair_place(tally)) else { continue };
-        let vertices = weights.facts.sums.len();
-        let size = if vertices > 0 { format!(", but the mesh has {vertices}") } else { String::new() };
-        let message = match tally.count {
-            1 => format!("bone `{bone}` weights vertex {vertex}{size}"),
-            count => format!(
-                "{count} entries weight a vertex that does not exist, the first is vertex {vertex} of bone `{bone}`{size}"
-            ),
-        };
-        let mut finding = RULE
-            .at(file, place, message)
-            .help("use vertices of the base mesh, counted from 0; were the weights made for another mesh?")
-            .evidence(tally.evidence(weights.facts.pairs));
-        if weights.facts.negative_index == tally.count {
-            finding =
-                finding.breaks(Application::Makehuman2, "stops with an OverflowError while the weights are loaded");
-        }
-        out.push(finding);
+fn run(file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(weights) = bones_of(file) else { return };
+    let tally = &weights.facts.out_of_range;
+    let (Some((bone, _, vertex, _)), Some(place)) = (tally.first.first(), pair_place(tally)) else { return };
+    let vertices = weights.facts.sums.len();
+    let size = if vertices > 0 { format!(", but the mesh has {vertices}") } else { String::new() };
+    let message = match tally.count {
+        1 => format!("bone `{bone}` weights vertex {vertex}{size}"),
+        count => format!(
+            "{count} entries weight a vertex that does not exist, the first is vertex {vertex} of bone `{bone}`{size}"
+        ),
+    };
+    let mut finding = RULE
+        .at(file, place, message)
+        .help("use vertices of the base mesh, counted from 0; were the weights made for another mesh?")
+        .evidence(tally.evidence(weights.facts.pairs));
+    if weights.facts.negative_index == tally.count {
+        finding = finding.effect("stops with an OverflowError while the weights are loaded");
     }
+    out.push(finding);
 }

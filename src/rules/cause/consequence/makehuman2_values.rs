@@ -1,6 +1,8 @@
 //! What becomes of a value that does not fit its schema, where it is not the usual exception: a table by schema
 //! place (formats/makehuman2.md §3.1, §4, §5.1, §7, §9, §10, §11, §19).
 
+use super::Consequence;
+use super::makehuman2::{NO_WEIGHTS_LOADED, NOT_READ};
 use crate::diag::Level;
 use crate::discover::Kind;
 use crate::json::{Found, SchemaFault};
@@ -12,8 +14,7 @@ struct Row {
     keyword: &'static str,
     /// What was found.
     found: Test,
-    level: Level,
-    effect: &'static str,
+    consequence: Consequence,
 }
 
 type Test = fn(Option<&Found>) -> bool;
@@ -33,7 +34,7 @@ const EMPTY: Test = |found| match found {
 const ANY: Test = |_| true;
 
 const fn row(kind: Kind, keyword: &'static str, found: Test, level: Level, effect: &'static str) -> Row {
-    Row { kind, keyword, found, level, effect }
+    Row { kind, keyword, found, consequence: Consequence::new(level, effect) }
 }
 
 use Kind::{BaseJson, Geometry, MacroJson, ModellingJson, Skeleton, TargetCategories, Weights};
@@ -41,7 +42,7 @@ use Level::{Error, Warning};
 
 #[rustfmt::skip]
 static ROWS: [Row; 33] = [
-    row(Geometry, "", ANY, Warning, "never reads this file; the scripts that align joint cubes stop"),
+    row(Geometry, "", ANY, Warning, NOT_READ),
     row(MacroJson, "/type", ANY, Error, "stops at start with a TypeError"),
     row(MacroJson, "/allOf/", ANY, Error, "stops at start with a KeyError"),
     row(MacroJson, "/$defs/component/required", ANY, Error, "stops at start with a KeyError"),
@@ -78,14 +79,14 @@ static ROWS: [Row; 33] = [
     row(Skeleton, "/properties/tags/type", TEXT, Warning, "makes a tag of every letter"),
     row(Skeleton, "/properties/tags/type", NULL, Error,
         "stops at start, while it scans the assets (TypeError)"),
-    row(Weights, "/required", ANY, Error, "loads no weights at all: in pose mode the mesh collapses to the origin"),
-    row(Weights, "/type", EMPTY, Error, "loads no weights at all: in pose mode the mesh collapses to the origin"),
+    row(Weights, "/required", ANY, Error, NO_WEIGHTS_LOADED),
+    row(Weights, "/type", EMPTY, Error, NO_WEIGHTS_LOADED),
     row(Weights, "/properties/weights/type", LIST, Error, "stops with an AttributeError when it loads the weights"),
 ];
 
-/// Level and effect of a fault, where the table has it.
-pub(super) fn effect_of(kind: Kind, fault: &SchemaFault) -> Option<(Level, &'static str)> {
+/// What a value of a file of this kind comes to, where it is not what `json-schema` says in general.
+pub(in crate::rules) fn of_value(kind: Kind, fault: &SchemaFault) -> Option<Consequence> {
     let kind = if kind == Kind::AssetWeights { Weights } else { kind };
     let fits = |row: &&Row| row.kind == kind && fault.keyword.starts_with(row.keyword) && (row.found)(fault.found());
-    ROWS.iter().find(fits).map(|row| (row.level, row.effect))
+    ROWS.iter().find(fits).map(|row| row.consequence)
 }

@@ -3,14 +3,17 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::intent::Intent;
-use super::{BoundSlider, Candidate, FileFacts, Layer, Overlaid, Pattern, TargetFolder};
+use super::rigs;
+use super::{BoundSlider, Candidate, Overlaid, Pattern, TargetFolder};
 use crate::discover::Kind;
 use crate::formats::Content;
 use crate::formats::base_json::BaseJson;
 use crate::formats::macro_json::MacroFile;
+use crate::formats::mhskel::Skeleton;
 use crate::formats::modelling::Modelling;
 use crate::formats::obj::Mesh;
 use crate::formats::target_cat::TargetCategories;
+use crate::repo::{FileFacts, Layer, Reference, Rig};
 
 /// A base mesh over all layers.
 #[derive(Debug)]
@@ -50,8 +53,10 @@ pub struct Base<'a> {
     by_pattern: BTreeMap<String, usize>,
     /// What the faulty sliders were meant to be.
     pub(super) intent: Intent<'a>,
-    /// Skeletons in `rigs/<base>/` of all layers, strongest first.
-    pub skeletons: Vec<&'a FileFacts>,
+    /// What `base.json` names: the skeleton for poses and the start model.
+    pub named: Vec<Reference<'a>>,
+    /// Skeletons in `rigs/<base>/` of all layers, strongest first, with their weights.
+    pub rigs: Vec<Rig<'a>>,
     /// Weights in `rigs/<base>/` of all layers, strongest first.
     pub weights: Vec<&'a FileFacts>,
 }
@@ -59,13 +64,13 @@ pub struct Base<'a> {
 /// The layers to resolve over. With one root playing both parts, `user` is that root and `user_target`
 /// is `None`: its `target/` folder is the system's.
 #[derive(Clone, Copy)]
-pub(super) struct Layers<'a> {
+pub(super) struct Sources<'a> {
     pub(super) system: Option<&'a Layer>,
     pub(super) user: Option<&'a Layer>,
     pub(super) user_target: Option<&'a Layer>,
 }
 
-impl<'a> Layers<'a> {
+impl<'a> Sources<'a> {
     pub(super) fn new(system: Option<&'a Layer>, user: Option<&'a Layer>) -> Self {
         let user_target = if is_same(system, user) { None } else { user };
         Self { system, user, user_target }
@@ -78,10 +83,16 @@ impl<'a> Layers<'a> {
         let elsewhere = self.user.is_some_and(|root| root.below(&format!("base/{name}")).next().is_none());
         if one_root && elsewhere { Self { system: None, user_target: self.user, ..self } } else { self }
     }
+
+    /// The layers, each once, strongest first.
+    pub(super) fn strongest_first(self) -> impl Iterator<Item = &'a Layer> {
+        let system = if is_same(self.system, self.user) { None } else { self.system };
+        self.user.into_iter().chain(system)
+    }
 }
 
 /// Names of all bases in the layers.
-pub(super) fn base_names(layers: Layers<'_>) -> BTreeSet<&str> {
+pub(super) fn base_names(layers: Sources<'_>) -> BTreeSet<&str> {
     let files = [layers.system, layers.user].into_iter().flatten().flat_map(|layer| layer.files.values());
     files
         .filter(|file| ["base/", "target/", "contarget/", "rigs/"].iter().any(|folder| file.rel.starts_with(folder)))
@@ -90,9 +101,9 @@ pub(super) fn base_names(layers: Layers<'_>) -> BTreeSet<&str> {
 }
 
 /// Resolves one base.
-pub(super) fn resolve<'a>(name: &'a str, layers: Layers<'a>) -> Base<'a> {
+pub(super) fn resolve<'a>(name: &'a str, layers: Sources<'a>) -> Base<'a> {
     let layers = layers.of_base(name);
-    let Layers { system, user, user_target } = layers;
+    let Sources { system, user, user_target } = layers;
     let first = |rel: String| [user, system].into_iter().flatten().find_map(|layer| layer.file(&rel));
     let base_json = first(format!("base/{name}/base.json")).map(|file| (file, model_of_base(file)));
     let macros = overlaid(layers, name, "macro.json", |content| match content {
@@ -112,11 +123,13 @@ pub(super) fn resolve<'a>(name: &'a str, layers: Layers<'a>) -> Base<'a> {
     };
     let opposites = base_json.and_then(|(_, model)| model).map(|model| model.opposites.as_slice());
     let (sliders, by_key) = bind_sliders(&modelling, &user_modelling, opposites.unwrap_or_default());
-    let rigs = |kind: Kind| {
-        let files = [user, if is_same(user, system) { None } else { system }];
-        let below = files.into_iter().flatten().flat_map(|layer| layer.below(&format!("rigs/{name}")));
-        below.filter(|file| file.kind == kind).collect()
+    let in_rigs = |kind: Kind| {
+        let below = layers.strongest_first().flat_map(|layer| layer.below(&format!("rigs/{name}")));
+        below.filter(move |file| file.kind == kind)
     };
+    let settings = base_json.and_then(|(file, model)| Some((file, model?)));
+    let named = settings.map(|settings| rigs::named_by_settings(name, layers, settings)).unwrap_or_default();
+    let rigs = rigs::rigs(name, layers, &named, in_rigs(Kind::Skeleton));
     let mut base = Base {
         name,
         has_system: system.is_some(),
@@ -135,8 +148,9 @@ pub(super) fn resolve<'a>(name: &'a str, layers: Layers<'a>) -> Base<'a> {
         by_pattern: by_pattern(&sliders),
         intent: Intent::default(),
         sliders,
-        skeletons: rigs(Kind::Skeleton),
-        weights: rigs(Kind::Weights),
+        named,
+        rigs,
+        weights: in_rigs(Kind::Weights).collect(),
     };
     base.intent = Intent::of(&base);
     base
@@ -147,7 +161,7 @@ fn is_same(a: Option<&Layer>, b: Option<&Layer>) -> bool {
 }
 
 fn overlaid<'a, T>(
-    layers: Layers<'a>,
+    layers: Sources<'a>,
     base: &str,
     file: &str,
     model: impl Fn(&'a Content) -> Option<&'a T>,
@@ -221,7 +235,7 @@ fn by_pattern(sliders: &[BoundSlider<'_>]) -> BTreeMap<String, usize> {
 impl<'a> Base<'a> {
     /// Resolves one base over its layers.
     pub fn resolve(name: &'a str, system: Option<&'a Layer>, user: Option<&'a Layer>) -> Self {
-        resolve(name, Layers::new(system, user))
+        resolve(name, Sources::new(system, user))
     }
 
     /// The slider of a key.
@@ -245,6 +259,11 @@ impl<'a> Base<'a> {
         let macrodefs = self.macro_file().map(|(_, macros)| macros.macrodefs.as_slice()).unwrap_or_default();
         let mut folders = macrodefs.iter().filter_map(|macrodef| macrodef.effective_folder.as_deref());
         folders.any(|folder| is_beneath(folder, name))
+    }
+
+    /// The rig that poses the base, if its skeleton could be read.
+    pub fn pose_rig(&self) -> Option<(&Rig<'a>, &'a Skeleton)> {
+        self.rigs.iter().find(|rig| rig.is_default).and_then(|rig| Some((rig, rig.skeleton()?)))
     }
 
     /// The macro file in use.

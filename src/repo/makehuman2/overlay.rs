@@ -1,8 +1,8 @@
 //! Contarget over target: each JSON falls back on its own, target files follow `macro.json` alone
 //! (formats/makehuman2.md §1.2).
 
-use super::{FileFacts, Layer};
 use crate::formats::Content;
+use crate::repo::{FileFacts, Layer};
 
 /// One of two places a JSON can come from.
 #[derive(Debug)]

@@ -1,8 +1,8 @@
 //! Sliders bound to a base: their identity ("pattern") and where their files come from
 //! (formats/makehuman2.md §4.2).
 
-use super::FileFacts;
 use crate::formats::modelling::Slider;
+use crate::repo::FileFacts;
 
 /// A slider of a base.
 #[derive(Debug)]

@@ -1,0 +1,192 @@
+//! How a run grows with what it reads: `cargo bench --bench growth`, or `… --bench growth -- sliders` for one row.
+//!
+//! Repositories of one size and of four times that size are made in memory and checked on one thread. Four times as
+//! much may take at most [`BOUND`] times as long; a row beyond it fails the run. What grows with the square takes 16
+//! times as long, so that it shows whatever the machine.
+#![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a benchmark prints, and stops where it fails")]
+
+use std::fmt::Write as _;
+use std::process::ExitCode;
+use std::sync::LazyLock;
+use std::time::{Duration, Instant};
+
+use mhlint::{Config, Outcome, Tree, lint_trees};
+
+/// How many times as long four times as much may take.
+const BOUND: f64 = 4.6;
+/// Runs of each size; the fastest counts.
+const RUNS: usize = 3;
+
+/// Files of a repository: path and bytes.
+type Files = Vec<(String, Vec<u8>)>;
+
+/// A kind of repository that grows.
+struct Shape {
+    name: &'static str,
+    /// How many there are in the small one.
+    few: usize,
+    make: fn(usize) -> Files,
+    /// A rule that finds something, where the shape is about faults.
+    finds: Option<&'static str>,
+}
+
+const SHAPES: [Shape; 9] = [
+    Shape { name: "sliders", few: 2_000, make: sliders, finds: None },
+    Shape { name: "sliders without targets", few: 1_000, make: dead_sliders, finds: Some("modelling-missing-target") },
+    Shape { name: "unused pictures", few: 2_000, make: unused_pictures, finds: Some("file-unreferenced") },
+    Shape { name: "unused targets", few: 2_000, make: unused_targets, finds: Some("target-unreferenced") },
+    Shape { name: "bases", few: 50, make: bases, finds: None },
+    Shape { name: "faulty targets", few: 2_000, make: faulty_targets, finds: Some("target-syntax") },
+    Shape { name: "faulty texts", few: 1_000, make: faulty_texts, finds: Some("json-syntax") },
+    Shape { name: "faults in one JSON", few: 2_000, make: faults_in_one, finds: Some("json-schema") },
+    Shape { name: "faults in one list", few: 2_000, make: faults_in_list, finds: Some("json-schema") },
+];
+
+fn main() -> ExitCode {
+    let wanted = std::env::args().skip(1).find(|arg| !arg.starts_with('-')).unwrap_or_default();
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
+    println!("{:<26}{:>8}{:>12}{:>12}{:>8}", "", "few", "few", "4 x few", "factor");
+    let mut steep = 0;
+    for shape in SHAPES.iter().filter(|shape| shape.name.contains(&wanted)) {
+        let [small, large] = [1, 4].map(|times| pool.install(|| time(shape, shape.few * times)));
+        let factor = large.as_secs_f64() / small.as_secs_f64();
+        let shown = |time: Duration| format!("{:.1} ms", time.as_secs_f64() * 1e3);
+        let word = if factor > BOUND { "  too steep" } else { "" };
+        println!("{:<26}{:>8}{:>12}{:>12}{factor:>8.2}{word}", shape.name, shape.few, shown(small), shown(large));
+        steep += usize::from(factor > BOUND);
+    }
+    if steep == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+}
+
+/// The fastest of some runs on a repository with `count` of what the shape is about.
+fn time(shape: &Shape, count: usize) -> Duration {
+    let files = (shape.make)(count);
+    let run = || {
+        let tree = Tree::in_memory("", files.iter().cloned());
+        let start = clock();
+        let outcome = lint_trees(vec![tree], None, &Config::default()).unwrap();
+        (clock() - start, outcome)
+    };
+    let (first, outcome) = run();
+    assert_shown(shape, &outcome);
+    (1..RUNS).map(|_| run().0).fold(first, Duration::min)
+}
+
+/// Processor time of this thread, where the system tells it: other programs are no matter of ours. Else the time of day.
+fn clock() -> Duration {
+    static START: LazyLock<Instant> = LazyLock::new(Instant::now);
+    let times = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
+    let used = times.and_then(|times| times.split(' ').next()?.parse().ok());
+    used.map_or_else(|| START.elapsed(), Duration::from_nanos)
+}
+
+/// A repository that is not what it is taken for measures nothing.
+fn assert_shown(shape: &Shape, outcome: &Outcome) {
+    assert!(outcome.is_whole() && outcome.checked_anything(), "{}", shape.name);
+    let rules: std::collections::BTreeSet<&str> = outcome.findings.iter().map(|finding| finding.rule).collect();
+    assert!(shape.finds.is_none_or(|rule| rules.contains(rule)), "{}: {rules:?}", shape.name);
+    if std::env::var_os("MHLINT_TIMINGS").is_some() {
+        let mut timings: Vec<_> = outcome.timings.iter().collect();
+        timings.sort_by_key(|timing| std::cmp::Reverse(timing.time));
+        timings.iter().take(12).for_each(|timing| println!("    {:?} {}", timing.time, timing.what));
+    }
+}
+
+const BASE: &str = r#"{"visible groups": ["body"], "numverts": 8, "target-opposites": {"decr": "incr"}}"#;
+
+/// A cube with a base mesh's settings around it.
+fn base(name: &str) -> Files {
+    let mut mesh = String::new();
+    for vertex in 0..8 {
+        writeln!(mesh, "v {} {} {}", vertex & 1, vertex >> 1 & 1, vertex >> 2).unwrap();
+    }
+    mesh.push_str("g body\n");
+    for face in ["1 2 4 3", "5 7 8 6", "1 5 6 2", "3 4 8 7", "1 3 7 5", "2 6 8 4"] {
+        writeln!(mesh, "f {face}").unwrap();
+    }
+    vec![
+        (format!("base/{name}/base.json"), BASE.as_bytes().to_vec()),
+        (format!("base/{name}/base.obj"), mesh.into_bytes()),
+        (format!("target/{name}/target_cat.json"), br#"{"Body": {"group": "body", "items": []}}"#.to_vec()),
+    ]
+}
+
+/// Sliders of a base, each with what `members` says.
+fn modelling(name: &str, count: usize, members: impl Fn(usize) -> String) -> (String, Vec<u8>) {
+    let rows: Vec<String> = (0..count).map(|number| format!("\"S{number}\": {{{}}}", members(number))).collect();
+    (format!("target/{name}/modelling.json"), format!("{{\n{}\n}}\n", rows.join(",\n")).into_bytes())
+}
+
+/// A target of one row.
+fn target(name: &str, number: usize) -> (String, Vec<u8>) {
+    let row = format!("{} 0.{:04} 0.1 0\n", number % 8, number % 9_999 + 1);
+    (format!("target/{name}/body/t{number}.target"), row.into_bytes())
+}
+
+fn sliders(count: usize) -> Files {
+    let mut files = base("cube");
+    files.push(modelling("cube", count, |number| format!(r#""group": "body", "incr": "body/t{number}""#)));
+    files.extend((0..count).map(|number| target("cube", number)));
+    files
+}
+
+fn dead_sliders(count: usize) -> Files {
+    let mut files = base("cube");
+    files.push(modelling("cube", count, |number| format!(r#""group": "body", "incr": "body/t{number}""#)));
+    files.extend((0..count).map(|number| target("cube", number + 10 * count)));
+    files
+}
+
+fn unused_pictures(count: usize) -> Files {
+    let mut files = sliders(1);
+    // All of one size, as thumbnails are.
+    let bytes = |number: usize| format!("\u{89}PNG {number:08}").into_bytes();
+    files.extend((0..count).map(|number| (format!("target/cube/icons/i{number}.png"), bytes(number))));
+    files
+}
+
+fn unused_targets(count: usize) -> Files {
+    let mut files = sliders(1);
+    files.extend((1..count).map(|number| target("cube", number)));
+    files
+}
+
+fn bases(count: usize) -> Files {
+    let mut files = Files::new();
+    for name in (0..count).map(|number| format!("b{number}")) {
+        files.extend(base(&name));
+        files.push(modelling(&name, 10, |number| format!(r#""group": "body", "incr": "body/t{number}""#)));
+        files.extend((0..10).map(|number| target(&name, number)));
+    }
+    files
+}
+
+fn faulty_targets(count: usize) -> Files {
+    let mut files = sliders(count);
+    for (_, bytes) in files.iter_mut().filter(|(path, _)| path.ends_with(".target")) {
+        bytes.extend_from_slice(b"3 0.1 one 0\n");
+    }
+    files
+}
+
+fn faulty_texts(count: usize) -> Files {
+    let mut files = sliders(1);
+    files.extend((0..count).map(|number| (format!("rigs/cube/r{number}.mhskel"), b"{\"bones\": [,]}".to_vec())));
+    files
+}
+
+fn faults_in_one(count: usize) -> Files {
+    let mut files = base("cube");
+    files
+        .push(modelling("cube", count, |_| r#""group": "body", "incr": 7, "default": "half", "tipp": "x""#.to_owned()));
+    files
+}
+
+fn faults_in_list(count: usize) -> Files {
+    let mut files = sliders(1);
+    let items: Vec<String> = (0..count).map(|number| format!(r#"{{"title": {number}, "catt": "x"}}"#)).collect();
+    let text = format!(r#"{{"Body": {{"group": "body", "items": [{}]}}}}"#, items.join(",\n"));
+    files.retain(|(path, _)| !path.ends_with("target_cat.json"));
+    files.push(("target/cube/target_cat.json".to_owned(), text.into_bytes()));
+    files
+}

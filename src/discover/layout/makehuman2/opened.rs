@@ -1,0 +1,116 @@
+//! Which names the loaders of MakeHuman 2 look for (formats/makehuman2.md §1, §2, §19).
+
+use super::SCANNED;
+
+/// Whether any loader (or a tool of the program) opens a file of this name. Decided for the folders of base
+/// meshes, targets and rigs; everything else counts as opened.
+pub fn opens(rel: &str) -> bool {
+    let parts: Vec<&str> = rel.split('/').collect();
+    match parts.as_slice() {
+        ["target" | "contarget", _, "icons", .., icon] => extension(icon) == "png",
+        ["target" | "contarget", _, "macro.json" | "modelling.json" | "target_cat.json" | "compressedtargets.npz"]
+        | ["rigs", _, "icons", ..] => true,
+        ["target" | "contarget", _, .., target] => extension(target) == "target",
+        ["rigs", _, .., file] => {
+            *file == "selection_filter.json" || matches!(extension(file), "mhskel" | "mhw" | "thumb")
+        }
+        ["base", _, file] => is_base_file(file),
+        _ => true,
+    }
+}
+
+/// Beside the files that the program opens by name, a base folder holds what its start model needs.
+fn is_base_file(file: &str) -> bool {
+    let named = ["base.json", "base.obj", "base.mhbin", "geometry.json", "face-poses.json", "body-poses.json"];
+    named.contains(&file)
+        || file.ends_with("_target.json")
+        || matches!(extension(file), "mhm" | "mhmat" | "png" | "jpg" | "jpeg" | "thumb")
+}
+
+/// Whether the asset scan opens a file of this name.
+pub fn is_scanned(rel: &str) -> bool {
+    let folder = rel.split('/').next().unwrap_or_default();
+    let wanted = match extension(rel) {
+        "mhskel" => folder == "rigs",
+        "mhpose" => matches!(folder, "poses" | "expressions"),
+        "meta" => folder == "poses",
+        "mhm" => folder == "models",
+        "proxy" => folder == "proxy",
+        "mhclo" => folder != "proxy",
+        "mhbin" => true,
+        _ => false,
+    };
+    wanted && SCANNED.contains(&folder) && matches!(rel.split('/').count(), 3 | 4)
+}
+
+/// The path under which a file of this name but for its capitals is looked for, where nothing has that path.
+pub fn misnamed(rel: &str, exists: impl Fn(&str) -> bool) -> Option<String> {
+    let (folder, name) = rel.rsplit_once('/')?;
+    let lower = name.to_lowercase();
+    let is_wanted = match folder.split('/').collect::<Vec<_>>().as_slice() {
+        ["target" | "contarget", _] => matches!(&*lower, "macro.json" | "modelling.json" | "target_cat.json"),
+        ["base", _] if lower == "base.obj" => !exists(&format!("{folder}/base.mhbin")),
+        ["base", _] => lower == "base.json",
+        _ => false,
+    };
+    let right = format!("{folder}/{lower}");
+    (is_wanted && lower != name && !exists(&right)).then_some(right)
+}
+
+/// Folders below the data root that are sorted by base mesh.
+const BY_BASE: [&str; 5] = ["base", "target", "contarget", "rigs", "models"];
+
+/// Whether loaders list this path as a folder.
+pub fn is_folder(rel: &str, is_base: impl Fn(&str) -> bool) -> bool {
+    match rel.split('/').collect::<Vec<_>>().as_slice() {
+        [folder] => BY_BASE.contains(folder),
+        [folder, base] => BY_BASE.contains(folder) && is_base(base),
+        ["target" | "contarget", _, "icons"] => true,
+        _ => false,
+    }
+}
+
+/// What is behind the last point of a name, as written.
+pub fn extension(rel: &str) -> &str {
+    let name = rel.rsplit('/').next().unwrap_or(rel);
+    name.rsplit_once('.').map_or("", |(_, extension)| extension)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_folders_of_targets_hold_only_what_loaders_open() {
+        for (rel, opened) in [
+            ("target/b/a/deep/x.target", true),
+            ("target/b/icons/x.png", true),
+            ("target/b/x.png", false),
+            ("target/b/a/x.target.gz", false),
+            ("target/b/a/X.TARGET", false),
+            ("contarget/b/macro.json", true),
+            ("contarget/b/sub/macro.json", false),
+            ("rigs/b/sub/x.mhskel", true),
+            ("rigs/b/x.json", false),
+            ("base/b/skin.png", true),
+            ("base/b/base.obj.bak", false),
+            ("clothes/b/x/anything", true),
+        ] {
+            assert_eq!(opens(rel), opened, "{rel}");
+        }
+    }
+
+    #[test]
+    fn the_scan_goes_one_folder_deep() {
+        for (rel, scanned) in [
+            ("clothes/b/x/x.mhclo", true),
+            ("clothes/b/x/y/x.mhclo", false),
+            ("clothes/b/x/x.mhmat", false),
+            ("proxy/b/x.mhclo", false),
+            ("base/b/base.mhm", false),
+            ("models/b/x.mhm", true),
+        ] {
+            assert_eq!(is_scanned(rel), scanned, "{rel}");
+        }
+    }
+}

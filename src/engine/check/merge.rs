@@ -1,0 +1,97 @@
+//! Findings of several applications on the same data: one fault is one finding.
+
+use std::collections::BTreeMap;
+
+use crate::diag::Finding;
+
+/// What makes two findings the same: rule, what it is about, key, and their number among equal ones.
+type Identity = (&'static str, String, String, usize);
+
+/// The findings of all views, in the order of the first view that has them. Those that are the same become one with the
+/// consequences of all; its level, words and evidence are the worst one's.
+pub(super) fn merged(views: Vec<Vec<Finding>>) -> Vec<Finding> {
+    let mut views = views.into_iter();
+    let mut all = views.next().unwrap_or_default();
+    // Findings of one view are told apart already.
+    let mut places: Option<BTreeMap<Identity, usize>> = None;
+    for view in views {
+        let places = places.get_or_insert_with(|| identities(&all).into_iter().zip(0..).collect());
+        for (identity, finding) in identities(&view).into_iter().zip(view) {
+            match places.get(&identity).and_then(|place| all.get_mut(*place)) {
+                Some(known) => join(known, finding),
+                None => {
+                    places.insert(identity, all.len());
+                    all.push(finding);
+                }
+            }
+        }
+    }
+    all
+}
+
+fn identities(findings: &[Finding]) -> Vec<Identity> {
+    let mut numbers: BTreeMap<(&str, &str, &str), usize> = BTreeMap::new();
+    let mut identities = Vec::with_capacity(findings.len());
+    for finding in findings {
+        let asset = finding.asset.as_ref().unwrap_or(&finding.path);
+        let number = numbers.entry((finding.rule, asset, &finding.key)).or_default();
+        identities.push((finding.rule, asset.clone(), finding.key.clone(), *number));
+        *number += 1;
+    }
+    identities
+}
+
+fn join(known: &mut Finding, mut other: Finding) {
+    if other.level > known.level {
+        std::mem::swap(known, &mut other);
+        // The order of the applications stays.
+        known.breaks.splice(0..0, other.breaks);
+    } else {
+        known.breaks.extend(other.breaks);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diag::{Application, Evidence, Level, Place, RuleInfo};
+
+    const RULE: RuleInfo = RuleInfo::new("target-syntax", Level::Info, "made up");
+
+    fn finding(application: Application, level: Level, path: &str, count: u64) -> Finding {
+        let evidence = Evidence { count, ..Evidence::default() };
+        let finding = Finding::new(&RULE, path, Place::File, format!("{count} rows")).level(level);
+        finding.evidence(evidence).breaks(application, "stops")
+    }
+
+    #[test]
+    fn one_fault_in_two_applications_is_one_finding() {
+        use Application::{Makehuman1, Makehuman2};
+        let first = vec![
+            finding(Makehuman2, Level::Warning, "a", 1),
+            finding(Makehuman2, Level::Error, "b", 2),
+            finding(Makehuman2, Level::Error, "b", 3),
+        ];
+        let second = vec![
+            finding(Makehuman1, Level::Error, "a", 4),
+            finding(Makehuman1, Level::Info, "b", 5),
+            finding(Makehuman1, Level::Info, "c", 6),
+        ];
+        let told = |finding: &Finding| {
+            let count = finding.evidence.as_ref().map(|evidence| evidence.count);
+            let applications: Vec<Application> = finding.breaks.iter().map(|effect| effect.application).collect();
+            (finding.path.clone(), finding.level, count, applications)
+        };
+        let all: Vec<_> = merged(vec![first, second]).iter().map(told).collect();
+        let both = vec![Makehuman2, Makehuman1];
+        assert_eq!(
+            all,
+            [
+                ("a".to_owned(), Level::Error, Some(4), both.clone()),
+                ("b".to_owned(), Level::Error, Some(2), both),
+                ("b".to_owned(), Level::Error, Some(3), vec![Makehuman2]),
+                ("c".to_owned(), Level::Info, Some(6), vec![Makehuman1]),
+            ]
+        );
+    }
+}

@@ -1,0 +1,20 @@
+//! The data of `MakeHuman` 2, connected as it does: contarget over target, the user's sliders merged on top, names of
+//! files in macros, sliders, skeletons and `base.json`.
+
+mod base;
+mod intent;
+mod overlay;
+mod references;
+mod rigs;
+mod shown;
+mod slider;
+mod target_folder;
+mod unbound;
+mod usage;
+mod view;
+
+pub use base::{Base, is_beneath};
+pub use overlay::{Candidate, Overlaid};
+pub use slider::{BoundSlider, Pattern};
+pub use target_folder::TargetFolder;
+pub use view::View;

@@ -1,0 +1,23 @@
+//! Which weights no skeleton names.
+
+use super::Base;
+use crate::repo::{Reference, ReferenceKind};
+
+/// Of each weights file of a base whether no skeleton names it; never where nobody can tell.
+pub(super) fn unbound(base: &Base<'_>) -> Vec<bool> {
+    let can_tell = can_tell(base);
+    let used: Vec<_> = base.rigs.iter().filter_map(|rig| rig.weights.as_ref()?.meant()).collect();
+    let is_unbound = |rel: &str| can_tell && !used.iter().any(|found| found.rel == rel);
+    base.weights.iter().map(|file| is_unbound(&file.rel)).collect()
+}
+
+fn can_tell(base: &Base<'_>) -> bool {
+    // A skeleton that cannot be read may name any file.
+    let mut skeletons = base.rigs.iter().map(|rig| rig.skeleton());
+    let is_clear = skeletons.all(|one| one.is_some_and(|one| one.is_object && !one.weights_file_misshapen));
+    // What is not found may be any of the files here, under another name; a pose skeleton that is not found may
+    // name any. Without `base.json` the base, and its skeletons with it, lie in system data that was not given.
+    let pose = base.named.iter().filter(|reference| reference.kind == ReferenceKind::PoseSkeleton);
+    let mut named = base.rigs.iter().filter_map(|rig| rig.weights.as_ref()).chain(pose);
+    is_clear && base.settings().is_some() && named.all(|reference: &Reference<'_>| reference.meant().is_some())
+}

@@ -1,0 +1,95 @@
+//! All bases over the layers, and what names what in them.
+
+use std::collections::BTreeMap;
+
+use super::base::{Sources, base_names, resolve};
+use super::references::collect;
+use super::usage::Usage;
+use super::{Base, unbound};
+use crate::discover::Kind;
+use crate::repo::{Body, BodyWeights, FileFacts, Layers, Reference, References, Target};
+
+/// `MakeHuman` 2's data, connected.
+#[derive(Debug)]
+pub struct View<'a> {
+    /// System and user data.
+    pub layers: Layers<'a>,
+    /// The base meshes of all layers, by name.
+    pub bases: Vec<Base<'a>>,
+    /// Everything that names a file, and what it leads to.
+    pub references: References<'a>,
+    usage: Usage<'a>,
+}
+
+impl<'a> View<'a> {
+    /// Connects layers.
+    pub fn connect(layers: Layers<'a>) -> Self {
+        let sources = Sources::new(layers.system, layers.user);
+        let bases: Vec<Base<'a>> = base_names(sources).into_iter().map(|name| resolve(name, sources)).collect();
+        let references = References::new(bases.iter().flat_map(collect).collect());
+        let usage = Usage::of(layers, &bases, &references);
+        Self { layers, bases, references, usage }
+    }
+
+    /// The base of a name.
+    pub fn base(&self, name: &str) -> Option<&Base<'a>> {
+        let at = self.bases.binary_search_by(|base| base.name.cmp(name)).ok()?;
+        self.bases.get(at)
+    }
+
+    /// The base that a file belongs to.
+    pub fn base_of(&self, file: &FileFacts) -> Option<&Base<'a>> {
+        self.base(file.base()?)
+    }
+
+    /// References for a base.
+    pub fn references_of(&self, base: &Base<'_>) -> impl Iterator<Item = &Reference<'a>> {
+        self.references.of_base(base.name).iter()
+    }
+
+    /// Targets that the application reads for the base and that nothing uses: those of the folder in use, and user
+    /// targets too deep to become sliders.
+    pub fn unused(&self, base: &Base<'_>) -> &[&'a FileFacts] {
+        self.usage.unused(base)
+    }
+
+    /// The targets of a base in the checked layer.
+    pub fn own_targets<'v>(&'v self, base: &Base<'_>) -> impl Iterator<Item = &'a FileFacts> + use<'v, 'a> {
+        let folders = ["contarget", "target"].map(|folder| format!("{folder}/{}", base.name));
+        let files = folders.into_iter().flat_map(|folder| self.layers.checked.below(&folder).collect::<Vec<_>>());
+        files.filter(|file| file.kind == Kind::Target)
+    }
+
+    /// A body for every base, and one for the targets that belong to none.
+    pub(in crate::repo) fn bodies<'v>(&'v self, view: &'v crate::repo::View<'v>) -> Vec<Body<'v>> {
+        let mut targets: BTreeMap<&str, Vec<Target<'v>>> = BTreeMap::new();
+        for file in self.layers.checked.files.values().filter(|file| file.kind == Kind::Target) {
+            targets.entry(file.base().unwrap_or_default()).or_default().push(self.target(file));
+        }
+        let body = |base: &'v Base<'a>, targets| {
+            let mut body = Body::new(base.name, view, targets);
+            let weights = base.weights.iter().zip(unbound::unbound(base));
+            body.mesh = base.mesh;
+            body.visible_groups = base.settings().and_then(|(_, settings)| settings.visible_groups.as_deref());
+            body.rigs = &base.rigs;
+            body.weights = weights.map(|(file, is_unbound)| BodyWeights { file, is_unbound }).collect();
+            body
+        };
+        let mut bodies: Vec<Body<'v>> = Vec::new();
+        for base in &self.bases {
+            bodies.push(body(base, targets.remove(base.name).unwrap_or_default()));
+        }
+        bodies.extend(targets.into_iter().map(|(name, targets)| Body::new(name, view, targets)));
+        bodies
+    }
+
+    /// What is known of a target of the checked layer.
+    pub fn target<'v>(&'v self, file: &'v FileFacts) -> Target<'v> {
+        Target {
+            file,
+            used_as: self.usage.of_file(file),
+            is_unused: self.usage.is_unused(file),
+            packed_in: self.layers.checked.file(&format!("{}/compressedtargets.npz", file.target_folder())),
+        }
+    }
+}

@@ -1,0 +1,63 @@
+//! Names followed to files: links to other folders, capitals, backslashes, and ways out of the data root.
+
+use super::{Layer, Resolution};
+
+/// Whether a name begins at a root or a drive instead of the folder it is looked for in.
+pub(super) fn is_absolute(text: &str) -> bool {
+    text.starts_with(['/', '\\']) || text.get(1..2) == Some(":")
+}
+
+/// What `rel` leads to in the layers, strongest first; `text` is the name in it as written.
+pub(super) fn resolve<'a>(layers: &[&'a Layer], text: &str, rel: &str) -> Resolution<'a> {
+    if is_absolute(text) {
+        return Resolution::Absolute;
+    }
+    let Some(normal) = normalized(rel) else {
+        return Resolution::Escapes;
+    };
+    if let Some(file) = layers.iter().find_map(|layer| layer.file(&normal)) {
+        return Resolution::Found(file);
+    }
+    if layers.iter().any(|layer| layer.has_unusable(&normal)) {
+        return Resolution::Unusable;
+    }
+    if text.contains('\\') {
+        let Some(slashed) = normalized(&rel.replace('\\', "/")) else {
+            return Resolution::Escapes;
+        };
+        let exact = layers.iter().find_map(|layer| layer.file(&slashed));
+        // Where `\` separates folders, capitals make no difference either.
+        let found = exact.or_else(|| layers.iter().find_map(|layer| layer.file_ignoring_case(&slashed)));
+        return Resolution::Backslash(found);
+    }
+    match layers.iter().find_map(|layer| layer.file_ignoring_case(&normal)) {
+        Some(file) => Resolution::CaseOnly(file),
+        None => Resolution::Missing,
+    }
+}
+
+/// The path without `.` and `..`, or nothing if it leaves the root.
+fn normalized(rel: &str) -> Option<String> {
+    let mut parts: Vec<&str> = Vec::new();
+    for part in rel.split('/') {
+        match part {
+            "" | "." => {}
+            ".." => {
+                parts.pop()?;
+            }
+            other => parts.push(other),
+        }
+    }
+    Some(parts.join("/"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::normalized;
+
+    #[test]
+    fn paths_are_normalized_inside_the_root_only() {
+        assert_eq!(normalized("target/b/a/../c.target").as_deref(), Some("target/b/c.target"));
+        assert_eq!(normalized("target/../../x"), None);
+    }
+}

@@ -1,0 +1,149 @@
+//! What becomes of a file that an application cannot read: one table an application, with a row for each role of files.
+//!
+//! `file-*`, `json-*` and `overlay-*` ask here how bad a damage is and what a user sees of it.
+
+mod makehuman2;
+mod makehuman2_values;
+mod mpfb;
+mod table;
+
+pub(in crate::rules) use makehuman2_values::of_value;
+use table::{Row, Table};
+
+use super::is_generated;
+use crate::diag::{Application, Finding, Level};
+use crate::repo::View;
+
+/// When an application opens a file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::rules) enum Moment {
+    /// When it starts, or loads a base mesh.
+    Start,
+    /// When it scans its assets, also at start: one bad file takes all assets along.
+    Scan,
+    /// When somebody uses the asset.
+    Use,
+    /// It does not, but tools that come with it do.
+    Tools,
+    /// Nothing does.
+    Never,
+}
+
+/// What is wrong with a file as a whole.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::rules) enum Damage {
+    /// It cannot be opened.
+    Closed,
+    /// A Git LFS pointer stands for it.
+    Pointer,
+    /// Nothing is in it.
+    Empty,
+    /// Nothing is in it, and nothing needs it.
+    Needless,
+    /// A JSON that is refused before its syntax matters: nothing is in it, or a byte order mark before it.
+    Refused,
+    /// A byte order mark before a line of data.
+    MarkedRow,
+    /// A byte order mark before any other word.
+    MarkedWord,
+    /// A byte order mark before a comment.
+    MarkedComment,
+    /// It is not UTF-8.
+    NotUtf8,
+    /// It is not valid JSON.
+    Syntax,
+    /// It is nested beyond every limit.
+    TooDeep,
+    /// It cannot be unpacked.
+    Packed,
+}
+
+/// How bad a damage is, and what the user sees where that is not what the rule says of it in general.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::rules) struct Consequence {
+    pub(in crate::rules) level: Level,
+    effect: Option<&'static str>,
+}
+
+/// What a text that cannot be parsed does while an archive stands for it.
+pub(in crate::rules) const ARCHIVED: Consequence = makehuman2::ARCHIVED;
+
+impl Consequence {
+    const fn new(level: Level, effect: &'static str) -> Self {
+        Self { level, effect: Some(effect) }
+    }
+
+    /// The finding with this level and effect.
+    pub(in crate::rules) fn of(self, finding: Finding) -> Finding {
+        let finding = finding.level(self.level);
+        match self.effect {
+            Some(effect) => finding.effect(effect),
+            None => finding,
+        }
+    }
+}
+
+/// The table of an application.
+const fn table(application: Application) -> Option<&'static Table> {
+    match application {
+        Application::Makehuman2 => Some(&makehuman2::TABLE),
+        Application::Mpfb => Some(&mpfb::TABLE),
+        Application::Makehuman1 => None,
+    }
+}
+
+/// The table for a view, and its row for a path.
+fn asked(view: &View<'_>, rel: &str) -> Option<(&'static Table, &'static Row)> {
+    let (table, layers) = (table(view.application())?, view.layers());
+    Some((table, table.row(layers.checked.kind_at(rel), rel, is_generated(layers, rel))?))
+}
+
+/// When the application opens a file of this path.
+pub(in crate::rules) fn moment(view: &View<'_>, rel: &str) -> Moment {
+    asked(view, rel).map_or(Moment::Never, |(table, row)| table.moment(row, rel))
+}
+
+/// What a damage of the file at a path comes to; `None` where nobody needs what is lost.
+pub(in crate::rules) fn consequence(view: &View<'_>, rel: &str, damage: Damage) -> Option<Consequence> {
+    let (table, row) = asked(view, rel)?;
+    table.consequence(row, rel, damage)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::table::At;
+    use super::*;
+    use crate::discover::Kind;
+    use crate::formats::FORMATS;
+
+    const TABLES: [&Table; 2] = [&makehuman2::TABLE, &mpfb::TABLE];
+
+    /// What a table says of a kind, wherever its files lie.
+    fn rows(kind: Kind) -> impl Iterator<Item = (&'static Table, &'static Row)> {
+        TABLES.into_iter().filter_map(move |table| Some((table, table.row(kind, "x", false)?)))
+    }
+
+    #[test]
+    fn every_kind_that_is_read_has_a_row_with_what_its_loss_comes_to() {
+        for format in FORMATS.iter().filter(|format| format.is_read()) {
+            assert!(rows(format.kind).next().is_some(), "{:?}", format.kind);
+            let lost = if format.kind.is_json() { Damage::Syntax } else { Damage::Closed };
+            for (table, row) in rows(format.kind) {
+                for damage in [Damage::Closed, Damage::Pointer, Damage::NotUtf8, lost] {
+                    assert!(table.consequence(row, "x", damage).is_some(), "{:?} {damage:?}", format.kind);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn no_row_stands_behind_the_one_for_all_files_of_its_kind() {
+        for table in TABLES {
+            let mut whole = Vec::new();
+            for row in table.rows {
+                assert!(!whole.contains(&row.kind), "{:?}", row.kind);
+                whole.extend(matches!(row.at, At::Anywhere).then_some(row.kind));
+            }
+        }
+    }
+}

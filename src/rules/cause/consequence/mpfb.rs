@@ -1,0 +1,25 @@
+//! What MPFB does with a file that it cannot read (formats/mpfb.md §2.3). So far for `targets/target.json` alone.
+
+use super::table::{Cell, Table, anywhere, cell};
+use super::{Damage, Moment};
+use crate::diag::Level::Error;
+use crate::discover::Kind;
+
+pub(super) static TABLE: Table = Table {
+    rows: &[anywhere(Kind::TargetCatalog, Moment::Start, REFUSED)],
+    at_moment: &[],
+    in_general: &[],
+    opens: |_| true,
+    scans: |_| false,
+};
+
+/// Blender imports the add-on, which reads the file at once and catches nothing.
+const STOPS: &str = "stops while the add-on is imported: MPFB cannot be enabled at all";
+
+const REFUSED: &[Cell] = &[
+    cell(Damage::Closed, Error, STOPS),
+    cell(Damage::Pointer, Error, STOPS),
+    cell(Damage::Refused, Error, STOPS),
+    cell(Damage::NotUtf8, Error, STOPS),
+    cell(Damage::Syntax, Error, STOPS),
+];

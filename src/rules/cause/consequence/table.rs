@@ -1,0 +1,108 @@
+//! How a table of consequences is built and asked.
+
+use super::{Consequence, Damage, Moment};
+use crate::diag::Level;
+use crate::discover::{Kind, opened};
+
+/// What becomes of damaged files in one application.
+pub(super) struct Table {
+    /// Roles of files; the first row that fits counts.
+    pub(super) rows: &'static [Row],
+    /// What a damage comes to at a moment, whatever the file is for.
+    pub(super) at_moment: &'static [(Moment, Cell)],
+    /// What it comes to where neither moment nor row says.
+    pub(super) in_general: &'static [Cell],
+    /// Whether anything opens a file of this name.
+    pub(super) opens: fn(&str) -> bool,
+    /// Whether the scan of assets reaches it.
+    pub(super) scans: fn(&str) -> bool,
+}
+
+/// Files of one role.
+pub(super) struct Row {
+    pub(super) kind: Kind,
+    pub(super) at: At,
+    /// When they are opened; [`Moment::Scan`] where the scan reaches them, otherwise at use.
+    pub(super) opened: Moment,
+    pub(super) cells: &'static [Cell],
+}
+
+/// Where files of a role lie.
+pub(super) enum At {
+    /// Wherever the kind is.
+    Anywhere,
+    /// In the target folder of a user, whose JSON the program writes itself.
+    Generated,
+    /// At this path; `*` is any one folder.
+    Path(&'static [&'static str]),
+    /// Under this name.
+    Named(&'static str),
+    /// Below one of these folders of the data, with one of these extensions; all of them if there is none.
+    Below(&'static [&'static str], &'static [&'static str]),
+}
+
+/// What one damage comes to.
+pub(super) struct Cell {
+    damage: Damage,
+    consequence: Consequence,
+}
+
+/// A row of files that lie anywhere.
+pub(super) const fn anywhere(kind: Kind, opened: Moment, cells: &'static [Cell]) -> Row {
+    row(kind, At::Anywhere, opened, cells)
+}
+
+/// A row of files at a place.
+pub(super) const fn row(kind: Kind, at: At, opened: Moment, cells: &'static [Cell]) -> Row {
+    Row { kind, at, opened, cells }
+}
+
+/// A cell with a level and an effect of its own.
+pub(super) const fn cell(damage: Damage, level: Level, effect: &'static str) -> Cell {
+    Cell { damage, consequence: Consequence::new(level, effect) }
+}
+
+/// A cell with a level of its own; the effect is what the rule says in general.
+pub(super) const fn level(damage: Damage, level: Level) -> Cell {
+    Cell { damage, consequence: Consequence { level, effect: None } }
+}
+
+impl Table {
+    pub(super) fn row(&self, kind: Kind, rel: &str, is_generated: bool) -> Option<&Row> {
+        self.rows.iter().find(|row| row.kind == kind && row.at.holds(rel, is_generated))
+    }
+
+    pub(super) fn moment(&self, row: &Row, rel: &str) -> Moment {
+        match row.opened {
+            _ if !(self.opens)(rel) => Moment::Never,
+            Moment::Scan if !(self.scans)(rel) => Moment::Use,
+            opened => opened,
+        }
+    }
+
+    pub(super) fn consequence(&self, row: &Row, rel: &str, damage: Damage) -> Option<Consequence> {
+        let moment = self.moment(row, rel);
+        let at_moment = self.at_moment.iter().filter(|(at, _)| *at == moment).map(|(_, cell)| cell);
+        let cell = at_moment.chain(row.cells).chain(self.in_general).find(|cell| cell.damage == damage);
+        cell.map(|cell| cell.consequence)
+    }
+}
+
+impl At {
+    fn holds(&self, rel: &str, is_generated: bool) -> bool {
+        match self {
+            Self::Anywhere => true,
+            Self::Generated => is_generated,
+            Self::Path(parts) => {
+                rel.split('/').count() == parts.len()
+                    && rel.split('/').zip(*parts).all(|(own, part)| *part == "*" || own == *part)
+            }
+            Self::Named(name) => rel.rsplit('/').next() == Some(name),
+            Self::Below(folders, extensions) => {
+                let (top, _) = rel.split_once('/').unwrap_or_default();
+                (folders.is_empty() || folders.contains(&top))
+                    && (extensions.is_empty() || extensions.contains(&opened::extension(rel)))
+            }
+        }
+    }
+}

@@ -1,0 +1,60 @@
+//! Files of which something else is told before what is in them.
+
+use super::consequence::{Moment, moment};
+use crate::discover::Kind;
+use crate::formats::Content;
+use crate::formats::json_file::JsonFault;
+use crate::json::SyntaxKind;
+use crate::repo::makehuman2::Base;
+use crate::repo::{FileFacts, Layers, View};
+
+/// Whether the content of the file is not at hand: it was not read, or is a stand-in.
+fn is_unread(file: &FileFacts) -> bool {
+    file.unreadable.is_some() || file.encoding.lfs_pointer || file.gzip_fault.is_some()
+}
+
+/// Whether nobody meets what is in the file: it is unread, or no loader opens its name. A `macro.json` in the target
+/// folder of a user is never opened, either (`overlay-shadowed`).
+pub(in crate::rules) fn is_unmet(view: &View<'_>, file: &FileFacts) -> bool {
+    is_unread(file) || moment(view, &file.rel) == Moment::Never
+}
+
+/// Whether a path lies in the target folder of a user, whose JSON MakeHuman 2 writes itself.
+pub(in crate::rules) fn is_generated(layers: Layers<'_>, rel: &str) -> bool {
+    let user = layers.user.is_some_and(|user| std::ptr::eq(user, layers.checked));
+    user && !layers.is_one_root() && rel.starts_with("target/")
+}
+
+/// Whether the file is the `modelling.json` of a base that MakeHuman 2 makes from the user's targets.
+pub(in crate::rules) fn is_generated_for(base: &Base<'_>, file: &FileFacts) -> bool {
+    base.user_modelling.file().is_some_and(|own| std::ptr::eq(own, file))
+}
+
+/// Whether the file is one of `contarget/` that falls back to the system's where it cannot be read: the fallback is the
+/// worse news (`overlay-broken-override`).
+pub(in crate::rules) fn is_override(file: &FileFacts) -> bool {
+    file.rel.starts_with("contarget/")
+        && matches!(file.kind, Kind::MacroJson | Kind::ModellingJson | Kind::TargetCategories)
+}
+
+/// Whether the file is an override that is taken for absent without a word to the user: no JSON, a byte order mark, or
+/// nothing in it (formats/makehuman2.md §1.2, §2.1).
+///
+/// `overlay-broken-override` speaks for such a file; other rules on its text keep quiet. Bytes that are no UTF-8 stop
+/// the application instead, and nesting beyond all measure does, too.
+pub(in crate::rules) fn is_ignored_override(file: &FileFacts) -> bool {
+    is_override(file)
+        && match &file.content {
+            Content::Broken(JsonFault::Empty | JsonFault::ByteOrderMark) => file.unreadable.is_none(),
+            Content::Broken(JsonFault::Syntax(fault)) => fault.kind != SyntaxKind::TooDeep,
+            Content::Broken(JsonFault::NotUtf8 | JsonFault::LfsPointer) => false,
+            _ => file.json.falsy,
+        }
+}
+
+/// Whether the whole file is an empty value (`null`, `[]`, `0`), which Python takes for false and the loader for no
+/// file: `file-empty` speaks.
+pub(in crate::rules) fn counts_as_missing(file: &FileFacts) -> bool {
+    let wanted = matches!(file.kind, Kind::BaseJson | Kind::MacroJson | Kind::ModellingJson | Kind::TargetCategories);
+    wanted && file.json.falsy
+}

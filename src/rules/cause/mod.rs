@@ -1,0 +1,13 @@
+//! What other rules keep quiet for, because a finding already names the cause; and what a damaged file leads to.
+//!
+//! Predicates are named after facts, not after rules. What only one rule asks stands in its file.
+
+pub(super) mod archived;
+pub(super) mod component;
+pub(super) mod consequence;
+mod file;
+pub(super) mod overlay;
+pub(super) mod schema;
+pub(super) mod weights;
+
+pub(super) use file::{counts_as_missing, is_generated, is_generated_for, is_ignored_override, is_override, is_unmet};

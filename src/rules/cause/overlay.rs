@@ -1,0 +1,40 @@
+//! Overrides that are not in use, and what is in use instead of what was meant.
+
+use super::schema::is_of_wrong_type;
+use crate::repo::Layer;
+use crate::repo::makehuman2::{Base, Overlaid, View};
+
+/// Whether one of the files is refused. What is then in use is not what the author meant, and everything
+/// that follows from it follows from the damage.
+pub(in crate::rules) fn is_damaged<T>(overlaid: &Overlaid<'_, T>) -> bool {
+    overlaid.contarget.is_refused() || overlaid.is_broken()
+}
+
+/// Whether the sliders in use are those that were meant; without them no name can be judged.
+pub(in crate::rules) fn has_sliders(base: &Base<'_>) -> bool {
+    !is_damaged(&base.modelling) && base.modelling.winner().is_some()
+}
+
+/// Whether an override is there and in use. One that is no object is taken, too, but stops the application; nothing can
+/// be said about what it would do.
+pub(in crate::rules) fn is_active<T>(overlaid: &Overlaid<'_, T>) -> bool {
+    overlaid.contarget.accepted().is_some_and(|(file, _)| !is_of_wrong_type(file))
+}
+
+/// Whether an override is there and not in use: what follows from that is no finding of its own.
+pub(in crate::rules) fn has_broken_override(base: &Base<'_>) -> bool {
+    fn is_broken<T>(overlaid: &Overlaid<'_, T>) -> bool {
+        overlaid.contarget.file().is_some() && !is_active(overlaid)
+    }
+    is_broken(&base.macros) || is_broken(&base.modelling) || is_broken(&base.categories)
+}
+
+/// Whether an override is there under a name with other capitals: `file-case-mismatch` says that nobody finds it.
+pub(in crate::rules) fn has_misnamed_override(view: &View<'_>, base: &Base<'_>) -> bool {
+    let layers = [Some(view.layers.checked), view.layers.user].into_iter().flatten();
+    let folder = format!("contarget/{}", base.name);
+    let names = ["macro.json", "modelling.json", "target_cat.json"].map(|name| format!("{folder}/{name}"));
+    let is_misnamed =
+        |layer: &Layer, rel: &String| layer.file(rel).is_none() && layer.file_ignoring_case(rel).is_some();
+    layers.into_iter().any(|layer| names.iter().any(|rel| is_misnamed(layer, rel)))
+}

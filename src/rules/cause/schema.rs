@@ -1,0 +1,31 @@
+//! Parts of a JSON that the schema says something of: what they lack, or seem to hold, follows from that.
+
+use crate::diag::pointer;
+use crate::json::{SchemaFault, UnknownKey};
+use crate::repo::FileFacts;
+
+/// Whether the schema refuses the whole: its type is wrong, or a section is missing without which nothing is read.
+pub(in crate::rules) fn is_misshapen(file: &FileFacts) -> bool {
+    file.schema.faults.iter().any(|fault| fault.pointer.is_empty())
+}
+
+/// Whether the whole is of another type than its format.
+pub(in crate::rules) fn is_of_wrong_type(file: &FileFacts) -> bool {
+    file.schema.faults.iter().any(SchemaFault::is_wrong_root)
+}
+
+/// Whether the schema has nothing against the value at a pointer or below it; else the model lacks a part of it.
+pub(in crate::rules) fn is_sound(file: &FileFacts, pointer: &str) -> bool {
+    let below = |fault: &str| fault.strip_prefix(pointer).is_some_and(|rest| rest.is_empty() || rest.starts_with('/'));
+    !file.schema.faults.iter().any(|fault| below(&fault.pointer))
+}
+
+/// The key that stands where `key` is meant, if it is misspelt.
+pub(in crate::rules) fn misspelt<'f>(file: &'f FileFacts, key: &str) -> Option<&'f UnknownKey> {
+    file.schema.unknown.iter().find(|unknown| unknown.nearest.as_deref() == Some(key))
+}
+
+/// Whether a member of the whole is there with a fault in it, or under a misspelt key.
+pub(in crate::rules) fn is_faulty(file: &FileFacts, key: &str) -> bool {
+    !is_sound(file, &pointer(&[key])) || misspelt(file, key).is_some()
+}
