@@ -37,8 +37,9 @@ fn line(rule: &str, path: &str) -> String {
 fn gone(outcome: &Outcome) -> Vec<String> {
     let stale = outcome.findings.iter().filter(|finding| finding.rule == "baseline-stale");
     let mut lines: Vec<String> = stale
-        .flat_map(|finding| &finding.parts)
-        .map(|entry| {
+        .flat_map(|finding| finding.subject.parts.iter())
+        .map(|(entry, _)| {
+            let entry = entry.to_string();
             let (path, rule) = entry.split_once(": ").unwrap();
             line(rule.split(' ').next().unwrap(), path)
         })
@@ -66,8 +67,10 @@ fn verdict(case: &Case, files: &Files, folder: &str, config: &Config) -> String 
     if fresh == case.fresh && gone == case.gone && says && is_expected && outcome.failed_rules.is_empty() {
         return String::new();
     }
-    let messages: Vec<_> =
-        new.iter().map(|finding| format!("    {}: {} [{}]", finding.path, finding.message, finding.key)).collect();
+    let messages: Vec<_> = new
+        .iter()
+        .map(|finding| format!("    {}: {} [{}]", finding.path, finding.message, finding.subject.key))
+        .collect();
     format!(
         "{}: fails {fails}\n  says {:?}: {says}\n  new  {fresh:?}\n  not  {:?}\n  gone {gone:?}\n  not  {:?}\n  failed rules {:?}\n{}\n",
         case.name,

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::Level;
+use super::{Level, Parts};
 
 /// Known findings. [`Baseline::text`] is the file.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -27,8 +27,8 @@ pub struct Entry {
     #[serde(default = "worst")]
     pub level: Level,
     /// Everything it spoke for, by name, numbers in a row as `first-last`; empty where that is one thing.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub parts: Vec<String>,
+    #[serde(default, skip_serializing_if = "Parts::is_empty")]
+    pub parts: Parts,
 }
 
 fn worst() -> Level {

@@ -2,6 +2,8 @@
 
 use serde::Serialize;
 
+use super::{Name, Parts};
+
 /// How many examples a finding carries.
 pub const EXAMPLES: usize = 5;
 /// Rows of a bulk file that are told apart by name; more of them are one mass.
@@ -21,9 +23,6 @@ pub struct Evidence {
     pub groups: Option<u64>,
     /// The worst value and where it is.
     pub worst: Option<Worst>,
-    /// All of them, to tell a later run what was there before; empty where they are too many or have no names.
-    #[serde(skip)]
-    pub cases: Vec<String>,
 }
 
 /// The worst value of a finding.
@@ -35,32 +34,40 @@ pub struct Worst {
     pub place: String,
 }
 
+/// Evidence with the names of everything that was counted, for the [`super::Subject`] of its finding.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Cases {
+    pub(super) evidence: Evidence,
+    /// None where they are told by line, by number or in words: a later run cannot know them by these again.
+    pub(super) parts: Parts,
+}
+
 impl Evidence {
-    /// Evidence from all cases; keeps the first few as examples.
-    pub fn of_cases<T: ToString>(cases: impl IntoIterator<Item = T>) -> Self {
+    /// Evidence from all cases by name; keeps the first few as examples.
+    pub fn of_cases<T: ToString + Into<Name>>(cases: impl IntoIterator<Item = T>) -> Cases {
         let mut evidence = Self::default();
-        for case in cases {
-            evidence.count += 1;
-            let case = case.to_string();
-            if evidence.examples.len() < EXAMPLES {
-                evidence.examples.push(case.clone());
-            }
-            evidence.cases.push(case);
-        }
+        let parts = cases.into_iter().inspect(|case| evidence.add(case)).collect();
+        Cases { evidence, parts }
+    }
+
+    /// Evidence from all cases, told by line, by number or in words.
+    pub fn of_unnamed<T: ToString>(cases: impl IntoIterator<Item = T>) -> Self {
+        let mut evidence = Self::default();
+        cases.into_iter().for_each(|case| evidence.add(&case));
         evidence
     }
 
-    /// Evidence on `count` elements that are named in groups: by pattern, by file.
+    /// Evidence on `count` elements that are told in groups: by pattern, by file.
     pub fn of_groups<T: ToString>(groups: impl IntoIterator<Item = T>, count: u64) -> Self {
-        let named = Self::of_cases(groups);
-        Self { count, groups: Some(named.count), ..named }
+        let told = Self::of_unnamed(groups);
+        Self { count, groups: Some(told.count), ..told }
     }
 
-    /// For cases that are told by line, by number or in words: a later run cannot know them by these again.
-    #[must_use]
-    pub fn unnamed(mut self) -> Self {
-        self.cases.clear();
-        self
+    fn add(&mut self, case: &impl ToString) {
+        self.count += 1;
+        if self.examples.len() < EXAMPLES {
+            self.examples.push(case.to_string());
+        }
     }
 
     /// Says out of how many.
@@ -75,6 +82,38 @@ impl Evidence {
     pub fn with_worst(mut self, value: f64, place: impl Into<String>) -> Self {
         self.worst = Some(Worst { value, place: place.into() });
         self
+    }
+
+    /// With the names of everything that was counted.
+    pub fn naming<T: Into<Name>>(self, names: impl IntoIterator<Item = T>) -> Cases {
+        Cases { evidence: self, parts: names.into_iter().collect() }
+    }
+}
+
+impl Cases {
+    /// With other examples: where the cases are, say.
+    #[must_use]
+    pub fn showing(mut self, examples: impl Iterator<Item = String>) -> Self {
+        self.evidence.examples = examples.collect();
+        self
+    }
+
+    /// As [`Evidence::out_of`].
+    #[must_use]
+    pub fn out_of(self, total: usize) -> Self {
+        Self { evidence: self.evidence.out_of(total), ..self }
+    }
+
+    /// As [`Evidence::with_worst`].
+    #[must_use]
+    pub fn with_worst(self, value: f64, place: impl Into<String>) -> Self {
+        Self { evidence: self.evidence.with_worst(value, place), ..self }
+    }
+}
+
+impl From<Evidence> for Cases {
+    fn from(evidence: Evidence) -> Self {
+        Self { evidence, parts: Parts::default() }
     }
 }
 
@@ -108,16 +147,10 @@ impl Tally {
     }
 
     /// As evidence out of `total` rows, the indices as examples.
-    pub fn evidence(&self, total: usize) -> Evidence {
-        Evidence {
-            count: self.count,
-            of: Some(total as u64),
-            examples: self.first.iter().map(|(_, index)| index.to_string()).collect(),
-            cases: self.names(),
-            ..Evidence::default()
-        }
-    }
-    fn names(&self) -> Vec<String> {
-        if self.indices.len() > NAMED_ROWS { Vec::new() } else { self.indices.iter().map(i64::to_string).collect() }
+    pub fn evidence(&self, total: usize) -> Cases {
+        let examples = self.first.iter().map(|(_, index)| index.to_string()).collect();
+        let evidence = Evidence { count: self.count, of: Some(total as u64), examples, ..Evidence::default() };
+        let is_mass = self.indices.len() > NAMED_ROWS;
+        evidence.naming(self.indices.iter().filter(|_| !is_mass))
     }
 }

@@ -2,10 +2,9 @@
 
 use serde::Serialize;
 
-use super::{Application, Because, Confidence, Evidence, Fix, Level, Location, Place, RuleInfo};
-
-/// Parts of a finding that are told apart by name; more of them are one mass.
-const MOST_PARTS: usize = 65_536;
+use super::{
+    Application, Because, Cases, Confidence, Evidence, Fix, Level, Location, Name, Parts, Place, RuleInfo, Subject,
+};
 
 /// Something wrong in an asset repository.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,37 +31,27 @@ pub struct Finding {
     pub evidence: Option<Evidence>,
     /// Other places that belong to the same fault.
     pub related: Vec<Related>,
-    /// How it can be mended without a person.
+    /// How it can be fixed without a person.
     pub fix: Option<Fix>,
-    /// Structural name of the fault inside the file (a bone, a pattern): part of the fingerprint.
-    pub key: String,
-    /// What the fingerprint names in place of [`Finding::path`] where that is only the first of several
-    /// files: a folder, a base. Written as paths are.
-    pub asset: Option<String>,
-    /// What the finding is a part of where its rule tells parts one by one or all together, as it comes: a folder,
-    /// written as paths are. A baseline knows it by this and by [`Finding::parts`].
-    pub whole: Option<String>,
-    /// Structural names of everything that one finding speaks for, sorted. A baseline hides it only as
-    /// long as nothing is among them that was not there before.
-    pub parts: Vec<String>,
-    /// The files that it speaks for, where that is not just [`Finding::path`].
-    pub over: Over,
+    /// What it is about: its identity.
+    pub subject: Subject,
+    /// Files that have one fault between them, written as paths are: it is gone when fewer than two are left.
+    pub between: Vec<String>,
+    /// Where only some of [`Finding::files`] are ignored; filled by the engine.
+    pub ignored: Option<IgnoredFiles>,
     /// Stable identity, filled by the engine.
     pub fingerprint: String,
     /// Why a change can affect it, where the run is narrowed to a change; filled by the engine.
     pub because: Option<Because>,
 }
 
-/// Files that a finding speaks for, written as paths are. Mutes are for files, so they need to know.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub enum Over {
-    /// The one at which it stands.
-    #[default]
-    Own,
-    /// Files with a fault each, told together: muted when all of them are.
-    Each(Vec<String>),
-    /// Files that have one fault between them: muted when one of them is.
-    Between(Vec<String>),
+/// How many of the files that a finding speaks for are ignored.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct IgnoredFiles {
+    /// So many.
+    pub count: usize,
+    /// Of so many.
+    pub of: usize,
 }
 
 /// The consequence in one application.
@@ -110,11 +99,9 @@ impl Finding {
             evidence: None,
             related: Vec::new(),
             fix: None,
-            key: String::new(),
-            asset: None,
-            whole: None,
-            parts: Vec::new(),
-            over: Over::Own,
+            subject: Subject::default(),
+            between: Vec::new(),
+            ignored: None,
             fingerprint: String::new(),
             because: None,
         };
@@ -128,50 +115,50 @@ impl Finding {
         self
     }
 
-    /// Names the fault inside the file: bone, pattern, combination. Must not depend on order or layout.
+    /// Names the fault inside the asset: bone, pattern, combination. Must not depend on order or layout.
     #[must_use]
     pub fn key(mut self, key: impl Into<String>) -> Self {
-        self.key = key.into();
+        self.subject.key = key.into();
         self
     }
 
-    /// Names what the fault belongs to where the finding stands at one of several files.
+    /// Names what the fault belongs to where that is not the file at which the finding stands.
     #[must_use]
     pub fn asset(mut self, asset: impl Into<String>) -> Self {
-        self.asset = Some(asset.into());
+        self.subject.asset = Some(asset.into());
         self
-    }
-
-    /// Names what the finding is a part of, and which parts it speaks for, where the rule now and then tells other
-    /// parts together.
-    #[must_use]
-    pub fn part_of<T: ToString>(self, whole: impl Into<String>, parts: impl IntoIterator<Item = T>) -> Self {
-        Self { whole: Some(whole.into()), ..self.parts(parts) }
     }
 
     /// Names everything the finding speaks for, in place of the cases of its evidence. Neither numbers that
     /// count something nor wording may be in a name.
     #[must_use]
-    pub fn parts<T: ToString>(mut self, parts: impl IntoIterator<Item = T>) -> Self {
-        self.parts = parts.into_iter().map(|part| part.to_string()).collect();
-        self.parts.sort();
-        self.parts.dedup();
-        if self.parts.len() > MOST_PARTS {
-            self.parts.clear();
-        }
+    pub fn parts<T: Into<Name>>(mut self, parts: impl IntoIterator<Item = T>) -> Self {
+        self.subject.parts = parts.into_iter().collect::<Parts>().if_few();
         self
     }
 
-    /// Names the files with a fault each that the finding tells together.
+    /// The same where the parts lie in files, each with a fault of its own. Ignores are for files: the finding stays
+    /// until all of them are ignored.
     #[must_use]
-    pub fn over_each<T: Into<String>>(self, files: impl IntoIterator<Item = T>) -> Self {
-        Self { over: Over::Each(files.into_iter().map(Into::into).collect()), ..self }
+    pub fn parts_in<T: Into<Name>, F: AsRef<str>>(mut self, parts: impl IntoIterator<Item = (T, F)>) -> Self {
+        self.subject.parts = Parts::in_files(parts).if_few();
+        self
     }
 
     /// Names the files that have the fault between them.
     #[must_use]
     pub fn between<T: Into<String>>(self, files: impl IntoIterator<Item = T>) -> Self {
-        Self { over: Over::Between(files.into_iter().map(Into::into).collect()), ..self }
+        Self { between: files.into_iter().map(Into::into).collect(), ..self }
+    }
+
+    /// The files that it speaks for, where that is not only the one at which it stands.
+    pub fn files(&self) -> &[String] {
+        if self.between.is_empty() { self.subject.parts.files() } else { &self.between }
+    }
+
+    /// What the fault belongs to, written as paths are.
+    pub fn asset_path(&self) -> &str {
+        self.subject.asset.as_deref().unwrap_or(&self.path)
     }
 
     /// Lowers or raises the level where the consequence differs from the rule's usual one.
@@ -221,13 +208,15 @@ impl Finding {
         self
     }
 
-    /// Adds counts and examples.
+    /// Adds counts and examples; their names are the parts, where none are named.
     #[must_use]
-    pub fn evidence(mut self, mut evidence: Evidence) -> Self {
-        let cases = std::mem::take(&mut evidence.cases);
-        let is_whole = cases.len() as u64 == evidence.count;
+    pub fn evidence(mut self, evidence: impl Into<Cases>) -> Self {
+        let Cases { evidence, parts } = evidence.into();
         self.evidence = Some(evidence);
-        if self.parts.is_empty() && is_whole { self.parts(cases) } else { self }
+        if self.subject.parts.is_empty() && self.subject.parts.files().is_empty() {
+            self.subject.parts = parts.if_few();
+        }
+        self
     }
 
     /// Replaces the usual consequence by the one of this case, in the application at hand.
@@ -249,7 +238,7 @@ impl Finding {
         self
     }
 
-    /// Says how it can be mended; nothing where a fix has no steps.
+    /// Says how it can be fixed; nothing where a fix has no steps.
     #[must_use]
     pub fn fix(mut self, fix: Fix) -> Self {
         self.fix = (!fix.steps.is_empty()).then_some(fix);
@@ -261,5 +250,26 @@ impl Finding {
     pub fn related(mut self, path: impl Into<String>, place: Place, message: impl Into<String>) -> Self {
         self.related.push(Related { path: path.into(), place, location: Location::default(), message: message.into() });
         self
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cases_are_the_parts_unless_parts_are_named() {
+        let rule = RuleInfo::new("a-b", Level::Info, "");
+        let finding = || Finding::new(&rule, "x", Place::File, "");
+        let counted = |finding: Finding| finding.evidence(Evidence::of_cases(["p", "q", "q"]));
+        let names = |finding: &Finding| -> Vec<String> { finding.subject.parts.clone().into() };
+        assert_eq!(names(&counted(finding())), ["p", "q"]);
+        assert_eq!(names(&counted(finding().parts(["r"]))), ["r"]);
+        assert_eq!(names(&counted(finding()).parts(["r"])), ["r"]);
+        let between = counted(finding().between(["x", "y"]));
+        assert_eq!((names(&between).len(), between.files().len()), (2, 2));
+        let each = counted(finding().parts_in([("p", "x"), ("q", "y"), ("r", "y")]));
+        assert_eq!((names(&each).len(), each.files()), (3, &["x".to_owned(), "y".to_owned()][..]));
+        assert_eq!(names(&finding().evidence(Evidence::of_unnamed(["line 3"]))), [""; 0]);
     }
 }

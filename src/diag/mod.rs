@@ -13,14 +13,16 @@ mod level;
 mod nearest;
 mod note;
 mod outcome;
+mod parts;
 mod place;
 mod rule_info;
+mod subject;
 mod upkeep;
 
 pub use baseline::{Baseline, Entry};
 pub use because::Because;
-pub use evidence::{EXAMPLES, Evidence, Tally, Worst};
-pub use finding::{Break, Finding, Over, Related};
+pub use evidence::{Cases, EXAMPLES, Evidence, Tally, Worst};
+pub use finding::{Break, Finding, IgnoredFiles, Related};
 pub use fix::{Change, Edit, Fix, Rewrite, Step};
 pub use key::{fingerprint, structural};
 pub use level::{Application, Confidence, Level};
@@ -29,6 +31,8 @@ pub use note::Note;
 pub use outcome::{
     ApplicationVerdict, NotChecked, Outcome, RootSummary, Scope, Summary, TakenOver, Timing, Unchecked, Verdict,
 };
+pub use parts::{Name, Parts};
 pub use place::{Element, Excerpt, Location, Place, pointer};
 pub use rule_info::{FixKind, OptionInfo, RuleInfo, Sight};
+pub use subject::Subject;
 pub use upkeep::{BaselineUse, IdleGlob, IgnoreState, IgnoreUse, UnknownRule, Upkeep};

@@ -17,6 +17,9 @@ pub struct RuleInfo {
     pub fix: FixKind,
     /// Cannot be ignored or lowered: a matter of safety.
     pub cannot_be_ignored: bool,
+    /// A fingerprint names the file at which a finding stands in place of its asset: several findings may have one asset
+    /// and key, and are told apart by their parts.
+    pub told_apart: bool,
     /// What each application does with it.
     pub breaks: &'static [(Application, &'static str)],
     /// How far it sees; `None` for what is usual with the kind of its check.
@@ -79,9 +82,9 @@ pub struct OptionInfo {
 impl RuleInfo {
     /// A rule with nothing but the obligatory parts; the rest by struct update.
     pub const fn new(id: &'static str, level: Level, summary: &'static str) -> Self {
-        let (fix, cannot_be_ignored) = (FixKind::None, false);
+        let (fix, cannot_be_ignored, told_apart) = (FixKind::None, false, false);
         let (levels, breaks, options) = (&[], &[], &[]);
-        Self { id, summary, level, levels, fix, cannot_be_ignored, breaks, sight: None, options, docs: "" }
+        Self { id, summary, level, levels, fix, cannot_be_ignored, told_apart, breaks, sight: None, options, docs: "" }
     }
 
     /// The usual level in an application.

@@ -11,7 +11,7 @@ use std::ops::Bound;
 use std::path::{Path, PathBuf};
 
 use super::sight::{is_numeric, sight};
-use crate::diag::{Because, Finding, Note, Outcome, Place, Sight};
+use crate::diag::{Because, Finding, Name, Note, Outcome, Place, Sight};
 use crate::discover::Kind;
 use crate::repo::{Layer, Reference, Resolution, View};
 use crate::source::{canonical, folder_of, link_targets, resolved, slashed};
@@ -219,9 +219,13 @@ impl<'a> Reach<'a> {
             return Some(Because::Inside(changed.to_owned()));
         }
         let others = finding.related.iter().map(|other| other.path.as_str());
+        let names = finding.subject.parts.iter().filter_map(|(name, _)| match name {
+            Name::Text(name) => Some(name),
+            Name::Numbers(..) => None,
+        });
         let parts: Vec<String> =
-            layers(view).flat_map(|layer| finding.parts.iter().map(|part| layer.display(part))).collect();
-        let mut spoken_of = others.chain(finding.parts.iter().chain(&parts).map(String::as_str)).chain([path]);
+            names.flat_map(|name| layers(view).map(|layer| layer.display(name)).chain([name.clone()])).collect();
+        let mut spoken_of = others.chain(parts.iter().map(String::as_str)).chain([path]);
         if let Some(changed) = spoken_of.find_map(|other| self.holding(other)) {
             return Some(Because::SpokenOf(changed.to_owned()));
         }

@@ -59,7 +59,9 @@ pub struct Seen {
     pub name: String,
     /// How many elements are concerned at that setting.
     pub count: usize,
-    /// All that are concerned at some setting, by name: vertices, faces with their group, groups, joints, bones.
+    /// All that are concerned at some setting, by number.
+    pub elements: Vec<usize>,
+    /// The same by name: faces with their group, groups, joints, bones. Vertices have none.
     pub all: Vec<String>,
     /// What differs from the defaults at that setting.
     pub setting: Vec<SliderSetting>,

@@ -80,10 +80,11 @@ fn survey(scene: &Scene, settings: &[Setting]) -> Option<SpaceMeasure> {
         scene.targets.get(target).map(|target| target.path.clone())
     };
     let seen = |worst: Option<Worst>,
-                all: Vec<String>,
+                (elements, all): (Vec<usize>, Vec<String>),
                 name: &dyn Fn(usize) -> String,
                 vertices: &dyn Fn(usize) -> Vec<u32>| {
         worst.map(|worst| Seen {
+            elements,
             all,
             value: worst.value,
             element: worst.element,
@@ -110,14 +111,17 @@ fn survey(scene: &Scene, settings: &[Setting]) -> Option<SpaceMeasure> {
         let joints = bone.map(|bone| [bone.head, bone.tail].into_iter().chain(bone.plane.into_iter().flatten()));
         joints.into_iter().flatten().flat_map(of_joint).collect()
     };
-    let all = |numbers: &BTreeSet<usize>, name: &dyn Fn(usize) -> String| numbers.iter().map(|at| name(*at)).collect();
-    let (number, in_group) = (|at: usize| at.to_string(), |face: usize| format!("{} {face}", group(face)));
+    let unnamed = |numbers: &BTreeSet<usize>| (numbers.iter().copied().collect(), Vec::new());
+    let all = |numbers: &BTreeSet<usize>, name: &dyn Fn(usize) -> String| {
+        (numbers.iter().copied().collect(), numbers.iter().map(|at| name(*at)).collect())
+    };
+    let in_group = |face: usize| format!("{} {face}", group(face));
     let concerned = &survey.concerned;
     Some(SpaceMeasure {
-        non_finite: seen(survey.non_finite, all(&concerned.non_finite, &number), &|_| String::new(), &vertex),
+        non_finite: seen(survey.non_finite, unnamed(&concerned.non_finite), &|_| String::new(), &vertex),
         collapsed: seen(survey.collapsed, all(&concerned.collapsed, &in_group), &group, &face),
         flipped: seen(survey.flipped, all(&concerned.flipped, &group), &group, &face),
-        exploded: seen(survey.exploded, all(&concerned.exploded, &number), &|_| String::new(), &vertex),
+        exploded: seen(survey.exploded, unnamed(&concerned.exploded), &|_| String::new(), &vertex),
         drifted: seen(survey.drifted, all(&concerned.drifted, &joint), &joint, &of_cube),
         short_bone: seen(survey.short_bone, all(&concerned.short_bone, &bone), &bone, &of_bone),
         flat_plane: seen(survey.flat_plane, all(&concerned.flat_plane, &bone), &bone, &of_bone),

@@ -10,7 +10,7 @@ use serde::Serialize;
 use super::faulty_rows::FaultyRows;
 use super::json_file::JsonFacts;
 use super::mhw::{BoneWeights, Pair};
-use crate::diag::{EXAMPLES, Evidence};
+use crate::diag::{Cases, EXAMPLES, Evidence};
 
 /// Entries whose normalised weight is not above this are dropped by the loaders.
 pub const THRESHOLD: f32 = 1e-4;
@@ -109,15 +109,11 @@ impl PairTally {
     }
 
     /// As evidence: vertices with their bones as examples.
-    pub fn evidence(&self, total: usize) -> Evidence {
-        let examples = self.first.iter();
-        Evidence {
-            count: self.count,
-            of: Some(total as u64),
-            examples: examples.map(|(bone, _, vertex, _)| format!("{bone}[{vertex}]")).collect(),
-            cases: if self.names.len() > NAMED_PAIRS { Vec::new() } else { self.names.clone() },
-            ..Evidence::default()
-        }
+    pub fn evidence(&self, total: usize) -> Cases {
+        let examples = self.first.iter().map(|(bone, _, vertex, _)| format!("{bone}[{vertex}]")).collect();
+        let evidence = Evidence { count: self.count, of: Some(total as u64), examples, ..Evidence::default() };
+        let is_mass = self.names.len() > NAMED_PAIRS;
+        evidence.naming(self.names.iter().filter(|_| !is_mass))
     }
 }
 

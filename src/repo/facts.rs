@@ -91,6 +91,11 @@ impl FileFacts {
         name.rsplit_once('.').map_or(name, |(stem, _)| stem)
     }
 
+    /// Whether the top level of a JSON is of a wrong type, or lacks a section without which nothing is read.
+    pub fn is_misshapen(&self) -> bool {
+        self.schema.faults.iter().any(|fault| fault.pointer.is_empty())
+    }
+
     /// The target facts, if it is a target that could be read.
     pub fn target(&self) -> Option<&TargetFacts> {
         if let Content::Target(facts) = &self.content { Some(facts) } else { None }

@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use super::phrase::colons;
+use super::phrase::{self, colons};
 use super::{View, count, printable};
 use crate::diag::Outcome;
 
@@ -16,7 +16,7 @@ pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> 
             colons(&finding.location),
             finding.level,
             finding.rule,
-            printable(&finding.message)
+            printable(&phrase::message(finding))
         )?;
     }
     if !view.quiet {

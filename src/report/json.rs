@@ -1,11 +1,13 @@
 //! `mhlint-report/1`: everything, for programs. Its schema is `schemas/report.schema.json`.
 
+use std::borrow::Cow;
 use std::io::{self, Write};
 
 use serde::Serialize;
 
 use super::View;
 use super::because::because;
+use super::phrase::message;
 use crate::diag::{
     ApplicationVerdict, Break, Confidence, Evidence, Finding, Level, Location, NotChecked, Outcome, RootSummary,
     Summary, Verdict,
@@ -38,7 +40,7 @@ struct Item<'a> {
     confidence: Confidence,
     path: &'a str,
     place: &'a Location,
-    message: &'a str,
+    message: Cow<'a, str>,
     help: Option<&'a str>,
     breaks: &'a [Break],
     evidence: Option<Evidence>,
@@ -86,7 +88,7 @@ fn item(finding: &Finding) -> Item<'_> {
         confidence: finding.confidence,
         path: &finding.path,
         place: &finding.location,
-        message: &finding.message,
+        message: message(finding),
         help: finding.help.as_deref(),
         breaks: &finding.breaks,
         evidence: finding.evidence.clone().map(finite),

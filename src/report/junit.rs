@@ -91,7 +91,7 @@ fn write_finding<W: Write>(finding: &Finding, path: &str, view: &View<'_>, write
     let text = phrase::plain(finding);
     case.write_inner_content(|writer| {
         if fails(finding, view) {
-            let message = printable(&finding.message);
+            let message = printable(&phrase::message(finding));
             let text = format!("{path}{}: {}\n{text}", phrase::colons(&finding.location), finding.level);
             failure(finding.rule, &message, &text, writer)
         } else {

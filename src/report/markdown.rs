@@ -108,7 +108,7 @@ fn item(finding: &Finding) -> String {
     let message = format!(
         "- **{}** {}{}  \n  {}{place}\n",
         finding.level,
-        inline(&printable(&finding.message)),
+        inline(&printable(&phrase::message(finding))),
         phrase::doubt(finding.confidence),
         code(finding.rule)
     );

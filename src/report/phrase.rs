@@ -1,8 +1,10 @@
 //! Findings in words that every format for people uses: places, evidence, and the whole as lines of plain text.
 
+use std::borrow::Cow;
+
 use super::because::because;
 use super::{count, printable};
-use crate::diag::{Confidence, Evidence, Finding, Fix, FixKind, Location};
+use crate::diag::{Confidence, Evidence, Finding, Fix, FixKind, IgnoredFiles, Location};
 
 /// Related places that a text names; formats with room for more have their own bound.
 pub(super) const RELATED: usize = 5;
@@ -47,9 +49,20 @@ pub(super) fn mends(fix: &Fix) -> String {
     format!("{option} mends it: {}", fix.title)
 }
 
+/// What is wrong, and how many of the files that have it are ignored.
+pub(super) fn message(finding: &Finding) -> Cow<'_, str> {
+    match finding.ignored {
+        None => Cow::Borrowed(&finding.message),
+        Some(IgnoredFiles { count, of }) => {
+            let verb = if count == 1 { "is" } else { "are" };
+            Cow::Owned(format!("{}; {count} of these {of} files {verb} muted", finding.message))
+        }
+    }
+}
+
 /// Message and lines as plain text, each on its own line.
 pub(super) fn plain(finding: &Finding) -> String {
-    let mut text = format!("{}{}", printable(&finding.message), doubt(finding.confidence));
+    let mut text = format!("{}{}", printable(&message(finding)), doubt(finding.confidence));
     for line in lines(finding) {
         text.push('\n');
         text.push_str(&line.label);

@@ -99,7 +99,7 @@ fn result(finding: &Finding, rules: &[&RuleInfo]) -> Value {
 
 /// Message, consequences, evidence and help. Other places have their own member.
 fn message(finding: &Finding) -> String {
-    let mut parts = vec![format!("{}{}", printable(&finding.message), phrase::doubt(finding.confidence))];
+    let mut parts = vec![format!("{}{}", printable(&phrase::message(finding)), phrase::doubt(finding.confidence))];
     let lines = phrase::lines(finding).into_iter().filter(|line| line.label != "see");
     parts.extend(lines.map(|line| format!("{}: {}", line.label, line.text)));
     text(&parts.join(".\n"))

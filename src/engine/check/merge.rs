@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use crate::diag::Finding;
+use crate::diag::{Finding, Parts, Subject};
 
-/// What makes two findings the same: rule, what it is about, key, and their number among equal ones.
-type Identity = (&'static str, String, String, usize);
+/// What makes two findings the same: rule, subject, and their number among equal ones.
+type Identity = (&'static str, Subject, usize);
 
 /// The findings of all views, in the order of the first view that has them. Those that are the same become one with the
 /// consequences of all; its level, words and evidence are the worst one's.
@@ -30,12 +30,13 @@ pub(super) fn merged(views: Vec<Vec<Finding>>) -> Vec<Finding> {
 }
 
 fn identities(findings: &[Finding]) -> Vec<Identity> {
-    let mut numbers: BTreeMap<(&str, &str, &str), usize> = BTreeMap::new();
+    let mut numbers: BTreeMap<(&str, &str, &str, &Parts), usize> = BTreeMap::new();
     let mut identities = Vec::with_capacity(findings.len());
     for finding in findings {
-        let asset = finding.asset.as_ref().unwrap_or(&finding.path);
-        let number = numbers.entry((finding.rule, asset, &finding.key)).or_default();
-        identities.push((finding.rule, asset.clone(), finding.key.clone(), *number));
+        let (asset, Subject { key, parts, .. }) = (finding.asset_path(), &finding.subject);
+        let number = numbers.entry((finding.rule, asset, key, parts)).or_default();
+        let subject = Subject { asset: Some(asset.to_owned()), ..finding.subject.clone() };
+        identities.push((finding.rule, subject, *number));
         *number += 1;
     }
     identities

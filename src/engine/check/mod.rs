@@ -116,7 +116,7 @@ pub(super) fn check_upkeep(
     findings.retain_mut(|finding| {
         let Verdict::At(level) = selection.verdict(finding.rule, finding.level, None) else { return false };
         finding.regrade(level);
-        finding.fingerprint = fingerprint(finding.rule, &ignores.asset(&finding.path), &finding.key, 0);
+        finding.fingerprint = fingerprint(finding.rule, &ignores.asset(&finding.path), &finding.subject.key, 0);
         true
     });
     findings

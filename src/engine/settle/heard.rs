@@ -4,7 +4,7 @@ use super::ignore::Ignores;
 use super::scope::Scope;
 use super::select::{Selection, Verdict, cannot_be_ignored};
 use crate::config::Config;
-use crate::diag::{Finding, Level, Over};
+use crate::diag::{Finding, IgnoredFiles, Level};
 use crate::repo::Layer;
 
 /// What becomes of a finding, or of its part in one file.
@@ -32,12 +32,12 @@ impl Filter<'_> {
     /// What becomes of a finding. Where it stays although some of its files are ignored, it says so.
     pub(in crate::engine) fn of(&self, finding: &mut Finding, ignores: &mut Ignores<'_>) -> Heard {
         let own = self.at(finding, &finding.path, ignores);
-        let (files, fewest) = match &finding.over {
-            Over::Own => return own,
-            Over::Each(files) => (files, 1),
-            // What is between files is gone when only one is left.
-            Over::Between(files) => (files, 2),
-        };
+        let files = finding.files();
+        if files.is_empty() {
+            return own;
+        }
+        // What is between files is gone when only one is left.
+        let fewest = if finding.between.is_empty() { 1 } else { 2 };
         let is_folder = !files.contains(&finding.path);
         if is_folder && matches!(own, Heard::Hidden | Heard::Excluded) {
             return own;
@@ -47,11 +47,7 @@ impl Filter<'_> {
         let silent = all.len() - heard.len();
         match heard.first() {
             Some(first) if heard.len() >= fewest => {
-                if silent > 0 {
-                    let verb = if silent == 1 { "is" } else { "are" };
-                    finding.message =
-                        format!("{}; {silent} of these {} files {verb} muted", finding.message, all.len());
-                }
+                finding.ignored = (silent > 0).then_some(IgnoredFiles { count: silent, of: all.len() });
                 if matches!(own, Heard::At(_)) { own } else { *first }
             }
             _ if all.contains(&Heard::Hidden) => Heard::Hidden,

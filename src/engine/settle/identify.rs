@@ -4,13 +4,12 @@ use std::collections::BTreeMap;
 
 use crate::diag::{Finding, Level, fingerprint};
 use crate::repo::{Layer, Layers};
+use crate::rules::RULES;
 
 /// A finding with the place of its asset.
 pub(in crate::engine) struct Placed {
     pub(in crate::engine) finding: Finding,
-    /// Printed path of what a baseline names: the asset of the fingerprint, or what it is a part of.
-    pub(in crate::engine) asset: String,
-    /// The same below its data root.
+    /// Path of its asset below the data root.
     pub(in crate::engine) rel: String,
     /// Fingerprint that a baseline knows it by.
     pub(in crate::engine) known_as: String,
@@ -27,16 +26,16 @@ pub(super) fn identify(layers: Layers<'_>, findings: Vec<(Finding, Level)>) -> V
         own_path(layers, asset).or_else(system).unwrap_or_default().to_owned()
     };
     let identified = findings.into_iter().map(|(mut finding, consequence)| {
-        let asset = finding.asset.clone().unwrap_or_else(|| finding.path.clone());
-        let rel = below(&asset);
-        let ordinal = ordinals.entry((finding.rule, rel.clone(), finding.key.clone())).or_default();
-        finding.fingerprint = fingerprint(finding.rule, &rel, &finding.key, *ordinal);
+        let rel = below(finding.asset_path());
+        let is_told_apart = RULES.iter().any(|rule| rule.info.id == finding.rule && rule.info.told_apart);
+        let named = if is_told_apart { below(&finding.path) } else { rel.clone() };
+        let key = &finding.subject.key;
+        let ordinal = ordinals.entry((finding.rule, named.clone(), key.clone())).or_default();
+        finding.fingerprint = fingerprint(finding.rule, &named, key, *ordinal);
         *ordinal += 1;
-        let Some(whole) = finding.whole.clone() else {
-            return Placed { known_as: finding.fingerprint.clone(), finding, asset, rel, consequence };
-        };
-        let rel = below(&whole);
-        Placed { known_as: fingerprint(finding.rule, &rel, "", 0), finding, asset: whole, rel, consequence }
+        let known_as =
+            if is_told_apart { fingerprint(finding.rule, &rel, key, 0) } else { finding.fingerprint.clone() };
+        Placed { finding, rel, known_as, consequence }
     });
     identified.collect()
 }

@@ -8,7 +8,7 @@ use super::ignore::Ignores;
 use super::scope::Scope;
 use super::select::Selection;
 use crate::config::Config;
-use crate::diag::{Finding, Over};
+use crate::diag::Finding;
 use crate::repo::Layers;
 
 /// All that decides what is reported of some layers.
@@ -28,7 +28,7 @@ impl Keeper<'_> {
         let commented = files.filter(|file| !file.ignores.is_empty() && self.is_reported(&file.path));
         commented.for_each(|file| ignores.note(file, self.selection, self.scope));
         let filter = self.filter();
-        let (mut kept, mut ignored) = (Vec::new(), 0);
+        let (mut kept, mut hidden) = (Vec::new(), 0);
         for mut finding in findings.into_iter().filter(|finding| self.is_wanted(finding)) {
             let consequence = finding.level;
             match filter.of(&mut finding, ignores) {
@@ -38,11 +38,11 @@ impl Keeper<'_> {
                     finding.regrade(level);
                     kept.push((finding, consequence));
                 }
-                Heard::Hidden => ignored += 1,
+                Heard::Hidden => hidden += 1,
                 Heard::Off | Heard::Excluded => {}
             }
         }
-        (identify(self.layers, kept), ignored)
+        (identify(self.layers, kept), hidden)
     }
 
     fn filter(&self) -> Filter<'_> {
@@ -61,11 +61,7 @@ impl Keeper<'_> {
         let Some(rel) = own_path(self.layers, &finding.path) else { return false };
         let asked = |base: &str| self.options.asks_for_base(base);
         // One finding may speak for several files; who names one of them is told.
-        let others = match &finding.over {
-            Over::Own => [].as_slice(),
-            Over::Each(files) | Over::Between(files) => files.as_slice(),
-        };
-        let mut files = std::iter::once(&finding.path).chain(others);
+        let mut files = std::iter::once(&finding.path).chain(finding.files());
         files.any(|file| (self.is_asked_for)(file)) && self.layers.checked.base_at(rel).as_deref().is_none_or(asked)
     }
 

@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use super::baseline::{Found, placed};
+use super::compare::{Claim, Comparison, Standing, compare};
 use super::identify::Placed;
 use super::scope::Scope;
 use super::select::{Selection, cannot_be_ignored};
@@ -56,7 +57,13 @@ impl Known {
         let (safe, rest): (Vec<Placed>, Vec<Placed>) =
             found.into_iter().partition(|placed| cannot_be_ignored(placed.finding.rule));
         let entries: Vec<Found> = rest.iter().map(|placed| self.found(placed)).collect();
-        let (known, lost) = self.old.compare(&entries, &roots, |entry| self.is_there(&entry.path));
+        let homes = self.old.homes(&entries, &roots, |entry| self.is_there(&entry.path));
+        let before: Vec<Claim<'_>> =
+            self.old.entries.iter().zip(homes).map(|(entry, path)| entry.claim(path)).collect();
+        let now: Vec<Claim<'_>> = entries.iter().map(|found| found.entry.claim(&found.entry.path)).collect();
+        let Comparison { now, gone } = compare(&before, &now);
+        let known: Vec<bool> = now.iter().map(|standing| *standing == Standing::Same).collect();
+        let lost: Vec<&Entry> = gone.iter().filter_map(|number| self.old.entries.get(*number)).collect();
         // Data in memory have no places on disk to look for.
         let on_disk = roots.iter().any(|root| self.is_there(root));
         if on_disk && lost.len() == self.old.entries.len() && scope.is_whole() {
@@ -113,12 +120,12 @@ impl Known {
     fn found(&self, placed_at: &Placed) -> Found {
         let finding = &placed_at.finding;
         let entry = Entry {
-            path: placed(&self.folder, &placed_at.asset),
+            path: placed(&self.folder, finding.asset_path()),
             rule: finding.rule.to_owned(),
-            key: if finding.whole.is_some() { String::new() } else { finding.key.clone() },
+            key: finding.subject.key.clone(),
             fingerprint: placed_at.known_as.clone(),
             level: placed_at.consequence,
-            parts: finding.parts.clone(),
+            parts: finding.subject.parts.clone(),
         };
         Found { entry, rel: placed_at.rel.clone() }
     }

@@ -24,10 +24,11 @@ pub(in crate::engine) fn place_and_sort(
     limits: &Limits,
     failed: &mut Vec<String>,
 ) {
-    findings.sort_by(|a, b| (&a.path, a.rule, &a.key).cmp(&(&b.path, b.rule, &b.key)));
+    findings.sort_by(|a, b| (&a.path, a.rule, &a.subject.key).cmp(&(&b.path, b.rule, &b.subject.key)));
     caught("places of findings", failed, || locate(findings, trees, limits));
     let place = |finding: &Finding| (finding.location.line, finding.location.column);
-    findings.sort_by(|a, b| (&a.path, place(a), a.rule, &a.key).cmp(&(&b.path, place(b), b.rule, &b.key)));
+    findings
+        .sort_by(|a, b| (&a.path, place(a), a.rule, &a.subject.key).cmp(&(&b.path, place(b), b.rule, &b.subject.key)));
 }
 
 /// Fills the locations of findings and their related places.

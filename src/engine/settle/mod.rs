@@ -3,6 +3,7 @@
 //! Imports no other wing of the engine; what it needs of a run is handed to it.
 
 mod baseline;
+mod compare;
 mod heard;
 mod identify;
 mod idle;
@@ -10,7 +11,6 @@ mod ignore;
 mod keep;
 mod known;
 mod locate;
-mod parts;
 mod scope;
 mod select;
 

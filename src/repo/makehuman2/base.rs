@@ -170,15 +170,10 @@ fn overlaid<'a, T>(
         contarget: Candidate::find(layers.user, &format!("contarget/{base}/{file}"), &model),
         system: match Candidate::find(layers.system, &format!("target/{base}/{file}"), &model) {
             // The program stops there; nothing inside can be judged.
-            Candidate::Accepted(found, _) if is_misshapen(found) => Candidate::Refused(found),
+            Candidate::Accepted(found, _) if found.is_misshapen() => Candidate::Refused(found),
             found => found,
         },
     }
-}
-
-/// Whether the top level of a JSON is of a wrong type, or lacks a section without which nothing is read.
-fn is_misshapen(file: &FileFacts) -> bool {
-    file.schema.faults.iter().any(|fault| fault.pointer.is_empty())
 }
 
 fn sound_mesh(file: &FileFacts) -> Option<&Mesh> {
@@ -187,7 +182,7 @@ fn sound_mesh(file: &FileFacts) -> Option<&Mesh> {
 
 fn model_of_base(file: &FileFacts) -> Option<&BaseJson> {
     match &file.content {
-        Content::BaseJson(model) if !file.json.falsy && !is_misshapen(file) => Some(model),
+        Content::BaseJson(model) if !file.json.falsy && !file.is_misshapen() => Some(model),
         _ => None,
     }
 }

@@ -26,7 +26,7 @@ pub(super) fn article(finding: &Finding, id: &str, open: bool) -> Markup {
                 summary {
                     span .chip .(level) { (level) }
                     " "
-                    h3 { (inline(&printable(&finding.message))) (doubt(finding.confidence)) }
+                    h3 { (inline(&printable(&phrase::message(finding)))) (doubt(finding.confidence)) }
                     span .at { (short_place(&finding.location)) }
                 }
                 (source(finding))

@@ -13,7 +13,7 @@ use miette::{
 use textwrap::{WordSeparator, WordSplitter};
 
 use crate::diag::{Break, Finding, Level, Location};
-use crate::report::phrase::{bare_place, doubt, lines};
+use crate::report::phrase::{self, bare_place, doubt, lines};
 use crate::report::snippet::{Snippet, snippet};
 use crate::report::{Paint, View, hang, printable};
 
@@ -76,7 +76,7 @@ struct Shown<'a> {
 
 impl fmt::Display for Shown<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&printable(&self.finding.message))
+        f.write_str(&printable(&phrase::message(self.finding)))
     }
 }
 
@@ -175,7 +175,7 @@ mod tests {
     #[test]
     fn evidence_other_places_and_help_follow_the_message() {
         let mut finding = finding().confidence(Confidence::Medium).help("mend it");
-        finding.evidence = Some(Evidence::of_cases(["x"; 7]).out_of(9).with_worst(0.123_456, "vertex 3"));
+        finding.evidence = Some(Evidence::of_unnamed(["x"; 7]).out_of(9).with_worst(0.123_456, "vertex 3"));
         finding = finding.related("data/b.target", Place::File, "the other one");
         finding.location.line = Some(4);
         finding.location.element = Some(Element { kind: "vertex", index: 17 });

@@ -25,7 +25,7 @@ fn run(file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     match &archive.fault {
         Some(ArchiveFault::Empty) => {
             let effect = "stops at every start with an EOFError until the file is deleted by hand";
-            out.push(at(file, "the archive is empty (0 bytes)".to_owned()).breaks(Application::Makehuman2, effect));
+            out.push(at(file, "the archive is empty (0 bytes)".to_owned()).effect(effect));
         }
         Some(ArchiveFault::NotZip(reason)) => out.push(at(file, format!("no zip archive: {reason}"))),
         None => out.extend(members(file, archive)),

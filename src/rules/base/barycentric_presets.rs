@@ -41,7 +41,7 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             RULE.at(file, Place::pointer(["modifier-presets", first]), message)
                 .key(&bound.slider.key)
                 .help("choose values that sum to 1, such as 0.33, 0.33 and 0.34")
-                .evidence(Evidence::of_cases(each).unnamed()),
+                .evidence(Evidence::of_unnamed(each)),
         );
     }
 }

@@ -38,3 +38,21 @@ pub(in crate::rules) fn has_misnamed_override(view: &View<'_>, base: &Base<'_>) 
         |layer: &Layer, rel: &String| layer.file(rel).is_none() && layer.file_ignoring_case(rel).is_some();
     layers.into_iter().any(|layer| names.iter().any(|rel| is_misnamed(layer, rel)))
 }
+
+/// What is known of the system's target folder of a base.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(in crate::rules) enum SystemFolder {
+    /// It is there.
+    Exists,
+    /// The base lives in user space alone.
+    Absent,
+    /// No system data was given.
+    Unknown,
+}
+
+pub(in crate::rules) fn system_folder(view: &View<'_>, base: &Base<'_>) -> SystemFolder {
+    let rel = format!("target/{}", base.name);
+    let Some(system) = view.layers.system.filter(|_| base.has_system) else { return SystemFolder::Unknown };
+    let exists = system.folders.contains(&rel) || system.below(&rel).next().is_some();
+    if exists { SystemFolder::Exists } else { SystemFolder::Absent }
+}

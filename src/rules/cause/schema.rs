@@ -4,11 +4,6 @@ use crate::diag::pointer;
 use crate::json::{SchemaFault, UnknownKey};
 use crate::repo::FileFacts;
 
-/// Whether the schema refuses the whole: its type is wrong, or a section is missing without which nothing is read.
-pub(in crate::rules) fn is_misshapen(file: &FileFacts) -> bool {
-    file.schema.faults.iter().any(|fault| fault.pointer.is_empty())
-}
-
 /// Whether the whole is of another type than its format.
 pub(in crate::rules) fn is_of_wrong_type(file: &FileFacts) -> bool {
     file.schema.faults.iter().any(SchemaFault::is_wrong_root)

@@ -27,7 +27,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let (Some(finding), Some(first)) = (finding, cause.references.first()) else { continue };
         out.push(
             finding
-                .breaks(Application::Makehuman2, format!("on other computers: {}", effect(first.kind)))
+                .effect(format!("on other computers: {}", effect(first.kind)))
                 .help("write the name relative to its folder in the data"),
         );
     }

@@ -56,7 +56,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             finding
                 .fix(fix)
                 .level(level)
-                .breaks(Application::Makehuman2, format!("on Linux and macOS: {}", effect(first.kind)))
+                .effect(format!("on Linux and macOS: {}", effect(first.kind)))
                 .help(format!("write `{slashed}`")),
         );
     }

@@ -42,7 +42,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         });
         let Some(finding) = finding else { continue };
         let systems = if in_form { "on Linux and Windows" } else { "on Linux" };
-        let mut finding = finding.breaks(Application::Makehuman2, format!("{systems}: {}", effect(first.kind)));
+        let mut finding = finding.effect(format!("{systems}: {}", effect(first.kind)));
         if matches!(first.resolution, Resolution::Backslash(_)) && folder_on_disk(first).is_none() {
             // The folder in front is at fault for its backslashes only.
             finding.place = first.place.clone();
@@ -123,6 +123,6 @@ fn fixed_names(view: &makehuman2::View<'_>, out: &mut Vec<Finding>) {
             format!("on Linux: takes `{wanted}` as missing, without a word")
         };
         let finding = RULE.at(file, Place::File, message).key("name").help(format!("rename it to `{wanted}`"));
-        out.push(finding.breaks(Application::Makehuman2, effect));
+        out.push(finding.effect(effect));
     }
 }

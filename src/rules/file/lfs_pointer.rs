@@ -45,8 +45,8 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             loss.of(finding)
                 .asset(layer.display(folder))
                 .key(if parsed { "parsed" } else { "" })
+                .parts_in(files.iter().map(|file| (file.file_name(), &file.path)))
                 .evidence(evidence)
-                .over_each(files.iter().map(|file| &file.path))
                 .help("run `git lfs pull`"),
         );
     }

@@ -36,7 +36,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
     for ((folder, reason), files) in idle {
         let names = files.iter().map(|file| file.file_name());
-        let paths = files.iter().map(|file| &file.path);
+        let parts = files.iter().map(|file| (file.file_name(), &file.path));
         let finding = match files.as_slice() {
             [file] => RULE.in_layer(
                 view.layers.checked,
@@ -52,7 +52,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         };
         let help = "give it the name that is looked for, refer to it, or remove it";
         let asset = view.layers.checked.display(folder);
-        out.push(finding.key(reason.0).asset(asset).evidence(Evidence::of_cases(names)).help(help).over_each(paths));
+        out.push(finding.key(reason.0).asset(asset).parts_in(parts).evidence(Evidence::of_cases(names)).help(help));
     }
 }
 

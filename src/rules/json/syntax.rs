@@ -100,13 +100,13 @@ fn special_numbers(file: &FileFacts) -> Option<Finding> {
         1 => "a number that JSON does not have (`NaN` or `Infinity`)".to_owned(),
         count => format!("{count} numbers that JSON does not have (`NaN` or `Infinity`)"),
     };
-    let evidence = Evidence::of_cases(specials.iter().map(|span| format!("byte {}", span.start))).unnamed();
+    let evidence = Evidence::of_unnamed(specials.iter().map(|span| format!("byte {}", span.start)));
     Some(
         RULE.at(file, Place::Span(first.clone()), message)
             .key("special numbers")
             .level(Level::Warning)
             .help("write a finite number; Python accepts this one, JSON does not")
-            .breaks(Application::Makehuman2, "reads it and calculates with it")
+            .effect("reads it and calculates with it")
             .evidence(evidence),
     )
 }

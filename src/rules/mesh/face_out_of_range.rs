@@ -1,7 +1,7 @@
 //! Faces must use what exists.
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::repo::FileFacts;
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -31,6 +31,6 @@ fn run(file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     out.push(
         RULE.at(file, Place::Line(*line), message)
             .help("number vertices from 1; export the mesh again if lines are missing")
-            .evidence(Evidence { examples: lines.collect(), ..tally.evidence(mesh.faces.len()) }),
+            .evidence(tally.evidence(mesh.faces.len()).showing(lines)),
     );
 }

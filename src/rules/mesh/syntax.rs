@@ -25,7 +25,7 @@ fn run(file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         String::new()
     };
     let cases = mesh.facts.unreadable.iter().map(|bad| format!("line {}", bad.line));
-    let mut evidence = Evidence::of_cases(cases).unnamed();
+    let mut evidence = Evidence::of_unnamed(cases);
     evidence.count = mesh.facts.unreadable_lines;
     out.push(
         RULE.at(file, Place::Line(first.line), format!("`{}`: {}{more}", first.text, first.what))

@@ -2,7 +2,6 @@
 
 use std::collections::BTreeSet;
 
-use super::super::cause::schema::is_misshapen;
 use super::super::{Check, Rule, RuleCx};
 use super::groups::{self, Groups, USER_CATEGORY};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
@@ -54,7 +53,7 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
 fn without_user(base: &Base<'_>) -> Option<Finding> {
     let (file, model) = base.user_categories.accepted()?;
     let there = model.categories.iter().any(|category| category.name == USER_CATEGORY);
-    (!is_misshapen(file) && !there).then(|| {
+    (!file.is_misshapen() && !there).then(|| {
         RULE.at(file, Place::File, "the generated target_cat.json has no category `User`")
             .key("generated")
             .level(Level::Error)

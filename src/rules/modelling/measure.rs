@@ -33,14 +33,16 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let negative: Vec<&i64> = line.iter().filter(|vertex| **vertex < 0 && !outside(vertex)).collect();
         if let Some(first) = beyond.first() {
             let message = format!("measures vertex {first}, but the mesh has {}", mesh.facts.vertices);
-            out.push(finding(bound, &message, "").evidence(Evidence::of_cases(&beyond).out_of(line.len())));
+            out.push(
+                finding(bound, &message, "").evidence(Evidence::of_cases(beyond.iter().copied()).out_of(line.len())),
+            );
         } else if let Some(first) = negative.first() {
             let message = format!("measures vertex {first}, which is counted from the end of the mesh");
             let effect = "takes a vertex counted from the end of the mesh and shows a wrong length";
             out.push(
                 finding(bound, &message, effect)
                     .level(Level::Warning)
-                    .evidence(Evidence::of_cases(&negative).out_of(line.len())),
+                    .evidence(Evidence::of_cases(negative.iter().copied()).out_of(line.len())),
             );
         } else if is_circumference(bound) {
             out.extend(open_line(bound, line, &mesh.positions));

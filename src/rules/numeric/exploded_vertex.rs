@@ -40,7 +40,7 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
     out.push(
         at_setting(&RULE, base, seen, &message)
             .key("vertices")
-            .parts(&seen.all)
+            .parts(seen.elements.iter().copied())
             .confidence(Confidence::Medium)
             .help("look for a missing decimal point or another unit; lengths are decimetres")
             .evidence(evidence.with_worst(seen.value, format!("vertex {}", seen.element))),

@@ -112,6 +112,7 @@ mod tests {
     #[expect(clippy::unnecessary_wraps, reason = "stands where measures have an option")]
     fn seen(target: &str) -> Option<Seen> {
         Some(Seen {
+            elements: Vec::new(),
             value: 1.0,
             element: 0,
             name: String::new(),

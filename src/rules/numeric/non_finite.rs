@@ -37,7 +37,7 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
         out.push(
             at_setting(&RULE, base, seen, &message)
                 .key("vertices")
-                .parts(&seen.all)
+                .parts(seen.elements.iter().copied())
                 .help("look for displacements that add up beyond all measure")
                 .evidence(Evidence { count: seen.count as u64, ..Evidence::default() }),
         );

@@ -1,8 +1,9 @@
 //! An override that the application ignores.
 
+use super::super::cause::consequence::ignored_override;
 use super::super::cause::is_ignored_override;
 use super::super::{Check, Rule, RuleCx};
-use super::{Override, SystemFolder, overrides, system_folder};
+use super::overrides;
 use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Place, Rewrite, RuleInfo, Sight};
 use crate::formats::Content;
 use crate::formats::json_file::JsonFault;
@@ -35,7 +36,7 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
         let (place, fault, help) = fault(file);
         let message = format!("the override `{}` is ignored: {fault}", file.rel);
         let finding = RULE.at(file, place, message).key(each.name).help(help);
-        let finding = finding.breaks(Application::Makehuman2, effect(view, base, &each));
+        let finding = finding.effect(ignored_override(view, base, each.name, each.system.is_some()));
         let finding = match &file.content {
             Content::Broken(JsonFault::ByteOrderMark) => {
                 let change = Change::Rewrite(Rewrite::DropByteOrderMark);
@@ -66,22 +67,5 @@ fn fault(file: &FileFacts) -> (Place, String, &'static str) {
             "there is nothing in it, and an empty value counts as no file".to_owned(),
             "fill it, or remove it; a base without macros writes `{\"components\": {}, \"macrodef\": []}`",
         ),
-    }
-}
-
-fn effect(view: &View<'_>, base: &Base<'_>, broken: &Override<'_>) -> String {
-    let folder = system_folder(view, base);
-    let instead = match (broken.system.is_some(), folder) {
-        (true, _) => "logs a line and takes the system's file instead",
-        (false, SystemFolder::Unknown) => "logs a line and takes the system's file instead, if there is one",
-        (false, _) => "logs a line and goes on without such a file",
-    };
-    match (broken.name, folder) {
-        ("macro.json", SystemFolder::Absent) => format!(
-            "{instead}, then stops (FileNotFoundError): it looks for the targets in `target/{}` of the system",
-            base.name
-        ),
-        ("macro.json", _) => format!("{instead}, and searches all targets of the base in the system's folder"),
-        _ => instead.to_owned(),
     }
 }

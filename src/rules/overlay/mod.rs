@@ -8,7 +8,7 @@ pub(super) mod targets_not_in_layer;
 pub(super) mod user_key_clash;
 pub(super) mod user_target_too_deep;
 
-use super::cause::overlay::{has_broken_override, has_misnamed_override, is_active};
+use super::cause::overlay::{SystemFolder, has_broken_override, has_misnamed_override, is_active, system_folder};
 use crate::repo::makehuman2::{Base, Candidate, Overlaid, View};
 use crate::repo::{FileFacts, Reference, Resolution};
 
@@ -45,24 +45,6 @@ fn in_other_layer<'s, 'a>(view: &'s View<'a>, base: &'s Base<'a>) -> impl Iterat
     let references = view.references_of(base);
     references
         .filter(|reference| reference.kind.is_target() && matches!(reference.resolution, Resolution::OtherLayer(_)))
-}
-
-/// What is known of the system's target folder of a base.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum SystemFolder {
-    /// It is there.
-    Exists,
-    /// The base lives in user space alone.
-    Absent,
-    /// No system data was given.
-    Unknown,
-}
-
-fn system_folder(view: &View<'_>, base: &Base<'_>) -> SystemFolder {
-    let rel = format!("target/{}", base.name);
-    let Some(system) = view.layers.system.filter(|_| base.has_system) else { return SystemFolder::Unknown };
-    let exists = system.folders.contains(&rel) || system.below(&rel).next().is_some();
-    if exists { SystemFolder::Exists } else { SystemFolder::Absent }
 }
 
 /// Number of sliders in the user's generated `modelling.json`.

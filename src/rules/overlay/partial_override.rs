@@ -49,7 +49,7 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
     };
     if let Some((file, (level, message, effect, help))) = found {
         let finding = RULE.at(file, Place::File, message).key(base.name).level(level);
-        out.push(finding.breaks(Application::Makehuman2, effect).help(help));
+        out.push(finding.effect(effect).help(help));
     }
 }
 

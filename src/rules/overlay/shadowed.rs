@@ -37,7 +37,7 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
                 .key("never read")
                 .level(Level::Warning)
                 .help(format!("move it to `contarget/{}`, together with its targets", base.name))
-                .breaks(Application::Makehuman2, "does not look for macros there; nothing in the file has an effect"),
+                .effect("does not look for macros there; nothing in the file has an effect"),
         );
     }
 }
@@ -56,7 +56,7 @@ fn contarget_of_system(view: &View<'_>, base: &Base<'_>) -> Option<Finding> {
             .key("contarget of the system")
             .level(Level::Warning)
             .help("move the folder to the user's data folder, or its files to `target` of this one")
-            .breaks(Application::Makehuman2, "looks for overrides in the user's folder only"),
+            .effect("looks for overrides in the user's folder only"),
     )
 }
 

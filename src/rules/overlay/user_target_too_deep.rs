@@ -39,7 +39,7 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
         if deep.len() == 1 { "it" } else { "them" },
     );
     let finding = RULE.at(first, Place::File, message).key(base.name).asset(first.root());
-    let finding = finding.over_each(deep.iter().map(|file| &file.path));
+    let finding = finding.parts_in(deep.iter().map(|file| (file.shown(), &file.path)));
     let help = format!("move them to `{}/<group>/`", folder.rel());
     let evidence = Evidence::of_cases(deep.iter().map(|file| file.shown())).out_of(folder.targets().count());
     out.push(finding.help(help).evidence(evidence));

@@ -114,10 +114,10 @@ fn uneven(body: &Body<'_>, slight: &[(&FileFacts, &TargetMeasure)], judged: usiz
         finding
             .key(body.name)
             .asset(file.root())
-            .parts(slight.iter().flat_map(|(_, target)| {
-                target.own_mirror.different.iter().map(|vertex| format!("{} {vertex}", target.name))
+            .parts_in(slight.iter().flat_map(|(file, target)| {
+                let vertices = target.own_mirror.different.iter();
+                vertices.map(|vertex| (format!("{} {vertex}", target.name), &file.path))
             }))
-            .over_each(slight.iter().map(|(file, _)| &file.path))
             .help("make these vertices symmetric")
             .evidence(evidence.out_of(judged).with_worst(distance, format!("{} vertex {vertex}", target.name))),
     )

@@ -28,7 +28,7 @@ fn run(file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         _ => format!("{count} lines do not have four fields and are skipped (the first has {fields})"),
     };
     let cases = facts.field_count.first.iter().map(|(line, fields)| format!("line {line}: {fields}"));
-    let mut evidence = Evidence::of_cases(cases).unnamed();
+    let mut evidence = Evidence::of_unnamed(cases);
     evidence.count = count;
     let total = facts.rows.saturating_add(usize::try_from(count).unwrap_or(usize::MAX));
     out.push(

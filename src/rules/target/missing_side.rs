@@ -51,7 +51,7 @@ fn finding(stem: &str, files: &[(&FileFacts, String)]) -> Option<Finding> {
         _ => format!("{} targets have no partners on the other side (`{}` and so on)", files.len(), partner),
     };
     let mut finding = RULE.at(first, Place::File, message).key(stem).asset(first.folder());
-    finding = finding.over_each(files.iter().map(|(file, _)| &file.path));
+    finding = finding.parts_in(files.iter().map(|(file, partner)| (partner, &file.path)));
     for (file, partner) in files.iter().skip(1) {
         finding = finding.related(&file.path, Place::File, format!("no `{partner}` either"));
     }

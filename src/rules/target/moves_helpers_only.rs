@@ -36,7 +36,7 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
     };
     let evidence = Evidence::of_cases(hidden.iter().map(|(_, target)| &target.name)).out_of(measures.targets.len());
     let mut finding = RULE.at(file, Place::File, message).key(body.name).asset(file.root()).evidence(evidence);
-    finding = finding.over_each(hidden.iter().map(|(file, _)| &file.path));
+    finding = finding.parts_in(hidden.iter().map(|(file, target)| (&target.name, &file.path)));
     for (file, target) in hidden.iter().skip(1) {
         finding = finding.related(&file.path, Place::File, moved(target.joints, target.helpers));
     }

@@ -15,8 +15,7 @@ pub(super) fn finding(rule: &Rule, file: &FileFacts, facts: &TargetFacts) -> Opt
         format!("`{}` is no number ({rows} rows like it)", first.field)
     };
     let place = Place::Span(first.start..first.start + first.field.len());
-    let mut evidence =
-        Evidence::of_cases(facts.unreadable.iter().map(|field| format!("line {}", field.line))).unnamed();
+    let mut evidence = Evidence::of_unnamed(facts.unreadable.iter().map(|field| format!("line {}", field.line)));
     evidence.count = rows;
     let finding =
         rule.at(file, place, message).parts(facts.unreadable_names.names()).evidence(evidence.out_of(facts.rows));

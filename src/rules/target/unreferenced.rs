@@ -11,6 +11,7 @@ use crate::repo::{FileFacts, Layer};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
+        told_apart: true,
         breaks: &[(
             Application::Makehuman2,
             "reads and packs it at every start without an archive, and never applies it",
@@ -51,12 +52,10 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
         } else {
             out.extend(in_pairs(base, &files).into_iter().map(|(file, decr)| {
                 let name = folder.name_of(file).unwrap_or_default();
-                let parts = [Some(file), decr].into_iter().flatten().map(FileFacts::file_name);
                 let finding = decr
                     .and_then(|decr| folder.name_of(decr))
                     .map_or_else(|| single(base, &without_decr, file, name), |decr| pair(file, name, decr));
-                let pair = [Some(file), decr].into_iter().flatten().map(|file| &file.path);
-                finding.part_of(folder.layer.display(path), parts).over_each(pair)
+                part_of(finding, folder.layer, path, std::iter::once(file).chain(decr))
             }));
         }
     }
@@ -106,11 +105,13 @@ fn pair(file: &FileFacts, incr: &str, decr: &str) -> Finding {
 fn whole_folder(layer: &Layer, path: &str, files: &[&FileFacts]) -> Finding {
     let message = format!("no slider and no macro uses any of the {} targets of this folder", files.len());
     let evidence = Evidence::of_cases(files.iter().map(|file| file.file_name())).out_of(files.len());
-    RULE.in_layer(layer, path, message)
-        .part_of(layer.display(path), files.iter().map(|file| file.file_name()))
-        .over_each(files.iter().map(|file| &file.path))
-        .help("add sliders to modelling.json, or remove the folder")
-        .evidence(evidence)
+    let finding = part_of(RULE.in_layer(layer, path, message), layer, path, files.iter().copied());
+    finding.help("add sliders to modelling.json, or remove the folder").evidence(evidence)
+}
+
+/// Files of a folder are told one by one or all together, as it comes.
+fn part_of<'f>(finding: Finding, layer: &Layer, folder: &str, files: impl Iterator<Item = &'f FileFacts>) -> Finding {
+    finding.asset(layer.display(folder)).parts_in(files.map(|file| (file.file_name(), &file.path)))
 }
 
 fn single(base: &Base<'_>, sliders: &BTreeMap<&str, &str>, file: &FileFacts, name: &str) -> Finding {

@@ -27,9 +27,8 @@ fn run(file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         }
     };
     let cases = tally.first.iter().map(|(bone, position, ..)| format!("{bone}[{position}]"));
-    let mut evidence = Evidence::of_cases(cases).out_of(weights.bones.iter().map(|bone| bone.listed).sum());
+    let mut evidence = Evidence::of_unnamed(cases).out_of(weights.bones.iter().map(|bone| bone.listed).sum());
     evidence.count = tally.count;
-    evidence = evidence.unnamed();
     out.push(
         RULE.at(file, Place::pointer(["weights", bone, &position.to_string()]), message)
             .help("write a vertex number without a point and a weight between 0 and 1")

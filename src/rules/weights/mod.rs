@@ -19,7 +19,7 @@ pub(super) mod unweighted_vertex;
 pub(super) mod vertex_out_of_range;
 
 use super::cause::weights::{has_unusable_entries, unusable_entries};
-use crate::diag::{Evidence, Place};
+use crate::diag::{Cases, Place};
 use crate::formats::mhw::{PairTally, Weights};
 use crate::repo::FileFacts;
 
@@ -40,7 +40,7 @@ fn pair_place(tally: &PairTally) -> Option<Place> {
 }
 
 /// Adds the largest number of a tally.
-fn worst(evidence: Evidence, tally: &PairTally) -> Evidence {
+fn worst(evidence: Cases, tally: &PairTally) -> Cases {
     match &tally.worst {
         Some((bone, vertex, weight)) => evidence.with_worst(f64::from(*weight), format!("{bone}[{vertex}]")),
         None => evidence,

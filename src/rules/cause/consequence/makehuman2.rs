@@ -1,11 +1,13 @@
 //! What MakeHuman 2 does with a file that it cannot read (formats/makehuman2.md §1, §2, §5.2, §7, §9, §10, §11, §12, §19, §20,
 //! §21).
 
+use super::super::overlay::{SystemFolder, system_folder};
 use super::table::At::{Below, Generated, Named, Path};
 use super::table::{Cell, Row, Table, anywhere, cell, level, row};
 use super::{Consequence, Damage, Moment};
 use crate::diag::Level::{Error, Info, Warning};
 use crate::discover::{Kind, opened};
+use crate::repo::makehuman2::{Base, View};
 use Damage::{
     Closed, Empty, MarkedComment, MarkedRow, MarkedWord, Needless, NotUtf8, Packed, Pointer, Refused, Syntax, TooDeep,
 };
@@ -174,3 +176,21 @@ const IN_GENERAL: &[Cell] = &[
     level(TooDeep, Error),
     cell(Packed, Info, "never opens it"),
 ];
+
+/// What becomes of a base whose override of this name is ignored, with or without a file of the system's behind it.
+pub(in crate::rules) fn ignored_override(view: &View<'_>, base: &Base<'_>, name: &str, has_system: bool) -> String {
+    let folder = system_folder(view, base);
+    let instead = match (has_system, folder) {
+        (true, _) => "logs a line and takes the system's file instead",
+        (false, SystemFolder::Unknown) => "logs a line and takes the system's file instead, if there is one",
+        (false, _) => "logs a line and goes on without such a file",
+    };
+    match (name, folder) {
+        ("macro.json", SystemFolder::Absent) => format!(
+            "{instead}, then stops (FileNotFoundError): it looks for the targets in `target/{}` of the system",
+            base.name
+        ),
+        ("macro.json", _) => format!("{instead}, and searches all targets of the base in the system's folder"),
+        _ => instead.to_owned(),
+    }
+}

@@ -7,6 +7,7 @@ mod makehuman2_values;
 mod mpfb;
 mod table;
 
+pub(in crate::rules) use makehuman2::ignored_override;
 pub(in crate::rules) use makehuman2_values::of_value;
 use table::{Row, Table};
 

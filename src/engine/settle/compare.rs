@@ -1,0 +1,160 @@
+//! Two sets of findings compared: what is new, worse, the same or gone.
+
+use std::cell::Cell;
+use std::collections::BTreeMap;
+
+use crate::diag::{Level, Parts};
+
+/// A finding as it is compared.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::engine) struct Claim<'f> {
+    pub(in crate::engine) rule: &'f str,
+    pub(in crate::engine) asset: &'f str,
+    pub(in crate::engine) key: &'f str,
+    pub(in crate::engine) parts: &'f Parts,
+    /// How bad it is, whatever the settings make of it.
+    pub(in crate::engine) level: Level,
+}
+
+/// What a finding is to those before.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(in crate::engine) enum Standing {
+    /// There was none of its subject.
+    New,
+    /// It is of a higher level, or has parts that were not there as bad: these.
+    Worse(Parts),
+    /// It was there, as bad.
+    Same,
+}
+
+/// What compares two sets.
+#[derive(Debug, PartialEq, Eq)]
+pub(in crate::engine) struct Comparison {
+    /// Of each finding now.
+    pub(in crate::engine) now: Vec<Standing>,
+    /// Numbers of those before that are there no more.
+    pub(in crate::engine) gone: Vec<usize>,
+}
+
+/// Compares findings. Several may have asset and key in common: what a rule tells now of each part, now of all
+/// together. Together they speak for one, and one for them. One without parts stands for one.
+pub(in crate::engine) fn compare(before: &[Claim<'_>], now: &[Claim<'_>]) -> Comparison {
+    let met = vec![Cell::new(false); before.len()];
+    let mut alike: BTreeMap<_, Vec<Known<'_>>> = BTreeMap::new();
+    for (claim, met) in before.iter().zip(&met) {
+        alike.entry(claim.subject()).or_default().push(Known { claim, met });
+    }
+    let now = now.iter().map(|claim| alike.get(&claim.subject()).map_or(Standing::New, |known| standing(claim, known)));
+    Comparison { now: now.collect(), gone: (0..).zip(&met).filter(|(_, met)| !met.get()).map(|(at, _)| at).collect() }
+}
+
+/// One of those before.
+struct Known<'k> {
+    claim: &'k Claim<'k>,
+    /// Whether it is still there.
+    met: &'k Cell<bool>,
+}
+
+/// What a finding is to those of its asset and key.
+fn standing(claim: &Claim<'_>, known: &[Known<'_>]) -> Standing {
+    let is_as_bad = |known: &Known<'_>| known.claim.level >= claim.level;
+    let (whole, named): (Vec<&Known<'_>>, Vec<_>) = known.iter().partition(|known| known.claim.parts.is_empty());
+    let unmet = || whole.iter().filter(|known| !known.met.get());
+    if let Some(one) = unmet().find(|known| is_as_bad(known)).or_else(|| unmet().next()) {
+        one.met.set(true);
+        return if is_as_bad(one) { Standing::Same } else { Standing::Worse(claim.parts.clone()) };
+    }
+    let is_part_of = |other: &Parts| claim.parts.without([other]).count() < claim.parts.count();
+    let told: Vec<&Known<'_>> =
+        named.into_iter().filter(|one| known.len() == 1 || is_part_of(one.claim.parts)).collect();
+    told.iter().for_each(|known| known.met.set(true));
+    let worse = claim.parts.without(told.iter().filter(|known| is_as_bad(known)).map(|known| known.claim.parts));
+    match (told.is_empty(), claim.parts.is_empty() || !worse.is_empty()) {
+        (true, _) => Standing::New,
+        (_, true) => Standing::Worse(worse),
+        (_, false) => Standing::Same,
+    }
+}
+
+impl Claim<'_> {
+    /// What it is about, without its parts.
+    const fn subject(&self) -> (&str, &str, &str) {
+        (self.rule, self.asset, self.key)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn parts(names: &[&str]) -> Parts {
+        names.iter().collect()
+    }
+
+    fn claim<'p>(key: &'p str, level: Level, parts: &'p Parts) -> Claim<'p> {
+        Claim { rule: "r", asset: "a", key, parts, level }
+    }
+
+    fn compared(before: &[&[&str]], now: &[&[&str]]) -> (Vec<Standing>, Vec<usize>) {
+        let parts = |all: &[&[&str]]| all.iter().map(|names| parts(names)).collect::<Vec<_>>();
+        let (before, now) = (parts(before), parts(now));
+        let before: Vec<_> = before.iter().map(|parts| claim("", Level::Warning, parts)).collect();
+        let now: Vec<_> = now.iter().map(|parts| claim("", Level::Warning, parts)).collect();
+        let Comparison { now, gone } = compare(&before, &now);
+        (now, gone)
+    }
+
+    fn worse(names: &[&str]) -> Standing {
+        Standing::Worse(parts(names))
+    }
+
+    #[test]
+    fn another_rule_asset_or_key_is_new_and_the_old_one_gone() {
+        let none = Parts::default();
+        let old = claim("k", Level::Warning, &none);
+        for new in [Claim { rule: "s", ..old }, Claim { asset: "b", ..old }, Claim { key: "l", ..old }] {
+            assert_eq!(compare(&[old], &[new]), Comparison { now: vec![Standing::New], gone: vec![0] });
+        }
+        assert_eq!(compare(&[old], &[old]), Comparison { now: vec![Standing::Same], gone: Vec::new() });
+    }
+
+    #[test]
+    fn a_higher_level_is_worse_and_a_lower_one_the_same() {
+        let one = parts(&["x"]);
+        let at = |level| compare(&[claim("", Level::Warning, &one)], &[claim("", level, &one)]);
+        assert_eq!([Level::Info, Level::Warning].map(|level| at(level).now), [[Standing::Same], [Standing::Same]]);
+        assert_eq!(at(Level::Error), Comparison { now: vec![worse(&["x"])], gone: Vec::new() });
+    }
+
+    #[test]
+    fn a_part_that_was_not_there_is_worse() {
+        let known = |now: &[&str]| compared(&[&["x", "y"]], &[now]);
+        assert_eq!(
+            [known(&["x"]), known(&["y", "x"])],
+            [(vec![Standing::Same], vec![]), (vec![Standing::Same], vec![])]
+        );
+        assert_eq!(known(&["z", "x"]), (vec![worse(&["z"])], vec![]));
+        assert_eq!(known(&["z"]), (vec![worse(&["z"])], vec![]), "the only one of its subject");
+        assert_eq!(known(&[]), (vec![worse(&[])], vec![]), "too many to be told apart");
+        let (old, new) = (parts(&["x"]), Parts::in_files([("x", "one"), ("y", "two")]));
+        let compared = compare(&[claim("", Level::Info, &old)], &[claim("", Level::Info, &new)]);
+        let [Standing::Worse(worse)] = compared.now.as_slice() else { panic!("{compared:?}") };
+        assert_eq!(worse.iter().map(|(_, file)| file).collect::<Vec<_>>(), [Some("two")]);
+    }
+
+    #[test]
+    fn findings_of_one_subject_speak_together_and_apart() {
+        let (same, x, y): (_, &[&str], &[&str]) = (Standing::Same, &["x"], &["y"]);
+        assert_eq!(compared(&[x, y], &[&["x", "y"]]), (vec![same.clone()], vec![]));
+        assert_eq!(compared(&[&["x", "y"]], &[x, y]), (vec![same.clone(), same.clone()], vec![]));
+        assert_eq!(compared(&[x, y], &[y]), (vec![same.clone()], vec![0]));
+        assert_eq!(compared(&[x, y], &[x, &["z"]]), (vec![same, Standing::New], vec![1]));
+    }
+
+    #[test]
+    fn one_without_parts_stands_for_one() {
+        assert_eq!(compared(&[&[]], &[&[], &[]]), (vec![Standing::Same, Standing::New], vec![]));
+        assert_eq!(compared(&[&[], &[]], &[&[]]), (vec![Standing::Same], vec![1]));
+        assert_eq!(compared(&[&[]], &[&["x"]]), (vec![Standing::Same], vec![]));
+    }
+}
