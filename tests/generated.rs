@@ -61,6 +61,7 @@ fn about(family: &str) -> &'static str {
         "file" => "files as such: names, references, links, encodings, packing",
         "json" => "JSON as such: syntax, schema, keys",
         "macro" => "macro targets: `macro.json` and the combinations it names",
+        "material" => "materials (`.mhmat`) and the textures they name",
         "mesh" => "meshes (`.obj`)",
         "modelling" => "sliders: `modelling.json` and `target_cat.json`",
         "numeric" => "the evaluated figure: shapes, joints and weights over the range of the sliders",

@@ -4,6 +4,7 @@ use super::base_json::BaseJson;
 use super::geometry::Geometry;
 use super::json_file::JsonFault;
 use super::macro_json::MacroFile;
+use super::mhmat::Material;
 use super::mhskel::Skeleton;
 use super::mhw::Weights;
 use super::modelling::Modelling;
@@ -40,6 +41,8 @@ pub enum Content {
     Mesh(Box<Mesh>),
     /// `.target`.
     Target(Box<TargetFacts>),
+    /// `.mhmat`.
+    Material(Box<Material>),
     /// `compressedtargets.npz`.
     Archive(Box<Archive>),
 }

@@ -16,6 +16,7 @@ pub mod inline_ignore;
 pub mod json_file;
 pub mod macro_json;
 pub mod mhclo;
+pub mod mhmat;
 pub mod mhskel;
 pub mod mhw;
 pub mod mhw_edit;

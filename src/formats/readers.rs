@@ -6,7 +6,7 @@ use super::inline_ignore::{self, InlineIgnore};
 use super::json_file::{self, JsonFacts, JsonFault};
 use super::table::{Format, Reader, Syntax};
 use super::target::{self, MeshSize, Row};
-use super::{Content, mhw, npz, obj};
+use super::{Content, mhmat, mhw, npz, obj};
 use crate::json::{self, Document, SchemaFaults};
 use crate::source::{Encoding, GzipFault, Limits, try_gunzip, zip_bomb};
 
@@ -48,14 +48,19 @@ impl Format {
         if input.encoding.lfs_pointer {
             return Parsed { content: self.without(JsonFault::LfsPointer), ..Parsed::default() };
         }
+        let parsed = self.parsed(input);
+        if self.comments.is_empty() {
+            return parsed;
+        }
+        Parsed { ignores: inline_ignore::of_lines(input.bytes, self.comments), ..parsed }
+    }
+
+    fn parsed(&self, input: &Input<'_>) -> Parsed {
         match (self.reader, self.syntax) {
             (Some(Reader::Bytes(read)), _) => read(input),
             (Some(Reader::Tree(model)), _) => tree(input, self.schema, model),
             (None, Syntax::Json) => tree(input, self.schema, |_| Content::Json),
-            (None, Syntax::Text) => {
-                Parsed { ignores: inline_ignore::of_lines(input.bytes, self.comments), ..hashed(input) }
-            }
-            (None, Syntax::Binary) => hashed(input),
+            (None, Syntax::Text | Syntax::Binary) => hashed(input),
         }
     }
 
@@ -91,6 +96,11 @@ pub(super) fn target(input: &Input<'_>) -> Parsed {
         rows: parsed.rows,
         ..Parsed::default()
     }
+}
+
+/// A material. One without anything in it names nothing.
+pub(super) fn material(input: &Input<'_>) -> Parsed {
+    Parsed { content: Content::Material(Box::new(mhmat::read(input.bytes))), ..hashed(input) }
 }
 
 /// A file without anything in it gives no mesh: everything measured against none would be out of range.

@@ -1,6 +1,6 @@
 //! The table of formats: what is to be known of each kind of file before and while it is read.
 
-use super::readers::{archive, mesh, packed, target, weights, zip};
+use super::readers::{archive, material, mesh, packed, target, weights, zip};
 use super::{Content, Input, Parsed, base_json, geometry, macro_json, mhskel, modelling, target_cat};
 use crate::discover::Kind;
 use crate::json::Document;
@@ -101,7 +101,7 @@ pub static FORMATS: [Format; 25] = [
     mhw(Kind::AssetWeights, Needs::Nothing),
     plain(Kind::Pose, "JSON", Syntax::Json),
     text(Kind::Clothes, &["#"]),
-    text(Kind::Material, &["#", "//"]),
+    Format { comments: &["#", "//"], ..read(Kind::Material, "text asset", Syntax::Text, material) },
     text(Kind::Model, &["#"]),
     text(Kind::Motion, &[]),
     text(Kind::MotionMeta, &[]),

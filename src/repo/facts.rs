@@ -4,6 +4,7 @@ use crate::discover::{Kind, Use, owner_of};
 use crate::formats::Content;
 use crate::formats::inline_ignore::InlineIgnore;
 use crate::formats::json_file::JsonFacts;
+use crate::formats::mhmat::Material;
 use crate::formats::mhskel::Skeleton;
 use crate::formats::mhw::Weights;
 use crate::formats::npz::Archive;
@@ -114,6 +115,11 @@ impl FileFacts {
     /// The skeleton, if it is one that could be read.
     pub fn skeleton(&self) -> Option<&Skeleton> {
         if let Content::Skeleton(skeleton) = &self.content { Some(skeleton) } else { None }
+    }
+
+    /// The material, if it is one that could be read.
+    pub fn material(&self) -> Option<&Material> {
+        if let Content::Material(material) = &self.content { Some(material) } else { None }
     }
 
     /// The mesh, if it is one that could be read.

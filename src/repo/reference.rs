@@ -43,6 +43,8 @@ pub enum ReferenceKind {
     PoseSkeleton,
     /// `mhm` in `base.json`.
     Model,
+    /// A picture in a material.
+    Texture,
 }
 
 /// What a reference leads to.

@@ -9,6 +9,7 @@ mod config;
 mod file;
 mod json;
 mod macros;
+mod material;
 mod mesh;
 mod modelling;
 mod numeric;
@@ -83,6 +84,7 @@ pub(crate) static RULES: &[&Rule] = &[
     &macros::unknown_pattern::RULE,
     &macros::unreferenced_target::RULE,
     &macros::unused_component::RULE,
+    &material::missing_texture::RULE,
     &mesh::face_out_of_range::RULE,
     &mesh::group_name::RULE,
     &mesh::non_finite::RULE,

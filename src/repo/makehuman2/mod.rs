@@ -1,5 +1,5 @@
 //! The data of `MakeHuman` 2, connected as it does: contarget over target, the user's sliders merged on top, names of
-//! files in macros, sliders, skeletons and `base.json`.
+//! files in macros, sliders, skeletons, materials and `base.json`.
 
 mod base;
 mod intent;
@@ -9,6 +9,7 @@ mod rigs;
 mod shown;
 mod slider;
 mod target_folder;
+mod textures;
 mod unbound;
 mod usage;
 mod view;

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::base::{Sources, base_names, resolve};
 use super::references::collect;
 use super::usage::Usage;
-use super::{Base, unbound};
+use super::{Base, textures, unbound};
 use crate::discover::Kind;
 use crate::repo::{Body, BodyWeights, FileFacts, Layers, Reference, References, Target};
 
@@ -26,7 +26,12 @@ impl<'a> View<'a> {
     pub fn connect(layers: Layers<'a>) -> Self {
         let sources = Sources::new(layers.system, layers.user);
         let bases: Vec<Base<'a>> = base_names(sources).into_iter().map(|name| resolve(name, sources)).collect();
-        let references = References::new(bases.iter().flat_map(collect).collect());
+        let mut textures = textures::by_base(layers);
+        let of_base = |base| collect(base).into_iter().chain(textures.remove(base.name).unwrap_or_default());
+        let mut references: Vec<Reference<'a>> = bases.iter().flat_map(of_base).collect();
+        // Assets for a base that no layer has.
+        references.extend(textures.into_values().flatten());
+        let references = References::new(references);
         let usage = Usage::of(layers, &bases, &references);
         Self { layers, bases, references, usage }
     }

@@ -10,7 +10,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
         breaks: &[(Application::Makehuman2, "finds nothing there on any other computer")],
         docs: "The name begins with `/`, `\\` or a drive letter: it says where the file is on one computer. Names in assets are relative to a \
             folder of the data (targets and icons to the target folder, weights and skeletons to `rigs/<base>/`, models to \
-            `base/<base>/`).\n\nOn every other computer the file is missing. Write the name relative to its folder.",
+            `base/<base>/`, textures to that of their material).\n\nOn every other computer the file is missing. Write the name relative to its folder.",
         ..RuleInfo::new("file-absolute-path", Level::Error, "a reference with an absolute path or a drive letter")
     },
     check: Check::Repository(run),

@@ -5,10 +5,10 @@ use std::collections::BTreeMap;
 use super::super::cause::is_generated;
 use super::super::{Check, Rule, RuleCx};
 use super::named::{Cause, alike, causes, differs_in_form, effect, is_known_by, written};
-use super::spelling::{as_on_disk, differing, folder_on_disk, found, plain};
+use super::spelling::{as_on_disk, differing, folder_on_disk, found, plain, respelled};
 use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Place, RuleInfo};
 use crate::discover::opened::misnamed;
-use crate::repo::{Reference, Resolution, View, makehuman2};
+use crate::repo::{Reference, ReferenceKind, Resolution, View, makehuman2};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -16,7 +16,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
         breaks: &[(Application::Makehuman2, "finds it on Windows and macOS, on Linux it does not exist")],
         docs: "The name is written with other capitals than the file has. On Windows and on most Macs that makes no difference, on Linux it \
             does, and inside `compressedtargets.npz` everywhere.\n\nWhat follows is what follows from a missing file: an exception when \
-            the slider moves, a refused skeleton, an empty button.\n\nThe same goes for base.json, base.obj, macro.json, modelling.json and target_cat.json, which are looked for by these names alone.\n\nAccented letters can be written in two forms that \
+            the slider moves, a refused skeleton, an empty button, a colour instead of a texture.\n\nThe same goes for base.json, base.obj, macro.json, modelling.json and target_cat.json, which are looked for by these names alone.\n\nAccented letters can be written in two forms that \
             look alike, as one letter or as a letter and a mark (Unicode normalisation). macOS finds either, other systems only what is written.\n\nWrite the name exactly as the file is called, or rename \
             the file. A folder whose name differs is reported once for the file that refers into it.",
         ..RuleInfo::new("file-case-mismatch", Level::Error, "a reference that differs from its file in case")
@@ -83,6 +83,9 @@ fn differs_in_extension(written: &str, real: &str) -> bool {
 
 /// What to write, as far as possible in the words of the file that is at fault.
 fn meant(first: &Reference<'_>, name: &str, on_disk: &str) -> String {
+    if let (ReferenceKind::Texture, Some(found)) = (first.kind, found(first)) {
+        return respelled(first.text, found);
+    }
     let is_whole = found(first).is_some_and(|found| found == on_disk);
     if let Some(text) = as_on_disk(first).filter(|_| is_whole) {
         return text;

@@ -97,10 +97,10 @@ pub(super) fn written(fix: Fix, reference: &Reference<'_>, text: Option<String>)
 
 /// How bad it is if the application finds nothing.
 fn level(kind: ReferenceKind) -> Level {
-    if kind == ReferenceKind::Icon { Level::Warning } else { Level::Error }
+    if matches!(kind, ReferenceKind::Icon | ReferenceKind::Texture) { Level::Warning } else { Level::Error }
 }
 
-/// What MakeHuman 2 does if it finds nothing (formats/makehuman2.md §3.6, §4.3, §7, §10).
+/// What MakeHuman 2 does if it finds nothing (formats/makehuman2.md §3.6, §4.3, §7, §10, §17).
 pub(super) fn effect(kind: ReferenceKind) -> &'static str {
     match kind {
         ReferenceKind::MacroTarget | ReferenceKind::Incr | ReferenceKind::Decr => {
@@ -110,6 +110,7 @@ pub(super) fn effect(kind: ReferenceKind) -> &'static str {
         ReferenceKind::WeightsFile => "refuses the skeleton",
         ReferenceKind::PoseSkeleton => "has no poses and no bone weights for assets, without a word",
         ReferenceKind::Model => "stops at start with a TypeError",
+        ReferenceKind::Texture => "goes without the texture, without a message",
     }
 }
 

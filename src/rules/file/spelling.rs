@@ -2,7 +2,7 @@
 
 use crate::diag::Place;
 use crate::formats::macro_json::without_suffix;
-use crate::repo::{Reference, Resolution};
+use crate::repo::{Reference, Resolution, fold};
 
 /// The file that a name leads to where capitals make no difference.
 pub(super) fn found<'a>(reference: &Reference<'a>) -> Option<&'a str> {
@@ -46,6 +46,15 @@ fn begin(reference: &Reference<'_>) -> Option<usize> {
     let of_target = |text: &str| stem.and_then(|stem| stem.strip_suffix(text));
     let above = rel.strip_suffix(text).or_else(|| of_target(text)).or_else(|| of_target(without_suffix(text)));
     above.map(str::len)
+}
+
+/// A name with its last parts as the file has them, as far as they differ in capitals only. It need not be the end of the
+/// path: the loader may leave out its first part.
+pub(super) fn respelled(text: &str, found: &str) -> String {
+    let mut parts: Vec<&str> = text.split(['/', '\\']).collect();
+    let same = parts.iter_mut().rev().zip(found.rsplit('/')).take_while(|(part, name)| fold(part) == fold(name));
+    same.for_each(|(part, name)| *part = name);
+    parts.join("/")
 }
 
 /// Where a folder that is at fault is written, and as what it has to be.
@@ -101,6 +110,12 @@ mod tests {
         let both = |a: &str, b: &str| (a.to_owned(), b.to_owned());
         assert_eq!(differing("t/Head/a.target", "t/head/a.target"), both("t/Head", "t/head"));
         assert_eq!(differing("t/Head/A.target", "t/head/a.target"), both("t/Head/A.target", "t/head/a.target"));
+    }
+
+    #[test]
+    fn the_end_of_a_name_is_written_as_the_file_is_called() {
+        assert_eq!(respelled("skins/Textures\\A.png", "skins/b/textures/a.png"), "skins/textures/a.png");
+        assert_eq!(respelled("../A.png", "skins/a.png"), "../a.png");
     }
 
     #[test]

@@ -7,7 +7,7 @@ use super::icons;
 use crate::diag::{Application, Evidence, Finding, Level, RuleInfo, Sight};
 use crate::discover::Kind;
 use crate::discover::opened::{extension, misnamed, opens};
-use crate::repo::{FileFacts, Resolution, View, makehuman2};
+use crate::repo::{FileFacts, ReferenceKind, Resolution, View, makehuman2};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -63,7 +63,8 @@ type Reason = (String, String);
 struct References<'r> {
     used_icons: BTreeSet<String>,
     icons: icons::Icons<'r>,
-    /// Paths of the files that something names but for capitals: the finding on that reference names the file.
+    /// Paths of textures, and of the files that something names but for capitals: the finding on that reference names
+    /// the file.
     meant: BTreeSet<&'r str>,
     /// Names of files that are not there, of which one may be there packed.
     missing: BTreeSet<&'r str>,
@@ -75,6 +76,8 @@ impl<'r> References<'r> {
         for reference in &view.references {
             match reference.resolution {
                 Resolution::CaseOnly(found) | Resolution::Backslash(Some(found)) => meant.insert(found.path.as_str()),
+                // A texture may be called anything.
+                Resolution::Found(found) if reference.kind == ReferenceKind::Texture => meant.insert(&found.path),
                 Resolution::Missing => missing.insert(reference.rel.as_str()),
                 _ => false,
             };

@@ -43,6 +43,29 @@ pub fn is_scanned(rel: &str) -> bool {
     wanted && SCANNED.contains(&folder) && matches!(rel.split('/').count(), 3 | 4)
 }
 
+/// Whose surface a material is for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct MaterialUse<'p> {
+    /// The folder at the top in which its textures are looked for, besides those around it.
+    pub folder: &'p str,
+    /// Whether it is offered only for an asset whose folder it lies in, or below.
+    pub is_worn: bool,
+}
+
+/// Folders of what a body wears.
+const WORN: [&str; 8] = ["clothes", "hair", "eyes", "eyebrows", "eyelashes", "teeth", "tongue", "proxy"];
+
+/// What the application has a material of this path for: skins, one folder deep, the base mesh, and what is worn
+/// (formats/makehuman2.md §17).
+pub fn material_of(rel: &str) -> Option<MaterialUse<'_>> {
+    match rel.split('/').collect::<Vec<_>>().as_slice() {
+        ["skins", _, _] | ["skins", _, _, _] | ["base", _, _] => Some(MaterialUse { folder: "skins", is_worn: false }),
+        [folder, _, "materials", _, ..] if WORN.contains(folder) => Some(MaterialUse { folder, is_worn: false }),
+        [folder, _, _, ..] if WORN.contains(folder) => Some(MaterialUse { folder, is_worn: true }),
+        _ => None,
+    }
+}
+
 /// The path under which a file of this name but for its capitals is looked for, where nothing has that path.
 pub fn misnamed(rel: &str, exists: impl Fn(&str) -> bool) -> Option<String> {
     let (folder, name) = rel.rsplit_once('/')?;
@@ -97,6 +120,23 @@ mod tests {
             ("clothes/b/x/anything", true),
         ] {
             assert_eq!(opens(rel), opened, "{rel}");
+        }
+    }
+
+    #[test]
+    fn materials_are_those_of_skins_bases_and_what_is_worn() {
+        for (rel, found) in [
+            ("skins/b/x.mhmat", Some(("skins", false))),
+            ("skins/b/x/x.mhmat", Some(("skins", false))),
+            ("skins/b/x/y/x.mhmat", None),
+            ("base/b/x.mhmat", Some(("skins", false))),
+            ("eyes/b/materials/x.mhmat", Some(("eyes", false))),
+            ("clothes/b/a/materials/x.mhmat", Some(("clothes", true))),
+            ("clothes/b/materials", Some(("clothes", true))),
+            ("poses/b/x.mhmat", None),
+            ("clothes/x.mhmat", None),
+        ] {
+            assert_eq!(material_of(rel).map(|use_of| (use_of.folder, use_of.is_worn)), found, "{rel}");
         }
     }
 

@@ -1,0 +1,3 @@
+//! Materials: `.mhmat`.
+
+pub(in crate::rules) mod missing_texture;
