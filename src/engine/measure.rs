@@ -5,8 +5,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::caught::caught;
 use super::load::{Data, load_targets};
 use crate::config::Config;
+use crate::diag::Application;
 use crate::eval::measures::Measures;
 use crate::evaluate::{self, Rows};
+use crate::repo::Layer;
 use crate::repo::makehuman2::Base;
 
 /// Reads the targets of all bases and measures each base of each repository: one map a repository. What could not be
@@ -51,8 +53,11 @@ fn measure_base(
     failed: &mut Vec<String>,
 ) {
     let stacks = data.stacks();
-    let concerned: Vec<bool> =
-        stacks.iter().map(|(_, _, judged)| judged.layer.files.values().any(|file| file.base() == Some(name))).collect();
+    let is_concerned = |layer: &Layer| {
+        let is_of_makehuman2 = layer.layouts.iter().any(|layout| layout.application == Application::Makehuman2);
+        is_of_makehuman2 && layer.files.values().any(|file| file.base() == Some(name))
+    };
+    let concerned: Vec<bool> = stacks.iter().map(|(_, _, judged)| is_concerned(&judged.layer)).collect();
     let last = concerned.iter().rposition(|concerned| *concerned);
     for (number, ((system, user, _), found)) in stacks.into_iter().zip(measures).enumerate() {
         if concerned.get(number) != Some(&true) {

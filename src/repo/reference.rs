@@ -43,6 +43,10 @@ pub enum ReferenceKind {
     PoseSkeleton,
     /// `mhm` in `base.json`.
     Model,
+    /// A slot of `opposites` in `target.json`.
+    Slot,
+    /// `name` in `target.json` of a slider without `opposites`.
+    SliderName,
 }
 
 /// What a reference leads to.
@@ -71,7 +75,7 @@ pub enum Resolution<'a> {
 impl ReferenceKind {
     /// Whether it is a morph target.
     pub const fn is_target(self) -> bool {
-        matches!(self, Self::MacroTarget | Self::Incr | Self::Decr)
+        matches!(self, Self::MacroTarget | Self::Incr | Self::Decr | Self::Slot | Self::SliderName)
     }
 }
 
