@@ -5,8 +5,7 @@ use crate::discover::Kind;
 use crate::formats::Content;
 use crate::formats::json_file::JsonFault;
 use crate::json::SyntaxKind;
-use crate::repo::makehuman2::Base;
-use crate::repo::{FileFacts, Layers, View};
+use crate::repo::{FileFacts, View};
 
 /// Whether the content of the file is not at hand: it was not read, or is a stand-in.
 fn is_unread(file: &FileFacts) -> bool {
@@ -17,17 +16,6 @@ fn is_unread(file: &FileFacts) -> bool {
 /// folder of a user is never opened, either (`overlay-shadowed`).
 pub(in crate::rules) fn is_unmet(view: &View<'_>, file: &FileFacts) -> bool {
     is_unread(file) || moment(view, &file.rel) == Moment::Never
-}
-
-/// Whether a path lies in the target folder of a user, whose JSON MakeHuman 2 writes itself.
-pub(in crate::rules) fn is_generated(layers: Layers<'_>, rel: &str) -> bool {
-    let user = layers.user.is_some_and(|user| std::ptr::eq(user, layers.checked));
-    user && !layers.is_one_root() && rel.starts_with("target/")
-}
-
-/// Whether the file is the `modelling.json` of a base that MakeHuman 2 makes from the user's targets.
-pub(in crate::rules) fn is_generated_for(base: &Base<'_>, file: &FileFacts) -> bool {
-    base.user_modelling.file().is_some_and(|own| std::ptr::eq(own, file))
 }
 
 /// Whether the file is one of `contarget/` that falls back to the system's where it cannot be read: the fallback is the

@@ -6,8 +6,10 @@ pub(super) mod archived;
 pub(super) mod component;
 pub(super) mod consequence;
 mod file;
+mod generated;
 pub(super) mod overlay;
 pub(super) mod schema;
 pub(super) mod weights;
 
-pub(super) use file::{counts_as_missing, is_generated, is_generated_for, is_ignored_override, is_override, is_unmet};
+pub(super) use file::{counts_as_missing, is_ignored_override, is_override, is_unmet};
+pub(super) use generated::{is_generated, is_generated_for};
