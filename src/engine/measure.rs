@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::caught::caught;
 use super::load::{Data, Loaded, load_targets};
 use crate::config::Config;
+use crate::diag::Application;
 use crate::eval::measures::Measures;
 use crate::evaluate::{self, Rows};
 use crate::repo::makehuman2::Base;
@@ -44,8 +45,11 @@ fn names(data: &Data<'_>) -> BTreeSet<Option<String>> {
     names
 }
 
-/// Names of the bases that files of a root belong to, its targets included.
+/// Names of the bases that files of a root of MakeHuman 2 belong to, its targets included.
 fn bases_of(root: &Loaded<'_>) -> BTreeSet<String> {
+    if !root.layer.layouts.iter().any(|layout| layout.application == Application::Makehuman2) {
+        return BTreeSet::new();
+    }
     let files = root.layer.files.values().filter_map(|file| file.base());
     files.chain(root.place.target_bases().into_iter().flatten()).map(str::to_owned).collect()
 }
