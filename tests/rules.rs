@@ -12,7 +12,8 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use mhlint::rule_infos;
+use mhlint::engine::trial;
+use mhlint::{Tree, rule_infos};
 use rayon::prelude::*;
 use scratch::memory::{Asked, Memory, concise};
 use scratch::{Case, example, findings, mhlint, project};
@@ -36,7 +37,7 @@ fn every_case_gives_exactly_its_findings() {
 
 #[test]
 fn every_rule_has_cases_and_every_folder_a_rule() {
-    let ids: BTreeSet<String> = rule_infos().into_iter().map(|rule| rule.id.to_owned()).collect();
+    let ids: BTreeSet<String> = trial::rule_infos().into_iter().map(|rule| rule.id.to_owned()).collect();
     let folders: BTreeSet<String> = fixtures().into_iter().map(|fixture| fixture.rule).collect();
     assert_eq!(folders, ids);
     for id in &ids {
@@ -53,7 +54,7 @@ fn memory_and_binary_find_the_same() {
     for fixture in fixtures().into_iter().filter(|fixture| fixture.name == "bad") {
         let case = Case::read(&fixture.folder);
         let family = fixture.rule.split('-').next().unwrap().to_owned();
-        if Asked::of(&case).is_some() && families.insert(family) {
+        if case.application.is_none() && Asked::of(&case).is_some() && families.insert(family) {
             let [ours, binary] = [by_library(&case), by_binary(&case)].map(Result::unwrap);
             let differs = || format!("{}: {ours:#?} {binary:#?}", fixture.rule);
             faults.extend((ours != binary).then(differs));
@@ -68,6 +69,28 @@ fn the_example_repository_is_silent() {
     let output = mhlint(&project("fixtures"), &["makehuman2", "--report", "concise"]);
     assert_eq!(findings(&output), Vec::<String>::new());
     assert_eq!(output.status.code(), Some(0));
+}
+
+/// Its rules run on the example only where a test asks for them.
+#[test]
+fn an_application_on_trial_is_not_checked_for_users() {
+    let output = mhlint(&project("fixtures"), &["mpfb", "--report", "json"]);
+    let report: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(report["findings"], serde_json::json!([]));
+    assert_eq!(report["not_checked"][0]["application"], "mpfb");
+    let output = mhlint(&project("fixtures"), &["makehuman2", "--only", "catalog-missing-target"]);
+    assert_eq!(output.status.code(), Some(2), "to users there is no such rule");
+    assert!(rule_infos().iter().all(|rule| rule.family() != "catalog"));
+}
+
+#[test]
+#[ignore = "needs the corpora: MHLINT_CORPORA=FOLDER cargo test -- --ignored"]
+fn the_catalogue_of_mpfb_is_whole() {
+    let tree = Tree::on_disk("", scratch::corpus("mpfb").join("data"), |_, _| false);
+    let outcome = trial::lint_trees(&[mhlint::Application::Mpfb], vec![tree], &mhlint::Config::default()).unwrap();
+    assert!(outcome.is_whole());
+    assert_eq!(outcome.checked().map(|root| root.bases.clone()).collect::<Vec<_>>(), [["hm08"]]);
+    assert_eq!(concise(&outcome), Vec::<String>::new());
 }
 
 fn fixtures() -> Vec<Fixture> {
@@ -109,7 +132,7 @@ fn check(fixture: &Fixture) -> Option<String> {
 /// The findings of a case by the library, or by the binary where it needs a disk.
 fn by_library(case: &Case) -> Result<Vec<String>, String> {
     let Some(asked) = Asked::of(case) else { return by_binary(case) };
-    let mut repository = Memory::example();
+    let mut repository = Memory::example(case);
     repository.apply(case);
     let outcome = asked.lint(&repository);
     if outcome.is_whole() && outcome.checked_anything() {
@@ -121,6 +144,7 @@ fn by_library(case: &Case) -> Result<Vec<String>, String> {
 
 /// The same by the binary.
 fn by_binary(case: &Case) -> Result<Vec<String>, String> {
+    assert_eq!(case.application, None, "the binary does not check it");
     let repository = example();
     case.apply(repository.path());
     let mut args: Vec<&str> = case.args.iter().map(String::as_str).collect();

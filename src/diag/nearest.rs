@@ -25,7 +25,7 @@ pub fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) ->
 
 /// Comparisons for the suggestions of one rule. Thousands of names that are looked for among thousands are no slips
 /// of the pen, and nobody reads that many suggestions.
-const COMPARED: usize = 1 << 23;
+const COMPARED: usize = 1 << 20;
 
 /// The [`nearest`] of many names in turn, until too many were compared.
 #[derive(Debug, Default)]

@@ -1,11 +1,20 @@
-//! The rules as data, for whoever lists, explains or configures them.
+//! What this version checks, and its rules as data, for whoever lists, explains or configures them.
 
-use crate::diag::RuleInfo;
-use crate::rules::{Check, RULES};
+use crate::diag::{Application, RuleInfo};
+use crate::rules::{Check, RULES, Rule};
 
-/// The declared halves of all rules, sorted by id.
+/// The applications whose data are checked. Any that has a layout can be loaded.
+pub(super) const CHECKED: [Application; 1] = [Application::Makehuman2];
+
+/// The rules that concern an application that is checked. To users there are no others.
+pub(super) fn listed() -> impl Iterator<Item = &'static Rule> {
+    let concerns = |rule: &&Rule| CHECKED.iter().any(|application| rule.concerns(*application));
+    RULES.iter().copied().filter(concerns)
+}
+
+/// The declared halves of the rules, sorted by id.
 pub fn rule_infos() -> Vec<&'static RuleInfo> {
-    RULES.iter().map(|rule| &rule.info).collect()
+    listed().map(|rule| &rule.info).collect()
 }
 
 /// Whether a rule is about ignores, settings and the baseline, and about no asset.

@@ -74,11 +74,11 @@ impl Change {
     }
 }
 
-/// Says of each finding why the change can affect it; the others are left without a reason.
+/// Says of each finding why the change can affect it, as far as one view tells; the others are left without a reason.
 pub(super) fn explain(view: &View<'_>, findings: &mut [Finding], change: &Change) {
     let reach = Reach::new(view, change);
     for finding in findings {
-        finding.because = reach.reason(view, finding);
+        finding.because = finding.because.take().or_else(|| reach.reason(view, finding));
     }
 }
 

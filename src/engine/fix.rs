@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 
+use super::catalogue::CHECKED;
 use super::changed;
 use super::error::Error;
 use super::load::{Input, open, open_system};
@@ -52,7 +53,7 @@ pub fn lint_and_fix(paths: &[PathBuf], options: &Config, with_unsafe: bool) -> R
     };
     let mut all = Fixed::default();
     for turn in 0.. {
-        all.outcome = lint_inputs(&inputs, system.as_ref(), options)?;
+        all.outcome = lint_inputs(&inputs, system.as_ref(), options, &CHECKED)?;
         let (plan, fixed) = work.plan(&inputs, &all.outcome);
         if plan.is_empty() {
             break;

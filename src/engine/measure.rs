@@ -3,8 +3,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::caught::caught;
-use super::load::{Data, load_targets};
+use super::load::{Data, Loaded, load_targets};
 use crate::config::Config;
+use crate::diag::Application;
 use crate::eval::measures::Measures;
 use crate::evaluate::{self, Rows};
 use crate::repo::makehuman2::Base;
@@ -17,6 +18,7 @@ pub(super) fn measure_bases(
     failed: &mut Vec<String>,
 ) -> Vec<BTreeMap<String, Measures>> {
     let mut measures: Vec<BTreeMap<String, Measures>> = data.roots.iter().map(|_| BTreeMap::new()).collect();
+    let bases: Vec<BTreeSet<String>> = data.roots.iter().map(bases_of).collect();
     for name in names(data) {
         let evaluated = name.as_deref().filter(|name| !options.no_eval && options.asks_for_base(name));
         let mut rows = Rows::new();
@@ -25,7 +27,8 @@ pub(super) fn measure_bases(
             rows.append(&mut load_targets(&root.place, &mut root.layer, name.as_deref(), sizes, &options.limits, keep));
         }
         if let Some(name) = evaluated {
-            measure_base(data, name, rows, options, &mut measures, failed);
+            let concerned: Vec<bool> = bases.iter().map(|bases| bases.contains(name)).collect();
+            measure_base(data, name, rows, &concerned, options, &mut measures, failed);
         }
     }
     measures
@@ -42,19 +45,26 @@ fn names(data: &Data<'_>) -> BTreeSet<Option<String>> {
     names
 }
 
+/// Names of the bases that files of a root of MakeHuman 2 belong to, its targets included.
+fn bases_of(root: &Loaded<'_>) -> BTreeSet<String> {
+    if !root.layer.layouts.iter().any(|layout| layout.application == Application::Makehuman2) {
+        return BTreeSet::new();
+    }
+    let files = root.layer.files.values().filter_map(|file| file.base());
+    files.chain(root.place.target_bases().into_iter().flatten()).map(str::to_owned).collect()
+}
+
 fn measure_base(
     data: &Data<'_>,
     name: &str,
     mut rows: Rows,
+    concerned: &[bool],
     options: &Config,
     measures: &mut [BTreeMap<String, Measures>],
     failed: &mut Vec<String>,
 ) {
-    let stacks = data.stacks();
-    let concerned: Vec<bool> =
-        stacks.iter().map(|(_, _, judged)| judged.layer.files.values().any(|file| file.base() == Some(name))).collect();
     let last = concerned.iter().rposition(|concerned| *concerned);
-    for (number, ((system, user, _), found)) in stacks.into_iter().zip(measures).enumerate() {
+    for (number, ((system, user, _), found)) in data.stacks().into_iter().zip(measures).enumerate() {
         if concerned.get(number) != Some(&true) {
             continue;
         }

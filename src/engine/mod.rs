@@ -14,6 +14,8 @@ mod run;
 mod settle;
 mod sight;
 mod summary;
+#[doc(hidden)]
+pub mod trial;
 mod verdict;
 
 pub use crate::eval::settings::DEFAULT_SAMPLES;

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::time::Instant;
 
+use super::catalogue::CHECKED;
 use super::changed::{Change, explain, narrow};
 use super::check::{check, check_upkeep};
 use super::error::Error;
@@ -25,7 +26,7 @@ use crate::source::Tree;
 pub fn lint(paths: &[PathBuf], options: &Config) -> Result<Outcome, Error> {
     let inputs = open(paths)?;
     let system = options.system.as_deref().map(super::load::open_system).transpose()?;
-    lint_inputs(&inputs, system.as_ref(), options)
+    lint_inputs(&inputs, system.as_ref(), options, &CHECKED)
 }
 
 /// Judges data roots in trees, from disk or memory; `system` is read and not reported.
@@ -34,7 +35,7 @@ pub fn lint(paths: &[PathBuf], options: &Config) -> Result<Outcome, Error> {
 /// As [`lint`].
 pub fn lint_trees(trees: Vec<Tree>, system: Option<Tree>, options: &Config) -> Result<Outcome, Error> {
     let inputs: Vec<Input> = trees.into_iter().map(Input::whole).collect();
-    lint_inputs(&inputs, system.as_ref(), options)
+    lint_inputs(&inputs, system.as_ref(), options, &CHECKED)
 }
 
 /// What is asked for, made ready.
@@ -46,8 +47,13 @@ struct Asked<'c> {
     idle: Vec<IdleGlob>,
 }
 
-/// Judges what the inputs hold.
-pub(super) fn lint_inputs(inputs: &[Input], system: Option<&Tree>, options: &Config) -> Result<Outcome, Error> {
+/// Judges what the inputs hold for these applications.
+pub(super) fn lint_inputs(
+    inputs: &[Input],
+    system: Option<&Tree>,
+    options: &Config,
+    applications: &[Application],
+) -> Result<Outcome, Error> {
     let scope = Scope::new(inputs.iter().flat_map(Input::paths).collect(), options);
     let asked = Asked {
         options,
@@ -60,7 +66,7 @@ pub(super) fn lint_inputs(inputs: &[Input], system: Option<&Tree>, options: &Con
     let mut ignores = Ignores::new(options);
     let mut outcome = Outcome::default();
     let started = Instant::now();
-    let roots = Roots::of(inputs, system, &asked.scope, options, &mut outcome)?;
+    let roots = Roots::of(inputs, system, &asked.scope, options, applications, &mut outcome)?;
     let mut data = Data::load(roots, &options.limits);
     outcome.scope = asked_for(&data, options);
     outcome.timings.push(timing("read", started));
@@ -134,11 +140,15 @@ fn judge_all(
         outcome.summary.files += judged.layer.files.len();
         outcome.summary.bytes += judged.layer.files.values().map(|file| file.size).sum::<u64>();
         let layers = Layers { system, user, checked: &judged.layer };
-        let view = View::connect(Application::Makehuman2, layers);
-        summarise(&view, outcome);
-        let mut findings = check(&[(&view, measures.get(number))], selection, options, outcome);
+        let applications = judged.layer.layouts.iter().map(|layout| layout.application);
+        let views: Vec<View<'_>> = applications.map(|application| View::connect(application, layers)).collect();
+        views.iter().for_each(|view| summarise(view, outcome));
+        // Only what MakeHuman 2 shows is evaluated.
+        let measured = |view: &View<'_>| measures.get(number).filter(|_| view.makehuman2().is_some());
+        let with_measures: Vec<_> = views.iter().map(|view| (view, measured(view))).collect();
+        let mut findings = check(&with_measures, selection, options, outcome);
         if let Some(change) = change {
-            explain(&view, &mut findings, change);
+            views.iter().for_each(|view| explain(view, &mut findings, change));
         }
         let is_asked_for = |path: &str| judged.is_asked_for(path);
         let keeper = Keeper { layers, is_asked_for: &is_asked_for, selection, scope, options };

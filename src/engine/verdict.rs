@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use super::load::CHECKED;
+use super::catalogue::CHECKED;
 use crate::config::Config;
 use crate::diag::{Application, ApplicationVerdict, Level, Outcome, Verdict};
 use crate::discover::Layout;

@@ -12,6 +12,7 @@ use super::npz::Archive;
 use super::obj::Mesh;
 use super::target::TargetFacts;
 use super::target_cat::TargetCategories;
+use super::target_catalog::TargetCatalog;
 
 /// Content of a file as rules need it.
 #[derive(Debug, Clone, Default)]
@@ -33,6 +34,8 @@ pub enum Content {
     Modelling(Box<Modelling>),
     /// `target_cat.json`.
     Categories(Box<TargetCategories>),
+    /// `target.json`.
+    Catalog(Box<TargetCatalog>),
     /// `.mhskel`.
     Skeleton(Box<Skeleton>),
     /// `.mhw`.

@@ -32,6 +32,7 @@ mod readers;
 mod table;
 pub mod target;
 pub mod target_cat;
+pub mod target_catalog;
 pub mod target_edit;
 mod target_facts;
 mod target_repeats;

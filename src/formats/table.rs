@@ -1,7 +1,7 @@
 //! The table of formats: what is to be known of each kind of file before and while it is read.
 
 use super::readers::{archive, material, mesh, packed, target, weights, zip};
-use super::{Content, Input, Parsed, base_json, geometry, macro_json, mhskel, modelling, target_cat};
+use super::{Content, Input, Parsed, base_json, geometry, macro_json, mhskel, modelling, target_cat, target_catalog};
 use crate::discover::Kind;
 use crate::json::Document;
 
@@ -66,7 +66,12 @@ const fn text(kind: Kind, comments: &'static [&'static str]) -> Format {
 
 /// A JSON with a schema and a model.
 const fn json(kind: Kind, title: &'static str, schema: &'static str, model: fn(&Document) -> Content) -> Format {
-    Format { schema: Some(schema), reader: Some(Reader::Tree(model)), ..plain(kind, title, Syntax::Json) }
+    Format { schema: Some(schema), ..tree(kind, title, model) }
+}
+
+/// A JSON with a model alone.
+const fn tree(kind: Kind, title: &'static str, model: fn(&Document) -> Content) -> Format {
+    Format { reader: Some(Reader::Tree(model)), ..plain(kind, title, Syntax::Json) }
 }
 
 /// A format with a reader of its bytes.
@@ -91,7 +96,7 @@ pub static FORMATS: [Format; 25] = [
     json(Kind::TargetCategories, "target_cat.json", "target_cat", |json| {
         Content::Categories(Box::new(target_cat::read(json)))
     }),
-    plain(Kind::TargetCatalog, "target.json", Syntax::Json),
+    tree(Kind::TargetCatalog, "target.json", |json| Content::Catalog(Box::new(target_catalog::read(json)))),
     Format { needs: Needs::MeshInTurn, ..read(Kind::Target, "target", Syntax::Text, target) },
     read(Kind::PackedTarget, "packed target", Syntax::Binary, packed),
     read(Kind::TargetArchive, "target archive", Syntax::Binary, archive),

@@ -10,6 +10,7 @@ use crate::formats::mhw::Weights;
 use crate::formats::npz::Archive;
 use crate::formats::obj::Mesh;
 use crate::formats::target::TargetFacts;
+use crate::formats::target_catalog::TargetCatalog;
 use crate::json::SchemaFaults;
 use crate::source::{Encoding, GzipFault, ReadFault};
 
@@ -100,6 +101,11 @@ impl FileFacts {
     /// The target facts, if it is a target that could be read.
     pub fn target(&self) -> Option<&TargetFacts> {
         if let Content::Target(facts) = &self.content { Some(facts) } else { None }
+    }
+
+    /// The catalogue of sliders, if it is one that could be read.
+    pub fn catalog(&self) -> Option<&TargetCatalog> {
+        if let Content::Catalog(catalog) = &self.content { Some(catalog) } else { None }
     }
 
     /// The archive, if it is one that was read.

@@ -60,11 +60,12 @@ impl Layer {
     }
 
     /// Adds files that were read later.
-    pub fn add(&mut self, mut files: BTreeMap<String, FileFacts>) {
+    pub fn add(&mut self, files: BTreeMap<String, FileFacts>) {
         if let Some(folded) = self.folded.get_mut() {
             files.keys().for_each(|rel| enter(folded, rel));
         }
-        self.files.append(&mut files);
+        // `append` would go through all that is there.
+        self.files.extend(files);
     }
 
     /// The file at a path relative to the root.

@@ -37,7 +37,7 @@ pub(super) fn resolve<'a>(layers: &[&'a Layer], text: &str, rel: &str) -> Resolu
 }
 
 /// The path without `.` and `..`, or nothing if it leaves the root.
-fn normalized(rel: &str) -> Option<String> {
+pub(super) fn normalized(rel: &str) -> Option<String> {
     let mut parts: Vec<&str> = Vec::new();
     for part in rel.split('/') {
         match part {

@@ -45,6 +45,10 @@ pub enum ReferenceKind {
     Model,
     /// A picture in a material.
     Texture,
+    /// A slot of `opposites` in `target.json`.
+    Slot,
+    /// `name` in `target.json` of a slider without `opposites`.
+    SliderName,
 }
 
 /// What a reference leads to.
@@ -73,7 +77,7 @@ pub enum Resolution<'a> {
 impl ReferenceKind {
     /// Whether it is a morph target.
     pub const fn is_target(self) -> bool {
-        matches!(self, Self::MacroTarget | Self::Incr | Self::Decr)
+        matches!(self, Self::MacroTarget | Self::Incr | Self::Decr | Self::Slot | Self::SliderName)
     }
 }
 

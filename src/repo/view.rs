@@ -55,7 +55,8 @@ impl<'a> View<'a> {
     pub fn bodies<'v>(&'v self) -> Vec<Body<'v>> {
         match self {
             Self::Makehuman2(view) => view.bodies(self),
-            Self::Makehuman1(_) | Self::Mpfb(_) => Vec::new(),
+            Self::Mpfb(view) => view.body(self).into_iter().collect(),
+            Self::Makehuman1(_) => Vec::new(),
         }
     }
 
@@ -63,7 +64,8 @@ impl<'a> View<'a> {
     pub fn body_names(&self) -> Vec<&'a str> {
         match self {
             Self::Makehuman2(view) => view.bases.iter().map(|base| base.name).collect(),
-            Self::Makehuman1(_) | Self::Mpfb(_) => Vec::new(),
+            Self::Mpfb(view) => view.body_name().into_iter().collect(),
+            Self::Makehuman1(_) => Vec::new(),
         }
     }
 

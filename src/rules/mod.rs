@@ -4,6 +4,7 @@
 
 mod archive;
 mod base;
+mod catalog;
 mod cause;
 mod config;
 mod file;
@@ -31,6 +32,7 @@ pub(crate) static RULES: &[&Rule] = &[
     &base::unknown_preset::RULE,
     &base::unsafe_rule::RULE,
     &base::vertex_count::RULE,
+    &catalog::missing_target::RULE,
     &config::baseline_stale::RULE,
     &config::expired_ignore::RULE,
     &config::missing_reason::RULE,

@@ -26,7 +26,6 @@ pub(crate) enum Check {
     #[expect(dead_code, reason = "no rule yet")]
     Makehuman1(fn(&makehuman1::View<'_>, &RuleCx<'_>, &mut Vec<Finding>)),
     /// The data of MPFB.
-    #[expect(dead_code, reason = "no rule yet")]
     Mpfb(fn(&mpfb::View<'_>, &RuleCx<'_>, &mut Vec<Finding>)),
     /// Each body with what evaluation measured on it.
     Numeric(fn(&Body<'_>, &Measures, &RuleCx<'_>, &mut Vec<Finding>)),

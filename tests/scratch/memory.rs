@@ -1,10 +1,11 @@
-//! The example repository in memory, damaged as a `case.toml` says, and the library on it: no disk, no process.
+//! The example repositories in memory, damaged as a `case.toml` says, and the library on it: no disk, no process.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::{Arc, LazyLock};
 
+use mhlint::engine::trial;
 use mhlint::report::{self, Format, View};
-use mhlint::{Config, Level, Outcome, Tree, lint_trees, rule_infos};
+use mhlint::{Application, Config, Level, Outcome, Tree, lint_trees};
 
 use super::{Case, content, project};
 
@@ -16,12 +17,16 @@ pub struct Memory {
     folders: BTreeSet<String>,
 }
 
-static EXAMPLE: LazyLock<Memory> = LazyLock::new(|| {
-    let mut example = Memory::default();
-    for (path, bytes) in content(&project("fixtures/makehuman2")) {
-        example.put(&path.to_str().unwrap().replace('\\', "/"), bytes.into());
-    }
-    example
+/// The example repositories, by application.
+static EXAMPLES: LazyLock<BTreeMap<&str, Memory>> = LazyLock::new(|| {
+    let read = |name| {
+        let mut example = Memory::default();
+        for (path, bytes) in content(&project("fixtures").join(name)) {
+            example.put(&path.to_str().unwrap().replace('\\', "/"), bytes.into());
+        }
+        (name, example)
+    };
+    ["makehuman2", "mpfb"].map(read).into()
 });
 
 /// What the arguments of a case ask for, where trees in memory can give it.
@@ -29,6 +34,8 @@ pub struct Asked {
     paths: Vec<String>,
     system: Option<String>,
     config: Config,
+    /// One that is not checked for users.
+    application: Option<Application>,
 }
 
 impl Asked {
@@ -39,8 +46,10 @@ impl Asked {
             return None;
         }
         let settings = case.write.iter().find(|write| write.file == "mhlint.toml");
-        let config = settings.map(|file| Config::parse(&file.text, "mhlint.toml", &rule_infos()).unwrap());
-        let mut asked = Self { paths: Vec::new(), system: None, config: config.unwrap_or_default() };
+        let config = settings.map(|file| Config::parse(&file.text, "mhlint.toml", &trial::rule_infos()).unwrap());
+        let named = |name: &String| Application::ALL.into_iter().find(|one| one.word() == name).unwrap();
+        let application = case.application.as_ref().map(named);
+        let mut asked = Self { paths: Vec::new(), system: None, config: config.unwrap_or_default(), application };
         let mut args = case.args.iter().map(String::as_str);
         while let Some(arg) = args.next() {
             match arg {
@@ -62,14 +71,18 @@ impl Asked {
     /// Runs the library on a repository.
     pub fn lint(&self, repository: &Memory) -> Outcome {
         let trees = self.paths.iter().map(|path| repository.tree(path)).collect();
+        if let Some(application) = self.application {
+            assert!(self.system.is_none(), "a trial has no system data");
+            return trial::lint_trees(&[application], trees, &self.config).unwrap();
+        }
         lint_trees(trees, self.system.as_ref().map(|path| repository.tree(path)), &self.config).unwrap()
     }
 }
 
 impl Memory {
-    /// The example repository, as it is before any case.
-    pub fn example() -> Self {
-        EXAMPLE.clone()
+    /// The example repository of a case, as it is before.
+    pub fn example(case: &Case) -> Self {
+        EXAMPLES[case.application.as_deref().unwrap_or("makehuman2")].clone()
     }
 
     /// Applies a case without links, in the order of [`Case::apply`].
@@ -148,7 +161,7 @@ impl Memory {
 
 /// Lines of the concise report.
 pub fn concise(outcome: &Outcome) -> Vec<String> {
-    let rules = rule_infos();
+    let rules = trial::rule_infos();
     let view = View {
         pass: false,
         fail_on: Some(Level::Error),

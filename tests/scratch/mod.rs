@@ -10,12 +10,15 @@ use std::process::{Command, Output};
 
 use serde::Deserialize;
 
-/// A case: edits over `fixtures/makehuman2`. Paths are relative to it.
+/// A case: edits over the example repository of an application. Paths are relative to it.
 #[derive(Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Case {
     /// One sentence: what the case shows.
     pub why: String,
+    /// The application, if it is not MakeHuman 2. One that is not checked for users runs in memory only.
+    #[serde(default)]
+    pub application: Option<String>,
     /// Arguments in place of `check .`.
     #[serde(default)]
     pub args: Vec<String>,

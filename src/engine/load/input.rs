@@ -4,8 +4,8 @@
 
 use std::path::{Path, PathBuf};
 
+use super::super::catalogue::CHECKED;
 use super::super::error::{Error, PathFault};
-use super::CHECKED;
 use super::roots::roots_of;
 use crate::discover::{Layout, is_read_though_hidden};
 use crate::source::{Tree, folder_of, slashed};

@@ -16,8 +16,3 @@ pub(super) use input::{Input, open, open_system};
 pub(super) use layer::load_targets;
 pub use open::open_base;
 pub(super) use roots::{Roots, shown};
-
-use crate::diag::Application;
-
-/// The applications whose data are checked. Any that has a layout can be loaded.
-pub(super) const CHECKED: [Application; 1] = [Application::Makehuman2];

@@ -11,6 +11,7 @@ use super::stack::Stack;
 use crate::diag::nearest;
 use crate::discover::Role;
 use crate::engine::Error as RunError;
+use crate::engine::catalogue::CHECKED;
 use crate::evaluate::{Error, Evaluation};
 use crate::repo::Layer;
 use crate::repo::makehuman2::Base;
@@ -26,7 +27,7 @@ pub fn open_base(root: &Path, system: Option<&Path>, base: Option<&str>) -> Resu
     let judged = inputs.len();
     let mut trees: Vec<Tree> = inputs.into_iter().map(|input| input.tree).collect();
     trees.extend(system.map(open_system).transpose()?);
-    let mut places = trees.iter().map(checked_places);
+    let mut places = trees.iter().map(|tree| checked_places(tree, &CHECKED));
     let checked: Vec<_> = places.by_ref().take(judged).flatten().map(|place| (place, Vec::new())).collect();
     let below = places.next().map(|places| places.into_iter().next());
     if checked.is_empty() || matches!(below, Some(None)) {

@@ -2,9 +2,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::super::catalogue::CHECKED;
 use super::super::error::{Error, PathFault};
 use super::super::settle::Scope;
-use super::CHECKED;
 use super::input::Input;
 use super::place::Place;
 use crate::config::Config;
@@ -30,9 +30,9 @@ pub(super) fn roots_of(tree: &Tree, wanted: impl Fn(Application) -> bool) -> BTr
     roots
 }
 
-/// The data roots in a tree that are checked.
-pub(in crate::engine) fn checked_places(tree: &Tree) -> Vec<Place<'_>> {
-    let roots = roots_of(tree, |application| CHECKED.contains(&application));
+/// The data roots in a tree of the applications that are checked.
+pub(super) fn checked_places<'t>(tree: &'t Tree, applications: &[Application]) -> Vec<Place<'t>> {
+    let roots = roots_of(tree, |application| applications.contains(&application));
     roots.into_iter().map(|(path, layouts)| Place::new(tree, &path, &layouts)).collect()
 }
 
@@ -43,10 +43,11 @@ impl<'t> Roots<'t> {
         system: Option<&'t Tree>,
         scope: &Scope<'_>,
         options: &Config,
+        applications: &[Application],
         outcome: &mut Outcome,
     ) -> Result<Self, Error> {
         let found: Vec<_> = inputs.iter().map(|input| (input, roots_of(&input.tree, |_| true))).collect();
-        let mut system = system.map(system_place).transpose()?;
+        let mut system = system.map(|system| system_place(system, applications)).transpose()?;
         let bases = system.as_ref().map(base_meshes).unwrap_or_default();
         let mut given = found.iter().flat_map(|(input, roots)| roots.keys().map(|root| input.tree.shown(root)));
         let all_given = given.next().filter(|first| given.all(|other| other == *first));
@@ -54,7 +55,7 @@ impl<'t> Roots<'t> {
             outcome.notes.push(Note::SystemIsChecked { path: shown(&all.path()).to_owned() });
         }
         let outside = found.iter().filter(|(_, roots)| roots.is_empty()).map(|(input, _)| *input);
-        let loose = loose(outside.collect(), &bases, options, outcome);
+        let loose = loose(outside.collect(), &bases, options, applications, outcome);
         let below = system.as_ref().map(Place::path);
         let mut roots = Self { checked: Vec::new(), system };
         for (input, (path, layouts)) in
@@ -63,7 +64,8 @@ impl<'t> Roots<'t> {
             let shown = input.tree.shown(path);
             if !scope.excludes(&shown) && below.as_ref() != Some(&shown) {
                 let asked = layouts.iter().copied().filter(|layout| options.asks_for(layout.application));
-                roots.add(input, path, asked, outcome);
+                let (checked, others) = asked.partition(|layout| applications.contains(&layout.application));
+                roots.add(input, path, [checked, others], outcome);
             }
         }
         for (input, place) in loose {
@@ -72,15 +74,14 @@ impl<'t> Roots<'t> {
         Ok(roots)
     }
 
-    /// A data root with the layouts that are asked for.
+    /// A data root with the layouts that are asked for: of applications that are checked, and of others.
     fn add(
         &mut self,
         input: &'t Input,
         path: &str,
-        asked: impl Iterator<Item = &'static Layout>,
+        [checked, others]: [Vec<&'static Layout>; 2],
         outcome: &mut Outcome,
     ) {
-        let (checked, others): (Vec<_>, Vec<_>) = asked.partition(|layout| CHECKED.contains(&layout.application));
         if !checked.is_empty() {
             self.want(Place::new(&input.tree, path, &checked), &input.narrow);
         }
@@ -100,10 +101,10 @@ impl<'t> Roots<'t> {
 }
 
 /// The data root of `--system`.
-fn system_place(tree: &Tree) -> Result<Place<'_>, Error> {
+fn system_place<'t>(tree: &'t Tree, applications: &[Application]) -> Result<Place<'t>, Error> {
     let [wanted, ..] = CHECKED;
     let nothing = || Error::Path { path: tree.label().to_owned(), fault: PathFault::NoDataOf(wanted) };
-    checked_places(tree).into_iter().next().ok_or_else(nothing)
+    checked_places(tree, applications).into_iter().next().ok_or_else(nothing)
 }
 
 /// The files of trees without a data root, put where the applications would look for them.
@@ -111,13 +112,12 @@ fn loose<'t>(
     outside: Vec<&'t Input>,
     bases: &BTreeSet<String>,
     options: &Config,
+    applications: &[Application],
     outcome: &mut Outcome,
 ) -> Vec<(&'t Input, Place<'t>)> {
     let base = base_for(bases, options);
-    let layouts = CHECKED.map(Layout::of);
-    let places = outside
-        .into_iter()
-        .flat_map(|input| layouts.map(|layout| (input, layout.application, Place::loose(&input.tree, layout, base))));
+    let place = |input: &'t Input, one| (input, one, Place::loose(&input.tree, Layout::of(one), base));
+    let places = outside.into_iter().flat_map(|input| applications.iter().map(move |one| place(input, *one)));
     let places: Vec<_> = places.filter(|(_, _, place)| !place.is_empty()).collect();
     if base.is_none() && !places.is_empty() {
         outcome.notes.push(Note::Alone { bases: bases.iter().cloned().collect() });

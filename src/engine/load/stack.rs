@@ -38,12 +38,15 @@ pub(in crate::engine) fn stacks<'a, 't>(loaded: &'a [Loaded<'t>], system: Option
     loaded.iter().map(stack).collect()
 }
 
-/// Of several system roots the one that shares most of the path.
+/// Of several system roots of its application the one that shares most of the path.
 fn nearest_system<'a>(loaded: &'a [Loaded<'_>], root: &Loaded<'_>) -> Option<&'a Layer> {
     let shared = |other: &Loaded<'_>| {
         let pairs = other.layer.path.split('/').zip(root.layer.path.split('/'));
         pairs.take_while(|(a, b)| a == b).count()
     };
-    let systems = loaded.iter().filter(|other| other.role == Role::System);
+    let applications = |layer: &Layer| layer.layouts.iter().map(|layout| layout.application).collect::<Vec<_>>();
+    let own = applications(&root.layer);
+    let serves = |other: &Layer| applications(other).iter().any(|application| own.contains(application));
+    let systems = loaded.iter().filter(|other| other.role == Role::System && serves(&other.layer));
     systems.max_by_key(|other| shared(other)).map(|other| &other.layer)
 }

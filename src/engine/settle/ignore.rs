@@ -6,6 +6,7 @@ use super::scope::Scope;
 use super::select::{Selection, cannot_be_ignored};
 use crate::config::{Config, Date, Ignore, Selector};
 use crate::diag::{IgnoreState, IgnoreUse, Place, UnknownRule, nearest};
+use crate::engine::catalogue::listed;
 use crate::repo::FileFacts;
 use crate::rules::RULES;
 
@@ -137,8 +138,8 @@ fn standing(rule: &str) -> Option<IgnoreState> {
     if cannot_be_ignored(rule) {
         return Some(IgnoreState::CannotBeIgnored);
     }
-    let known = Selector::new(rule, 0..0).is_ok_and(|selector| RULES.iter().any(|rule| selector.fits(rule.info.id)));
-    let nearest = || nearest(rule, RULES.iter().map(|rule| rule.info.id));
+    let known = Selector::new(rule, 0..0).is_ok_and(|selector| listed().any(|rule| selector.fits(rule.info.id)));
+    let nearest = || nearest(rule, listed().map(|rule| rule.info.id));
     (!known).then(|| IgnoreState::UnknownRule { nearest: nearest() })
 }
 

@@ -10,8 +10,8 @@ use super::scope::Scope;
 use super::select::{Selection, cannot_be_ignored};
 use crate::config::Config;
 use crate::diag::{Baseline, BaselineUse, Entry, Finding, Level, TakenOver};
+use crate::engine::catalogue::listed;
 use crate::engine::error::{BaselineFault, Error};
-use crate::rules::RULES;
 use crate::source::{Folder, canonical, holds, slashed};
 
 /// The baseline of a run, read before it begins.
@@ -132,7 +132,7 @@ impl Known {
 
     /// Whether this run would have found it if it were still there.
     fn is_judged(&self, entry: &Entry, selection: &Selection<'_>, scope: &Scope<'_>) -> bool {
-        let exists = RULES.iter().any(|rule| rule.info.id == entry.rule);
+        let exists = listed().any(|rule| rule.info.id == entry.rule);
         !exists || !selection.is_silenced(&entry.rule) && scope.covers(&self.folder, &entry.path)
     }
 }

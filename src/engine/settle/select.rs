@@ -7,7 +7,7 @@ use globset::{Glob, GlobMatcher};
 
 use crate::config::{Config, ConfigFile, Selector};
 use crate::diag::{Level, nearest};
-use crate::engine::catalogue::is_upkeep;
+use crate::engine::catalogue::{is_upkeep, listed};
 use crate::engine::error::{Error, SelectorFault};
 use crate::rules::{Check, RULES};
 
@@ -146,7 +146,7 @@ fn refuse_ignored_safety(config: &Config) -> Result<(), Error> {
 fn refuse_empty_select(config: &Config) -> Result<(), Error> {
     let Some(file) = config.file.as_ref().filter(|_| config.only.is_empty()) else { return Ok(()) };
     let Some(first) = file.select.first() else { return Ok(()) };
-    if RULES.iter().any(|rule| fits(&file.select, rule.info.id)) {
+    if listed().any(|rule| fits(&file.select, rule.info.id)) {
         return Ok(());
     }
     let place = format!("{}:{}", file.path, file.line_at(&first.span));
@@ -163,7 +163,7 @@ fn selector(text: &str) -> Result<GlobMatcher, Error> {
     let refuse = |fault| Error::Selector { text: text.to_owned(), fault };
     let no_glob = |error: globset::Error| refuse(SelectorFault::NoGlob(error.kind().to_string()));
     let glob = Glob::new(text).map_err(no_glob)?.compile_matcher();
-    if RULES.iter().any(|rule| glob.is_match(rule.info.id)) {
+    if listed().any(|rule| glob.is_match(rule.info.id)) {
         return Ok(glob);
     }
     Err(refuse(SelectorFault::NoRule { nearest: like(text) }))
@@ -171,5 +171,5 @@ fn selector(text: &str) -> Result<GlobMatcher, Error> {
 
 /// A rule that may be meant.
 fn like(text: &str) -> Option<&'static str> {
-    nearest(text, RULES.iter().map(|rule| rule.info.id))
+    nearest(text, listed().map(|rule| rule.info.id))
 }

@@ -100,11 +100,15 @@ fn level(kind: ReferenceKind) -> Level {
     if matches!(kind, ReferenceKind::Icon | ReferenceKind::Texture) { Level::Warning } else { Level::Error }
 }
 
-/// What MakeHuman 2 does if it finds nothing (formats/makehuman2.md §3.6, §4.3, §7, §10, §17).
+/// What the application that has such names does if it finds nothing (formats/makehuman2.md §3.6, §4.3, §7, §10, §17;
+/// formats/mpfb.md §2.3).
 pub(super) fn effect(kind: ReferenceKind) -> &'static str {
     match kind {
         ReferenceKind::MacroTarget | ReferenceKind::Incr | ReferenceKind::Decr => {
             "does not find the target: an exception when its slider moves, or at start if the start character uses it"
+        }
+        ReferenceKind::Slot | ReferenceKind::SliderName => {
+            "does not find the target: an exception when its slider moves"
         }
         ReferenceKind::Icon => "shows a button without a picture",
         ReferenceKind::WeightsFile => "refuses the skeleton",

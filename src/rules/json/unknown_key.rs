@@ -31,7 +31,9 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for file in view.layers.checked.files.values().filter(|file| !is_ignored_override(file)) {
         let mut by_key: BTreeMap<(&str, Option<&str>), Vec<&UnknownKey>> = BTreeMap::new();
         let sliders = told_sliders(view, file);
-        for unknown in file.schema.unknown.iter().filter(|unknown| !is_told(file, &sliders, unknown)) {
+        let lacking = lacking(file);
+        let told = |unknown: &&UnknownKey| lacks(&lacking, unknown) || is_told(file, &sliders, unknown);
+        for unknown in file.schema.unknown.iter().filter(|unknown| !told(unknown)) {
             by_key.entry((&unknown.key, unknown.object.as_deref())).or_default().push(unknown);
         }
         out.extend(by_key.into_values().filter_map(|all| judge(file, &all)));
@@ -58,14 +60,21 @@ fn pointer_of(key: &str) -> String {
     format!("/{}", key.replace('~', "~0").replace('/', "~1"))
 }
 
-/// Whether the finding on the key that is missing instead names this one: a part that the schema or another rule
-/// wants.
+/// Pointers of objects and the keys that the schema wants in them.
+fn lacking(file: &FileFacts) -> BTreeSet<(&str, &str)> {
+    file.schema.faults.iter().filter_map(|fault| Some((fault.pointer.as_str(), fault.missing()?))).collect()
+}
+
+/// Whether the finding on the key that the schema misses names this one.
+fn lacks(lacking: &BTreeSet<(&str, &str)>, unknown: &UnknownKey) -> bool {
+    let owner = unknown.pointer.rsplit_once('/').map_or("", |(owner, _)| owner);
+    unknown.nearest.as_deref().is_some_and(|nearest| lacking.contains(&(owner, nearest)))
+}
+
+/// Whether the finding of another rule on the key that is missing instead names this one.
 fn is_told(file: &FileFacts, sliders: &Told<'_>, unknown: &UnknownKey) -> bool {
     let Some(nearest) = unknown.nearest.as_deref() else { return false };
     let (owner, _) = unknown.pointer.rsplit_once('/').unwrap_or_default();
-    if file.schema.faults.iter().any(|fault| fault.lacks(owner, nearest)) {
-        return true;
-    }
     match &file.content {
         Content::Skeleton(skeleton) if owner.is_empty() => match nearest {
             "bones" => skeleton.bones_section == Section::Absent,

@@ -1,6 +1,6 @@
 //! Files of sliders that do not exist, one cause at a time: a folder that is missing as a whole is one.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use crate::diag::Suggestions;
 use crate::repo::makehuman2::{Base, View};
@@ -69,16 +69,12 @@ fn is_empty(view: &View<'_>, folder: &str) -> bool {
 /// Files that a missing one may be meant to be.
 pub(super) struct Neighbours<'r, 'a> {
     view: &'r View<'a>,
-    /// Paths of the targets that something uses already. They are not meant: the other side or the other direction
-    /// often has nearly the same name.
-    used: BTreeSet<&'a str>,
     suggestions: Suggestions,
 }
 
 impl<'r, 'a> Neighbours<'r, 'a> {
     pub(super) fn of(view: &'r View<'a>) -> Self {
-        let used = view.references.iter().filter_map(used_target).collect();
-        Self { view, used, suggestions: Suggestions::default() }
+        Self { view, suggestions: Suggestions::default() }
     }
 
     /// The file beside the missing one that is most like it, by name without folder.
@@ -86,14 +82,14 @@ impl<'r, 'a> Neighbours<'r, 'a> {
         let folder = folder_of(&reference.rel);
         let wanted = reference.rel.rsplit('/').next().unwrap_or_default();
         let files = self.view.layers.strongest_first().flat_map(|layer| layer.below(&folder));
-        let free = files.filter(|file| !file.kind.is_json() && !self.used.contains(file.path.as_str()));
+        let free = files.filter(|file| !file.kind.is_json() && !self.is_used(file));
         self.suggestions.nearest(wanted, free.map(FileFacts::file_name))
     }
-}
 
-fn used_target<'a>(reference: &Reference<'a>) -> Option<&'a str> {
-    match reference.resolution {
-        Resolution::Found(file) if reference.kind.is_target() => Some(&file.path),
-        _ => None,
+    /// Whether something uses a target already. It is not meant: the other side or the other direction often has nearly
+    /// the same name.
+    fn is_used(&self, file: &FileFacts) -> bool {
+        let found = |reference: &Reference<'_>| matches!(reference.resolution, Resolution::Found(_));
+        self.view.references.to_file(file).any(|reference| reference.kind.is_target() && found(reference))
     }
 }

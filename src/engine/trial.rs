@@ -1,0 +1,25 @@
+//! Runs for applications that are not checked for users yet: their rules are tried on examples before they count.
+//!
+//! For the tests of this crate alone; it may change with any version.
+
+use super::error::Error;
+use super::load::Input;
+use super::run::lint_inputs;
+use crate::config::Config;
+use crate::diag::{Application, Outcome, RuleInfo};
+use crate::rules::RULES;
+use crate::source::Tree;
+
+/// As [`super::lint_trees`] without system data, for these applications in place of those that are checked.
+///
+/// # Errors
+/// As [`super::lint`].
+pub fn lint_trees(applications: &[Application], trees: Vec<Tree>, options: &Config) -> Result<Outcome, Error> {
+    let inputs: Vec<Input> = trees.into_iter().map(Input::whole).collect();
+    lint_inputs(&inputs, None, options, applications)
+}
+
+/// As [`super::rule_infos`], for all applications.
+pub fn rule_infos() -> Vec<&'static RuleInfo> {
+    RULES.iter().map(|rule| &rule.info).collect()
+}

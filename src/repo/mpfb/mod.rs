@@ -1,0 +1,6 @@
+//! The data of MPFB as it sees them (formats/mpfb.md §1, §2). Connected so far: the catalogue of sliders with its targets.
+
+mod references;
+mod view;
+
+pub use view::{Catalog, View};

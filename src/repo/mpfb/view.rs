@@ -1,0 +1,76 @@
+//! The system data with their catalogue: MPFB looks for neither it nor its targets anywhere else (formats/mpfb.md §1).
+
+use super::references::collect;
+use crate::discover::Kind;
+use crate::formats::obj::Mesh;
+use crate::formats::target_catalog::TargetCatalog;
+use crate::repo::{Body, FileFacts, Layer, Layers, References, Target, parent};
+
+/// MPFB's data, connected.
+#[derive(Debug)]
+pub struct View<'a> {
+    /// System and user data.
+    pub layers: Layers<'a>,
+    /// The sliders, if they can be read.
+    pub catalog: Option<Catalog<'a>>,
+    /// The base mesh, if it can be read.
+    pub mesh: Option<(&'a FileFacts, &'a Mesh)>,
+    /// Everything that names a file, and what it leads to.
+    pub references: References<'a>,
+}
+
+/// The catalogue in its layer.
+#[derive(Debug, Clone, Copy)]
+pub struct Catalog<'a> {
+    /// Where it lies.
+    pub layer: &'a Layer,
+    /// Its file.
+    pub file: &'a FileFacts,
+    /// Its sliders.
+    pub sliders: &'a TargetCatalog,
+}
+
+impl<'a> View<'a> {
+    /// Connects layers.
+    pub fn connect(layers: Layers<'a>) -> Self {
+        let file = |kind| layers.system?.files.values().find(|file| file.kind == kind);
+        let catalog = layers.system.zip(file(Kind::TargetCatalog));
+        let catalog = catalog.and_then(|(layer, file)| Some(Catalog { layer, file, sliders: file.catalog()? }));
+        let mesh = file(Kind::BaseMesh).and_then(|file| Some((file, file.mesh()?)));
+        let references = References::new(catalog.as_ref().map(collect).unwrap_or_default());
+        Self { layers, catalog, mesh, references }
+    }
+
+    /// The name of the base mesh, if there is anything for it.
+    pub fn body_name(&self) -> Option<&'a str> {
+        let of_catalog = self.catalog.and_then(|catalog| catalog.file.base());
+        self.mesh.and_then(|(file, _)| file.base()).or(of_catalog)
+    }
+
+    /// The body. Which of its targets nobody uses cannot be told: any can be asked for by its name (formats/mpfb.md §4.4).
+    pub(in crate::repo) fn body<'v>(&'v self, view: &'v crate::repo::View<'v>) -> Option<Body<'v>> {
+        let files = self.layers.checked.files.values();
+        let targets = files.filter(|file| matches!(file.kind, Kind::Target | Kind::PackedTarget));
+        let target = |file| Target { file, used_as: self.used_as(file), is_unused: false, packed_in: None };
+        let mut body = Body::new(self.body_name()?, view, targets.map(target).collect());
+        body.mesh = self.mesh;
+        Some(body)
+    }
+
+    fn used_as(&self, file: &FileFacts) -> Option<crate::repo::ReferenceKind> {
+        self.references.to_file(file).map(|reference| reference.kind).min()
+    }
+}
+
+impl<'a> Catalog<'a> {
+    /// The folder of a section.
+    pub fn folder(&self, section: &str) -> String {
+        format!("{}/{section}", parent(&self.file.rel))
+    }
+
+    /// The target of a section by its name, packed or not.
+    pub fn target(&self, section: &str, stem: &str) -> Option<&'a FileFacts> {
+        let folder = self.folder(section);
+        [".target.gz", ".target"].iter().find_map(|suffix| self.layer.file(&format!("{folder}/{stem}{suffix}")))
+    }
+}

@@ -1,0 +1,100 @@
+//! The catalogue of MPFB must name targets that exist.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::super::{Check, Rule, RuleCx};
+use super::neighbours::Neighbours;
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, Sight, pointer};
+use crate::formats::target_catalog::Section;
+use crate::repo::mpfb::{Catalog, View};
+use crate::repo::{Reference, Resolution, parent};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(
+            Application::Mpfb,
+            "raises an exception when the slider moves: it jumps back, nothing changes, and only the console tells why",
+        )],
+        sight: Some(Sight::Base),
+        docs: "A slider with `opposites` loads `<slot>.target.gz` from the folder of its section, which is called as the \
+            section. It looks in no other folder, not for a plain `.target`, and not into the user's data. Only the slots of \
+            the sides in use are asked for. A slider without `opposites` loads `<name>.target.gz` or `<name>.target`, with \
+            `l-` and `r-` before it if it has sides.\n\n\
+            MPFB checks none of them at start. The slider looks normal; when it moves, an exception is raised, of \
+            which there is a message on the console only. No file is looked for by the entries of `targets`: one \
+            that no slot has and that does not exist is a leftover.\n\n\
+            Correct the name, or add the target.",
+        ..RuleInfo::new(
+            "catalog-missing-target",
+            Level::Error,
+            "a slider of `target.json` names a target that does not exist",
+        )
+    },
+    check: Check::Mpfb(run),
+};
+
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(catalog) = view.catalog.filter(|catalog| view.layers.is_checked(catalog.file)) else { return };
+    let neighbours = Neighbours::of(view, &catalog);
+    let mut by_cause: BTreeMap<String, Vec<&Reference<'_>>> = BTreeMap::new();
+    for reference in view.references.iter().filter(|one| matches!(one.resolution, Resolution::Missing)) {
+        by_cause.entry(cause(&catalog, reference)).or_default().push(reference);
+    }
+    out.extend(by_cause.into_iter().filter_map(|(cause, references)| told(&cause, &references, &neighbours)));
+    out.extend(catalog.sliders.sections.iter().filter_map(|section| leftovers(&catalog, section)));
+}
+
+/// What several references are missing for: a folder with nothing in it, a slider with empty slots, or one file.
+fn cause(catalog: &Catalog<'_>, reference: &Reference<'_>) -> String {
+    let folder = parent(&reference.rel);
+    if catalog.layer.below(folder).next().is_none() {
+        folder.to_owned()
+    } else if reference.text.is_empty() {
+        reference.owner.to_owned()
+    } else {
+        reference.rel.clone()
+    }
+}
+
+fn told(cause: &str, references: &[&Reference<'_>], neighbours: &Neighbours<'_, '_>) -> Option<Finding> {
+    let (first, count) = (references.first()?, references.len());
+    let owner = first.owner;
+    let message = if cause == parent(&first.rel) {
+        format!("nothing is in `{cause}`, but {count} targets are read from it")
+    } else if first.text.is_empty() {
+        format!("`{owner}` has {count} {} without a target", if count == 1 { "slot" } else { "slots" })
+    } else if count > 1 {
+        format!("`{}`, which {count} sliders or ends of sliders ask for, does not exist", first.rel)
+    } else {
+        format!("`{owner}` moves `{}`, which does not exist", first.rel)
+    };
+    let finding = RULE.at(first.from, first.place.clone(), message).key(cause).help(neighbours.help(first));
+    Some(finding.evidence(Evidence::of_cases(references.iter().map(|one| format!("{} {}", one.owner, one.rel)))))
+}
+
+/// Entries of `targets` that name no file and that no slider asks for.
+fn leftovers(catalog: &Catalog<'_>, section: &Section) -> Option<Finding> {
+    let slots = section.categories.iter().flat_map(|category| category.slots.iter().flatten());
+    let asked: BTreeSet<&str> = slots.map(|slot| slot.stem.as_str()).collect();
+    let simple = section.categories.iter().filter(|category| category.slots.is_none());
+    let named: BTreeSet<String> =
+        simple.flat_map(|one| one.sides().iter().map(move |side| format!("{side}{}", one.name))).collect();
+    let is_left =
+        |name: &str| !asked.contains(name) && !named.contains(name) && catalog.target(&section.name, name).is_none();
+    let entries = section.categories.iter().flat_map(|one| one.targets.iter().map(move |(at, name)| (one, at, name)));
+    let left: Vec<_> = entries.filter(|(_, _, name)| is_left(name)).collect();
+    let (category, at, name) = left.first()?;
+    let place = [section.name.as_str(), "categories", &category.index.to_string(), "targets", &at.to_string()];
+    let message = match left.len() {
+        1 => format!("`targets` names `{name}`, which does not exist and which no slider asks for"),
+        many => format!(
+            "`targets` names {many} files in section `{}` that do not exist and that no slider asks for",
+            section.name
+        ),
+    };
+    let finding =
+        RULE.at(catalog.file, Place::Pointer(pointer(&place)), message).key(format!("{} targets", section.name));
+    let finding =
+        finding.level(Level::Info).effect("does nothing with the entry: files are looked for by slots and names");
+    Some(finding.help("remove what is left over").evidence(Evidence::of_cases(left.iter().map(|(.., name)| name))))
+}

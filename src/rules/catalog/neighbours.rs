@@ -1,0 +1,60 @@
+//! What could be meant by the name of a target that does not exist.
+
+use std::collections::BTreeSet;
+
+use crate::diag::Suggestions;
+use crate::repo::mpfb::{Catalog, View};
+use crate::repo::{FileFacts, Reference, ReferenceKind, parent};
+
+/// Files that a missing one may be meant to be.
+pub(super) struct Neighbours<'v, 'a> {
+    catalog: &'v Catalog<'a>,
+    /// Paths of the targets that a slider asks for. They are not meant: the other end of a slider has nearly the same name.
+    used: BTreeSet<&'a str>,
+    suggestions: Suggestions,
+}
+
+impl<'v, 'a> Neighbours<'v, 'a> {
+    pub(super) fn of(view: &View<'a>, catalog: &'v Catalog<'a>) -> Self {
+        let used = view.references.iter().filter_map(Reference::found).map(|file| file.path.as_str()).collect();
+        Self { catalog, used, suggestions: Suggestions::default() }
+    }
+
+    /// What to do about a missing one.
+    pub(super) fn help(&self, reference: &Reference<'_>) -> String {
+        let text = reference.text;
+        let plain = reference.rel.strip_suffix(".gz").and_then(|plain| self.catalog.layer.file(plain));
+        let stem = text.strip_suffix(".gz").unwrap_or(text).strip_suffix(".target");
+        if text.is_empty() {
+            "name a target in every slot".to_owned()
+        } else if let Some(stem) = stem {
+            format!("write it without the suffix: `{stem}`")
+        } else if let Some(plain) = plain.filter(|_| reference.kind == ReferenceKind::Slot) {
+            format!("a slider with `opposites` reads packed targets only: pack `{}` with gzip", plain.file_name())
+        } else if let Some(other) = self.elsewhere(reference) {
+            format!("it lies in `{}`: move it to `{}`", parent(&other.rel), parent(&reference.rel))
+        } else if let Some(near) = self.nearest(reference) {
+            format!("did you mean `{near}`?")
+        } else {
+            "correct the name, or add the target".to_owned()
+        }
+    }
+
+    /// The target of this name in another section.
+    fn elsewhere(&self, reference: &Reference<'_>) -> Option<&'a FileFacts> {
+        let stem = stem(reference.rel.rsplit('/').next()?);
+        self.catalog.sliders.sections.iter().find_map(|section| self.catalog.target(&section.name, stem))
+    }
+
+    /// The target beside it that is most like it.
+    fn nearest(&self, reference: &Reference<'_>) -> Option<&'a str> {
+        let files = self.catalog.layer.below(parent(&reference.rel));
+        let free = files.filter(|file| !self.used.contains(file.path.as_str())).map(FileFacts::file_name);
+        self.suggestions.nearest(stem(reference.rel.rsplit('/').next()?), free.map(stem))
+    }
+}
+
+fn stem(name: &str) -> &str {
+    let plain = name.strip_suffix(".gz").unwrap_or(name);
+    plain.strip_suffix(".target").unwrap_or(plain)
+}
