@@ -65,7 +65,7 @@ fn time(shape: &Shape, count: usize) -> Duration {
         let tree = Tree::in_memory("", files.iter().cloned());
         let start = clock();
         let outcome = lint_trees(vec![tree], None, &Config::default()).unwrap();
-        (clock() - start, outcome)
+        (clock().saturating_sub(start), outcome)
     };
     let (first, outcome) = run();
     assert_shown(shape, &outcome);
@@ -88,7 +88,7 @@ fn assert_shown(shape: &Shape, outcome: &Outcome) {
     if std::env::var_os("MHLINT_TIMINGS").is_some() {
         let mut timings: Vec<_> = outcome.timings.iter().collect();
         timings.sort_by_key(|timing| std::cmp::Reverse(timing.time));
-        timings.iter().take(12).for_each(|timing| println!("    {:?} {}", timing.time, timing.what));
+        timings.iter().take(12).for_each(|timing| println!("    {:.3} s {}", timing.time.as_secs_f64(), timing.what));
     }
 }
 

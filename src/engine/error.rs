@@ -123,14 +123,14 @@ impl fmt::Display for PathFault {
 
 impl fmt::Display for SelectorFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let meant = |nearest: &Option<&str>| match nearest {
+        let meant = |nearest: Option<&str>| match nearest {
             Some(name) => format!("did you mean `{name}`?"),
             None => "`mhlint rules` lists them".to_owned(),
         };
         match self {
             Self::NoGlob(reason) => f.write_str(reason),
-            Self::NoRule { nearest } => write!(f, "fits no rule; {}", meant(nearest)),
-            Self::EmptySelect { place, nearest } => write!(f, "`select` in {place} fits no rule; {}", meant(nearest)),
+            Self::NoRule { nearest } => write!(f, "fits no rule; {}", meant(*nearest)),
+            Self::EmptySelect { place, nearest } => write!(f, "`select` in {place} fits no rule; {}", meant(*nearest)),
             Self::Safety => f.write_str(
                 "this rule guards against running foreign code, leaving the data or filling memory and cannot be muted",
             ),

@@ -144,8 +144,8 @@ fn judge_all(
         let views: Vec<View<'_>> = applications.map(|application| View::connect(application, layers)).collect();
         views.iter().for_each(|view| summarise(view, outcome));
         // Only what MakeHuman 2 shows is evaluated.
-        let measured = |view: &View<'_>| measures.get(number).filter(|_| view.makehuman2().is_some());
-        let with_measures: Vec<_> = views.iter().map(|view| (view, measured(view))).collect();
+        let of_view = |view: &View<'_>| measures.get(number).filter(|_| view.makehuman2().is_some());
+        let with_measures: Vec<_> = views.iter().map(|view| (view, of_view(view))).collect();
         let mut findings = check(&with_measures, selection, options, outcome);
         if let Some(change) = change {
             views.iter().for_each(|view| explain(view, &mut findings, change));

@@ -89,7 +89,7 @@ impl Layer {
     }
 
     /// All files whose path begins so, in order.
-    pub fn beginning_with<'s>(&'s self, prefix: String) -> impl Iterator<Item = &'s FileFacts> + use<'s> {
+    pub fn beginning_with(&self, prefix: String) -> impl Iterator<Item = &FileFacts> + use<'_> {
         let from = self.files.range(prefix.clone()..);
         from.take_while(move |(rel, _)| rel.starts_with(&prefix)).map(|(_, file)| file)
     }

@@ -52,7 +52,7 @@ impl<'a> View<'a> {
     }
 
     /// Its bodies.
-    pub fn bodies<'v>(&'v self) -> Vec<Body<'v>> {
+    pub fn bodies(&self) -> Vec<Body<'_>> {
         match self {
             Self::Makehuman2(view) => view.bodies(self),
             Self::Mpfb(view) => view.body(self).into_iter().collect(),

@@ -120,7 +120,8 @@ fn only(outcome: &Outcome) -> String {
         ("without the rules", without),
     ];
     let parts = parts.into_iter().filter(|(_, names)| !names.is_empty());
-    parts.map(|(before, names)| format!(" {before} {}", printable(&listed(names)))).collect()
+    let words: Vec<String> = parts.map(|(before, names)| format!(" {before} {}", printable(&listed(names)))).collect();
+    words.concat()
 }
 
 /// `a`, `b`, `c` and 2 more.

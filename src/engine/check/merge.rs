@@ -17,12 +17,11 @@ pub(super) fn merged(views: Vec<Vec<Finding>>) -> Vec<Finding> {
     for view in views {
         let places = places.get_or_insert_with(|| identities(&all).into_iter().zip(0..).collect());
         for (identity, finding) in identities(&view).into_iter().zip(view) {
-            match places.get(&identity).and_then(|place| all.get_mut(*place)) {
-                Some(known) => join(known, finding),
-                None => {
-                    places.insert(identity, all.len());
-                    all.push(finding);
-                }
+            if let Some(known) = places.get(&identity).and_then(|place| all.get_mut(*place)) {
+                join(known, finding);
+            } else {
+                places.insert(identity, all.len());
+                all.push(finding);
             }
         }
     }

@@ -5,6 +5,7 @@ use std::path::{Component, Path, PathBuf};
 
 use crate::diag::nearest;
 use crate::evaluate::Error;
+use crate::source::canonical;
 
 const NAMES: [&str; 4] = ["makehuman2", "makehuman1", "mpfb", "makehuman-assets"];
 
@@ -71,7 +72,7 @@ impl Roots {
 fn inside(folder: &Path, first: impl AsRef<Path>) -> PathBuf {
     let below = folder.join(&first);
     let is_it = folder.file_name().is_some_and(|name| Path::new(name) == first.as_ref());
-    if !below.exists() && is_it { folder.to_path_buf() } else { below }
+    if canonical(&below).is_none() && is_it { folder.to_path_buf() } else { below }
 }
 
 #[cfg(test)]

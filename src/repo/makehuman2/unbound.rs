@@ -1,7 +1,7 @@
 //! Which weights no skeleton names.
 
 use super::Base;
-use crate::repo::{Reference, ReferenceKind};
+use crate::repo::{Reference, ReferenceKind, Rig};
 
 /// Of each weights file of a base whether no skeleton names it; never where nobody can tell.
 pub(super) fn unbound(base: &Base<'_>) -> Vec<bool> {
@@ -13,7 +13,7 @@ pub(super) fn unbound(base: &Base<'_>) -> Vec<bool> {
 
 fn can_tell(base: &Base<'_>) -> bool {
     // A skeleton that cannot be read may name any file.
-    let mut skeletons = base.rigs.iter().map(|rig| rig.skeleton());
+    let mut skeletons = base.rigs.iter().map(Rig::skeleton);
     let is_clear = skeletons.all(|one| one.is_some_and(|one| one.is_object && !one.weights_file_misshapen));
     // What is not found may be any of the files here, under another name; a pose skeleton that is not found may
     // name any. Without `base.json` the base, and its skeletons with it, lie in system data that was not given.

@@ -38,7 +38,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             }
             // What NaN does to weights is worse, and another rule's business.
             _ if !matches!(file.kind, Kind::Weights | Kind::AssetWeights) && !is_stray(file) => {
-                out.extend(special_numbers(file))
+                out.extend(special_numbers(file));
             }
             _ => {}
         }

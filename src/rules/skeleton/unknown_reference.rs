@@ -29,7 +29,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(pose) = body.default_rig().and_then(|rig| rig.skeleton()) else { return };
+    let Some(pose) = body.default_rig().and_then(crate::repo::Rig::skeleton) else { return };
     let known: BTreeSet<&str> = pose.bones.iter().map(|bone| bone.name.as_str()).collect();
     if known.is_empty() {
         return;

@@ -5,7 +5,7 @@ use super::measured::{Measured, measured, named};
 use crate::diag::{Application, Confidence, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::formats::mhskel::{Bone, Skeleton};
-use crate::repo::Body;
+use crate::repo::{Body, Rig};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -22,7 +22,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(default) = body.default_rig().and_then(|rig| rig.skeleton()) else { return };
+    let Some(default) = body.default_rig().and_then(Rig::skeleton) else { return };
     for rig in measured(body, measures) {
         let receives_nothing = |bone: &&Bone| rig.measure.without_weights.contains(&bone.name);
         let bones =

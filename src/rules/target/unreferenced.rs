@@ -131,6 +131,7 @@ fn without_decr<'b>(base: &'b Base<'_>) -> BTreeMap<&'b str, &'b str> {
 /// The slider that has the opposite of a target and lacks the target itself.
 fn slider_without<'b>(base: &Base<'_>, sliders: &BTreeMap<&str, &'b str>, decr: &str) -> Option<&'b str> {
     let opposites = base.settings().map(|(_, settings)| settings.opposites.as_slice()).unwrap_or_default();
-    let names = opposites.iter().filter_map(|(less, more)| Some(decr.strip_suffix(less.as_str())?.to_owned() + more));
-    names.filter_map(|name| sliders.get(name.as_str()).copied()).next()
+    let mut names =
+        opposites.iter().filter_map(|(less, more)| Some(decr.strip_suffix(less.as_str())?.to_owned() + more));
+    names.find_map(|name| sliders.get(name.as_str()).copied())
 }

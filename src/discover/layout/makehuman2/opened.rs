@@ -59,7 +59,7 @@ const WORN: [&str; 8] = ["clothes", "hair", "eyes", "eyebrows", "eyelashes", "te
 /// (formats/makehuman2.md §17).
 pub fn material_of(rel: &str) -> Option<MaterialUse<'_>> {
     match rel.split('/').collect::<Vec<_>>().as_slice() {
-        ["skins", _, _] | ["skins", _, _, _] | ["base", _, _] => Some(MaterialUse { folder: "skins", is_worn: false }),
+        ["skins" | "base", _, _] | ["skins", _, _, _] => Some(MaterialUse { folder: "skins", is_worn: false }),
         [folder, _, "materials", _, ..] if WORN.contains(folder) => Some(MaterialUse { folder, is_worn: false }),
         [folder, _, _, ..] if WORN.contains(folder) => Some(MaterialUse { folder, is_worn: true }),
         _ => None,
