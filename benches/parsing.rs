@@ -7,8 +7,8 @@ mod data;
 
 use data::Files;
 use divan::{Bencher, counter::BytesCount};
+use mhlint::Encoding;
 use mhlint::formats::{mhw, target};
-use mhlint::source::Encoding;
 
 fn main() {
     divan::main();

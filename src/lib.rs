@@ -33,22 +33,27 @@
 // Files, streams and surroundings have few doors, and who may use them says so; tests are free.
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
+#[doc(hidden)]
 pub mod cli;
 pub mod config;
 pub mod diag;
-pub mod discover;
-pub mod engine;
+mod discover;
+mod engine;
 pub mod eval;
 pub mod evaluate;
 pub mod fix;
 pub mod formats;
-pub mod json;
-pub mod repo;
+mod json;
+mod repo;
 pub mod report;
 mod rules;
-pub mod source;
+mod source;
 
 pub use config::Config;
 pub use diag::{Application, Finding, Level, Outcome};
-pub use engine::{Error, Fixed, lint, lint_and_fix, lint_trees, open_base, rule_infos};
-pub use source::Tree;
+#[doc(hidden)]
+pub use engine::trial;
+pub use engine::{
+    BaselineFault, Error, Fixed, PathFault, SelectorFault, lint, lint_and_fix, lint_trees, open_base, rule_infos,
+};
+pub use source::{Encoding, Limits, Tree};

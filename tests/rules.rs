@@ -12,7 +12,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use mhlint::engine::trial;
+use mhlint::trial;
 use mhlint::{Tree, rule_infos};
 use rayon::prelude::*;
 use scratch::memory::{Asked, Memory, concise};

@@ -19,7 +19,7 @@ pub struct Use {
 
 /// Something below a data root. A folder is what a file in its place would be.
 #[derive(Debug, Clone)]
-pub struct Candidate<'t> {
+pub(crate) struct Candidate<'t> {
     /// Where to read it.
     pub entry: &'t Entry,
     /// Its path below the root; a loose file has only a supposed one.
@@ -29,29 +29,29 @@ pub struct Candidate<'t> {
 }
 
 /// The kind that the uses of a file give it. A format is the same to all applications, but not all read it.
-pub fn kind_of(uses: &[Use]) -> Kind {
+pub(crate) fn kind_of(uses: &[Use]) -> Kind {
     uses.iter().map(|one| one.kind).find(|kind| *kind != Kind::Other).unwrap_or(Kind::Other)
 }
 
 /// The base mesh that a file belongs to.
-pub fn owner_of(uses: &[Use]) -> Option<&str> {
+pub(crate) fn owner_of(uses: &[Use]) -> Option<&str> {
     uses.iter().find_map(|one| one.owner.as_deref())
 }
 
 /// What a path below a data root with these layouts is for.
-pub fn uses_of(rel: &str, layouts: &[&Layout]) -> Vec<Use> {
+pub(crate) fn uses_of(rel: &str, layouts: &[&Layout]) -> Vec<Use> {
     layouts.iter().map(|layout| layout.use_of(rel)).collect()
 }
 
 /// Everything in `tree` below `root`, the data root of the applications that `layouts` are of.
-pub fn candidates<'t>(tree: &'t Tree, root: &str, layouts: &[&Layout]) -> Vec<Candidate<'t>> {
+pub(crate) fn candidates<'t>(tree: &'t Tree, root: &str, layouts: &[&Layout]) -> Vec<Candidate<'t>> {
     let below = |path: &'t str| if root.is_empty() { Some(path) } else { path.strip_prefix(root)?.strip_prefix('/') };
     let entries = tree.entries().iter().filter_map(|entry| Some((entry, below(&entry.path)?)));
     entries.map(|(entry, rel)| Candidate::new(entry, rel, layouts)).collect()
 }
 
 /// The files of a tree without a data root that are assets, put where `layout` has them.
-pub fn loose_candidates<'t>(tree: &'t Tree, layout: &Layout, base: Option<&str>) -> Vec<Candidate<'t>> {
+pub(crate) fn loose_candidates<'t>(tree: &'t Tree, layout: &Layout, base: Option<&str>) -> Vec<Candidate<'t>> {
     let files = tree.entries().iter().filter(|entry| entry.kind == EntryKind::File);
     let moved = files.filter_map(|entry| Some((entry, layout.loose_place(&entry.path, base)?)));
     moved.map(|(entry, rel)| Candidate::new(entry, rel, &[layout])).collect()
@@ -59,24 +59,24 @@ pub fn loose_candidates<'t>(tree: &'t Tree, layout: &Layout, base: Option<&str>)
 
 impl<'t> Candidate<'t> {
     /// Finds out what `rel` is for.
-    pub fn new(entry: &'t Entry, rel: impl Into<Cow<'t, str>>, layouts: &[&Layout]) -> Self {
+    pub(crate) fn new(entry: &'t Entry, rel: impl Into<Cow<'t, str>>, layouts: &[&Layout]) -> Self {
         let rel = rel.into();
         let uses = uses_of(&rel, layouts);
         Self { entry, rel, uses }
     }
 
     /// Its kind.
-    pub fn kind(&self) -> Kind {
+    pub(crate) fn kind(&self) -> Kind {
         kind_of(&self.uses)
     }
 
     /// The base mesh that it belongs to.
-    pub fn owner(&self) -> Option<&str> {
+    pub(crate) fn owner(&self) -> Option<&str> {
         owner_of(&self.uses)
     }
 
     /// Whether it is to be read, as far as the listing can tell.
-    pub fn is_file(&self) -> bool {
+    pub(crate) fn is_file(&self) -> bool {
         self.entry.kind != EntryKind::Folder
     }
 }

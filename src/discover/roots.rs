@@ -8,7 +8,7 @@ use crate::diag::Application;
 
 /// A folder that an application would call its data folder.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
-pub struct DataRoot {
+pub(crate) struct DataRoot {
     /// Path from the top of the tree, empty for the top itself.
     pub path: String,
     /// Whose data folder it looks like.
@@ -16,7 +16,7 @@ pub struct DataRoot {
 }
 
 /// All data roots in a listing of file paths, sorted by path.
-pub fn find_roots<'a>(files: impl IntoIterator<Item = &'a str>) -> Vec<DataRoot> {
+pub(crate) fn find_roots<'a>(files: impl IntoIterator<Item = &'a str>) -> Vec<DataRoot> {
     let mut signs: BTreeMap<DataRoot, Sign> = BTreeMap::new();
     for file in files {
         for application in Application::ALL {

@@ -251,7 +251,7 @@ fn rewritten(rewrite: Rewrite, text: &[u8]) -> Vec<Edit> {
 }
 
 /// How many findings `--fix` alone could fix, and how many need `--unsafe-fixes`.
-pub fn fixable(findings: &[Finding]) -> (usize, usize) {
+pub(crate) fn fixable(findings: &[Finding]) -> (usize, usize) {
     let of = |kind| findings.iter().filter(|one| one.fix.as_ref().is_some_and(|fix| fix.kind == kind)).count();
     (of(FixKind::Safe), of(FixKind::Unsafe))
 }

@@ -18,10 +18,12 @@ mod summary;
 pub mod trial;
 mod verdict;
 
-pub use crate::eval::settings::DEFAULT_SAMPLES;
 pub use catalogue::rule_infos;
 pub use error::{BaselineFault, Error, PathFault, SelectorFault};
-pub use fix::{Fixed, fixable, lint_and_fix};
+pub use fix::{Fixed, lint_and_fix};
 pub use load::open_base;
 pub use run::{lint, lint_trees};
-pub use verdict::holds_asset;
+
+pub(crate) use crate::eval::settings::DEFAULT_SAMPLES;
+pub(crate) use fix::fixable;
+pub(crate) use verdict::holds_asset;

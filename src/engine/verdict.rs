@@ -42,7 +42,7 @@ fn fails(levels: impl Iterator<Item = Level> + Clone, config: &Config) -> bool {
 }
 
 /// Whether a file lies where a checked data root or the system data have their assets, or is a loose one of them.
-pub fn holds_asset(outcome: &Outcome, file: &Path, system: Option<&Path>) -> bool {
+pub(crate) fn holds_asset(outcome: &Outcome, file: &Path, system: Option<&Path>) -> bool {
     let place = resolved(file);
     let is_asset_in = |(root, application): (&Path, Application)| {
         let rel = place.strip_prefix(resolved(root)).map(slashed).unwrap_or_default();

@@ -14,7 +14,7 @@ const LONGEST_WIDTH: usize = 3;
 ///
 /// # Errors
 /// The first field that is not `{}` or `{0}` with an optional conversion and layout.
-pub fn check(text: &str) -> Result<(), Fault> {
+pub(crate) fn check(text: &str) -> Result<(), Fault> {
     let mut at = 0;
     let mut numbering = Numbering::default();
     while let Some(found) = text.get(at..).and_then(|rest| rest.find(['{', '}'])) {

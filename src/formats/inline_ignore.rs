@@ -15,14 +15,14 @@ pub struct InlineIgnore {
 }
 
 /// Notes the mute in a comment, `#` included, if it is one.
-pub fn note(line: u32, comment: &[u8], ignores: &mut Vec<InlineIgnore>) {
+pub(crate) fn note(line: u32, comment: &[u8], ignores: &mut Vec<InlineIgnore>) {
     if ignores.len() < MOST {
         ignores.extend(comment.trim_ascii().strip_prefix(b"#").and_then(|text| parse(line, text)));
     }
 }
 
 /// The mutes in a text whose comments are lines that begin with one of `marks`.
-pub fn of_lines(text: &[u8], marks: &[&str]) -> Vec<InlineIgnore> {
+pub(crate) fn of_lines(text: &[u8], marks: &[&str]) -> Vec<InlineIgnore> {
     let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
     let end = if text.contains(&b'\n') { b'\n' } else { b'\r' };
     let lines = (1..).zip(text.split(|byte| *byte == end));

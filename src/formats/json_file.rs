@@ -37,7 +37,7 @@ pub struct JsonFacts {
 ///
 /// # Errors
 /// The fault that keeps an application from reading it.
-pub fn parse(text: &[u8], encoding: &Encoding) -> Result<Document, JsonFault> {
+pub(crate) fn parse(text: &[u8], encoding: &Encoding) -> Result<Document, JsonFault> {
     if encoding.lfs_pointer {
         Err(JsonFault::LfsPointer)
     } else if encoding.blank {

@@ -43,7 +43,7 @@ impl Entry {
 }
 
 /// Divides the weights of every vertex by their sum where that is not 1, as the loader does.
-pub fn normalize_weights(text: &[u8]) -> Vec<Edit> {
+pub(crate) fn normalize_weights(text: &[u8]) -> Vec<Edit> {
     edit(text, |table| {
         let mut edits = Vec::new();
         for entries in table.by_vertex().into_values().filter(|entries| !is_faulty(entries)) {
@@ -58,7 +58,7 @@ pub fn normalize_weights(text: &[u8]) -> Vec<Edit> {
 }
 
 /// Takes out entries that the loader drops, and bones that nothing is left of.
-pub fn drop_small_weights(text: &[u8]) -> Vec<Edit> {
+pub(crate) fn drop_small_weights(text: &[u8]) -> Vec<Edit> {
     edit(text, |table| {
         let sums: BTreeMap<i64, f32> = table
             .by_vertex()
@@ -74,7 +74,7 @@ pub fn drop_small_weights(text: &[u8]) -> Vec<Edit> {
 }
 
 /// Replaces entries of one vertex in one bone by one with their sum; the vertex is normalised where that is needed.
-pub fn merge_weights(text: &[u8]) -> Vec<Edit> {
+pub(crate) fn merge_weights(text: &[u8]) -> Vec<Edit> {
     edit(text, |table| {
         let mut edits = Vec::new();
         let mut gone = BTreeSet::new();

@@ -8,7 +8,7 @@ const OTHER_ZEROS: [char; 8] =
     ['\u{660}', '\u{6f0}', '\u{966}', '\u{9e6}', '\u{e50}', '\u{ff10}', '\u{17e0}', '\u{1040}'];
 
 /// Python's `int(token)`. Beyond 64 bits the value saturates.
-pub fn python_int(token: &[u8]) -> Option<i64> {
+pub(crate) fn python_int(token: &[u8]) -> Option<i64> {
     let text = plain_digits(token)?;
     let (sign, digits) = match text.strip_prefix('-') {
         Some(rest) => (-1, rest),
@@ -21,7 +21,7 @@ pub fn python_int(token: &[u8]) -> Option<i64> {
 }
 
 /// Python's `float(token)`: also `nan`, `inf` and `infinity`; overflow gives infinity.
-pub fn python_float(token: &[u8]) -> Option<f64> {
+pub(crate) fn python_float(token: &[u8]) -> Option<f64> {
     let text = plain_digits(token)?;
     let unsigned = text.strip_prefix(['+', '-']).unwrap_or(&text);
     if unsigned.starts_with(|c: char| c.is_ascii_digit() || c == '.') {

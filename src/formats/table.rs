@@ -85,7 +85,7 @@ const fn mhw(kind: Kind, needs: Needs) -> Format {
 }
 
 /// All formats, one a kind, in the order of [`Kind`].
-pub static FORMATS: [Format; 25] = [
+pub(crate) static FORMATS: [Format; 25] = [
     json(Kind::BaseJson, "base.json", "base", |json| Content::BaseJson(Box::new(base_json::read(json)))),
     read(Kind::BaseMesh, "base mesh", Syntax::Text, mesh),
     json(Kind::Geometry, "geometry.json", "geometry", |json| Content::Geometry(Box::new(geometry::read(json)))),

@@ -16,7 +16,7 @@ struct Row {
 }
 
 /// Takes out rows that move nothing. Those of a vertex that another row moves stay: the last one counts.
-pub fn drop_zero_rows(text: &[u8]) -> Vec<Edit> {
+pub(crate) fn drop_zero_rows(text: &[u8]) -> Vec<Edit> {
     let rows = rows(text);
     let moved: BTreeSet<u32> = rows.iter().filter(|row| !row.is_zero).filter_map(|row| row.index).collect();
     let gone = rows.iter().filter(|row| row.is_zero && row.index.is_none_or(|index| !moved.contains(&index)));
@@ -24,7 +24,7 @@ pub fn drop_zero_rows(text: &[u8]) -> Vec<Edit> {
 }
 
 /// Takes out all rows of a vertex but the last, which is the one that counts.
-pub fn keep_last_rows(text: &[u8]) -> Vec<Edit> {
+pub(crate) fn keep_last_rows(text: &[u8]) -> Vec<Edit> {
     let rows = rows(text);
     let numbered = rows.iter().enumerate();
     let last: BTreeMap<u32, usize> = numbered.filter_map(|(at, row)| Some((row.index?, at))).collect();

@@ -71,7 +71,7 @@ pub struct Member {
 ///
 /// # Errors
 /// The first place at which it is no JSON.
-pub fn parse(text: &[u8]) -> Result<Document, SyntaxFault> {
+pub(crate) fn parse(text: &[u8]) -> Result<Document, SyntaxFault> {
     let mut builder = Builder { reader: Reader::new(text), duplicates: Vec::new(), pointer: String::new() };
     let root = builder.value()?;
     builder.reader.finish()?;

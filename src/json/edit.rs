@@ -6,14 +6,14 @@ use super::{Document, Node};
 use crate::diag::Edit;
 
 /// Puts a text, or `null`, in the place of the value at `pointer`.
-pub fn set_value(document: &Document, pointer: &str, text: Option<&str>) -> Option<Edit> {
+pub(crate) fn set_value(document: &Document, pointer: &str, text: Option<&str>) -> Option<Edit> {
     let node = document.at(pointer)?;
     let value = text.map_or(serde_json::Value::Null, Into::into).to_string();
     (node.as_str() != text).then(|| Edit::replacement(node.span.clone(), value))
 }
 
 /// Takes the elements at `pointers` out of their lists.
-pub fn remove_elements(text: &[u8], document: &Document, pointers: &[&str]) -> Vec<Edit> {
+pub(crate) fn remove_elements(text: &[u8], document: &Document, pointers: &[&str]) -> Vec<Edit> {
     let mut by_list: std::collections::BTreeMap<&str, Vec<usize>> = std::collections::BTreeMap::new();
     for (list, position) in pointers.iter().filter_map(|pointer| pointer.rsplit_once('/')) {
         by_list.entry(list).or_default().extend(position.parse::<usize>());
@@ -29,7 +29,7 @@ fn spans(list: &Node) -> Vec<Range<usize>> {
 /// Takes parts out of a list or object: the parts at the positions that `gone` names, with one comma each.
 ///
 /// A part that shares its line with the one before leaves that line; a part alone on its lines takes them along.
-pub fn removals(text: &[u8], whole: &Node, parts: &[Range<usize>], gone: &dyn Fn(usize) -> bool) -> Vec<Edit> {
+pub(crate) fn removals(text: &[u8], whole: &Node, parts: &[Range<usize>], gone: &dyn Fn(usize) -> bool) -> Vec<Edit> {
     let kept = (0..parts.len()).filter(|at| !gone(*at)).count();
     if kept == 0 && !parts.is_empty() {
         return vec![Edit::removal(whole.span.start + 1..whole.span.end.saturating_sub(1))];

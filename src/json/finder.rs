@@ -16,24 +16,24 @@ pub(super) struct Sorted {
 }
 
 /// A document of which many places are asked for.
-pub struct Finder {
+pub(crate) struct Finder {
     document: Document,
     sorted: Sorted,
 }
 
 impl Finder {
     /// Looks into a document.
-    pub fn new(document: Document) -> Self {
+    pub(crate) fn new(document: Document) -> Self {
         Self { document, sorted: Sorted::default() }
     }
 
     /// The value a pointer leads to; of equal keys the last, as the applications see it.
-    pub fn at(&mut self, pointer: &str) -> Option<&Node> {
+    pub(crate) fn at(&mut self, pointer: &str) -> Option<&Node> {
         self.sorted.find(&self.document.root, pointer)
     }
 
     /// Span of the key a pointer leads to.
-    pub fn key_at(&mut self, pointer: &str) -> Option<Range<usize>> {
+    pub(crate) fn key_at(&mut self, pointer: &str) -> Option<Range<usize>> {
         let (parent, _) = pointer.rsplit_once('/')?;
         let key = steps(pointer).last()?;
         let object = self.sorted.find(&self.document.root, parent)?;

@@ -13,9 +13,9 @@ mod schema_fault;
 mod syntax_text;
 mod unknown_key;
 
-pub use document::{Document, Duplicate, Member, Node, Value, parse};
-pub use edit::{removals, remove_elements, set_value};
-pub use finder::Finder;
-pub use reader::{Reader, SyntaxFault, SyntaxKind};
-pub use schema::{SchemaFaults, UnknownKey, check, schema_names, schema_text};
-pub use schema_fault::{Bound, Found, Misfit, SchemaFault, Shape};
+pub(crate) use document::{Document, Duplicate, Member, Node, Value, parse};
+pub(crate) use edit::{removals, remove_elements, set_value};
+pub(crate) use finder::Finder;
+pub(crate) use reader::{Reader, SyntaxFault, SyntaxKind};
+pub(crate) use schema::{SchemaFaults, UnknownKey, check, schema_names, schema_text};
+pub(crate) use schema_fault::{Bound, Found, Misfit, SchemaFault, Shape};

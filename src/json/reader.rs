@@ -53,7 +53,7 @@ pub enum SyntaxKind {
 
 /// Reads tokens from a JSON text.
 #[derive(Debug, Clone)]
-pub struct Reader<'a> {
+pub(crate) struct Reader<'a> {
     text: &'a [u8],
     at: usize,
     depth: u32,
@@ -65,12 +65,12 @@ type Step<T> = Result<T, SyntaxFault>;
 
 impl<'a> Reader<'a> {
     /// Starts at the beginning of `text`.
-    pub fn new(text: &'a [u8]) -> Self {
+    pub(crate) fn new(text: &'a [u8]) -> Self {
         Self { text, at: 0, depth: 0, specials: Vec::new() }
     }
 
     /// The next significant byte, not consumed.
-    pub fn peek(&mut self) -> Option<u8> {
+    pub(crate) fn peek(&mut self) -> Option<u8> {
         while matches!(self.text.get(self.at), Some(b' ' | b'\t' | b'\n' | b'\r')) {
             self.at += 1;
         }
@@ -78,12 +78,12 @@ impl<'a> Reader<'a> {
     }
 
     /// Offset of the next byte.
-    pub fn offset(&self) -> usize {
+    pub(crate) fn offset(&self) -> usize {
         self.at
     }
 
     /// The bytes read since an offset.
-    pub fn since(&self, start: usize) -> &'a [u8] {
+    pub(crate) fn since(&self, start: usize) -> &'a [u8] {
         self.text.get(start..self.at).unwrap_or_default()
     }
 
@@ -91,7 +91,7 @@ impl<'a> Reader<'a> {
     ///
     /// # Errors
     /// Nesting beyond the limit.
-    pub fn open(&mut self) -> Step<()> {
+    pub(crate) fn open(&mut self) -> Step<()> {
         self.depth += 1;
         if self.depth > DEEPEST {
             return Err(self.fault(self.at..self.at + 1, SyntaxKind::TooDeep));
@@ -105,7 +105,7 @@ impl<'a> Reader<'a> {
     ///
     /// # Errors
     /// Anything but a comma or the closing bracket; a comma before it.
-    pub fn more(&mut self, first: bool, close: u8) -> Step<bool> {
+    pub(crate) fn more(&mut self, first: bool, close: u8) -> Step<bool> {
         match self.peek() {
             Some(byte) if byte == close => {
                 self.at += 1;
@@ -132,7 +132,7 @@ impl<'a> Reader<'a> {
     ///
     /// # Errors
     /// No key in double quotes, or no colon behind it.
-    pub fn key(&mut self) -> Step<(Cow<'a, str>, Range<usize>)> {
+    pub(crate) fn key(&mut self) -> Step<(Cow<'a, str>, Range<usize>)> {
         if self.peek() != Some(b'"') {
             return Err(self.expected("a key in double quotes"));
         }
@@ -150,7 +150,7 @@ impl<'a> Reader<'a> {
     ///
     /// # Errors
     /// A string that does not end, a raw control character, a bad escape.
-    pub fn string(&mut self) -> Step<Cow<'a, str>> {
+    pub(crate) fn string(&mut self) -> Step<Cow<'a, str>> {
         let start = self.at + 1;
         let rest = self.text.get(start..).unwrap_or_default();
         let plain = rest.iter().position(|byte| matches!(byte, b'"' | b'\\' | 0..=0x1f));
@@ -244,7 +244,7 @@ impl<'a> Reader<'a> {
     ///
     /// # Errors
     /// A sign without a number.
-    pub fn number(&mut self) -> Step<Option<(f64, bool)>> {
+    pub(crate) fn number(&mut self) -> Step<Option<(f64, bool)>> {
         self.peek();
         let rest = self.text.get(self.at..).unwrap_or_default();
         for (word, value) in [("NaN", f64::NAN), ("Infinity", f64::INFINITY), ("-Infinity", f64::NEG_INFINITY)] {
@@ -266,7 +266,7 @@ impl<'a> Reader<'a> {
     }
 
     /// `null`, `true` or `false`.
-    pub fn literal(&mut self, word: &'static str) -> bool {
+    pub(crate) fn literal(&mut self, word: &'static str) -> bool {
         let rest = self.text.get(self.at..).unwrap_or_default();
         let found = rest.starts_with(word.as_bytes());
         if found {
@@ -279,7 +279,7 @@ impl<'a> Reader<'a> {
     ///
     /// # Errors
     /// Something follows.
-    pub fn finish(&mut self) -> Step<()> {
+    pub(crate) fn finish(&mut self) -> Step<()> {
         match self.peek() {
             None => Ok(()),
             Some(b'/' | b'#' | b'<') => Err(self.expected("the end of the text")),
@@ -288,7 +288,7 @@ impl<'a> Reader<'a> {
     }
 
     /// The fault "something else was expected here".
-    pub fn expected(&self, expected: &'static str) -> SyntaxFault {
+    pub(crate) fn expected(&self, expected: &'static str) -> SyntaxFault {
         let rest = self.text.get(self.at..).unwrap_or_default();
         let kind = match rest {
             [] => return self.end(expected),

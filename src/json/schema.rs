@@ -75,17 +75,17 @@ static SCHEMAS: [Schema; 9] = [
 ];
 
 /// Names of the embedded schemas, sorted.
-pub fn schema_names() -> impl Iterator<Item = &'static str> {
+pub(crate) fn schema_names() -> impl Iterator<Item = &'static str> {
     SCHEMAS.iter().map(|schema| schema.name)
 }
 
 /// Text of an embedded schema.
-pub fn schema_text(name: &str) -> Option<&'static str> {
+pub(crate) fn schema_text(name: &str) -> Option<&'static str> {
     find(name).map(|schema| schema.text)
 }
 
 /// Checks a document against the embedded schema `name` (`macro`, `mhskel` …). An unknown name fits anything.
-pub fn check(name: &str, document: &Document) -> SchemaFaults {
+pub(crate) fn check(name: &str, document: &Document) -> SchemaFaults {
     let Some(schema) = find(name).map(Schema::compiled) else { return SchemaFaults::default() };
     let plain = plain(&document.root);
     let errors = schema.validator.iter_errors(&plain);

@@ -10,7 +10,7 @@ use crate::formats::obj::Mesh;
 
 /// A body of a view. One without a name has the files that belong to no known mesh.
 #[derive(Debug)]
-pub struct Body<'v> {
+pub(crate) struct Body<'v> {
     /// What the application calls its mesh.
     pub name: &'v str,
     /// Where its files come from.
@@ -25,8 +25,6 @@ pub struct Body<'v> {
     pub rigs: &'v [Rig<'v>],
     /// All weights that could be those of a skeleton.
     pub weights: Vec<BodyWeights<'v>>,
-    /// What it can wear.
-    pub worn: Vec<&'v FileFacts>,
     view: &'v View<'v>,
     /// Numbers of the targets by printed path.
     by_path: BTreeMap<&'v str, usize>,
@@ -34,7 +32,7 @@ pub struct Body<'v> {
 
 /// A setting at which a target is applied fully.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Shown<'v> {
+pub(crate) enum Shown<'v> {
     /// Sliders as the application spells them, with their values.
     At(Vec<(String, f64)>),
     /// A combination of macro values whose sliders cannot be told.
@@ -43,7 +41,7 @@ pub enum Shown<'v> {
 
 /// A target of a body.
 #[derive(Debug)]
-pub struct Target<'v> {
+pub(crate) struct Target<'v> {
     /// Its file.
     pub file: &'v FileFacts,
     /// How it is used; of several uses the earliest.
@@ -56,7 +54,7 @@ pub struct Target<'v> {
 
 /// A skeleton and the weights that it names.
 #[derive(Debug)]
-pub struct Rig<'a> {
+pub(crate) struct Rig<'a> {
     /// The skeleton.
     pub file: &'a FileFacts,
     /// What it names as weights; `None` where that cannot be read.
@@ -69,7 +67,7 @@ pub struct Rig<'a> {
 
 /// Weights of a body.
 #[derive(Debug)]
-pub struct BodyWeights<'v> {
+pub(crate) struct BodyWeights<'v> {
     /// Their file.
     pub file: &'v FileFacts,
     /// Whether no skeleton names them. False where nobody can tell.
@@ -78,22 +76,22 @@ pub struct BodyWeights<'v> {
 
 impl<'a> Rig<'a> {
     /// The skeleton, if it could be read.
-    pub fn skeleton(&self) -> Option<&'a Skeleton> {
+    pub(crate) fn skeleton(&self) -> Option<&'a Skeleton> {
         self.file.skeleton()
     }
 
     /// The file of the weights.
-    pub fn weights_file(&self) -> Option<&'a FileFacts> {
+    pub(crate) fn weights_file(&self) -> Option<&'a FileFacts> {
         self.weights.as_ref()?.found()
     }
 
     /// The weights, if they could be read.
-    pub fn weights(&self) -> Option<&'a Weights> {
+    pub(crate) fn weights(&self) -> Option<&'a Weights> {
         self.weights_file()?.weights()
     }
 
     /// The weights with their file, if they can be used.
-    pub fn usable_weights(&self) -> Option<(&'a FileFacts, &'a Weights)> {
+    pub(crate) fn usable_weights(&self) -> Option<(&'a FileFacts, &'a Weights)> {
         let file = self.weights_file()?;
         Some((file, file.weights().filter(|weights| weights.has_weights)?))
     }
@@ -104,37 +102,37 @@ impl<'v> Body<'v> {
     pub(super) fn new(name: &'v str, view: &'v View<'v>, targets: Vec<Target<'v>>) -> Self {
         let by_path = targets.iter().enumerate().map(|(at, target)| (target.file.path.as_str(), at)).collect();
         let (mesh, visible_groups, rigs) = (None, None, [].as_slice());
-        let (weights, worn, layers) = (Vec::new(), Vec::new(), view.layers());
-        Self { name, layers, mesh, visible_groups, targets, rigs, weights, worn, view, by_path }
+        let (weights, layers) = (Vec::new(), view.layers());
+        Self { name, layers, mesh, visible_groups, targets, rigs, weights, view, by_path }
     }
 
     /// The rig that the application poses the body with.
-    pub fn default_rig(&self) -> Option<&'v Rig<'v>> {
+    pub(crate) fn default_rig(&self) -> Option<&'v Rig<'v>> {
         self.rigs.iter().find(|rig| rig.is_default)
     }
 
     /// The weights file of the default rig.
-    pub fn default_weights(&self) -> Option<&'v FileFacts> {
+    pub(crate) fn default_weights(&self) -> Option<&'v FileFacts> {
         self.default_rig()?.weights_file()
     }
 
     /// The mesh, if every line of it could be read. Otherwise vertices have other numbers than their author meant.
-    pub fn whole_mesh(&self) -> Option<&'v Mesh> {
+    pub(crate) fn whole_mesh(&self) -> Option<&'v Mesh> {
         self.mesh.map(|(_, mesh)| mesh).filter(|mesh| mesh.facts.unreadable_lines == 0)
     }
 
     /// The target at a printed path.
-    pub fn target(&self, path: &str) -> Option<&Target<'v>> {
+    pub(crate) fn target(&self, path: &str) -> Option<&Target<'v>> {
         self.targets.get(*self.by_path.get(path)?)
     }
 
     /// A setting at which a target is applied fully; `None` if nothing uses it.
-    pub fn shown_at(&self, file: &FileFacts) -> Option<Shown<'v>> {
+    pub(crate) fn shown_at(&self, file: &FileFacts) -> Option<Shown<'v>> {
         self.makehuman2().and_then(|(view, _)| view.shown_at(file))
     }
 
     /// As a base of MakeHuman 2, if it is one.
-    pub fn makehuman2(&self) -> Option<(&'v makehuman2::View<'v>, &'v makehuman2::Base<'v>)> {
+    pub(crate) fn makehuman2(&self) -> Option<(&'v makehuman2::View<'v>, &'v makehuman2::Base<'v>)> {
         let view = self.view.makehuman2()?;
         Some((view, view.base(self.name)?))
     }
@@ -142,23 +140,23 @@ impl<'v> Body<'v> {
 
 impl<'v> Target<'v> {
     /// The archive that stands for its text.
-    pub fn archive(&self) -> Option<&'v Archive> {
+    pub(crate) fn archive(&self) -> Option<&'v Archive> {
         self.packed_in?.archive().filter(|archive| archive.is_sound())
     }
 
     /// Its copy in that archive.
-    pub fn member(&self) -> Option<&'v Member> {
+    pub(crate) fn member(&self) -> Option<&'v Member> {
         let folder = parent(&self.packed_in?.rel);
         self.archive()?.member(self.file.rel.strip_prefix(folder)?.strip_prefix('/')?.strip_suffix(".target")?)
     }
 
     /// Whether nobody parses its text: the archive has it, or nothing asks for it.
-    pub fn is_unread(&self) -> bool {
+    pub(crate) fn is_unread(&self) -> bool {
         self.archive().is_some() && (self.is_unused || self.member().is_some())
     }
 
     /// Whether the archive has other numbers than the text, so that those of the text are not applied.
-    pub fn is_outdated(&self) -> bool {
+    pub(crate) fn is_outdated(&self) -> bool {
         let rows = self.member().and_then(|member| member.rows.as_ref().ok());
         rows.zip(self.file.target()).is_some_and(|(rows, facts)| rows.content != facts.content)
     }

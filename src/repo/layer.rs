@@ -11,18 +11,18 @@ use crate::discover::{Kind, Layout, kind_of, owner_of, uses_of};
 use crate::source::WalkFault;
 
 /// A path as a system compares it that regards neither capitals nor the form of accented letters.
-pub fn fold(path: &str) -> String {
+pub(crate) fn fold(path: &str) -> String {
     composed(path).to_lowercase()
 }
 
 /// A path with whole letters where it has separate accent marks (Unicode normalization form C).
-pub fn composed(path: &str) -> Cow<'_, str> {
+pub(crate) fn composed(path: &str) -> Cow<'_, str> {
     if path.is_ascii() || is_nfc(path) { Cow::Borrowed(path) } else { path.nfc().collect() }
 }
 
 /// One data root with the facts of its files.
 #[derive(Debug)]
-pub struct Layer {
+pub(crate) struct Layer {
     /// Path of the root as reports print it, empty for the working directory.
     pub path: String,
     /// The layouts that it has.
@@ -47,7 +47,7 @@ fn enter(folded: &mut BTreeMap<String, String>, rel: &str) {
 
 impl Layer {
     /// A layer of these files.
-    pub fn new(
+    pub(crate) fn new(
         path: String,
         layouts: Vec<&'static Layout>,
         files: BTreeMap<String, FileFacts>,
@@ -60,7 +60,7 @@ impl Layer {
     }
 
     /// Adds files that were read later.
-    pub fn add(&mut self, files: BTreeMap<String, FileFacts>) {
+    pub(crate) fn add(&mut self, files: BTreeMap<String, FileFacts>) {
         if let Some(folded) = self.folded.get_mut() {
             files.keys().for_each(|rel| enter(folded, rel));
         }
@@ -69,33 +69,33 @@ impl Layer {
     }
 
     /// The file at a path relative to the root.
-    pub fn file(&self, rel: &str) -> Option<&FileFacts> {
+    pub(crate) fn file(&self, rel: &str) -> Option<&FileFacts> {
         self.files.get(rel)
     }
 
     /// What the file at a path is for, or would be if there were one.
-    pub fn kind_at(&self, rel: &str) -> Kind {
+    pub(crate) fn kind_at(&self, rel: &str) -> Kind {
         self.file(rel).map_or_else(|| kind_of(&uses_of(rel, &self.layouts)), |file| file.kind)
     }
 
     /// The base mesh that what is at a path belongs to.
-    pub fn base_at(&self, rel: &str) -> Option<String> {
+    pub(crate) fn base_at(&self, rel: &str) -> Option<String> {
         owner_of(&uses_of(rel, &self.layouts)).map(str::to_owned)
     }
 
     /// All files below a folder (no trailing slash), in order.
-    pub fn below<'s>(&'s self, folder: &str) -> impl Iterator<Item = &'s FileFacts> + use<'s> {
+    pub(crate) fn below<'s>(&'s self, folder: &str) -> impl Iterator<Item = &'s FileFacts> + use<'s> {
         self.beginning_with(format!("{folder}/"))
     }
 
     /// All files whose path begins so, in order.
-    pub fn beginning_with(&self, prefix: String) -> impl Iterator<Item = &FileFacts> + use<'_> {
+    pub(crate) fn beginning_with(&self, prefix: String) -> impl Iterator<Item = &FileFacts> + use<'_> {
         let from = self.files.range(prefix.clone()..);
         from.take_while(move |(rel, _)| rel.starts_with(&prefix)).map(|(_, file)| file)
     }
 
     /// The file whose path differs from `rel` in nothing but case, or the form of its accented letters.
-    pub fn file_ignoring_case(&self, rel: &str) -> Option<&FileFacts> {
+    pub(crate) fn file_ignoring_case(&self, rel: &str) -> Option<&FileFacts> {
         let folded = self.folded.get_or_init(|| {
             let mut folded = BTreeMap::new();
             self.files.keys().for_each(|rel| enter(&mut folded, rel));
@@ -105,7 +105,7 @@ impl Layer {
     }
 
     /// Path of something in this layer as reports print it.
-    pub fn display(&self, rel: &str) -> String {
+    pub(crate) fn display(&self, rel: &str) -> String {
         if let Some(file) = self.file(rel) {
             return file.path.clone();
         }
@@ -116,7 +116,7 @@ impl Layer {
     }
 
     /// Whether something other than a file stands at a path, or above it something that could not be walked.
-    pub fn has_unusable(&self, rel: &str) -> bool {
+    pub(crate) fn has_unusable(&self, rel: &str) -> bool {
         let is_fault = |path: &str| self.walk_faults.binary_search_by(|fault| fault.path.as_str().cmp(path)).is_ok();
         let mut above = rel.match_indices('/').filter_map(|(end, _)| rel.get(..end));
         // Folders with other names, such as those of images, are not reported.
@@ -125,12 +125,12 @@ impl Layer {
     }
 
     /// Whether a path as reports print it lies in this layer.
-    pub fn holds(&self, path: &str) -> bool {
+    pub(crate) fn holds(&self, path: &str) -> bool {
         self.relative(path).is_some()
     }
 
     /// The part of a printed path below this root.
-    pub fn relative<'p>(&self, path: &'p str) -> Option<&'p str> {
+    pub(crate) fn relative<'p>(&self, path: &'p str) -> Option<&'p str> {
         if self.path.is_empty() {
             return Some(path);
         }

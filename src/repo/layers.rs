@@ -4,7 +4,7 @@ use super::{FileFacts, Layer};
 
 /// Data roots that lie over one another; one of them is checked.
 #[derive(Debug, Clone, Copy)]
-pub struct Layers<'a> {
+pub(crate) struct Layers<'a> {
     /// System data (`data/` beside the program).
     pub system: Option<&'a Layer>,
     /// User data. May be the same root as the system data when one root plays both parts.
@@ -15,23 +15,23 @@ pub struct Layers<'a> {
 
 impl<'a> Layers<'a> {
     /// Whether one root plays both parts.
-    pub fn is_one_root(&self) -> bool {
+    pub(crate) fn is_one_root(&self) -> bool {
         matches!((self.system, self.user), (Some(system), Some(user)) if std::ptr::eq(system, user))
     }
 
     /// The layers, strongest first.
-    pub fn strongest_first(&self) -> impl Iterator<Item = &'a Layer> + use<'a> {
+    pub(crate) fn strongest_first(&self) -> impl Iterator<Item = &'a Layer> + use<'a> {
         let system = if self.is_one_root() { None } else { self.system };
         self.user.into_iter().chain(system)
     }
 
     /// The first existing file, user before system.
-    pub fn first_existing(&self, rel: &str) -> Option<&'a FileFacts> {
+    pub(crate) fn first_existing(&self, rel: &str) -> Option<&'a FileFacts> {
         self.strongest_first().find_map(|layer| layer.file(rel))
     }
 
     /// Whether a file belongs to the checked layer.
-    pub fn is_checked(&self, file: &FileFacts) -> bool {
+    pub(crate) fn is_checked(&self, file: &FileFacts) -> bool {
         self.checked.file(&file.rel).is_some_and(|own| std::ptr::eq(own, file))
     }
 }

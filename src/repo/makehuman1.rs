@@ -4,7 +4,7 @@ use super::{Layers, References};
 
 /// The layers of `MakeHuman` 1.
 #[derive(Debug)]
-pub struct View<'a> {
+pub(crate) struct View<'a> {
     /// System and user data.
     pub layers: Layers<'a>,
     /// What names a file.
@@ -13,7 +13,7 @@ pub struct View<'a> {
 
 impl<'a> View<'a> {
     /// Connects layers.
-    pub fn connect(layers: Layers<'a>) -> Self {
+    pub(crate) fn connect(layers: Layers<'a>) -> Self {
         Self { layers, references: References::default() }
     }
 }

@@ -8,23 +8,23 @@ mod body;
 mod facts;
 mod layer;
 mod layers;
-pub mod makehuman1;
-pub mod makehuman2;
-pub mod mpfb;
+pub(crate) mod makehuman1;
+pub(crate) mod makehuman2;
+pub(crate) mod mpfb;
 mod path;
 mod reference;
 mod references;
 mod view;
 
-pub use body::{Body, BodyWeights, Rig, Shown, Target};
-pub use facts::FileFacts;
-pub use layer::{Layer, composed, fold};
-pub use layers::Layers;
-pub use reference::{Reference, ReferenceKind, Resolution};
-pub use references::References;
-pub use view::View;
+pub(crate) use body::{Body, BodyWeights, Rig, Shown, Target};
+pub(crate) use facts::FileFacts;
+pub(crate) use layer::{Layer, composed, fold};
+pub(crate) use layers::Layers;
+pub(crate) use reference::{Reference, ReferenceKind, Resolution};
+pub(crate) use references::References;
+pub(crate) use view::View;
 
 /// The folder of a path, empty at the top.
-pub fn parent(path: &str) -> &str {
+pub(crate) fn parent(path: &str) -> &str {
     path.rsplit_once('/').map_or("", |(folder, _)| folder)
 }

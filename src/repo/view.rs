@@ -5,7 +5,7 @@ use crate::diag::Application;
 
 /// Layers that were connected as an application does it.
 #[derive(Debug)]
-pub enum View<'a> {
+pub(crate) enum View<'a> {
     /// `MakeHuman` 2.
     Makehuman2(Box<makehuman2::View<'a>>),
     /// `MakeHuman` 1.
@@ -16,7 +16,7 @@ pub enum View<'a> {
 
 impl<'a> View<'a> {
     /// Connects layers.
-    pub fn connect(application: Application, layers: Layers<'a>) -> Self {
+    pub(crate) fn connect(application: Application, layers: Layers<'a>) -> Self {
         match application {
             Application::Makehuman2 => Self::Makehuman2(Box::new(makehuman2::View::connect(layers))),
             Application::Makehuman1 => Self::Makehuman1(makehuman1::View::connect(layers)),
@@ -25,7 +25,7 @@ impl<'a> View<'a> {
     }
 
     /// Whose view it is.
-    pub const fn application(&self) -> Application {
+    pub(crate) const fn application(&self) -> Application {
         match self {
             Self::Makehuman2(_) => Application::Makehuman2,
             Self::Makehuman1(_) => Application::Makehuman1,
@@ -34,7 +34,7 @@ impl<'a> View<'a> {
     }
 
     /// Its layers.
-    pub const fn layers(&self) -> Layers<'a> {
+    pub(crate) const fn layers(&self) -> Layers<'a> {
         match self {
             Self::Makehuman2(view) => view.layers,
             Self::Makehuman1(view) => view.layers,
@@ -43,7 +43,7 @@ impl<'a> View<'a> {
     }
 
     /// Everything that names a file, and what it leads to.
-    pub const fn references(&self) -> &References<'a> {
+    pub(crate) const fn references(&self) -> &References<'a> {
         match self {
             Self::Makehuman2(view) => &view.references,
             Self::Makehuman1(view) => &view.references,
@@ -52,7 +52,7 @@ impl<'a> View<'a> {
     }
 
     /// Its bodies.
-    pub fn bodies(&self) -> Vec<Body<'_>> {
+    pub(crate) fn bodies(&self) -> Vec<Body<'_>> {
         match self {
             Self::Makehuman2(view) => view.bodies(self),
             Self::Mpfb(view) => view.body(self).into_iter().collect(),
@@ -61,7 +61,7 @@ impl<'a> View<'a> {
     }
 
     /// The names of its bodies.
-    pub fn body_names(&self) -> Vec<&'a str> {
+    pub(crate) fn body_names(&self) -> Vec<&'a str> {
         match self {
             Self::Makehuman2(view) => view.bases.iter().map(|base| base.name).collect(),
             Self::Mpfb(view) => view.body_name().into_iter().collect(),
@@ -70,7 +70,7 @@ impl<'a> View<'a> {
     }
 
     /// As a view of `MakeHuman` 2.
-    pub fn makehuman2(&self) -> Option<&makehuman2::View<'a>> {
+    pub(crate) fn makehuman2(&self) -> Option<&makehuman2::View<'a>> {
         if let Self::Makehuman2(view) = self { Some(view) } else { None }
     }
 }

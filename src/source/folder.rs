@@ -53,12 +53,12 @@ impl Folder {
 }
 
 /// Whether a folder holds something of that name.
-pub fn holds(folder: &Path, name: &str) -> bool {
+pub(crate) fn holds(folder: &Path, name: &str) -> bool {
     folder.join(name).exists()
 }
 
 /// Whether a path is another one or lies below it.
-pub fn is_below(path: &str, outer: &str) -> bool {
+pub(crate) fn is_below(path: &str, outer: &str) -> bool {
     let outer = outer.trim_end_matches('/');
     outer.is_empty() || path.strip_prefix(outer).is_some_and(|rest| rest.is_empty() || rest.starts_with('/'))
 }

@@ -32,7 +32,7 @@ const CHUNK: usize = 64 << 10;
 ///
 /// # Errors
 /// Why it cannot be unpacked, or that it would not fit the limits.
-pub fn gunzip(packed: &[u8], limits: &Limits) -> Result<Vec<u8>, GzipFault> {
+pub(crate) fn gunzip(packed: &[u8], limits: &Limits) -> Result<Vec<u8>, GzipFault> {
     let mut out = Vec::with_capacity((packed.len() * 4).min(CHUNK * 16));
     unpack(packed, limits, &mut out)?;
     Ok(out)
@@ -43,7 +43,7 @@ pub fn gunzip(packed: &[u8], limits: &Limits) -> Result<Vec<u8>, GzipFault> {
 ///
 /// # Errors
 /// As [`gunzip`].
-pub fn try_gunzip(packed: &[u8], limits: &Limits) -> Result<u64, GzipFault> {
+pub(crate) fn try_gunzip(packed: &[u8], limits: &Limits) -> Result<u64, GzipFault> {
     unpack(packed, limits, &mut io::sink())
 }
 

@@ -11,7 +11,7 @@ const LONGEST_QUOTED_LINE: usize = 400;
 
 /// Line and column, counted from 1; columns in characters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Position {
+pub(crate) struct Position {
     /// Line, from 1.
     pub line: u32,
     /// Column, from 1.
@@ -22,7 +22,7 @@ pub struct Position {
 const COUNTED_STEP: usize = 4096;
 
 /// Where the lines of a text begin, found once for any number of questions.
-pub struct Lines<'t> {
+pub(crate) struct Lines<'t> {
     bytes: &'t [u8],
     /// First byte of each line.
     starts: Vec<usize>,
@@ -32,13 +32,13 @@ pub struct Lines<'t> {
 
 impl<'t> Lines<'t> {
     /// The lines of a text.
-    pub fn of(bytes: &'t [u8]) -> Self {
+    pub(crate) fn of(bytes: &'t [u8]) -> Self {
         let starts = std::iter::successors(Some(0), |start| next_line(bytes, *start)).collect();
         Self { bytes, starts, counted: counted(bytes) }
     }
 
     /// Position of a byte offset. Offsets beyond the end give the end.
-    pub fn position(&self, offset: usize) -> Position {
+    pub(crate) fn position(&self, offset: usize) -> Position {
         let offset = offset.min(self.bytes.len());
         let line = self.line_of(offset);
         let column = self.characters(offset) - self.characters(self.start(line));
@@ -47,14 +47,14 @@ impl<'t> Lines<'t> {
     }
 
     /// Byte range of a line (from 1) without its line end.
-    pub fn span(&self, line: u32) -> Option<Range<usize>> {
+    pub(crate) fn span(&self, line: u32) -> Option<Range<usize>> {
         let line = usize::try_from(line.saturating_sub(1)).ok()?;
         let start = *self.starts.get(line)?;
         Some(start..self.end(line))
     }
 
     /// The marked range with one line of context before and after, if it is fit to be quoted.
-    pub fn excerpt(&self, mark: Range<usize>) -> Option<Excerpt> {
+    pub(crate) fn excerpt(&self, mark: Range<usize>) -> Option<Excerpt> {
         let start = mark.start.min(self.bytes.len());
         let line = self.line_of(start);
         // A mark may begin within a line end.

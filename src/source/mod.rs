@@ -15,12 +15,13 @@ mod tree;
 mod walk;
 mod zip_size;
 
-pub use folder::{Folder, holds, is_below};
-pub use gunzip::{GzipFault, gunzip, try_gunzip};
 pub use limits::Limits;
-pub use lines::{Lines, Position};
-pub use place::{canonical, folder_of, link_targets, resolved, slashed};
 pub use text::Encoding;
-pub use tree::{Entry, EntryKind, ReadFault, Tree, WalkFault, WalkFaultKind, read_file};
-pub use walk::Wanted;
-pub use zip_size::zip_bomb;
+pub use tree::Tree;
+
+pub(crate) use folder::{Folder, holds, is_below};
+pub(crate) use gunzip::{GzipFault, gunzip, try_gunzip};
+pub(crate) use lines::Lines;
+pub(crate) use place::{canonical, folder_of, link_targets, resolved, slashed};
+pub(crate) use tree::{Entry, EntryKind, ReadFault, WalkFault, WalkFaultKind, read_file};
+pub(crate) use zip_size::zip_bomb;

@@ -9,23 +9,23 @@ pub(super) fn named(path: &Path) -> &Path {
 }
 
 /// The folder that a file is in.
-pub fn folder_of(file: &Path) -> &Path {
+pub(crate) fn folder_of(file: &Path) -> &Path {
     named(file.parent().unwrap_or(Path::new("")))
 }
 
 /// The path with forward slashes. A backslash separates on Windows and is part of a name elsewhere.
-pub fn slashed(path: &Path) -> String {
+pub(crate) fn slashed(path: &Path) -> String {
     let text = path.to_string_lossy();
     if cfg!(windows) { text.replace('\\', "/") } else { text.into_owned() }
 }
 
 /// The absolute path without links, if there is something.
-pub fn canonical(path: &Path) -> Option<PathBuf> {
+pub(crate) fn canonical(path: &Path) -> Option<PathBuf> {
     fs::canonicalize(named(path)).ok()
 }
 
 /// The absolute path without `..`, and without links in as much of it as exists: a deleted file still has its folder.
-pub fn resolved(path: &Path) -> PathBuf {
+pub(crate) fn resolved(path: &Path) -> PathBuf {
     let whole = std::path::absolute(named(path)).unwrap_or_else(|_| path.to_owned());
     let existing = whole.ancestors().find_map(|above| Some((fs::canonicalize(above).ok()?, above)));
     let (mut place, rest) = match existing {
@@ -46,7 +46,7 @@ pub fn resolved(path: &Path) -> PathBuf {
 const LONGEST_CHAIN: usize = 40;
 
 /// What a link leads to, link by link, whether it is there or not; nothing for what is no link.
-pub fn link_targets(path: &Path) -> Vec<PathBuf> {
+pub(crate) fn link_targets(path: &Path) -> Vec<PathBuf> {
     let mut targets: Vec<PathBuf> = Vec::new();
     let mut at = path.to_owned();
     while let Ok(target) = fs::read_link(&at) {

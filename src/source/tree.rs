@@ -227,7 +227,7 @@ impl Tree {
 ///
 /// # Errors
 /// As [`Tree::read`].
-pub fn read_file(path: &Path, limits: &Limits) -> Result<Vec<u8>, ReadFault> {
+pub(crate) fn read_file(path: &Path, limits: &Limits) -> Result<Vec<u8>, ReadFault> {
     let metadata = fs::metadata(path).map_err(|error| ReadFault::Unreadable(error.to_string()))?;
     if metadata.is_dir() {
         return Err(ReadFault::Unreadable("is a folder".to_owned()));

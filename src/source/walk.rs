@@ -16,7 +16,7 @@ const LONGEST_CHAIN: usize = 40;
 
 /// Says of a hidden path, or of a path in a hidden folder, whether somebody reads it: a file that is to be listed, or
 /// (`true` behind it) a folder that is to be searched for such files.
-pub type Wanted = fn(&str, bool) -> bool;
+pub(super) type Wanted = fn(&str, bool) -> bool;
 
 /// Lists everything below `root`, of hidden files and what is in hidden folders (`.git` and its kin) only what is
 /// `wanted`, not deeper than `depth` levels.

@@ -8,7 +8,7 @@ use std::io::Cursor;
 use super::{GzipFault, Limits};
 
 /// Whether the members of `archive` together unpack beyond `limits`. What is no zip is no bomb.
-pub fn zip_bomb(archive: &[u8], limits: &Limits) -> Option<GzipFault> {
+pub(crate) fn zip_bomb(archive: &[u8], limits: &Limits) -> Option<GzipFault> {
     let packed = archive.len() as u64;
     let mut zip = zip::ZipArchive::new(Cursor::new(archive)).ok()?;
     let mut unpacked = 0_u64;

@@ -3,8 +3,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::{Arc, LazyLock};
 
-use mhlint::engine::trial;
 use mhlint::report::{self, Format, View};
+use mhlint::trial;
 use mhlint::{Application, Config, Level, Outcome, Tree, lint_trees};
 
 use super::{Case, content, project};

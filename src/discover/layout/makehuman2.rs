@@ -1,6 +1,6 @@
 //! MakeHuman 2: folders of assets with a folder for each base mesh in them (formats/makehuman2.md §1).
 
-pub mod opened;
+pub(crate) mod opened;
 
 use super::super::kind::extension;
 use super::super::{Candidate, Kind};

@@ -9,7 +9,7 @@ use crate::diag::Application;
 
 /// How an application lays out its data folders: what their paths say, without a look into a file.
 #[derive(Debug)]
-pub struct Layout {
+pub(crate) struct Layout {
     /// Whose layout it is.
     pub application: Application,
     /// What tells its data folder, for people.
@@ -45,7 +45,7 @@ pub(super) enum Sign {
 
 /// The part a data root plays.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Role {
+pub(crate) enum Role {
     /// What the application calls its system data.
     System,
     /// A user's folder with base meshes of its own, or both in one.
@@ -72,7 +72,7 @@ const VERSION_CONTROL: [&str; 3] = [".git", ".svn", ".hg"];
 
 impl Layout {
     /// The layout of an application.
-    pub const fn of(application: Application) -> &'static Self {
+    pub(crate) const fn of(application: Application) -> &'static Self {
         match application {
             Application::Makehuman2 => &makehuman2::LAYOUT,
             Application::Makehuman1 => &makehuman1::LAYOUT,
@@ -81,31 +81,31 @@ impl Layout {
     }
 
     /// What a path below a data root is for.
-    pub fn use_of(&self, rel: &str) -> Use {
+    pub(crate) fn use_of(&self, rel: &str) -> Use {
         let parts: Vec<&str> = rel.split('/').collect();
         let (kind, owner) = (self.place)(&parts);
         Use { application: self.application, kind, owner: owner.map(str::to_owned) }
     }
 
     /// The part that the data root with these files plays.
-    pub fn role(&self, below: &[Candidate<'_>]) -> Role {
+    pub(crate) fn role(&self, below: &[Candidate<'_>]) -> Role {
         (self.role)(below)
     }
 
     /// Whether the root with these files, beside another one, is the system although it could play both parts.
-    pub fn is_system_of_two(&self, below: &[Candidate<'_>]) -> bool {
+    pub(crate) fn is_system_of_two(&self, below: &[Candidate<'_>]) -> bool {
         (self.is_system_of_two)(below)
     }
 
     /// The place below a user's data root that the file at `path` belongs to, for `base` if one is known.
     /// `None` for files that are not checked outside a data root.
-    pub fn loose_place(&self, path: &str, base: Option<&str>) -> Option<String> {
+    pub(crate) fn loose_place(&self, path: &str, base: Option<&str>) -> Option<String> {
         (self.loose_place)(path, base)
     }
 
     /// The part of `path` above the first folder name that belongs to a data root: where a data root would
     /// be that `path` lies inside of.
-    pub fn root_above<'p>(&self, path: &'p str) -> Option<&'p str> {
+    pub(crate) fn root_above<'p>(&self, path: &'p str) -> Option<&'p str> {
         let mut end = path.len();
         for part in path.rsplit('/') {
             let start = end - part.len();
@@ -118,7 +118,7 @@ impl Layout {
     }
 
     /// Whether a path below a data root is that of an asset, or would be one outside of any.
-    pub fn is_asset(&self, rel: &str) -> bool {
+    pub(crate) fn is_asset(&self, rel: &str) -> bool {
         let folder = rel.rsplit_once('/').map_or("", |(folder, _)| folder);
         let is_known = || !matches!(self.use_of(rel).kind, Kind::Other | Kind::Packed);
         self.root_above(folder).is_some() && is_known() || self.loose_place(rel, None).is_some()
@@ -134,7 +134,7 @@ impl Layout {
 
 /// Whether an application reads a file whose name, or that of a folder above it, begins with a point; of a folder,
 /// whether such a file could be in it. `path` may begin above the data root.
-pub fn is_read_though_hidden(path: &str, is_folder: bool) -> bool {
+pub(crate) fn is_read_though_hidden(path: &str, is_folder: bool) -> bool {
     let parts: Vec<&str> = path.split('/').collect();
     let hidden = parts.iter().position(|part| part.starts_with('.')).unwrap_or(parts.len());
     let visible = parts.get(..hidden).unwrap_or_default();

@@ -17,13 +17,13 @@ use crate::repo::{FileFacts, Layer, Reference, Rig};
 
 /// A base mesh over all layers.
 #[derive(Debug)]
-pub struct Base<'a> {
+pub(crate) struct Base<'a> {
     /// Name of its folders.
     pub name: &'a str,
     /// Whether system data is at hand; without, names may lead to files that only it has.
     pub has_system: bool,
     /// `base.json`, user before system; the model only if it could be read.
-    pub base_json: Option<(&'a FileFacts, Option<&'a BaseJson>)>,
+    pub own_json: Option<(&'a FileFacts, Option<&'a BaseJson>)>,
     /// `base.obj`, user before system, if the application gets through it.
     pub mesh: Option<(&'a FileFacts, &'a Mesh)>,
     /// `macro.json`.
@@ -105,7 +105,7 @@ pub(super) fn resolve<'a>(name: &'a str, layers: Sources<'a>) -> Base<'a> {
     let layers = layers.of_base(name);
     let Sources { system, user, user_target } = layers;
     let first = |rel: String| [user, system].into_iter().flatten().find_map(|layer| layer.file(&rel));
-    let base_json = first(format!("base/{name}/base.json")).map(|file| (file, model_of_base(file)));
+    let own_json = first(format!("base/{name}/base.json")).map(|file| (file, model_of_base(file)));
     let macros = overlaid(layers, name, "macro.json", |content| match content {
         Content::Macro(model) => Some(model.as_ref()),
         _ => None,
@@ -121,19 +121,19 @@ pub(super) fn resolve<'a>(name: &'a str, layers: Sources<'a>) -> Base<'a> {
     } else {
         (system_folder, contarget.filter(TargetFolder::exists))
     };
-    let opposites = base_json.and_then(|(_, model)| model).map(|model| model.opposites.as_slice());
+    let opposites = own_json.and_then(|(_, model)| model).map(|model| model.opposites.as_slice());
     let (sliders, by_key) = bind_sliders(&modelling, &user_modelling, opposites.unwrap_or_default());
     let in_rigs = |kind: Kind| {
         let below = layers.strongest_first().flat_map(|layer| layer.below(&format!("rigs/{name}")));
         below.filter(move |file| file.kind == kind)
     };
-    let settings = base_json.and_then(|(file, model)| Some((file, model?)));
+    let settings = own_json.and_then(|(file, model)| Some((file, model?)));
     let named = settings.map(|settings| rigs::named_by_settings(name, layers, settings)).unwrap_or_default();
     let rigs = rigs::rigs(name, layers, &named, in_rigs(Kind::Skeleton));
     let mut base = Base {
         name,
         has_system: system.is_some(),
-        base_json,
+        own_json,
         mesh: first(format!("base/{name}/base.obj")).and_then(|file| Some((file, sound_mesh(file)?))),
         macros,
         modelling,
@@ -205,10 +205,10 @@ fn bind_sliders<'a>(
     let mut sliders: Vec<BoundSlider<'a>> = Vec::new();
     let mut by_key: BTreeMap<&str, usize> = BTreeMap::new();
     for (file, model) in modelling.winner().into_iter().chain(user.accepted()) {
-        for (index, slider) in model.sliders.iter().enumerate() {
+        for slider in &model.sliders {
             let pattern = Pattern::of(slider, opposites);
             let meant = slider.meant.as_ref().map_or(Pattern::None, |meant| Pattern::of(meant, opposites));
-            let bound = BoundSlider { slider, file, pattern, meant, index };
+            let bound = BoundSlider { slider, file, pattern, meant };
             if let Some(place) = by_key.get(slider.key.as_str()).and_then(|at| sliders.get_mut(*at)) {
                 *place = bound;
             } else {
@@ -229,27 +229,27 @@ fn by_pattern(sliders: &[BoundSlider<'_>]) -> BTreeMap<String, usize> {
 
 impl<'a> Base<'a> {
     /// Resolves one base over its layers.
-    pub fn resolve(name: &'a str, system: Option<&'a Layer>, user: Option<&'a Layer>) -> Self {
+    pub(crate) fn resolve(name: &'a str, system: Option<&'a Layer>, user: Option<&'a Layer>) -> Self {
         resolve(name, Sources::new(system, user))
     }
 
     /// The slider of a key.
-    pub fn entry(&self, key: &str) -> Option<&BoundSlider<'a>> {
+    pub(crate) fn entry(&self, key: &str) -> Option<&BoundSlider<'a>> {
         self.sliders.get(*self.by_key.get(key)?)
     }
 
     /// The slider registered under a pattern; of several the last.
-    pub fn slider(&self, pattern: &str) -> Option<&BoundSlider<'a>> {
+    pub(crate) fn slider(&self, pattern: &str) -> Option<&BoundSlider<'a>> {
         self.sliders.get(*self.by_pattern.get(pattern)?)
     }
 
     /// The folder a slider's targets come from.
-    pub fn folder_of(&self, slider: &BoundSlider<'_>) -> Option<TargetFolder<'a>> {
+    pub(crate) fn folder_of(&self, slider: &BoundSlider<'_>) -> Option<TargetFolder<'a>> {
         if slider.slider.user { self.entry_targets } else { self.targets }
     }
 
     /// Whether a target lies in a folder that a macro definition names.
-    pub fn is_in_macro_folder(&self, file: &FileFacts) -> bool {
+    pub(crate) fn is_in_macro_folder(&self, file: &FileFacts) -> bool {
         let Some(name) = self.targets.as_ref().and_then(|folder| folder.name_of(file)) else { return false };
         let macrodefs = self.macro_file().map(|(_, macros)| macros.macrodefs.as_slice()).unwrap_or_default();
         let mut folders = macrodefs.iter().filter_map(|macrodef| macrodef.effective_folder.as_deref());
@@ -257,24 +257,24 @@ impl<'a> Base<'a> {
     }
 
     /// The rig that poses the base, if its skeleton could be read.
-    pub fn pose_rig(&self) -> Option<(&Rig<'a>, &'a Skeleton)> {
+    pub(crate) fn pose_rig(&self) -> Option<(&Rig<'a>, &'a Skeleton)> {
         self.rigs.iter().find(|rig| rig.is_default).and_then(|rig| Some((rig, rig.skeleton()?)))
     }
 
     /// The macro file in use.
-    pub fn macro_file(&self) -> Option<(&'a FileFacts, &'a MacroFile)> {
+    pub(crate) fn macro_file(&self) -> Option<(&'a FileFacts, &'a MacroFile)> {
         self.macros.winner()
     }
 
     /// `base.json`, if it could be read.
-    pub fn settings(&self) -> Option<(&'a FileFacts, &'a BaseJson)> {
-        self.base_json.and_then(|(file, model)| Some((file, model?)))
+    pub(crate) fn settings(&self) -> Option<(&'a FileFacts, &'a BaseJson)> {
+        self.own_json.and_then(|(file, model)| Some((file, model?)))
     }
 }
 
 /// Whether the target `name` lies beneath `folder` as a macro definition writes it. Backslashes and other capitals are
 /// looked through: they have findings of their own, and which files are meant is clear.
-pub fn is_beneath(folder: &str, name: &str) -> bool {
+pub(crate) fn is_beneath(folder: &str, name: &str) -> bool {
     let mut names = name.split('/').map(str::to_lowercase);
     let mut parts = folder.split(['/', '\\']).filter(|part| !matches!(*part, "" | ".")).peekable();
     parts.peek().is_some()

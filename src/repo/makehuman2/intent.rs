@@ -65,7 +65,7 @@ fn folder_of(pattern: &str) -> Option<String> {
 
 impl<'a> Base<'a> {
     /// Whether a pattern is missing only because of a slider that has a finding of its own.
-    pub fn explains_pattern(&self, pattern: &str) -> bool {
+    pub(crate) fn explains_pattern(&self, pattern: &str) -> bool {
         self.has_unreadable_sliders()
             || self.intent.short.contains(&folder_of(pattern))
             || self.names_undeclared_pair(pattern)
@@ -75,7 +75,7 @@ impl<'a> Base<'a> {
 
     /// Whether several sliders list the position behind the last macro definition: one was probably removed, and what
     /// it alone used is unused for that reason.
-    pub fn lacks_macrodef(&self) -> bool {
+    pub(crate) fn lacks_macrodef(&self) -> bool {
         let count = self.macro_file().and_then(|(_, macros)| i64::try_from(macros.macrodefs.len()).ok());
         let lists = |slider: &&BoundSlider<'_>| {
             slider.slider.macro_influence.iter().flatten().any(|index| Some(*index) == count)
@@ -85,22 +85,22 @@ impl<'a> Base<'a> {
 
     /// Whether some slider cannot be read, so that nobody can tell which patterns, targets and pictures it
     /// would have used.
-    pub fn has_unreadable_sliders(&self) -> bool {
+    pub(crate) fn has_unreadable_sliders(&self) -> bool {
         self.intent.unreadable
     }
 
     /// Whether an entry of this key is there and no object.
-    pub fn has_unreadable_entry(&self, key: &str) -> bool {
+    pub(crate) fn has_unreadable_entry(&self, key: &str) -> bool {
         self.models().any(|model| model.unreadable.iter().any(|other| other == key))
     }
 
     /// Whether a picture may be unused only because some slider cannot be read.
-    pub fn has_unreadable_icons(&self) -> bool {
+    pub(crate) fn has_unreadable_icons(&self) -> bool {
         self.intent.unreadable_icons
     }
 
     /// Whether an entry with a misspelt key was meant to use a target.
-    pub fn means_target(&self, name: &str) -> bool {
+    pub(crate) fn means_target(&self, name: &str) -> bool {
         self.intent.targets.contains(name)
     }
 
@@ -126,7 +126,7 @@ impl<'a> Base<'a> {
     }
 
     /// Whether a target of a slider is not where the application looks for it.
-    pub fn lacks_target(&self, bound: &BoundSlider<'_>) -> bool {
+    pub(crate) fn lacks_target(&self, bound: &BoundSlider<'_>) -> bool {
         let Some(folder) = self.folder_of(bound) else { return false };
         if matches!(bound.pattern, Pattern::Macro(_) | Pattern::Barycentric(_)) {
             return false;

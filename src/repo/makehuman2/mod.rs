@@ -14,8 +14,8 @@ mod unbound;
 mod usage;
 mod view;
 
-pub use base::{Base, is_beneath};
-pub use overlay::{Candidate, Overlaid};
-pub use slider::{BoundSlider, Pattern};
-pub use target_folder::TargetFolder;
-pub use view::View;
+pub(crate) use base::{Base, is_beneath};
+pub(crate) use overlay::{Candidate, Overlaid};
+pub(crate) use slider::{BoundSlider, Pattern};
+pub(crate) use target_folder::TargetFolder;
+pub(crate) use view::View;

@@ -6,7 +6,7 @@ use crate::repo::{FileFacts, Layer};
 
 /// One of two places a JSON can come from.
 #[derive(Debug)]
-pub enum Candidate<'a, T> {
+pub(crate) enum Candidate<'a, T> {
     /// No such file.
     Absent,
     /// Unreadable, no JSON, or empty (`{}`): treated as absent, without a word to the user.
@@ -17,7 +17,7 @@ pub enum Candidate<'a, T> {
 
 /// A JSON that exists in contarget and in the system's target folder.
 #[derive(Debug)]
-pub struct Overlaid<'a, T> {
+pub(crate) struct Overlaid<'a, T> {
     /// `contarget/<base>/` of the user.
     pub contarget: Candidate<'a, T>,
     /// `target/<base>/` of the system.
@@ -37,12 +37,12 @@ impl<'a, T> Candidate<'a, T> {
     }
 
     /// File and model, if accepted.
-    pub fn accepted(&self) -> Option<(&'a FileFacts, &'a T)> {
+    pub(crate) fn accepted(&self) -> Option<(&'a FileFacts, &'a T)> {
         if let Self::Accepted(file, model) = self { Some((file, model)) } else { None }
     }
 
     /// The file, accepted or not.
-    pub fn file(&self) -> Option<&'a FileFacts> {
+    pub(crate) fn file(&self) -> Option<&'a FileFacts> {
         match self {
             Self::Absent => None,
             Self::Refused(file) | Self::Accepted(file, _) => Some(file),
@@ -50,24 +50,24 @@ impl<'a, T> Candidate<'a, T> {
     }
 
     /// Whether the file is there and refused.
-    pub fn is_refused(&self) -> bool {
+    pub(crate) fn is_refused(&self) -> bool {
         matches!(self, Self::Refused(_))
     }
 }
 
 impl<'a, T> Overlaid<'a, T> {
     /// What the application takes.
-    pub fn winner(&self) -> Option<(&'a FileFacts, &'a T)> {
+    pub(crate) fn winner(&self) -> Option<(&'a FileFacts, &'a T)> {
         self.contarget.accepted().or_else(|| self.system.accepted())
     }
 
     /// Whether the contarget file is in use.
-    pub fn is_overridden(&self) -> bool {
+    pub(crate) fn is_overridden(&self) -> bool {
         self.contarget.accepted().is_some()
     }
 
     /// Whether a file that would be in use is refused; what depends on it cannot be judged.
-    pub fn is_broken(&self) -> bool {
+    pub(crate) fn is_broken(&self) -> bool {
         self.winner().is_none() && (self.contarget.is_refused() || self.system.is_refused())
     }
 }

@@ -138,7 +138,7 @@ fn resolve_icon<'a>(base: &Base<'a>, folder: Option<TargetFolder<'a>>, name: &st
 
 impl<'a> Base<'a> {
     /// What a target would be found by this name, which is written without suffix, in the folder in use.
-    pub fn target_named(&self, name: &str) -> Resolution<'a> {
+    pub(crate) fn target_named(&self, name: &str) -> Resolution<'a> {
         resolve_target(self, self.targets, name).1
     }
 }

@@ -6,7 +6,7 @@ use crate::repo::FileFacts;
 
 /// A slider of a base.
 #[derive(Debug)]
-pub struct BoundSlider<'a> {
+pub(crate) struct BoundSlider<'a> {
     /// The entry.
     pub slider: &'a Slider,
     /// File it stands in.
@@ -15,18 +15,16 @@ pub struct BoundSlider<'a> {
     pub pattern: Pattern,
     /// The identity it was meant to have, if its keys are misspelt.
     pub meant: Pattern,
-    /// Position in its file.
-    pub index: usize,
 }
 
 impl BoundSlider<'_> {
     /// Whether this has two targets whose endings `target-opposites` does not cover: only one side is used.
-    pub fn is_undeclared_pair(&self) -> bool {
+    pub(crate) fn is_undeclared_pair(&self) -> bool {
         matches!(self.pattern, Pattern::Single(_)) && self.slider.decr.is_some()
     }
 
     /// Whether this would be registered under `pattern` if its pair of endings were declared.
-    pub fn would_register(&self, pattern: &str) -> bool {
+    pub(crate) fn would_register(&self, pattern: &str) -> bool {
         let (Some(incr), Some(decr)) = (&self.slider.incr, &self.slider.decr) else { return false };
         let own = if self.slider.user { pattern.strip_prefix("custom/") } else { Some(pattern) };
         let parts = own.and_then(|pattern| pattern.split_once('|'));
@@ -36,7 +34,7 @@ impl BoundSlider<'_> {
 
 /// Identity of a slider in models, presets, symmetry and macros.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Pattern {
+pub(crate) enum Pattern {
     /// A barycentric set registers each of its texts.
     Barycentric(Vec<String>),
     /// Read by `macro.json`.
@@ -51,14 +49,14 @@ pub enum Pattern {
 
 impl BoundSlider<'_> {
     /// The entry without its misspelt keys, if it has any; else the entry.
-    pub fn as_meant(&self) -> &Slider {
+    pub(crate) fn as_meant(&self) -> &Slider {
         self.slider.meant.as_deref().unwrap_or(self.slider)
     }
 }
 
 impl Pattern {
     /// Pattern of a slider, given `target-opposites` of `base.json` in file order.
-    pub fn of(slider: &Slider, opposites: &[(String, String)]) -> Self {
+    pub(crate) fn of(slider: &Slider, opposites: &[(String, String)]) -> Self {
         if let Some(patterns) = &slider.barycentric {
             return Self::Barycentric(patterns.clone());
         }
@@ -77,7 +75,7 @@ impl Pattern {
     }
 
     /// The names it registers.
-    pub fn names(&self) -> &[String] {
+    pub(crate) fn names(&self) -> &[String] {
         match self {
             Self::Barycentric(names) => names,
             Self::Macro(name) | Self::Pair(name) | Self::Single(name) => std::slice::from_ref(name),

@@ -5,7 +5,7 @@ use crate::repo::{FileFacts, Layer};
 
 /// A folder that targets are loaded from.
 #[derive(Debug, Clone, Copy)]
-pub struct TargetFolder<'a> {
+pub(crate) struct TargetFolder<'a> {
     /// Its layer.
     pub layer: &'a Layer,
     /// `target` or `contarget`.
@@ -16,32 +16,32 @@ pub struct TargetFolder<'a> {
 
 impl<'a> TargetFolder<'a> {
     /// Path relative to its root, without trailing slash.
-    pub fn rel(&self) -> String {
+    pub(crate) fn rel(&self) -> String {
         format!("{}/{}", self.folder, self.base)
     }
 
     /// The target `name` (path without suffix).
-    pub fn target(&self, name: &str) -> Option<&'a FileFacts> {
+    pub(crate) fn target(&self, name: &str) -> Option<&'a FileFacts> {
         self.layer.file(&format!("{}/{}/{name}.target", self.folder, self.base))
     }
 
     /// `compressedtargets.npz` of the folder.
-    pub fn archive(&self) -> Option<&'a FileFacts> {
+    pub(crate) fn archive(&self) -> Option<&'a FileFacts> {
         self.layer.file(&format!("{}/{}/compressedtargets.npz", self.folder, self.base))
     }
 
     /// All targets in the folder.
-    pub fn targets(&self) -> impl Iterator<Item = &'a FileFacts> + use<'a> {
+    pub(crate) fn targets(&self) -> impl Iterator<Item = &'a FileFacts> + use<'a> {
         self.layer.below(&self.rel()).filter(|file| file.kind == Kind::Target)
     }
 
     /// Name of a target of this folder as files refer to it: path without suffix.
-    pub fn name_of<'f>(&self, file: &'f FileFacts) -> Option<&'f str> {
+    pub(crate) fn name_of<'f>(&self, file: &'f FileFacts) -> Option<&'f str> {
         file.rel.strip_prefix(&self.rel())?.strip_prefix('/')?.strip_suffix(".target")
     }
 
     /// Whether anything is in it.
-    pub fn exists(&self) -> bool {
+    pub(crate) fn exists(&self) -> bool {
         self.layer.below(&self.rel()).next().is_some()
     }
 }

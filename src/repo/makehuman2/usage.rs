@@ -106,7 +106,7 @@ fn can_tell(base: &Base<'_>, folder: TargetFolder<'_>) -> bool {
 
 impl Base<'_> {
     /// Whether a target lies in a folder of a macro definition; those have a rule of their own.
-    pub fn keeps_for_macros(&self, name: &str) -> bool {
+    pub(crate) fn keeps_for_macros(&self, name: &str) -> bool {
         let macrodefs = self.macro_file().map(|(_, file)| file.macrodefs.as_slice()).unwrap_or_default();
         let mut folders = macrodefs.iter().filter_map(|macrodef| macrodef.effective_folder.as_deref());
         folders.any(|folder| is_beneath(folder, name) && !is_beneath(folder, parent(name)))

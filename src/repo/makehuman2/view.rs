@@ -11,7 +11,7 @@ use crate::repo::{Body, BodyWeights, FileFacts, Layers, Reference, References, T
 
 /// `MakeHuman` 2's data, connected.
 #[derive(Debug)]
-pub struct View<'a> {
+pub(crate) struct View<'a> {
     /// System and user data.
     pub layers: Layers<'a>,
     /// The base meshes of all layers, by name.
@@ -23,7 +23,7 @@ pub struct View<'a> {
 
 impl<'a> View<'a> {
     /// Connects layers.
-    pub fn connect(layers: Layers<'a>) -> Self {
+    pub(crate) fn connect(layers: Layers<'a>) -> Self {
         let sources = Sources::new(layers.system, layers.user);
         let bases: Vec<Base<'a>> = base_names(sources).into_iter().map(|name| resolve(name, sources)).collect();
         let mut textures = textures::by_base(layers);
@@ -37,29 +37,24 @@ impl<'a> View<'a> {
     }
 
     /// The base of a name.
-    pub fn base(&self, name: &str) -> Option<&Base<'a>> {
+    pub(crate) fn base(&self, name: &str) -> Option<&Base<'a>> {
         let at = self.bases.binary_search_by(|base| base.name.cmp(name)).ok()?;
         self.bases.get(at)
     }
 
-    /// The base that a file belongs to.
-    pub fn base_of(&self, file: &FileFacts) -> Option<&Base<'a>> {
-        self.base(file.base()?)
-    }
-
     /// References for a base.
-    pub fn references_of(&self, base: &Base<'_>) -> impl Iterator<Item = &Reference<'a>> {
+    pub(crate) fn references_of(&self, base: &Base<'_>) -> impl Iterator<Item = &Reference<'a>> {
         self.references.of_base(base.name).iter()
     }
 
     /// Targets that the application reads for the base and that nothing uses: those of the folder in use, and user
     /// targets too deep to become sliders.
-    pub fn unused(&self, base: &Base<'_>) -> &[&'a FileFacts] {
+    pub(crate) fn unused(&self, base: &Base<'_>) -> &[&'a FileFacts] {
         self.usage.unused(base)
     }
 
     /// The targets of a base in the checked layer.
-    pub fn own_targets<'v>(&'v self, base: &Base<'_>) -> impl Iterator<Item = &'a FileFacts> + use<'v, 'a> {
+    pub(crate) fn own_targets<'v>(&'v self, base: &Base<'_>) -> impl Iterator<Item = &'a FileFacts> + use<'v, 'a> {
         let folders = ["contarget", "target"].map(|folder| format!("{folder}/{}", base.name));
         let files = folders.into_iter().flat_map(|folder| self.layers.checked.below(&folder).collect::<Vec<_>>());
         files.filter(|file| file.kind == Kind::Target)
@@ -89,7 +84,7 @@ impl<'a> View<'a> {
     }
 
     /// What is known of a target of the checked layer.
-    pub fn target<'v>(&'v self, file: &'v FileFacts) -> Target<'v> {
+    pub(crate) fn target<'v>(&'v self, file: &'v FileFacts) -> Target<'v> {
         Target {
             file,
             used_as: self.usage.of_file(file),

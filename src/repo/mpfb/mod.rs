@@ -3,4 +3,4 @@
 mod references;
 mod view;
 
-pub use view::{Catalog, View};
+pub(crate) use view::{Catalog, View};

@@ -8,7 +8,7 @@ use crate::repo::{Body, FileFacts, Layer, Layers, References, Target, parent};
 
 /// MPFB's data, connected.
 #[derive(Debug)]
-pub struct View<'a> {
+pub(crate) struct View<'a> {
     /// System and user data.
     pub layers: Layers<'a>,
     /// The sliders, if they can be read.
@@ -21,7 +21,7 @@ pub struct View<'a> {
 
 /// The catalogue in its layer.
 #[derive(Debug, Clone, Copy)]
-pub struct Catalog<'a> {
+pub(crate) struct Catalog<'a> {
     /// Where it lies.
     pub layer: &'a Layer,
     /// Its file.
@@ -32,7 +32,7 @@ pub struct Catalog<'a> {
 
 impl<'a> View<'a> {
     /// Connects layers.
-    pub fn connect(layers: Layers<'a>) -> Self {
+    pub(crate) fn connect(layers: Layers<'a>) -> Self {
         let file = |kind| layers.system?.files.values().find(|file| file.kind == kind);
         let catalog = layers.system.zip(file(Kind::TargetCatalog));
         let catalog = catalog.and_then(|(layer, file)| Some(Catalog { layer, file, sliders: file.catalog()? }));
@@ -42,7 +42,7 @@ impl<'a> View<'a> {
     }
 
     /// The name of the base mesh, if there is anything for it.
-    pub fn body_name(&self) -> Option<&'a str> {
+    pub(crate) fn body_name(&self) -> Option<&'a str> {
         let of_catalog = self.catalog.and_then(|catalog| catalog.file.base());
         self.mesh.and_then(|(file, _)| file.base()).or(of_catalog)
     }
@@ -64,12 +64,12 @@ impl<'a> View<'a> {
 
 impl<'a> Catalog<'a> {
     /// The folder of a section.
-    pub fn folder(&self, section: &str) -> String {
+    pub(crate) fn folder(&self, section: &str) -> String {
         format!("{}/{section}", parent(&self.file.rel))
     }
 
     /// The target of a section by its name, packed or not.
-    pub fn target(&self, section: &str, stem: &str) -> Option<&'a FileFacts> {
+    pub(crate) fn target(&self, section: &str, stem: &str) -> Option<&'a FileFacts> {
         let folder = self.folder(section);
         [".target.gz", ".target"].iter().find_map(|suffix| self.layer.file(&format!("{folder}/{stem}{suffix}")))
     }

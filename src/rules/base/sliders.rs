@@ -27,7 +27,7 @@ const VERSION_FILE: &str = "makehuman2_version.json";
 pub(super) fn gap(view: &View<'_>, base: &Base<'_>) -> Option<Gap> {
     let judged = view.layers.checked;
     let is_system = view.layers.system.is_some_and(|system| std::ptr::eq(system, judged)) && base.has_system;
-    if !is_system || base.base_json.is_none() || judged.below(&format!("contarget/{}", base.name)).next().is_some() {
+    if !is_system || base.own_json.is_none() || judged.below(&format!("contarget/{}", base.name)).next().is_some() {
         return None;
     }
     let folder = format!("target/{}", base.name);

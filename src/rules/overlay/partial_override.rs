@@ -114,7 +114,7 @@ fn categories_alone(base: &Base<'_>, system: SystemFolder) -> Gap {
 /// No override at all, but user targets for a base of user space: they lead to the same folder.
 fn user_targets_alone<'a>(base: &Base<'a>, system: SystemFolder) -> Option<(&'a FileFacts, Gap)> {
     let file = base.user_modelling.file()?;
-    let dead = system == SystemFolder::Absent && user_sliders(base) > 0 && base.base_json.is_some();
+    let dead = system == SystemFolder::Absent && user_sliders(base) > 0 && base.own_json.is_some();
     let message =
         format!("user targets, but neither `contarget/{0}/macro.json` nor `target/{0}` in the system data", base.name);
     let effect = "stops at start (FileNotFoundError): it wants to write an archive into the system's folder";

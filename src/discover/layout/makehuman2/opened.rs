@@ -4,7 +4,7 @@ use super::SCANNED;
 
 /// Whether any loader (or a tool of the program) opens a file of this name. Decided for the folders of base
 /// meshes, targets and rigs; everything else counts as opened.
-pub fn opens(rel: &str) -> bool {
+pub(crate) fn opens(rel: &str) -> bool {
     let parts: Vec<&str> = rel.split('/').collect();
     match parts.as_slice() {
         ["target" | "contarget", _, "icons", .., icon] => extension(icon) == "png",
@@ -28,7 +28,7 @@ fn is_base_file(file: &str) -> bool {
 }
 
 /// Whether the asset scan opens a file of this name.
-pub fn is_scanned(rel: &str) -> bool {
+pub(crate) fn is_scanned(rel: &str) -> bool {
     let folder = rel.split('/').next().unwrap_or_default();
     let wanted = match extension(rel) {
         "mhskel" => folder == "rigs",
@@ -45,7 +45,7 @@ pub fn is_scanned(rel: &str) -> bool {
 
 /// Whose surface a material is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct MaterialUse<'p> {
+pub(crate) struct MaterialUse<'p> {
     /// The folder at the top in which its textures are looked for, besides those around it.
     pub folder: &'p str,
     /// Whether it is offered only for an asset whose folder it lies in, or below.
@@ -57,7 +57,7 @@ const WORN: [&str; 8] = ["clothes", "hair", "eyes", "eyebrows", "eyelashes", "te
 
 /// What the application has a material of this path for: skins, one folder deep, the base mesh, and what is worn
 /// (formats/makehuman2.md §17).
-pub fn material_of(rel: &str) -> Option<MaterialUse<'_>> {
+pub(crate) fn material_of(rel: &str) -> Option<MaterialUse<'_>> {
     match rel.split('/').collect::<Vec<_>>().as_slice() {
         ["skins" | "base", _, _] | ["skins", _, _, _] => Some(MaterialUse { folder: "skins", is_worn: false }),
         [folder, _, "materials", _, ..] if WORN.contains(folder) => Some(MaterialUse { folder, is_worn: false }),
@@ -67,7 +67,7 @@ pub fn material_of(rel: &str) -> Option<MaterialUse<'_>> {
 }
 
 /// The path under which a file of this name but for its capitals is looked for, where nothing has that path.
-pub fn misnamed(rel: &str, exists: impl Fn(&str) -> bool) -> Option<String> {
+pub(crate) fn misnamed(rel: &str, exists: impl Fn(&str) -> bool) -> Option<String> {
     let (folder, name) = rel.rsplit_once('/')?;
     let lower = name.to_lowercase();
     let is_wanted = match folder.split('/').collect::<Vec<_>>().as_slice() {
@@ -84,7 +84,7 @@ pub fn misnamed(rel: &str, exists: impl Fn(&str) -> bool) -> Option<String> {
 const BY_BASE: [&str; 5] = ["base", "target", "contarget", "rigs", "models"];
 
 /// Whether loaders list this path as a folder.
-pub fn is_folder(rel: &str, is_base: impl Fn(&str) -> bool) -> bool {
+pub(crate) fn is_folder(rel: &str, is_base: impl Fn(&str) -> bool) -> bool {
     match rel.split('/').collect::<Vec<_>>().as_slice() {
         [folder] => BY_BASE.contains(folder),
         [folder, base] => BY_BASE.contains(folder) && is_base(base),
@@ -94,7 +94,7 @@ pub fn is_folder(rel: &str, is_base: impl Fn(&str) -> bool) -> bool {
 }
 
 /// What is behind the last point of a name, as written.
-pub fn extension(rel: &str) -> &str {
+pub(crate) fn extension(rel: &str) -> &str {
     let name = rel.rsplit('/').next().unwrap_or(rel);
     name.rsplit_once('.').map_or("", |(_, extension)| extension)
 }
