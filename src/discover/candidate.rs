@@ -28,14 +28,14 @@ pub(crate) struct Candidate<'t> {
     pub uses: Vec<Use>,
 }
 
-/// The kind that the uses of a file give it. A format is the same to all applications, but not all read it.
+/// The kind that a file is read as: of those that its uses give it the one that says most, which comes first.
 pub(crate) fn kind_of(uses: &[Use]) -> Kind {
-    uses.iter().map(|one| one.kind).find(|kind| *kind != Kind::Other).unwrap_or(Kind::Other)
+    uses.iter().map(|one| one.kind).min().unwrap_or(Kind::Other)
 }
 
-/// The base mesh that a file belongs to.
-pub(crate) fn owner_of(uses: &[Use]) -> Option<&str> {
-    uses.iter().find_map(|one| one.owner.as_deref())
+/// What a file is for to one application; anything to those that have no use for it.
+pub(crate) fn kind_in(uses: &[Use], application: Application) -> Kind {
+    uses.iter().find(|one| one.application == application).map_or(Kind::Other, |one| one.kind)
 }
 
 /// What a path below a data root with these layouts is for.
@@ -53,7 +53,7 @@ pub(crate) fn candidates<'t>(tree: &'t Tree, root: &str, layouts: &[&Layout]) ->
 /// The files of a tree without a data root that are assets, put where `layout` has them.
 pub(crate) fn loose_candidates<'t>(tree: &'t Tree, layout: &Layout, base: Option<&str>) -> Vec<Candidate<'t>> {
     let files = tree.entries().iter().filter(|entry| entry.kind == EntryKind::File);
-    let moved = files.filter_map(|entry| Some((entry, layout.loose_place(&entry.path, base)?)));
+    let moved = files.filter_map(|entry| Some((entry, (layout.loose_place)(&entry.path, base)?)));
     moved.map(|(entry, rel)| Candidate::new(entry, rel, &[layout])).collect()
 }
 
@@ -65,14 +65,19 @@ impl<'t> Candidate<'t> {
         Self { entry, rel, uses }
     }
 
-    /// Its kind.
+    /// The kind that it is read as.
     pub(crate) fn kind(&self) -> Kind {
         kind_of(&self.uses)
     }
 
-    /// The base mesh that it belongs to.
+    /// What it is for to one application.
+    pub(super) fn kind_in(&self, application: Application) -> Kind {
+        kind_in(&self.uses, application)
+    }
+
+    /// The base mesh that it belongs to; the same to all applications that know one.
     pub(crate) fn owner(&self) -> Option<&str> {
-        owner_of(&self.uses)
+        self.uses.iter().find_map(|one| one.owner.as_deref())
     }
 
     /// Whether it is to be read, as far as the listing can tell.

@@ -1,6 +1,6 @@
 //! What a file is: a format in a role.
 
-/// Kinds of files. What follows from them is in the table of formats.
+/// Kinds of files, those that say more before those that say less. What follows from them is in the table of formats.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Kind {
     /// `base.json` of MakeHuman 2: settings of a base mesh.
@@ -91,8 +91,9 @@ impl Kind {
 }
 
 /// What is behind the last point of a name, as written.
-pub(super) fn extension(file: &str) -> &str {
-    file.rsplit_once('.').map_or("", |(_, extension)| extension)
+pub(crate) fn extension(rel: &str) -> &str {
+    let name = rel.rsplit('/').next().unwrap_or(rel);
+    name.rsplit_once('.').map_or("", |(_, extension)| extension)
 }
 
 #[cfg(test)]

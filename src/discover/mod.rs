@@ -8,8 +8,8 @@ mod kind;
 mod layout;
 mod roots;
 
-pub(crate) use candidate::{Candidate, Use, candidates, kind_of, loose_candidates, owner_of, uses_of};
-pub(crate) use kind::Kind;
-pub(crate) use layout::makehuman2::opened;
+pub(crate) use candidate::{Candidate, Use, candidates, kind_in, loose_candidates, uses_of};
+pub(crate) use kind::{Kind, extension};
+pub(crate) use layout::makehuman2::opened::material_of;
 pub(crate) use layout::{Layout, Role, is_read_though_hidden};
 pub(crate) use roots::find_roots;

@@ -239,7 +239,7 @@ impl<'a> Reach<'a> {
             return Some(Because::Names(changed.to_owned()));
         }
         let rel = self.rel(view, path);
-        self.of_its_base(&rel, view.layers().checked.kind_at(&rel), finding)
+        self.of_its_base(&rel, view.kind_at(&rel), finding)
     }
 
     /// Why a finding at `rel` can come from another file of its base mesh.

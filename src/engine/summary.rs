@@ -11,7 +11,7 @@ use crate::repo::View;
 /// Says that a repository was checked, and which base meshes it has.
 pub(super) fn summarise(view: &View<'_>, outcome: &mut Outcome) {
     let checked = view.layers().checked;
-    let own = |name: &str| checked.files.values().any(|file| file.base() == Some(name));
+    let own = |name: &str| checked.files.values().any(|file| file.base_in(view.application()) == Some(name));
     let bases = view.body_names().into_iter().filter(|name| own(name));
     outcome.roots.push(RootSummary {
         path: shown(&checked.path).to_owned(),

@@ -70,6 +70,8 @@ pub(crate) struct Rig<'a> {
 pub(crate) struct BodyWeights<'v> {
     /// Their file.
     pub file: &'v FileFacts,
+    /// What a skeleton has to call them.
+    pub name: &'v str,
     /// Whether no skeleton names them. False where nobody can tell.
     pub is_unbound: bool,
 }
@@ -128,7 +130,7 @@ impl<'v> Body<'v> {
 
     /// A setting at which a target is applied fully; `None` if nothing uses it.
     pub(crate) fn shown_at(&self, file: &FileFacts) -> Option<Shown<'v>> {
-        self.makehuman2().and_then(|(view, _)| view.shown_at(file))
+        self.view.shown_at(file)
     }
 
     /// As a base of MakeHuman 2, if it is one.

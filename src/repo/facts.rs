@@ -1,6 +1,7 @@
 //! What is kept of a file when its bytes are gone.
 
-use crate::discover::{Kind, Use, owner_of};
+use crate::diag::Application;
+use crate::discover::{Kind, Use, kind_in};
 use crate::formats::Content;
 use crate::formats::inline_ignore::InlineIgnore;
 use crate::formats::json_file::JsonFacts;
@@ -23,7 +24,7 @@ pub struct FileFacts {
     pub rel: String,
     /// Path relative to the data root of the file that this one is through a link, if that is in the root, too.
     pub link_to: Option<String>,
-    /// What it is for.
+    /// What it is read as.
     pub kind: Kind,
     /// What it is for, to each application.
     pub uses: Vec<Use>,
@@ -50,9 +51,19 @@ pub struct FileFacts {
 }
 
 impl FileFacts {
-    /// The base mesh that it belongs to.
+    /// What it is for to one application.
+    pub fn kind_in(&self, application: Application) -> Kind {
+        kind_in(&self.uses, application)
+    }
+
+    /// The base mesh that it belongs to; the same to all applications that know one.
     pub fn base(&self) -> Option<&str> {
-        owner_of(&self.uses)
+        self.uses.iter().find_map(|one| one.owner.as_deref())
+    }
+
+    /// The base mesh that it belongs to in one application.
+    pub fn base_in(&self, application: Application) -> Option<&str> {
+        self.uses.iter().find(|one| one.application == application)?.owner.as_deref()
     }
 
     /// Path of the data root as reports print it.

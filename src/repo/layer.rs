@@ -7,7 +7,8 @@ use std::sync::OnceLock;
 use unicode_normalization::{UnicodeNormalization, is_nfc};
 
 use super::FileFacts;
-use crate::discover::{Kind, Layout, kind_of, owner_of, uses_of};
+use crate::diag::Application;
+use crate::discover::{Kind, Layout, kind_in, uses_of};
 use crate::source::WalkFault;
 
 /// A path as a system compares it that regards neither capitals nor the form of accented letters.
@@ -73,14 +74,15 @@ impl Layer {
         self.files.get(rel)
     }
 
-    /// What the file at a path is for, or would be if there were one.
-    pub(crate) fn kind_at(&self, rel: &str) -> Kind {
-        self.file(rel).map_or_else(|| kind_of(&uses_of(rel, &self.layouts)), |file| file.kind)
+    /// What the file at a path is for to an application, or would be if there were one.
+    pub(crate) fn kind_at(&self, rel: &str, application: Application) -> Kind {
+        self.file(rel)
+            .map_or_else(|| kind_in(&uses_of(rel, &self.layouts), application), |file| file.kind_in(application))
     }
 
-    /// The base mesh that what is at a path belongs to.
-    pub(crate) fn base_at(&self, rel: &str) -> Option<String> {
-        owner_of(&uses_of(rel, &self.layouts)).map(str::to_owned)
+    /// The base meshes that what is at a path belongs to.
+    pub(crate) fn bases_at(&self, rel: &str) -> Vec<String> {
+        uses_of(rel, &self.layouts).into_iter().filter_map(|one| one.owner).collect()
     }
 
     /// All files below a folder (no trailing slash), in order.
@@ -121,7 +123,9 @@ impl Layer {
         let mut above = rel.match_indices('/').filter_map(|(end, _)| rel.get(..end));
         // Folders with other names, such as those of images, are not reported.
         let is_folder = || self.folders.binary_search_by(|folder| folder.as_str().cmp(rel)).is_ok();
-        is_fault(rel) || above.any(is_fault) || self.kind_at(rel).is_text() && is_folder()
+        is_fault(rel)
+            || above.any(is_fault)
+            || uses_of(rel, &self.layouts).iter().any(|one| one.kind.is_text()) && is_folder()
     }
 
     /// Whether a path as reports print it lies in this layer.

@@ -1,7 +1,8 @@
 //! The data of one application as it sees them.
 
-use super::{Body, Layers, References, makehuman1, makehuman2, mpfb};
+use super::{Body, FileFacts, Layers, Reference, References, Shown, Target, makehuman1, makehuman2, mpfb};
 use crate::diag::Application;
+use crate::discover::{Kind, Layout};
 
 /// Layers that were connected as an application does it.
 #[derive(Debug)]
@@ -42,6 +43,16 @@ impl<'a> View<'a> {
         }
     }
 
+    /// What an application makes of paths.
+    pub(crate) const fn layout(&self) -> &'static Layout {
+        Layout::of(self.application())
+    }
+
+    /// What the file at a path of the checked layer is for, or would be if there were one.
+    pub(crate) fn kind_at(&self, rel: &str) -> Kind {
+        self.layers().checked.kind_at(rel, self.application())
+    }
+
     /// Everything that names a file, and what it leads to.
     pub(crate) const fn references(&self) -> &References<'a> {
         match self {
@@ -67,6 +78,35 @@ impl<'a> View<'a> {
             Self::Mpfb(view) => view.body_name().into_iter().collect(),
             Self::Makehuman1(_) => Vec::new(),
         }
+    }
+
+    /// What is known of a target of the checked layer.
+    pub(crate) fn target<'v>(&'v self, file: &'v FileFacts) -> Target<'v> {
+        match self {
+            Self::Makehuman2(view) => view.target(file),
+            Self::Mpfb(view) => view.target(file),
+            Self::Makehuman1(_) => Target { file, used_as: None, is_unused: false, packed_in: None },
+        }
+    }
+
+    /// A setting at which a target is applied fully; `None` if nothing uses it, or nobody can tell.
+    pub(super) fn shown_at(&self, file: &FileFacts) -> Option<Shown<'a>> {
+        self.makehuman2()?.shown_at(file)
+    }
+
+    /// Whether the application makes the file at this path of the checked layer itself.
+    pub(crate) fn is_generated(&self, rel: &str) -> bool {
+        self.makehuman2().is_some_and(|view| view.is_generated(rel))
+    }
+
+    /// Whether the application does as well without this file.
+    pub(crate) fn does_without(&self, file: &FileFacts) -> bool {
+        self.makehuman2().is_some_and(|view| view.does_without(file))
+    }
+
+    /// Whether other files know what a reference belongs to by the name that it writes, so that the name has to stay.
+    pub(crate) fn is_known_by(&self, reference: &Reference<'_>) -> bool {
+        self.makehuman2().is_some_and(|view| view.is_known_by(reference))
     }
 
     /// As a view of `MakeHuman` 2.

@@ -14,8 +14,12 @@ pub(super) static LAYOUT: Layout = Layout {
     place,
     reads_hidden: |_| false,
     loose_place: |_, _| None,
-    role: |below| if below.iter().any(|one| one.kind() == Kind::BaseMesh) { Role::System } else { Role::User },
+    role: |below| Role::of_one(below, Application::Makehuman1, Kind::BaseMesh),
     is_system_of_two: |_| false,
+    opens: |_| true,
+    scans: |_| false,
+    is_folder: |_, _| false,
+    misnamed: |_, _| None,
 };
 
 fn sign(parts: &[&str]) -> Option<(Sign, usize)> {

@@ -18,6 +18,10 @@ pub(super) static LAYOUT: Layout = Layout {
     loose_place,
     role,
     is_system_of_two,
+    opens: opened::opens,
+    scans: opened::is_scanned,
+    is_folder: opened::is_folder,
+    misnamed: opened::misnamed,
 };
 
 /// Folders that the asset scan visits, with one level of folders below the base mesh.
@@ -137,7 +141,7 @@ fn role(below: &[Candidate<'_>]) -> Role {
 }
 
 fn is_base(one: &Candidate<'_>) -> bool {
-    matches!(one.kind(), Kind::BaseJson | Kind::BaseMesh)
+    matches!(one.kind_in(LAYOUT.application), Kind::BaseJson | Kind::BaseMesh)
 }
 
 /// Beside another root, the one whose bases have sliders or macros in `target/` is the system, and its `contarget/`
@@ -145,7 +149,8 @@ fn is_base(one: &Candidate<'_>) -> bool {
 fn is_system_of_two(below: &[Candidate<'_>]) -> bool {
     let has_base = |owner: Option<&str>| below.iter().any(|one| is_base(one) && one.owner() == owner);
     let has_sliders = |one: &&Candidate<'_>| {
-        matches!(one.kind(), Kind::MacroJson | Kind::ModellingJson) && one.rel.starts_with("target/")
+        matches!(one.kind_in(LAYOUT.application), Kind::MacroJson | Kind::ModellingJson)
+            && one.rel.starts_with("target/")
     };
     below.iter().filter(has_sliders).any(|one| has_base(one.owner()))
 }
@@ -211,11 +216,11 @@ mod tests {
             ("a/a.mhw", Some("figure"), Kind::Weights),
             ("a/a.mhw", None, Kind::AssetWeights),
         ] {
-            let place = LAYOUT.loose_place(path, base).unwrap_or_default();
+            let place = (LAYOUT.loose_place)(path, base).unwrap_or_default();
             assert_eq!(kind_and_base(&place), (kind, base.map(str::to_owned)), "{place}");
         }
-        assert_eq!(LAYOUT.loose_place("package.json", None), None);
-        assert_eq!(LAYOUT.loose_place("a/b/c.target", Some("figure")).as_deref(), Some("target/figure/a_b/c.target"));
+        assert_eq!((LAYOUT.loose_place)("package.json", None), None);
+        assert_eq!((LAYOUT.loose_place)("a/b/c.target", Some("figure")).as_deref(), Some("target/figure/a_b/c.target"));
     }
 
     #[test]

@@ -24,12 +24,22 @@ pub(crate) struct Layout {
     place: Classify,
     /// Whether the file of this name, in these folders, is read although it is hidden.
     reads_hidden: fn(&HiddenPath<'_>) -> bool,
-    /// Where a loose file would be kept, for a base mesh if one is known.
-    loose_place: fn(&str, Option<&str>) -> Option<String>,
-    /// The part that a data root plays.
-    role: fn(&[Candidate<'_>]) -> Role,
-    /// Whether a root that plays both parts is rather the system, beside another.
-    is_system_of_two: fn(&[Candidate<'_>]) -> bool,
+    /// The place below a user's data root that the file at a path belongs to, for a base mesh if one is known; `None`
+    /// for files that are not checked outside a data root.
+    pub loose_place: fn(&str, Option<&str>) -> Option<String>,
+    /// The part that the data root with these files plays.
+    pub role: fn(&[Candidate<'_>]) -> Role,
+    /// Whether the root with these files, beside another one, is the system although it could play both parts.
+    pub is_system_of_two: fn(&[Candidate<'_>]) -> bool,
+    /// Whether any loader opens a file of this name.
+    pub opens: fn(&str) -> bool,
+    /// Whether the scan of assets opens a file of this name.
+    pub scans: fn(&str) -> bool,
+    /// Whether loaders list this path as a folder; the second says which names are those of base meshes.
+    pub is_folder: fn(&str, &dyn Fn(&str) -> bool) -> bool,
+    /// The path under which a file of this name but for its capitals is looked for, where nothing has that path; the
+    /// second says what there is.
+    pub misnamed: fn(&str, &dyn Fn(&str) -> bool) -> Option<String>,
 }
 
 type Classify = for<'p> fn(&[&'p str]) -> (Kind, Option<&'p str>);
@@ -52,6 +62,13 @@ pub(crate) enum Role {
     Both,
     /// A user's folder.
     User,
+}
+
+impl Role {
+    /// The role where one file tells the system data.
+    fn of_one(below: &[Candidate<'_>], application: Application, kind: Kind) -> Self {
+        if below.iter().any(|one| one.kind_in(application) == kind) { Self::System } else { Self::User }
+    }
 }
 
 /// A path with a name in it that begins with a point. It may begin above the data root.
@@ -87,22 +104,6 @@ impl Layout {
         Use { application: self.application, kind, owner: owner.map(str::to_owned) }
     }
 
-    /// The part that the data root with these files plays.
-    pub(crate) fn role(&self, below: &[Candidate<'_>]) -> Role {
-        (self.role)(below)
-    }
-
-    /// Whether the root with these files, beside another one, is the system although it could play both parts.
-    pub(crate) fn is_system_of_two(&self, below: &[Candidate<'_>]) -> bool {
-        (self.is_system_of_two)(below)
-    }
-
-    /// The place below a user's data root that the file at `path` belongs to, for `base` if one is known.
-    /// `None` for files that are not checked outside a data root.
-    pub(crate) fn loose_place(&self, path: &str, base: Option<&str>) -> Option<String> {
-        (self.loose_place)(path, base)
-    }
-
     /// The part of `path` above the first folder name that belongs to a data root: where a data root would
     /// be that `path` lies inside of.
     pub(crate) fn root_above<'p>(&self, path: &'p str) -> Option<&'p str> {
@@ -121,7 +122,7 @@ impl Layout {
     pub(crate) fn is_asset(&self, rel: &str) -> bool {
         let folder = rel.rsplit_once('/').map_or("", |(folder, _)| folder);
         let is_known = || !matches!(self.use_of(rel).kind, Kind::Other | Kind::Packed);
-        self.root_above(folder).is_some() && is_known() || self.loose_place(rel, None).is_some()
+        self.root_above(folder).is_some() && is_known() || (self.loose_place)(rel, None).is_some()
     }
 
     /// The data root that a file is a sign of.

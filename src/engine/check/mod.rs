@@ -15,7 +15,7 @@ use super::settle::{Ignores, Selection, Verdict};
 use crate::config::Config;
 use crate::diag::{Finding, Outcome, Timing, Upkeep, fingerprint};
 use crate::eval::measures::Measures;
-use crate::repo::{Body, View};
+use crate::repo::{Body, FileFacts, View};
 use crate::rules::{Check, RULES, Rule, RuleCx};
 
 /// A view with what is computed once for all rules.
@@ -64,10 +64,7 @@ fn check_view(
             None => outcome.failed_rules.push(rule.to_owned()),
         }
     }
-    for finding in &mut findings {
-        finding.breaks.retain(|effect| effect.application == application);
-    }
-    findings
+    findings.into_iter().map(|finding| finding.only_in(&[application])).collect()
 }
 
 fn run_rule(rule: &Rule, sight: &Sight<'_>, cx: &RuleCx<'_>, options: &Config) -> Vec<Finding> {
@@ -78,7 +75,11 @@ fn run_rule(rule: &Rule, sight: &Sight<'_>, cx: &RuleCx<'_>, options: &Config) -
     let asked = |name: &str| name.is_empty() || options.asks_for_base(name);
     let bodies = || sight.bodies.iter().filter(|body| asked(body.name));
     match (&rule.check, view) {
-        (Check::File(run), _) => view.layers().checked.files.values().for_each(|file| run(file, cx, out)),
+        (Check::File(run), _) => {
+            // Not what another application reads it as.
+            let own = |file: &&FileFacts| file.kind_in(view.application()) == file.kind;
+            view.layers().checked.files.values().filter(own).for_each(|file| run(file, cx, out));
+        }
         (Check::Body(run), _) => bodies().for_each(|body| run(body, cx, out)),
         (Check::Makehuman2(run), View::Makehuman2(view)) => {
             view.bases.iter().filter(|base| asked(base.name)).for_each(|base| run(view, base, cx, out));

@@ -121,7 +121,7 @@ mod tests {
         }
         let root = data.roots.first().unwrap();
         assert_eq!((root.role, root.layer.files.len()), (Role::System, files.len()));
-        let kind = |path: &str| root.layer.kind_at(path);
+        let kind = |path: &str| root.layer.kind_at(path, Application::Mpfb);
         assert_eq!(kind("targets/target.json"), Kind::TargetCatalog);
         assert_eq!(kind("hair/a/a.mhclo"), Kind::Clothes);
         let target = root.layer.file("custom/a.target").unwrap();

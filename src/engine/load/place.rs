@@ -53,12 +53,12 @@ impl<'t> Place<'t> {
 
     /// The part that it plays among the data roots of its application.
     pub(super) fn role(&self) -> Role {
-        self.layouts.first().map_or(Role::User, |layout| layout.role(&self.below))
+        self.layouts.first().map_or(Role::User, |layout| (layout.role)(&self.below))
     }
 
     /// Whether it is the system data beside another root, although it could be a user's.
     pub(super) fn is_system_of_two(&self) -> bool {
-        self.layouts.first().is_some_and(|layout| layout.is_system_of_two(&self.below))
+        self.layouts.first().is_some_and(|layout| (layout.is_system_of_two)(&self.below))
     }
 
     /// Whether nothing lies in it.

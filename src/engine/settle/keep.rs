@@ -59,10 +59,11 @@ impl Keeper<'_> {
 
     fn is_wanted(&self, finding: &Finding) -> bool {
         let Some(rel) = own_path(self.layers, &finding.path) else { return false };
-        let asked = |base: &str| self.options.asks_for_base(base);
+        let bases = self.layers.checked.bases_at(rel);
+        let is_of_asked = bases.is_empty() || bases.iter().any(|base| self.options.asks_for_base(base));
         // One finding may speak for several files; who names one of them is told.
         let mut files = std::iter::once(&finding.path).chain(finding.files());
-        files.any(|file| (self.is_asked_for)(file)) && self.layers.checked.base_at(rel).as_deref().is_none_or(asked)
+        files.any(|file| (self.is_asked_for)(file)) && is_of_asked
     }
 
     fn is_reported(&self, path: &str) -> bool {

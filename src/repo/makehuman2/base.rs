@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::intent::Intent;
 use super::rigs;
-use super::{BoundSlider, Candidate, Overlaid, Pattern, TargetFolder};
+use super::{BoundSlider, Candidate, OWN, Overlaid, Pattern, TargetFolder};
 use crate::discover::Kind;
 use crate::formats::Content;
 use crate::formats::base_json::BaseJson;
@@ -96,7 +96,7 @@ pub(super) fn base_names(layers: Sources<'_>) -> BTreeSet<&str> {
     let files = [layers.system, layers.user].into_iter().flatten().flat_map(|layer| layer.files.values());
     files
         .filter(|file| ["base/", "target/", "contarget/", "rigs/"].iter().any(|folder| file.rel.starts_with(folder)))
-        .filter_map(|file| file.base())
+        .filter_map(|file| file.base_in(OWN))
         .collect()
 }
 
@@ -125,7 +125,7 @@ pub(super) fn resolve<'a>(name: &'a str, layers: Sources<'a>) -> Base<'a> {
     let (sliders, by_key) = bind_sliders(&modelling, &user_modelling, opposites.unwrap_or_default());
     let in_rigs = |kind: Kind| {
         let below = layers.strongest_first().flat_map(|layer| layer.below(&format!("rigs/{name}")));
-        below.filter(move |file| file.kind == kind)
+        below.filter(move |file| file.kind_in(OWN) == kind)
     };
     let settings = own_json.and_then(|(file, model)| Some((file, model?)));
     let named = settings.map(|settings| rigs::named_by_settings(name, layers, settings)).unwrap_or_default();

@@ -3,6 +3,7 @@
 
 mod base;
 mod intent;
+mod known;
 mod overlay;
 mod references;
 mod rigs;
@@ -19,3 +20,8 @@ pub(crate) use overlay::{Candidate, Overlaid};
 pub(crate) use slider::{BoundSlider, Pattern};
 pub(crate) use target_folder::TargetFolder;
 pub(crate) use view::View;
+
+use crate::diag::Application;
+
+/// Whose uses of a file count here.
+const OWN: Application = Application::Makehuman2;

@@ -55,6 +55,12 @@ fn weights<'a>(base: &'a str, layers: Sources<'a>, from: &'a FileFacts) -> Optio
     Some(layered(layers, unresolved(ReferenceKind::WeightsFile, base, from, place, text, "rigs")))
 }
 
+/// What a skeleton of a base has to call weights.
+pub(super) fn name_of<'f>(base: &str, file: &'f FileFacts) -> &'f str {
+    let below = |rel: &'f str| rel.strip_prefix("rigs/")?.strip_prefix(base)?.strip_prefix('/');
+    below(&file.rel).unwrap_or(&file.rel)
+}
+
 fn unresolved<'a>(
     kind: ReferenceKind,
     base: &'a str,

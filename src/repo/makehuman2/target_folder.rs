@@ -1,5 +1,6 @@
 //! Folders that targets are loaded from.
 
+use super::OWN;
 use crate::discover::Kind;
 use crate::repo::{FileFacts, Layer};
 
@@ -32,7 +33,7 @@ impl<'a> TargetFolder<'a> {
 
     /// All targets in the folder.
     pub(crate) fn targets(&self) -> impl Iterator<Item = &'a FileFacts> + use<'a> {
-        self.layer.below(&self.rel()).filter(|file| file.kind == Kind::Target)
+        self.layer.below(&self.rel()).filter(|file| file.kind_in(OWN) == Kind::Target)
     }
 
     /// Name of a target of this folder as files refer to it: path without suffix.

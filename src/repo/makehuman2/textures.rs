@@ -2,9 +2,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::OWN;
 use crate::diag::Place;
-use crate::discover::Kind;
-use crate::discover::opened::{extension, material_of};
+use crate::discover::{Kind, extension, material_of};
 use crate::formats::mhmat::Texture;
 use crate::repo::path::resolve;
 use crate::repo::{FileFacts, Layer, Layers, Reference, ReferenceKind, Resolution, parent};
@@ -14,8 +14,8 @@ pub(super) fn by_base(layers: Layers<'_>) -> BTreeMap<&str, Vec<Reference<'_>>> 
     let mut by_base: BTreeMap<&str, Vec<Reference<'_>>> = BTreeMap::new();
     for layer in layers.strongest_first() {
         let assets = folders_of_assets(layer);
-        for file in layer.files.values().filter(|file| file.kind == Kind::Material) {
-            if let (Some(base), Some(search)) = (file.base(), Search::of(layers, layer, file, &assets)) {
+        for file in layer.files.values().filter(|file| file.kind_in(OWN) == Kind::Material) {
+            if let (Some(base), Some(search)) = (file.base_in(OWN), Search::of(layers, layer, file, &assets)) {
                 by_base.entry(base).or_default().extend(search.references(base));
             }
         }
@@ -25,7 +25,7 @@ pub(super) fn by_base(layers: Layers<'_>) -> BTreeMap<&str, Vec<Reference<'_>>> 
 
 /// Folders with something to wear in them. Materials elsewhere are offered for nothing.
 fn folders_of_assets(layer: &Layer) -> BTreeSet<&str> {
-    let is_asset = |file: &&FileFacts| file.kind == Kind::Clothes || extension(&file.rel) == "mhbin";
+    let is_asset = |file: &&FileFacts| file.kind_in(OWN) == Kind::Clothes || extension(&file.rel) == "mhbin";
     layer.files.values().filter(is_asset).map(|file| parent(&file.rel)).collect()
 }
 
@@ -49,7 +49,7 @@ impl<'a> Search<'a> {
         if use_of.is_worn && !above.any(|folder| assets.contains(folder)) {
             return None;
         }
-        let settings = format!("base/{}", file.base()?);
+        let settings = format!("base/{}", file.base_in(OWN)?);
         let has_base = layers.strongest_first().any(|layer| layer.below(&settings).next().is_some());
         let is_open = !has_base && (layers.system.is_none() || layers.is_one_root());
         let shared = layers.system.into_iter().chain(layers.user).collect();

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::base::{Sources, base_names, resolve};
 use super::references::collect;
 use super::usage::Usage;
-use super::{Base, textures, unbound};
+use super::{Base, OWN, rigs, textures, unbound};
 use crate::discover::Kind;
 use crate::repo::{Body, BodyWeights, FileFacts, Layers, Reference, References, Target};
 
@@ -53,18 +53,32 @@ impl<'a> View<'a> {
         self.usage.unused(base)
     }
 
+    /// Whether a path lies in the target folder of a user, whose JSON `MakeHuman` 2 writes itself.
+    pub(in crate::repo) fn is_generated(&self, rel: &str) -> bool {
+        let layers = self.layers;
+        let user = layers.user.is_some_and(|user| std::ptr::eq(user, layers.checked));
+        user && !layers.is_one_root() && rel.starts_with("target/")
+    }
+
+    /// Whether the file is the `macro.json` of a base without a macro slider.
+    pub(in crate::repo) fn does_without(&self, file: &FileFacts) -> bool {
+        let base = file.base_in(OWN).and_then(|name| self.base(name));
+        let has_none = |base: &Base<'_>| !base.sliders.iter().any(|slider| slider.slider.is_macro());
+        file.kind_in(OWN) == Kind::MacroJson && base.is_none_or(has_none)
+    }
+
     /// The targets of a base in the checked layer.
     pub(crate) fn own_targets<'v>(&'v self, base: &Base<'_>) -> impl Iterator<Item = &'a FileFacts> + use<'v, 'a> {
         let folders = ["contarget", "target"].map(|folder| format!("{folder}/{}", base.name));
         let files = folders.into_iter().flat_map(|folder| self.layers.checked.below(&folder).collect::<Vec<_>>());
-        files.filter(|file| file.kind == Kind::Target)
+        files.filter(|file| file.kind_in(OWN) == Kind::Target)
     }
 
     /// A body for every base, and one for the targets that belong to none.
     pub(in crate::repo) fn bodies<'v>(&'v self, view: &'v crate::repo::View<'v>) -> Vec<Body<'v>> {
         let mut targets: BTreeMap<&str, Vec<Target<'v>>> = BTreeMap::new();
-        for file in self.layers.checked.files.values().filter(|file| file.kind == Kind::Target) {
-            targets.entry(file.base().unwrap_or_default()).or_default().push(self.target(file));
+        for file in self.layers.checked.files.values().filter(|file| file.kind_in(OWN) == Kind::Target) {
+            targets.entry(file.base_in(OWN).unwrap_or_default()).or_default().push(self.target(file));
         }
         let body = |base: &'v Base<'a>, targets| {
             let mut body = Body::new(base.name, view, targets);
@@ -72,7 +86,9 @@ impl<'a> View<'a> {
             body.mesh = base.mesh;
             body.visible_groups = base.settings().and_then(|(_, settings)| settings.visible_groups.as_deref());
             body.rigs = &base.rigs;
-            body.weights = weights.map(|(file, is_unbound)| BodyWeights { file, is_unbound }).collect();
+            body.weights = weights
+                .map(|(file, is_unbound)| BodyWeights { file, name: rigs::name_of(base.name, file), is_unbound })
+                .collect();
             body
         };
         let mut bodies: Vec<Body<'v>> = Vec::new();

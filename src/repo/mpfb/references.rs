@@ -1,6 +1,6 @@
 //! What the sliders of MPFB ask for (formats/mpfb.md §2.2).
 
-use super::view::Catalog;
+use super::view::{Catalog, OWN};
 use crate::diag::Place;
 use crate::formats::target_catalog::{Category, Section};
 use crate::repo::path::{normalized, resolve};
@@ -67,7 +67,7 @@ fn reference<'a>(
     let from = catalog.file;
     let resolution = resolve(&[catalog.layer], text, path);
     let rel = normalized(path).unwrap_or_else(|| path.to_owned());
-    let (base, owner) = (from.base().unwrap_or_default(), category.name.as_str());
+    let (base, owner) = (from.base_in(OWN).unwrap_or_default(), category.name.as_str());
     Reference { kind, base, from, place, text, owner, folder_at_fault: None, rel, resolution }
 }
 

@@ -1,10 +1,14 @@
 //! The system data with their catalogue: MPFB looks for neither it nor its targets anywhere else (formats/mpfb.md §1).
 
 use super::references::collect;
+use crate::diag::Application;
 use crate::discover::Kind;
 use crate::formats::obj::Mesh;
 use crate::formats::target_catalog::TargetCatalog;
 use crate::repo::{Body, FileFacts, Layer, Layers, References, Target, parent};
+
+/// Whose uses of a file count here.
+pub(super) const OWN: Application = Application::Mpfb;
 
 /// MPFB's data, connected.
 #[derive(Debug)]
@@ -33,7 +37,7 @@ pub(crate) struct Catalog<'a> {
 impl<'a> View<'a> {
     /// Connects layers.
     pub(crate) fn connect(layers: Layers<'a>) -> Self {
-        let file = |kind| layers.system?.files.values().find(|file| file.kind == kind);
+        let file = |kind| layers.system?.files.values().find(|file| file.kind_in(OWN) == kind);
         let catalog = layers.system.zip(file(Kind::TargetCatalog));
         let catalog = catalog.and_then(|(layer, file)| Some(Catalog { layer, file, sliders: file.catalog()? }));
         let mesh = file(Kind::BaseMesh).and_then(|file| Some((file, file.mesh()?)));
@@ -43,22 +47,23 @@ impl<'a> View<'a> {
 
     /// The name of the base mesh, if there is anything for it.
     pub(crate) fn body_name(&self) -> Option<&'a str> {
-        let of_catalog = self.catalog.and_then(|catalog| catalog.file.base());
-        self.mesh.and_then(|(file, _)| file.base()).or(of_catalog)
+        let of_catalog = self.catalog.and_then(|catalog| catalog.file.base_in(OWN));
+        self.mesh.and_then(|(file, _)| file.base_in(OWN)).or(of_catalog)
     }
 
     /// The body. Which of its targets nobody uses cannot be told: any can be asked for by its name (formats/mpfb.md §4.4).
     pub(in crate::repo) fn body<'v>(&'v self, view: &'v crate::repo::View<'v>) -> Option<Body<'v>> {
         let files = self.layers.checked.files.values();
-        let targets = files.filter(|file| matches!(file.kind, Kind::Target | Kind::PackedTarget));
-        let target = |file| Target { file, used_as: self.used_as(file), is_unused: false, packed_in: None };
-        let mut body = Body::new(self.body_name()?, view, targets.map(target).collect());
+        let targets = files.filter(|file| matches!(file.kind_in(OWN), Kind::Target | Kind::PackedTarget));
+        let mut body = Body::new(self.body_name()?, view, targets.map(|file| self.target(file)).collect());
         body.mesh = self.mesh;
         Some(body)
     }
 
-    fn used_as(&self, file: &FileFacts) -> Option<crate::repo::ReferenceKind> {
-        self.references.to_file(file).map(|reference| reference.kind).min()
+    /// What is known of a target of the checked layer.
+    pub(in crate::repo) fn target<'v>(&self, file: &'v FileFacts) -> Target<'v> {
+        let used_as = self.references.to_file(file).map(|reference| reference.kind).min();
+        Target { file, used_as, is_unused: false, packed_in: None }
     }
 }
 

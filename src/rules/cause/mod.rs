@@ -12,4 +12,4 @@ pub(super) mod schema;
 pub(super) mod weights;
 
 pub(super) use file::{counts_as_missing, is_ignored_override, is_override, is_unmet};
-pub(super) use generated::{is_generated, is_generated_for};
+pub(super) use generated::is_generated_for;

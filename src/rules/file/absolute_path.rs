@@ -17,7 +17,6 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(view) = view.makehuman2() else { return };
     let is_absolute = |resolution| matches!(resolution, Resolution::Absolute);
     for cause in causes(view, |reference| is_absolute(reference.resolution).then(String::new)) {
         let finding = cause.finding(&RULE, |text| match text {

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
-use super::named::{causes, effect, is_known_by, written};
+use super::named::{causes, effect, written};
 use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Place, RuleInfo};
 use crate::repo::{Reference, Resolution, View};
 
@@ -20,7 +20,6 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(view) = view.makehuman2() else { return };
     let key = |exists: bool| if exists { "found" } else { "missing" };
     for cause in causes(view, |reference| match reference.resolution {
         Resolution::Backslash(file) => Some(key(file.is_some()).to_owned()),
@@ -35,7 +34,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let level = if exists { Level::Warning } else { finding.level };
         let slashed = cause.text().replace('\\', "/");
         let is_fixable =
-            |reference: &Reference<'_>| exists && reference.text.contains('\\') && !is_known_by(view, reference);
+            |reference: &Reference<'_>| exists && reference.text.contains('\\') && !view.is_known_by(reference);
         let mut fix = Fix::new(RULE.info.fix, "write `/` for `\\`");
         // Where nobody finds the file, its name has to be found out first.
         for reference in cause.references.iter().filter(|reference| is_fixable(reference)) {

@@ -26,12 +26,11 @@ pub(in crate::rules) static RULE: Rule = Rule {
 const ROW_FIELDS: usize = 4;
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(makehuman2) = view.makehuman2() else { return };
     // Behind a mark alone there is nothing to lose: the file is empty.
     let marked = |file: &&FileFacts| {
         file.encoding.byte_order_mark && file.encoding.invalid_utf8_at.is_none() && !file.encoding.blank
     };
-    let texts = makehuman2.layers.checked.files.values().filter(|file| file.kind.is_text() && !is_override(file));
+    let texts = view.layers().checked.files.values().filter(|file| file.kind.is_text() && !is_override(file));
     for file in texts.filter(|file| !is_unmet(view, file)).filter(marked) {
         let damage = damage(file);
         let Some(loss) = consequence(view, &file.rel, damage) else { continue };
@@ -42,7 +41,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             .fix(fix.step(&file.path, Change::Rewrite(Rewrite::DropByteOrderMark)))
             .help("save the file as UTF-8 without byte order mark");
         let finding = loss.of(finding);
-        out.push(if damage == Damage::MarkedRow { weigh(&makehuman2.target(file), finding) } else { finding });
+        out.push(if damage == Damage::MarkedRow { weigh(&view.target(file), finding) } else { finding });
     }
 }
 

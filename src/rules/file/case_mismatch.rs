@@ -2,13 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use super::super::cause::is_generated;
 use super::super::{Check, Rule, RuleCx};
-use super::named::{Cause, alike, causes, differs_in_form, effect, is_known_by, written};
+use super::named::{Cause, alike, causes, differs_in_form, effect, written};
 use super::spelling::{as_on_disk, differing, folder_on_disk, found, plain, respelled};
 use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Place, RuleInfo};
-use crate::discover::opened::misnamed;
-use crate::repo::{Reference, ReferenceKind, Resolution, View, makehuman2};
+use crate::repo::{Reference, ReferenceKind, Resolution, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -25,14 +23,13 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(view) = view.makehuman2() else { return };
     fixed_names(view, out);
     for cause in causes(view, |reference| found(reference).map(|found| differing(&plain(&reference.rel), found).0)) {
         let Some(first) = cause.references.first() else { continue };
         let Some(target) = found(first) else { continue };
         let written = plain(&first.rel);
         let (name, on_disk) = differing(&written, target);
-        let holder = view.layers.strongest_first().find(|layer| layer.file(target).is_some());
+        let holder = view.layers().strongest_first().find(|layer| layer.file(target).is_some());
         let in_form = differs_in_form(first);
         let finding = cause.finding(&RULE, |_| {
             if in_form {
@@ -97,7 +94,7 @@ fn meant(first: &Reference<'_>, name: &str, on_disk: &str) -> String {
 }
 
 /// Writes the folder that is at fault, or all names; nothing if one of them is known elsewhere as it is.
-fn fix(view: &makehuman2::View<'_>, cause: &Cause<'_, '_>, title: &str) -> Fix {
+fn fix(view: &View<'_>, cause: &Cause<'_, '_>, title: &str) -> Fix {
     let fix = Fix::new(RULE.info.fix, title);
     let folders: Option<BTreeMap<_, _>> = cause.references.iter().map(|reference| folder_on_disk(reference)).collect();
     if let (Some(folders), Some(first)) = (folders, cause.references.first()) {
@@ -106,18 +103,18 @@ fn fix(view: &makehuman2::View<'_>, cause: &Cause<'_, '_>, title: &str) -> Fix {
             .fold(fix, |fix, (pointer, text)| fix.step(&first.from.path, Change::Value { pointer, text: Some(text) }));
     }
     let names = cause.references.iter().map(|reference| {
-        let text = as_on_disk(reference).filter(|_| !is_known_by(view, reference))?;
+        let text = as_on_disk(reference).filter(|_| !view.is_known_by(reference))?;
         Some((*reference, text))
     });
     let names: Vec<_> = names.collect::<Option<_>>().unwrap_or_default();
     names.into_iter().fold(fix, |fix, (reference, text)| written(fix, reference, Some(text)))
 }
 
-/// A file that MakeHuman 2 looks for by a fixed name.
-fn fixed_names(view: &makehuman2::View<'_>, out: &mut Vec<Finding>) {
-    let layer = view.layers.checked;
-    for file in layer.files.values().filter(|file| !is_generated(view.layers, &file.rel)) {
-        let Some(right) = misnamed(&file.rel, |rel| layer.file(rel).is_some()) else { continue };
+/// Files that are looked for by fixed names.
+fn fixed_names(view: &View<'_>, out: &mut Vec<Finding>) {
+    let layer = view.layers().checked;
+    for file in layer.files.values().filter(|file| !view.is_generated(&file.rel)) {
+        let Some(right) = (view.layout().misnamed)(&file.rel, &|rel| layer.file(rel).is_some()) else { continue };
         let (name, wanted) = (file.file_name(), right.rsplit('/').next().unwrap_or_default());
         let message = format!("`{name}` is looked for as `{wanted}`");
         let effect = if right.starts_with("base/") {

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
-use crate::repo::{FileFacts, ReferenceKind, Resolution, View, makehuman2};
+use crate::repo::{FileFacts, ReferenceKind, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -23,12 +23,11 @@ pub(in crate::rules) static RULE: Rule = Rule {
 const SMALLEST: u64 = 200;
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(view) = view.makehuman2() else { return };
-    let mut twins: BTreeMap<(String, &str, u64), Vec<&FileFacts>> = BTreeMap::new();
+    let layer = view.layers().checked;
+    let mut twins: BTreeMap<((&str, &str), &str, u64), Vec<&FileFacts>> = BTreeMap::new();
     // Through a link it is the same file, not another one.
-    let is_link =
-        |file: &FileFacts| file.link_to.as_deref().is_some_and(|real| view.layers.checked.file(real).is_some());
-    for file in view.layers.checked.files.values().filter(|file| !is_link(file)) {
+    let is_link = |file: &FileFacts| file.link_to.as_deref().is_some_and(|real| layer.file(real).is_some());
+    for file in layer.files.values().filter(|file| !is_link(file)) {
         if let (Some(class), Some(hash)) = (class(file), file.content_hash) {
             twins.entry((category(file), class, hash)).or_default().push(file);
         }
@@ -64,17 +63,14 @@ fn class(file: &FileFacts) -> Option<&'static str> {
 }
 
 /// Folder and base mesh: within it one file can stand for another.
-fn category(file: &FileFacts) -> String {
-    file.rel.split('/').take(2).collect::<Vec<_>>().join("/")
+fn category(file: &FileFacts) -> (&str, &str) {
+    let (folder, _) = file.rel.split_once('/').unwrap_or_default();
+    file.base().map_or((file.rel.as_str(), ""), |base| (folder, base))
 }
 
-fn advice(view: &makehuman2::View<'_>, first: &FileFacts, others: &[&FileFacts]) -> String {
-    let is_other = |found: &FileFacts| others.iter().any(|other| std::ptr::eq(*other, found));
-    let reference = view.references.iter().find(|reference| match reference.resolution {
-        Resolution::Found(file) => is_other(file),
-        _ => false,
-    });
-    match reference {
+fn advice(view: &View<'_>, first: &FileFacts, others: &[&FileFacts]) -> String {
+    let mut references = others.iter().flat_map(|other| view.references().to_file(other));
+    match references.find(|reference| reference.found().is_some()) {
         // With another target the slider would have another name in saved models.
         Some(reference) if matches!(reference.kind, ReferenceKind::Incr | ReferenceKind::Decr) => format!(
             "`{}` in {} moves the same as something else: give it a target of its own, or remove the entry",

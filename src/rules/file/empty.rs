@@ -4,11 +4,11 @@ use std::collections::BTreeSet;
 
 use super::super::cause::consequence::{Damage, consequence};
 use super::super::cause::schema::is_of_wrong_type;
-use super::super::cause::{self, is_generated, is_override, is_unmet};
+use super::super::cause::{self, is_override, is_unmet};
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
-use crate::repo::{FileFacts, ReferenceKind, Resolution, View, makehuman2};
+use crate::repo::{FileFacts, ReferenceKind, Resolution, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -24,16 +24,15 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(makehuman2) = view.makehuman2() else { return };
-    let macros = targets_of_macros(makehuman2);
+    let macros = targets_of_macros(view);
     let needed = |file: &&FileFacts| !is_unmet(view, file) && !is_override(file);
-    for file in makehuman2.layers.checked.files.values().filter(needed) {
-        let Some(what) = emptiness(file).or_else(|| counts_as_missing(makehuman2, file)) else { continue };
+    for file in view.layers().checked.files.values().filter(needed) {
+        let Some(what) = emptiness(file).or_else(|| counts_as_missing(view, file)) else { continue };
         if macros.contains(file.rel.as_str()) {
             continue;
         }
         let damage = match file.kind {
-            _ if needs_no_macros(makehuman2, file) => Damage::Needless,
+            _ if view.does_without(file) => Damage::Needless,
             kind if kind.is_json() => Damage::Refused,
             _ => Damage::Empty,
         };
@@ -48,8 +47,8 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 }
 
 /// An empty value counts as no file, too. In a generated modelling.json it is usual.
-fn counts_as_missing(view: &makehuman2::View<'_>, file: &FileFacts) -> Option<&'static str> {
-    let usual = file.kind == Kind::ModellingJson && is_generated(view.layers, &file.rel);
+fn counts_as_missing(view: &View<'_>, file: &FileFacts) -> Option<&'static str> {
+    let usual = file.kind == Kind::ModellingJson && view.is_generated(&file.rel);
     let what = if is_of_wrong_type(file) {
         " (null, 0, false and empty values count as no file)"
     } else {
@@ -58,18 +57,13 @@ fn counts_as_missing(view: &makehuman2::View<'_>, file: &FileFacts) -> Option<&'
     (cause::counts_as_missing(file) && !usual).then_some(what)
 }
 
-/// Whether the file is the `macro.json` of a base without a macro slider, which does as well without.
-fn needs_no_macros(view: &makehuman2::View<'_>, file: &FileFacts) -> bool {
-    let mut bases = view.bases.iter().filter(|base| file.base() == Some(base.name));
-    file.kind == Kind::MacroJson && bases.all(|base| !base.sliders.iter().any(|slider| slider.slider.is_macro()))
-}
-
 /// `macro-empty-target` knows these better.
-fn targets_of_macros<'r>(view: &'r makehuman2::View<'_>) -> BTreeSet<&'r str> {
-    let macros = view.references.iter().filter(|reference| reference.kind == ReferenceKind::MacroTarget);
+fn targets_of_macros<'r>(view: &'r View<'_>) -> BTreeSet<&'r str> {
+    let layers = view.layers();
+    let macros = view.references().iter().filter(|reference| reference.kind == ReferenceKind::MacroTarget);
     macros
         .filter_map(|reference| match reference.resolution {
-            Resolution::Found(file) if view.layers.is_checked(file) => Some(file.rel.as_str()),
+            Resolution::Found(file) if layers.is_checked(file) => Some(file.rel.as_str()),
             _ => None,
         })
         .collect()

@@ -8,25 +8,23 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::super::cause::overlay::has_sliders;
 use crate::diag::Sought;
 use crate::repo::makehuman2::{Base, TargetFolder, View};
-use crate::repo::{FileFacts, Reference, ReferenceKind, Resolution};
+use crate::repo::{FileFacts, Layer, Reference, ReferenceKind, Resolution};
 
 /// Icons count as unused only where the sliders that could name them are known: in the folder in use.
-pub(super) fn is_store(view: &View<'_>, file: &FileFacts) -> bool {
+pub(super) fn is_store(layer: &Layer, base: &Base<'_>, file: &FileFacts) -> bool {
     let inside = |folder: Option<TargetFolder<'_>>| {
         folder.is_some_and(|folder| {
-            std::ptr::eq(folder.layer, view.layers.checked) && file.rel.starts_with(&format!("{}/icons/", folder.rel()))
+            std::ptr::eq(folder.layer, layer) && file.rel.starts_with(&format!("{}/icons/", folder.rel()))
         })
     };
-    view.bases.iter().any(|base| {
-        let known = has_sliders(base) && !base.has_unreadable_icons();
-        (known && inside(base.targets)) || inside(base.user_targets)
-    })
+    let known = has_sliders(base) && !base.has_unreadable_icons();
+    (known && inside(base.targets)) || inside(base.user_targets)
 }
 
 /// Names of missing icons that are compared with others; where thousands are missing, none is a slip of the pen.
 const COMPARED: usize = 4096;
 
-/// What the sliders of a repository say about icons, gathered once for all of its icons.
+/// What the sliders of a base say about icons, gathered once for all of its icons.
 pub(super) struct Icons<'r> {
     /// Names of the icons that are asked for and not there.
     lost: BTreeMap<&'r str, Sought<'r>>,
@@ -39,21 +37,23 @@ pub(super) struct Icons<'r> {
 }
 
 impl<'r> Icons<'r> {
-    pub(super) fn of(view: &'r View<'_>) -> Self {
-        let icons = view.references.iter().filter(|reference| reference.kind == ReferenceKind::Icon);
+    pub(super) fn of(view: &'r View<'_>, base: &'r Base<'_>) -> Self {
+        let icons = view.references_of(base).filter(|reference| reference.kind == ReferenceKind::Icon);
         let lost = icons.filter(|reference| !matches!(reference.resolution, Resolution::Found(_)));
         // With a wrong path in front of it, the name itself may be right.
         let names = lost.map(|reference| reference.text.rsplit(['/', '\\']).next().unwrap_or_default());
-        let sliders = view.bases.iter().flat_map(|base| &base.sliders);
-        let targets = view.references.iter().filter(|reference| reference.kind.is_target());
+        let targets = view.references_of(base).filter(|reference| reference.kind.is_target());
         let used: BTreeSet<&str> = targets.filter_map(Reference::meant).map(|file| file.path.as_str()).collect();
-        let folders = view.bases.iter().filter_map(|base| base.targets);
-        let files = folders.flat_map(|folder| folder.layer.below(&folder.rel())).filter(|file| file.target().is_some());
+        let files = base
+            .targets
+            .iter()
+            .flat_map(|folder| folder.layer.below(&folder.rel()))
+            .filter(|file| file.target().is_some());
         let unused_targets: BTreeSet<&str> =
             files.filter(|file| !used.contains(file.path.as_str())).map(FileFacts::stem).collect();
         Self {
             lost: names.map(|name| (name, Sought::new(name))).collect(),
-            meant: sliders.filter_map(|slider| slider.as_meant().icon.as_deref()).collect(),
+            meant: base.sliders.iter().filter_map(|slider| slider.as_meant().icon.as_deref()).collect(),
             unused_pairs: unused_targets.iter().filter_map(|stem| Some(stem.rsplit_once('-')?.0)).collect(),
             unused_targets,
         }
@@ -75,10 +75,10 @@ impl<'r> Icons<'r> {
 }
 
 /// Paths of the icons that some slider asks for, relative to the root.
-pub(super) fn in_use(view: &View<'_>) -> BTreeSet<String> {
-    let icons = view.references.iter().filter(|reference| reference.kind == ReferenceKind::Icon);
+pub(super) fn in_use(view: &View<'_>, base: &Base<'_>) -> BTreeSet<String> {
+    let icons = view.references_of(base).filter(|reference| reference.kind == ReferenceKind::Icon);
     let mut used: BTreeSet<String> = icons.filter_map(|icon| Some(icon.meant()?.rel.clone())).collect();
-    view.bases.iter().for_each(|base| used.extend(generated_icons(base)));
+    used.extend(generated_icons(base));
     used
 }
 

@@ -4,8 +4,7 @@ use std::collections::BTreeMap;
 
 use super::super::Rule;
 use crate::diag::{Change, Evidence, Finding, Fix, Level, Place};
-use crate::repo::makehuman2::View;
-use crate::repo::{Reference, ReferenceKind, Resolution, composed, fold};
+use crate::repo::{Reference, ReferenceKind, Resolution, View, composed, fold};
 
 /// References of one cause in one file, in the order of the file.
 pub(super) struct Cause<'r, 'a> {
@@ -18,7 +17,8 @@ pub(super) struct Cause<'r, 'a> {
 /// The references that `key` gives a cause for, one [`Cause`] for each file and key.
 pub(super) fn causes<'r, 'a>(view: &'r View<'a>, key: impl Fn(&Reference<'a>) -> Option<String>) -> Vec<Cause<'r, 'a>> {
     let mut causes: BTreeMap<(&str, String), Vec<&Reference<'a>>> = BTreeMap::new();
-    for reference in view.references.iter().filter(|reference| view.layers.is_checked(reference.from)) {
+    let layers = view.layers();
+    for reference in view.references().iter().filter(|reference| layers.is_checked(reference.from)) {
         if let Some(key) = key(reference) {
             // A faulty folder is one cause for all names behind it, and another than a name of its own.
             let folder = reference.folder_at_fault.as_ref().map(|(_, folder)| format!("folder {folder}"));
@@ -50,40 +50,6 @@ impl Cause<'_, '_> {
         let finding = rule.at(first.from, place, message).key(&self.key).level(worst);
         Some(finding.evidence(Evidence::of_cases(names)))
     }
-}
-
-/// Whether a slider must keep its name: it is part of a pattern by which something else knows the slider, or would,
-/// rightly written, give the pattern of another one.
-pub(super) fn is_known_by(view: &View<'_>, reference: &Reference<'_>) -> bool {
-    is_slider(reference.kind) && (is_part_of_pattern(view, reference) || has_double(view, reference))
-}
-
-fn is_slider(kind: ReferenceKind) -> bool {
-    matches!(kind, ReferenceKind::Incr | ReferenceKind::Decr)
-}
-
-fn is_part_of_pattern(view: &View<'_>, reference: &Reference<'_>) -> bool {
-    let names_it = |pattern: &str| pattern.starts_with(reference.text);
-    let mut bases = view.bases.iter().filter(|base| base.name == reference.base);
-    bases.any(|base| {
-        let mut partners = base.sliders.iter().flat_map(|bound| [&bound.slider.lsym, &bound.slider.rsym]);
-        let presets = base.settings().map(|(_, settings)| settings.presets.as_slice()).unwrap_or_default();
-        partners.any(|partner| partner.as_deref().is_some_and(names_it))
-            || presets.iter().any(|(pattern, _)| names_it(pattern))
-    })
-}
-
-/// Whether another slider moves the same targets.
-fn has_double(view: &View<'_>, reference: &Reference<'_>) -> bool {
-    let mut by_slider: BTreeMap<&str, BTreeMap<ReferenceKind, &str>> = BTreeMap::new();
-    let of_base = view.references.iter().filter(|other| other.base == reference.base && is_slider(other.kind));
-    for other in of_base {
-        if let Some(file) = other.meant() {
-            by_slider.entry(other.owner).or_default().insert(other.kind, &file.path);
-        }
-    }
-    let own = by_slider.remove(reference.owner);
-    own.is_some_and(|own| by_slider.values().any(|other| *other == own))
 }
 
 /// A fix that also writes `text` for a name.
@@ -125,7 +91,7 @@ pub(super) fn differs_in_form(reference: &Reference<'_>) -> bool {
 
 /// Other files of the layer that the name fits as well, but for capitals.
 pub(super) fn alike<'r>(view: &'r View<'_>, target: &str) -> Vec<&'r str> {
-    let layer = view.layers.strongest_first().find(|layer| layer.file(target).is_some());
+    let layer = view.layers().strongest_first().find(|layer| layer.file(target).is_some());
     let wanted = fold(target);
     let is_alike = |rel: &&str| *rel != target && fold(rel) == wanted;
     layer.into_iter().flat_map(|layer| layer.files.values().map(|file| file.rel.as_str())).filter(is_alike).collect()

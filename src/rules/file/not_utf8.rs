@@ -23,8 +23,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(makehuman2) = view.makehuman2() else { return };
-    let texts = makehuman2.layers.checked.files.values().filter(|file| file.kind.is_text());
+    let texts = view.layers().checked.files.values().filter(|file| file.kind.is_text());
     for file in texts.filter(|file| !is_unmet(view, file)) {
         let Some(at) = file.encoding.invalid_utf8_at else { continue };
         let guess = file.encoding.guess.unwrap_or("another encoding");
@@ -32,6 +31,6 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let Some(loss) = consequence(view, &file.rel, Damage::NotUtf8) else { continue };
         let finding = RULE.at(file, Place::Span(at..at + 1), message);
         let finding = loss.of(finding).help("save the file as UTF-8 without byte order mark");
-        out.push(if file.kind == Kind::Target { weigh(&makehuman2.target(file), finding) } else { finding });
+        out.push(if file.kind == Kind::Target { weigh(&view.target(file), finding) } else { finding });
     }
 }

@@ -20,13 +20,12 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(view) = view.makehuman2() else { return };
     let leaves = |resolution| matches!(resolution, Resolution::Escapes);
     for cause in causes(view, |reference| leaves(reference.resolution).then(String::new)) {
         let finding = cause.finding(&RULE, |text| format!("`{text}` leads out of the data folder"));
         out.extend(finding.map(|finding| finding.level(Level::Error).help("copy the file into the data folder")));
     }
-    let layer = view.layers.checked;
+    let layer = view.layers().checked;
     for fault in layer.walk_faults.iter().filter(|fault| fault.kind == WalkFaultKind::LinkLeavesRoot) {
         let finding = RULE.in_layer(layer, &fault.path, "the link leads out of the data folder and was not followed");
         out.push(finding.key("link").help("copy what it points to into the data folder"));

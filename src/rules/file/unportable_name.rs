@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use super::named::differs_in_form;
 use crate::diag::{Application, Finding, Level, RuleInfo};
-use crate::repo::{Resolution, View, makehuman2};
+use crate::repo::{Resolution, View};
 use crate::source::is_below;
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -29,8 +29,7 @@ const FORBIDDEN: [char; 8] = ['<', '>', ':', '"', '|', '?', '*', '\\'];
 const DECOMPOSED: &str = "is written with separate accent marks";
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(view) = view.makehuman2() else { return };
-    let layer = view.layers.checked;
+    let layer = view.layers().checked;
     let not_found = named_in_another_form(view);
     let faults = layer.walk_faults.iter().map(|fault| &fault.path);
     for path in layer.files.keys().chain(&layer.folders).chain(faults) {
@@ -47,8 +46,9 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 }
 
 /// Files whose names a reference of the judged layer writes in another form of accented letters.
-fn named_in_another_form<'a>(view: &makehuman2::View<'a>) -> Vec<&'a str> {
-    let own = view.references.iter().filter(|reference| view.layers.is_checked(reference.from));
+fn named_in_another_form<'a>(view: &View<'a>) -> Vec<&'a str> {
+    let layers = view.layers();
+    let own = view.references().iter().filter(|reference| layers.is_checked(reference.from));
     let files = own.filter(|reference| differs_in_form(reference)).filter_map(|reference| match reference.resolution {
         Resolution::CaseOnly(file) => Some(file.rel.as_str()),
         _ => None,

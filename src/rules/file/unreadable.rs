@@ -3,7 +3,7 @@
 use super::super::cause::consequence::{Damage, consequence};
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Finding, Level, RuleInfo};
-use crate::discover::{Kind, opened};
+use crate::discover::Kind;
 use crate::repo::View;
 use crate::source::{ReadFault, WalkFaultKind};
 
@@ -33,20 +33,20 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             out.extend(finding(&fault.path, format!("cannot be read: {reason}")));
         }
     }
-    let is_base = |name: &str| layer.files.values().any(|file| file.base() == Some(name));
+    let is_base = |name: &str| layer.files.values().any(|file| file.base_in(view.application()) == Some(name));
     for file in layer.files.values() {
         match &file.unreadable {
             Some(ReadFault::Unreadable(reason)) => {
                 out.extend(finding(&file.rel, format!("cannot be read: {reason}")));
             }
-            _ if opened::is_folder(&file.rel, is_base) => {
+            _ if (view.layout().is_folder)(&file.rel, &is_base) => {
                 let message = format!("`{}` is a file, but a folder belongs here", file.file_name());
                 out.extend(finding(&file.rel, message).map(|it| it.help("remove the file or give it another name")));
             }
             _ => {}
         }
     }
-    for folder in layer.folders.iter().filter(|folder| is_file(layer.kind_at(folder))) {
+    for folder in layer.folders.iter().filter(|folder| is_file(view.kind_at(folder))) {
         let name = folder.rsplit('/').next().unwrap_or(folder);
         let message = format!("`{name}` is a folder, but a file belongs here");
         let help = "put the file here, or give the folder another name";

@@ -5,9 +5,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::super::{Check, Rule, RuleCx};
 use super::icons;
 use crate::diag::{Application, Evidence, Finding, Level, RuleInfo, Sight};
-use crate::discover::Kind;
-use crate::discover::opened::{extension, misnamed, opens};
-use crate::repo::{FileFacts, ReferenceKind, Resolution, View, makehuman2};
+use crate::discover::{Kind, Layout, extension};
+use crate::repo::makehuman2::{Base, View};
+use crate::repo::{FileFacts, Reference, ReferenceKind, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -20,17 +20,20 @@ pub(in crate::rules) static RULE: Rule = Rule {
             own.\n\nGive the file the name that is looked for, refer to it, or remove it.",
         ..RuleInfo::new("file-unreferenced", Level::Info, "a file that nothing refers to and no loader opens")
     },
-    check: Check::Repository(run),
+    check: Check::Makehuman2(run),
 };
 
-fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(view) = view.makehuman2() else { return };
-    let references = References::of(view);
+/// Folders with one for each base mesh in them of which it is known what the loaders open.
+const FOLDERS: [&str; 4] = ["target", "contarget", "rigs", "base"];
+
+fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let references = References::of(view, base);
+    let files = FOLDERS.iter().flat_map(|folder| view.layers.checked.below(&format!("{folder}/{}", base.name)));
     // One finding for a folder and reason: a folder of packed targets is one decision.
     let mut idle: BTreeMap<(&str, Reason), Vec<&FileFacts>> = BTreeMap::new();
-    for file in view.layers.checked.files.values() {
+    for file in files {
         let folder = file.rel.rsplit_once('/').map_or("", |(folder, _)| folder);
-        if let Some(reason) = reason(view, file, &references) {
+        if let Some(reason) = reason(base, file, &references) {
             idle.entry((folder, reason)).or_default().push(file);
         }
     }
@@ -61,55 +64,51 @@ type Reason = (String, String);
 
 /// What the references of a repository say about its files.
 struct References<'r> {
+    view: &'r View<'r>,
     used_icons: BTreeSet<String>,
     icons: icons::Icons<'r>,
-    /// Paths of textures, and of the files that something names but for capitals: the finding on that reference names
-    /// the file.
-    meant: BTreeSet<&'r str>,
     /// Names of files that are not there, of which one may be there packed.
     missing: BTreeSet<&'r str>,
 }
 
 impl<'r> References<'r> {
-    fn of(view: &'r makehuman2::View<'_>) -> Self {
-        let (mut meant, mut missing) = (BTreeSet::new(), BTreeSet::new());
-        for reference in &view.references {
-            match reference.resolution {
-                Resolution::CaseOnly(found) | Resolution::Backslash(Some(found)) => meant.insert(found.path.as_str()),
-                // A texture may be called anything.
-                Resolution::Found(found) if reference.kind == ReferenceKind::Texture => meant.insert(&found.path),
-                Resolution::Missing => missing.insert(reference.rel.as_str()),
-                _ => false,
-            };
-        }
-        Self { used_icons: icons::in_use(view), icons: icons::Icons::of(view), meant, missing }
+    fn of(view: &'r View<'_>, base: &'r Base<'_>) -> Self {
+        let missing = view.references_of(base).filter(|one| matches!(one.resolution, Resolution::Missing));
+        let missing = missing.map(|reference| reference.rel.as_str()).collect();
+        Self { view, used_icons: icons::in_use(view, base), icons: icons::Icons::of(view, base), missing }
     }
 
+    /// Whether a texture, or what something names but for capitals: the finding on that reference names the file.
     fn mean(&self, file: &FileFacts) -> bool {
-        self.meant.contains(file.path.as_str())
+        let means = |reference: &Reference<'_>| match reference.resolution {
+            // A texture may be called anything.
+            Resolution::Found(_) => reference.kind == ReferenceKind::Texture,
+            _ => true,
+        };
+        self.view.references.to_file(file).any(means)
             || file.rel.strip_suffix(".gz").is_some_and(|unpacked| self.missing.contains(unpacked))
     }
 }
 
 /// Why nothing uses the file, if nothing does.
-fn reason(view: &makehuman2::View<'_>, file: &FileFacts, references: &References<'_>) -> Option<Reason> {
-    let name = file.file_name();
+fn reason(base: &Base<'_>, file: &FileFacts, references: &References<'_>) -> Option<Reason> {
+    let (name, layer, layout) = (file.file_name(), references.view.layers.checked, Layout::of(Application::Makehuman2));
     // A file called `icons` stands in the place of a folder: unreadable.
     if file.encoding.lfs_pointer || file.gzip_fault.is_some() || name == "icons" || is_note(name) {
         return None;
     }
     if file.kind == Kind::TargetIcon {
-        let idle = icons::is_store(view, file) && !references.used_icons.contains(&file.rel);
+        let idle = icons::is_store(layer, base, file) && !references.used_icons.contains(&file.rel);
         let icons = &references.icons;
         let idle = idle && !icons.is_misspelt(name) && !icons.is_of_unused_target(file.stem());
         return idle.then(|| ("icon".to_owned(), "no slider has this icon".to_owned()));
     }
     // `file-case-mismatch` names a file that takes the place of one that is needed.
-    if misnamed(&file.rel, |rel| view.layers.checked.file(rel).is_some()).is_some()
+    if (layout.misnamed)(&file.rel, &|rel| layer.file(rel).is_some()).is_some()
         || references.used_icons.contains(&file.rel)
         || references.mean(file)
-        || !is_judged_folder(&file.rel)
-        || opens(&file.rel)
+        || extension(&file.rel) == "thumb"
+        || (layout.opens)(&file.rel)
     {
         return None;
     }
@@ -117,7 +116,7 @@ fn reason(view: &makehuman2::View<'_>, file: &FileFacts, references: &References
         (Kind::PackedTarget, _) => {
             ("packed".to_owned(), "MakeHuman 2 reads no packed targets, only `.target`".to_owned())
         }
-        (_, lower) if lower != name && opens(&format!("{}{lower}", folder_of(&file.rel))) => (
+        (_, lower) if lower != name && (layout.opens)(&format!("{}{lower}", folder_of(&file.rel))) => (
             format!("capitals {lower}"),
             format!("extensions and names count with their capitals, `{lower}` is looked for"),
         ),
@@ -128,11 +127,6 @@ fn reason(view: &makehuman2::View<'_>, file: &FileFacts, references: &References
 
 fn folder_of(rel: &str) -> &str {
     rel.rfind('/').and_then(|at| rel.get(..=at)).unwrap_or_default()
-}
-
-fn is_judged_folder(rel: &str) -> bool {
-    let parts: Vec<&str> = rel.split('/').collect();
-    matches!(parts.as_slice(), ["target" | "contarget" | "rigs" | "base", _, _, ..]) && extension(rel) != "thumb"
 }
 
 /// Texts for people.

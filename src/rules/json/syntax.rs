@@ -4,7 +4,7 @@ use super::super::cause::consequence::{Damage, consequence};
 use super::super::cause::is_ignored_override;
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
-use crate::discover::{Kind, opened};
+use crate::discover::Kind;
 use crate::formats::Content;
 use crate::formats::json_file::JsonFault;
 use crate::json::{SyntaxFault, SyntaxKind};
@@ -29,7 +29,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for file in view.layers().checked.files.values().filter(|file| !is_ignored_override(file)) {
         match &file.content {
-            Content::Broken(JsonFault::Syntax(fault)) if fault.kind != SyntaxKind::TooDeep && !is_stray(file) => {
+            Content::Broken(JsonFault::Syntax(fault)) if fault.kind != SyntaxKind::TooDeep && !is_stray(view, file) => {
                 let finding = RULE
                     .at(file, Place::Span(fault.span.clone()), format!("no JSON: {fault}"))
                     .parts([format!("{} {}", sort(&fault.kind), fault.within)])
@@ -37,7 +37,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 out.extend(consequence(view, &file.rel, Damage::Syntax).map(|loss| loss.of(finding)));
             }
             // What NaN does to weights is worse, and another rule's business.
-            _ if !matches!(file.kind, Kind::Weights | Kind::AssetWeights) && !is_stray(file) => {
+            _ if !matches!(file.kind, Kind::Weights | Kind::AssetWeights) && !is_stray(view, file) => {
                 out.extend(special_numbers(file));
             }
             _ => {}
@@ -60,8 +60,8 @@ fn sort(kind: &SyntaxKind) -> &'static str {
 }
 
 /// Whether no loader looks for a JSON of this name where it lies: `file-unreferenced` speaks, or `file-case-mismatch`.
-fn is_stray(file: &FileFacts) -> bool {
-    matches!(file.kind, Kind::Json | Kind::Pose) && !file.rel.starts_with("base/") && !opened::opens(&file.rel)
+fn is_stray(view: &View<'_>, file: &FileFacts) -> bool {
+    matches!(file.kind, Kind::Json | Kind::Pose) && !file.rel.starts_with("base/") && !(view.layout().opens)(&file.rel)
 }
 
 /// Quotes that word processors and chat programs make of straight ones.

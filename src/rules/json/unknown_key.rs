@@ -2,15 +2,14 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::super::cause::{is_generated_for, is_ignored_override};
+use super::super::cause::is_ignored_override;
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
 use crate::formats::Content;
 use crate::formats::mhskel::{Bone, RotationPlane, Section};
 use crate::json::UnknownKey;
-use crate::repo::makehuman2::Base;
-use crate::repo::{FileFacts, View, makehuman2};
+use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -27,8 +26,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(view) = view.makehuman2() else { return };
-    for file in view.layers.checked.files.values().filter(|file| !is_ignored_override(file)) {
+    for file in view.layers().checked.files.values().filter(|file| !is_ignored_override(file)) {
         let mut by_key: BTreeMap<(&str, Option<&str>), Vec<&UnknownKey>> = BTreeMap::new();
         let sliders = told_sliders(view, file);
         let lacking = lacking(file);
@@ -44,11 +42,10 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 type Told<'f> = BTreeSet<(String, &'f str)>;
 
 /// The misspelt keys for which entries of `modelling.json` are said to have no effect.
-fn told_sliders<'f>(view: &makehuman2::View<'_>, file: &'f FileFacts) -> Told<'f> {
+fn told_sliders<'f>(view: &View<'_>, file: &'f FileFacts) -> Told<'f> {
     // Generated entries are not judged for their effect.
-    let generated = |base: &Base<'_>| is_generated_for(base, file);
     match &file.content {
-        Content::Modelling(model) if !view.bases.iter().any(generated) => {
+        Content::Modelling(model) if !view.is_generated(&file.rel) => {
             let sliders = model.sliders.iter();
             sliders.filter_map(|slider| Some((pointer_of(&slider.key), slider.misspelt_effect()?.0))).collect()
         }

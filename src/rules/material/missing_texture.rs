@@ -4,10 +4,9 @@ use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, Sight, Suggestions};
-use crate::discover::Kind;
-use crate::discover::opened::extension;
+use crate::discover::{Kind, extension};
 use crate::formats::mhmat::Texture;
-use crate::repo::{FileFacts, Reference, ReferenceKind, Resolution, View, makehuman2, parent};
+use crate::repo::{FileFacts, Reference, ReferenceKind, Resolution, View, parent};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -27,16 +26,16 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(view) = view.makehuman2() else { return };
+    let layers = view.layers();
     let suggestions = Suggestions::default();
     let is_missing = |reference: &&Reference<'_>| {
         reference.kind == ReferenceKind::Texture
             && matches!(reference.resolution, Resolution::Missing)
-            && view.layers.is_checked(reference.from)
+            && layers.is_checked(reference.from)
     };
     // A name is one cause, however many keywords have it.
     let mut causes: BTreeMap<(&str, &str), Vec<&Reference<'_>>> = BTreeMap::new();
-    for reference in view.references.iter().filter(is_missing) {
+    for reference in view.references().iter().filter(is_missing) {
         causes.entry((&reference.from.path, reference.text)).or_default().push(reference);
     }
     for references in causes.into_values() {
@@ -51,7 +50,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
 }
 
-fn help(view: &makehuman2::View<'_>, reference: &Reference<'_>, suggestions: &Suggestions) -> String {
+fn help(view: &View<'_>, reference: &Reference<'_>, suggestions: &Suggestions) -> String {
     if let Some(name) = with_blanks(reference) {
         return format!("a name ends at the first blank: rename `{name}` without any, and write that");
     }
@@ -70,15 +69,11 @@ fn with_blanks(reference: &Reference<'_>) -> Option<String> {
 }
 
 /// The picture below the folder of the material, or the one above, that is most like it and that no texture is yet.
-fn nearest<'a>(
-    view: &'a makehuman2::View<'_>,
-    reference: &Reference<'_>,
-    suggestions: &Suggestions,
-) -> Option<&'a str> {
-    let layer = view.layers.checked;
+fn nearest<'a>(view: &'a View<'_>, reference: &Reference<'_>, suggestions: &Suggestions) -> Option<&'a str> {
+    let layer = view.layers().checked;
     let own = parent(&reference.from.rel);
     let folder = if own.ends_with("materials") { parent(own) } else { own };
-    let is_free = |file: &&FileFacts| is_picture(file) && view.references.to_file(file).next().is_none();
+    let is_free = |file: &&FileFacts| is_picture(file) && view.references().to_file(file).next().is_none();
     let free = layer.below(folder).filter(is_free);
     let names = free.filter_map(|file| {
         let below = |folder: &str| file.rel.strip_prefix(folder)?.strip_prefix('/');

@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
-use crate::repo::Body;
+use crate::repo::{Body, BodyWeights};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -16,9 +16,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for file in body.weights.iter().filter(|own| own.is_unbound).map(|own| own.file) {
-        let root = format!("rigs/{}/", body.name);
-        let name = file.rel.strip_prefix(root.as_str()).unwrap_or(&file.rel);
+    for BodyWeights { file, name, .. } in body.weights.iter().filter(|own| own.is_unbound) {
         let message = format!("no skeleton of base `{}` uses these weights", body.name);
         out.push(
             RULE.at(file, Place::File, message)

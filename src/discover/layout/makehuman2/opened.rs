@@ -1,10 +1,11 @@
 //! Which names the loaders of MakeHuman 2 look for (formats/makehuman2.md §1, §2, §19).
 
+use super::super::super::kind::extension;
 use super::SCANNED;
 
-/// Whether any loader (or a tool of the program) opens a file of this name. Decided for the folders of base
-/// meshes, targets and rigs; everything else counts as opened.
-pub(crate) fn opens(rel: &str) -> bool {
+/// Decided for the folders of base meshes, targets and rigs; everything else counts as opened. Tools of the program
+/// count as loaders.
+pub(super) fn opens(rel: &str) -> bool {
     let parts: Vec<&str> = rel.split('/').collect();
     match parts.as_slice() {
         ["target" | "contarget", _, "icons", .., icon] => extension(icon) == "png",
@@ -27,8 +28,7 @@ fn is_base_file(file: &str) -> bool {
         || matches!(extension(file), "mhm" | "mhmat" | "png" | "jpg" | "jpeg" | "thumb")
 }
 
-/// Whether the asset scan opens a file of this name.
-pub(crate) fn is_scanned(rel: &str) -> bool {
+pub(super) fn is_scanned(rel: &str) -> bool {
     let folder = rel.split('/').next().unwrap_or_default();
     let wanted = match extension(rel) {
         "mhskel" => folder == "rigs",
@@ -66,8 +66,7 @@ pub(crate) fn material_of(rel: &str) -> Option<MaterialUse<'_>> {
     }
 }
 
-/// The path under which a file of this name but for its capitals is looked for, where nothing has that path.
-pub(crate) fn misnamed(rel: &str, exists: impl Fn(&str) -> bool) -> Option<String> {
+pub(super) fn misnamed(rel: &str, exists: &dyn Fn(&str) -> bool) -> Option<String> {
     let (folder, name) = rel.rsplit_once('/')?;
     let lower = name.to_lowercase();
     let is_wanted = match folder.split('/').collect::<Vec<_>>().as_slice() {
@@ -83,20 +82,13 @@ pub(crate) fn misnamed(rel: &str, exists: impl Fn(&str) -> bool) -> Option<Strin
 /// Folders below the data root that are sorted by base mesh.
 const BY_BASE: [&str; 5] = ["base", "target", "contarget", "rigs", "models"];
 
-/// Whether loaders list this path as a folder.
-pub(crate) fn is_folder(rel: &str, is_base: impl Fn(&str) -> bool) -> bool {
+pub(super) fn is_folder(rel: &str, is_base: &dyn Fn(&str) -> bool) -> bool {
     match rel.split('/').collect::<Vec<_>>().as_slice() {
         [folder] => BY_BASE.contains(folder),
         [folder, base] => BY_BASE.contains(folder) && is_base(base),
         ["target" | "contarget", _, "icons"] => true,
         _ => false,
     }
-}
-
-/// What is behind the last point of a name, as written.
-pub(crate) fn extension(rel: &str) -> &str {
-    let name = rel.rsplit('/').next().unwrap_or(rel);
-    name.rsplit_once('.').map_or("", |(_, extension)| extension)
 }
 
 #[cfg(test)]

@@ -6,15 +6,14 @@ use super::table::At::{Below, Generated, Named, Path};
 use super::table::{Cell, Row, Table, anywhere, cell, level, row};
 use super::{Consequence, Damage, Moment};
 use crate::diag::Level::{Error, Info, Warning};
-use crate::discover::{Kind, opened};
+use crate::discover::Kind;
 use crate::repo::makehuman2::{Base, View};
 use Damage::{
     Closed, Empty, MarkedComment, MarkedRow, MarkedWord, Needless, NotUtf8, Packed, Pointer, Refused, Syntax, TooDeep,
 };
 use Moment::{Never, Scan, Start, Tools, Use};
 
-pub(super) static TABLE: Table =
-    Table { rows: ROWS, at_moment: AT_MOMENT, in_general: IN_GENERAL, opens: opened::opens, scans: opened::is_scanned };
+pub(super) static TABLE: Table = Table { rows: ROWS, at_moment: AT_MOMENT, in_general: IN_GENERAL };
 
 /// What a text that stops the program does while an archive stands for it.
 pub(super) const ARCHIVED: Consequence =

@@ -11,7 +11,6 @@ pub(in crate::rules) use makehuman2::ignored_override;
 pub(in crate::rules) use makehuman2_values::of_value;
 use table::{Row, Table};
 
-use super::is_generated;
 use crate::diag::{Application, Finding, Level};
 use crate::repo::View;
 
@@ -85,61 +84,54 @@ impl Consequence {
 }
 
 /// The table of an application.
-const fn table(application: Application) -> Option<&'static Table> {
+const fn table(application: Application) -> &'static Table {
     match application {
-        Application::Makehuman2 => Some(&makehuman2::TABLE),
-        Application::Mpfb => Some(&mpfb::TABLE),
-        Application::Makehuman1 => None,
+        Application::Makehuman2 => &makehuman2::TABLE,
+        Application::Mpfb => &mpfb::TABLE,
+        Application::Makehuman1 => &table::UNKNOWN,
     }
 }
 
 /// The table for a view, and its row for a path.
-fn asked(view: &View<'_>, rel: &str) -> Option<(&'static Table, &'static Row)> {
-    let (table, layers) = (table(view.application())?, view.layers());
-    Some((table, table.row(layers.checked.kind_at(rel), rel, is_generated(layers, rel))?))
+fn asked(view: &View<'_>, rel: &str) -> (&'static Table, &'static Row) {
+    let table = table(view.application());
+    (table, table.row(view.kind_at(rel), rel, view.is_generated(rel)))
 }
 
 /// When the application opens a file of this path.
 pub(in crate::rules) fn moment(view: &View<'_>, rel: &str) -> Moment {
-    asked(view, rel).map_or(Moment::Never, |(table, row)| table.moment(row, rel))
+    asked(view, rel).1.moment(view.layout(), rel)
 }
 
 /// What a damage of the file at a path comes to; `None` where nobody needs what is lost.
 pub(in crate::rules) fn consequence(view: &View<'_>, rel: &str, damage: Damage) -> Option<Consequence> {
-    let (table, row) = asked(view, rel)?;
-    table.consequence(row, rel, damage)
+    let (table, row) = asked(view, rel);
+    table.consequence(row, row.moment(view.layout(), rel), damage)
 }
 
 #[cfg(test)]
 mod tests {
     use super::table::At;
     use super::*;
-    use crate::discover::Kind;
+    use crate::discover::Layout;
     use crate::formats::FORMATS;
 
-    const TABLES: [&Table; 2] = [&makehuman2::TABLE, &mpfb::TABLE];
-
-    /// What a table says of a kind, wherever its files lie.
-    fn rows(kind: Kind) -> impl Iterator<Item = (&'static Table, &'static Row)> {
-        TABLES.into_iter().filter_map(move |table| Some((table, table.row(kind, "x", false)?)))
-    }
-
     #[test]
-    fn every_kind_that_is_read_has_a_row_with_what_its_loss_comes_to() {
-        for format in FORMATS.iter().filter(|format| format.is_read()) {
-            assert!(rows(format.kind).next().is_some(), "{:?}", format.kind);
-            let lost = if format.kind.is_json() { Damage::Syntax } else { Damage::Closed };
-            for (table, row) in rows(format.kind) {
-                for damage in [Damage::Closed, Damage::Pointer, Damage::NotUtf8, lost] {
-                    assert!(table.consequence(row, "x", damage).is_some(), "{:?} {damage:?}", format.kind);
-                }
+    fn every_kind_that_is_read_has_a_consequence_in_every_application() {
+        for (format, application) in FORMATS.iter().flat_map(|format| Application::ALL.map(|one| (format, one))) {
+            let table = table(application);
+            let row = table.row(format.kind, "x", false);
+            let lost = if format.kind.is_json() { Damage::Syntax } else { Damage::Packed };
+            for damage in [Damage::Closed, Damage::Pointer, Damage::NotUtf8, lost] {
+                let found = table.consequence(row, row.moment(Layout::of(application), "x"), damage);
+                assert!(found.is_some(), "{application:?} {:?} {damage:?}", format.kind);
             }
         }
     }
 
     #[test]
     fn no_row_stands_behind_the_one_for_all_files_of_its_kind() {
-        for table in TABLES {
+        for table in Application::ALL.map(table) {
             let mut whole = Vec::new();
             for row in table.rows {
                 assert!(!whole.contains(&row.kind), "{:?}", row.kind);

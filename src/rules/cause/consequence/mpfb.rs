@@ -1,17 +1,12 @@
 //! What MPFB does with a file that it cannot read (formats/mpfb.md §2.3). So far for `targets/target.json` alone.
 
-use super::table::{Cell, Table, anywhere, cell};
+use super::table::{Cell, LOST, Table, anywhere, cell};
 use super::{Damage, Moment};
 use crate::diag::Level::Error;
 use crate::discover::Kind;
 
-pub(super) static TABLE: Table = Table {
-    rows: &[anywhere(Kind::TargetCatalog, Moment::Start, REFUSED)],
-    at_moment: &[],
-    in_general: &[],
-    opens: |_| true,
-    scans: |_| false,
-};
+pub(super) static TABLE: Table =
+    Table { rows: &[anywhere(Kind::TargetCatalog, Moment::Start, REFUSED)], at_moment: &[], in_general: LOST };
 
 /// Blender imports the add-on, which reads the file at once and catches nothing.
 const STOPS: &str = "stops while the add-on is imported: MPFB cannot be enabled at all";

@@ -2,7 +2,7 @@
 
 use super::{Consequence, Damage, Moment};
 use crate::diag::Level;
-use crate::discover::{Kind, opened};
+use crate::discover::{Kind, Layout, extension};
 
 /// What becomes of damaged files in one application.
 pub(super) struct Table {
@@ -12,10 +12,6 @@ pub(super) struct Table {
     pub(super) at_moment: &'static [(Moment, Cell)],
     /// What it comes to where neither moment nor row says.
     pub(super) in_general: &'static [Cell],
-    /// Whether anything opens a file of this name.
-    pub(super) opens: fn(&str) -> bool,
-    /// Whether the scan of assets reaches it.
-    pub(super) scans: fn(&str) -> bool,
 }
 
 /// Files of one role.
@@ -67,24 +63,47 @@ pub(super) const fn level(damage: Damage, level: Level) -> Cell {
     Cell { damage, consequence: Consequence { level, effect: None } }
 }
 
+/// An application of which nothing more is known: what cannot be read is missing where it is used.
+pub(super) static UNKNOWN: Table = Table { rows: &[], at_moment: &[], in_general: LOST };
+
+/// What is lost with a file that cannot be read, where the application says no more.
+pub(super) const LOST: &[Cell] = &[
+    level(Damage::Closed, Level::Error),
+    level(Damage::Pointer, Level::Error),
+    level(Damage::Empty, Level::Warning),
+    level(Damage::Refused, Level::Error),
+    level(Damage::MarkedRow, Level::Error),
+    level(Damage::MarkedWord, Level::Warning),
+    level(Damage::MarkedComment, Level::Info),
+    level(Damage::NotUtf8, Level::Error),
+    level(Damage::Syntax, Level::Error),
+    level(Damage::TooDeep, Level::Error),
+    level(Damage::Packed, Level::Error),
+];
+
+static USED: Row = anywhere(Kind::Other, Moment::Use, &[]);
+
 impl Table {
-    pub(super) fn row(&self, kind: Kind, rel: &str, is_generated: bool) -> Option<&Row> {
-        self.rows.iter().find(|row| row.kind == kind && row.at.holds(rel, is_generated))
+    /// The row for a file. One of which nothing more is known is opened when it is used.
+    pub(super) fn row(&self, kind: Kind, rel: &str, is_generated: bool) -> &Row {
+        self.rows.iter().find(|row| row.kind == kind && row.at.holds(rel, is_generated)).unwrap_or(&USED)
     }
 
-    pub(super) fn moment(&self, row: &Row, rel: &str) -> Moment {
-        match row.opened {
-            _ if !(self.opens)(rel) => Moment::Never,
-            Moment::Scan if !(self.scans)(rel) => Moment::Use,
-            opened => opened,
-        }
-    }
-
-    pub(super) fn consequence(&self, row: &Row, rel: &str, damage: Damage) -> Option<Consequence> {
-        let moment = self.moment(row, rel);
+    pub(super) fn consequence(&self, row: &Row, moment: Moment, damage: Damage) -> Option<Consequence> {
         let at_moment = self.at_moment.iter().filter(|(at, _)| *at == moment).map(|(_, cell)| cell);
         let cell = at_moment.chain(row.cells).chain(self.in_general).find(|cell| cell.damage == damage);
         cell.map(|cell| cell.consequence)
+    }
+}
+
+impl Row {
+    /// When an application of this layout opens the file at a path.
+    pub(super) fn moment(&self, layout: &Layout, rel: &str) -> Moment {
+        match self.opened {
+            _ if !(layout.opens)(rel) => Moment::Never,
+            Moment::Scan if !(layout.scans)(rel) => Moment::Use,
+            opened => opened,
+        }
     }
 }
 
@@ -101,7 +120,7 @@ impl At {
             Self::Below(folders, extensions) => {
                 let (top, _) = rel.split_once('/').unwrap_or_default();
                 (folders.is_empty() || folders.contains(&top))
-                    && (extensions.is_empty() || extensions.contains(&opened::extension(rel)))
+                    && (extensions.is_empty() || extensions.contains(&extension(rel)))
             }
         }
     }
