@@ -43,8 +43,8 @@ pub enum Error {
 pub enum PathFault {
     /// As the system says it.
     Unreadable(String),
-    /// Nothing in it is data of this application.
-    NoDataOf(Application),
+    /// Nothing in it is data of one of these applications.
+    NoDataOf(Vec<Application>),
 }
 
 /// Why a selector cannot be used.
@@ -113,9 +113,11 @@ impl fmt::Display for PathFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Unreadable(reason) => f.write_str(reason),
-            Self::NoDataOf(application) => {
-                let shape = Layout::of(*application).shape;
-                write!(f, "holds no {application} data (a folder with {shape} in it is wanted)")
+            Self::NoDataOf(applications) => {
+                let shape = |application: &Application| Layout::of(*application).shape;
+                let wanted =
+                    applications.iter().map(|one| format!("{one} data (a folder with {} in it is wanted)", shape(one)));
+                write!(f, "holds no {}", wanted.collect::<Vec<_>>().join(", and no "))
             }
         }
     }

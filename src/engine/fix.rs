@@ -41,7 +41,7 @@ pub struct Fixed {
 /// # Errors
 /// As [`super::lint`].
 pub fn lint_and_fix(paths: &[PathBuf], options: &Config, with_unsafe: bool) -> Result<Fixed, Error> {
-    let mut inputs = open(paths)?;
+    let mut inputs = open(paths, &CHECKED)?;
     inputs.iter_mut().for_each(|input| input.tree.watch());
     let system = options.system.as_deref().map(open_system).transpose()?;
     let mut work = Work {

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::caught::caught;
-use super::load::{Data, Loaded, load_targets};
+use super::load::{Data, Loaded, Stack};
 use crate::config::Config;
 use crate::diag::Application;
 use crate::eval::measures::Measures;
@@ -22,9 +22,8 @@ pub(super) fn measure_bases(
     for name in names(data) {
         let evaluated = name.as_deref().filter(|name| !options.no_eval && options.asks_for_base(name));
         let mut rows = Rows::new();
-        for (root, sizes) in data.all_mut() {
-            let keep = evaluated.is_some();
-            rows.append(&mut load_targets(&root.place, &mut root.layer, name.as_deref(), sizes, &options.limits, keep));
+        for root in data.all_mut() {
+            rows.append(&mut root.load_targets(name.as_deref(), &options.limits, evaluated.is_some()));
         }
         if let Some(name) = evaluated {
             let concerned: Vec<bool> = bases.iter().map(|bases| bases.contains(name)).collect();
@@ -64,11 +63,10 @@ fn measure_base(
     failed: &mut Vec<String>,
 ) {
     let last = concerned.iter().rposition(|concerned| *concerned);
-    for (number, ((system, user, _), found)) in data.stacks().into_iter().zip(measures).enumerate() {
-        if concerned.get(number) != Some(&true) {
-            continue;
-        }
-        let base = Base::resolve(name, system, user);
+    for (number, (Stack { seen, .. }, found)) in data.stacks().into_iter().zip(measures).enumerate() {
+        let own = seen.iter().find(|(application, _)| *application == Application::Makehuman2);
+        let (Some((_, layers)), Some(true)) = (own, concerned.get(number)) else { continue };
+        let base = Base::resolve(name, layers.system, layers.user);
         // Repositories over the same system data share its rows; the last one takes them.
         let own = if Some(number) == last { &mut rows } else { &mut rows.clone() };
         let evaluate = || evaluate::measure(&base, own, options);

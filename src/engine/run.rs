@@ -8,15 +8,15 @@ use super::catalogue::CHECKED;
 use super::changed::{Change, explain, narrow};
 use super::check::{check, check_upkeep};
 use super::error::Error;
-use super::load::{Data, Input, Loaded, Roots, open};
+use super::load::{Data, Input, Loaded, Roots, Stack, open};
 use super::measure::measure_bases;
-use super::settle::{Ignores, Keeper, Known, Placed, Scope, Selection, idle, place_and_sort};
+use super::settle::{Ignores, Keeper, Known, Placed, Root, Scope, Selection, idle, place_and_sort};
 use super::summary::{check_bases, summarise};
 use super::verdict::conclude;
 use crate::config::{Config, Selector};
 use crate::diag::{self, Application, IdleGlob, Level, Outcome, Timing, Upkeep};
 use crate::eval::measures::Measures;
-use crate::repo::{Layers, View};
+use crate::repo::{Layer, View};
 use crate::source::Tree;
 
 /// Judges data roots found at `paths`.
@@ -24,7 +24,7 @@ use crate::source::Tree;
 /// # Errors
 /// When a path cannot be read, or an option names nothing that exists.
 pub fn lint(paths: &[PathBuf], options: &Config) -> Result<Outcome, Error> {
-    let inputs = open(paths)?;
+    let inputs = open(paths, &CHECKED)?;
     let system = options.system.as_deref().map(super::load::open_system).transpose()?;
     lint_inputs(&inputs, system.as_ref(), options, &CHECKED)
 }
@@ -136,12 +136,11 @@ fn judge_all(
 ) -> Vec<Placed> {
     let Asked { options, selection, scope, change, .. } = asked;
     let mut found = Vec::new();
-    for (number, (system, user, judged)) in data.stacks().into_iter().enumerate() {
+    for (number, Stack { root: judged, seen }) in data.stacks().into_iter().enumerate() {
         outcome.summary.files += judged.layer.files.len();
         outcome.summary.bytes += judged.layer.files.values().map(|file| file.size).sum::<u64>();
-        let layers = Layers { system, user, checked: &judged.layer };
-        let applications = judged.layer.layouts.iter().map(|layout| layout.application);
-        let views: Vec<View<'_>> = applications.map(|application| View::connect(application, layers)).collect();
+        let views: Vec<View<'_>> =
+            seen.iter().map(|(application, layers)| View::connect(*application, *layers)).collect();
         views.iter().for_each(|view| summarise(view, outcome));
         // Only what MakeHuman 2 shows is evaluated.
         let of_view = |view: &View<'_>| measures.get(number).filter(|_| view.makehuman2().is_some());
@@ -151,7 +150,9 @@ fn judge_all(
             views.iter().for_each(|view| explain(view, &mut findings, change));
         }
         let is_asked_for = |path: &str| judged.is_asked_for(path);
-        let keeper = Keeper { layers, is_asked_for: &is_asked_for, selection, scope, options };
+        let below: Vec<&Layer> = seen.iter().filter_map(|(_, layers)| layers.system).collect();
+        let root = Root { layer: &judged.layer, below: &below };
+        let keeper = Keeper { root, is_asked_for: &is_asked_for, selection, scope, options };
         let (kept, hidden) = keeper.keep(findings, ignores);
         outcome.summary.suppressed += hidden;
         found.extend(kept);

@@ -3,7 +3,6 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use super::catalogue::CHECKED;
 use crate::config::Config;
 use crate::diag::{Application, ApplicationVerdict, Level, Outcome, Verdict};
 use crate::discover::Layout;
@@ -49,7 +48,7 @@ pub(crate) fn holds_asset(outcome: &Outcome, file: &Path, system: Option<&Path>)
         Layout::of(application).is_asset(&rel)
     };
     let roots = outcome.checked().map(|root| (Path::new(root.path.as_str()), root.application));
-    let system = system.into_iter().flat_map(|system| CHECKED.map(|application| (system, application)));
+    let system = system.into_iter().flat_map(|system| Application::ALL.map(|application| (system, application)));
     roots.chain(system).any(is_asset_in)
 }
 

@@ -36,12 +36,14 @@ pub(crate) struct Layout {
     /// Whether the scan of assets opens a file of this name.
     pub scans: fn(&str) -> bool,
     /// Whether loaders list this path as a folder; the second says which names are those of base meshes.
-    pub is_folder: fn(&str, &dyn Fn(&str) -> bool) -> bool,
+    pub is_folder: fn(&str, Holds<'_>) -> bool,
     /// The path under which a file of this name but for its capitals is looked for, where nothing has that path; the
     /// second says what there is.
-    pub misnamed: fn(&str, &dyn Fn(&str) -> bool) -> Option<String>,
+    pub misnamed: fn(&str, Holds<'_>) -> Option<String>,
 }
 
+/// What is asked of a name or path.
+type Holds<'q> = &'q dyn Fn(&str) -> bool;
 type Classify = for<'p> fn(&[&'p str]) -> (Kind, Option<&'p str>);
 
 /// How telling a path is.

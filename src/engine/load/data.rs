@@ -1,10 +1,12 @@
 //! The data roots of a run with their layers, and which lies over which.
 
-use super::layer::{MeshSizes, load};
+use super::layer::{MeshSizes, load, load_targets};
 use super::place::Place;
 use super::roots::Roots;
-use super::stack::{Stack, roles, stacks};
+use super::stack::{Roles, Stack, roles, stacks};
+use crate::diag::Application;
 use crate::discover::Role;
+use crate::evaluate::Rows;
 use crate::repo::Layer;
 use crate::source::{Limits, is_below};
 
@@ -12,24 +14,38 @@ use crate::source::{Limits, is_below};
 pub(in crate::engine) struct Loaded<'t> {
     pub(in crate::engine) place: Place<'t>,
     pub(in crate::engine) layer: Layer,
-    pub(in crate::engine) role: Role,
+    /// The parts that it plays.
+    pub(super) roles: Roles,
+    /// Sizes of the meshes in it, and of those below it.
+    sizes: MeshSizes,
     narrow: Vec<String>,
 }
 
 /// All data of a run.
 pub(in crate::engine) struct Data<'t> {
-    /// `--system`: read, not judged.
-    pub(in crate::engine) system: Option<Loaded<'t>>,
-    /// The roots to judge.
+    /// `--system`: read, not checked.
+    systems: Vec<Loaded<'t>>,
+    /// The roots to check.
     pub(in crate::engine) roots: Vec<Loaded<'t>>,
-    /// Sizes of meshes, of each root with those below it.
-    sizes: Vec<MeshSizes>,
-    system_sizes: MeshSizes,
 }
 
 impl<'t> Loaded<'t> {
-    fn new(place: Place<'t>, layer: Layer, role: Role, narrow: Vec<String>) -> Self {
-        Self { place, layer, role, narrow }
+    /// Reads a data root; `below` are those that may lie below it.
+    fn load(place: Place<'t>, roles: Roles, narrow: Vec<String>, below: &[Self], limits: &Limits) -> Self {
+        let serves = |other: &&Self| roles.iter().any(|(application, _)| other.is_system_for(*application));
+        let mut sizes = MeshSizes::new();
+        below.iter().filter(serves).for_each(|other| sizes.extend(other.sizes.clone()));
+        let (layer, sizes) = load(&place, limits, sizes);
+        Self { place, layer, roles, sizes, narrow }
+    }
+
+    /// The part that it plays for an application, if it is a data root of that one.
+    pub(super) fn role_in(&self, application: Application) -> Option<Role> {
+        self.roles.iter().find(|(other, _)| *other == application).map(|(_, role)| *role)
+    }
+
+    fn is_system_for(&self, application: Application) -> bool {
+        self.role_in(application) == Some(Role::System)
     }
 
     /// The parts of a data root that alone are asked for; none for the whole of it. A loose file is a whole.
@@ -42,46 +58,45 @@ impl<'t> Loaded<'t> {
     pub(in crate::engine) fn is_asked_for(&self, path: &str) -> bool {
         self.narrow.is_empty() || self.narrow.iter().any(|narrow| is_below(path, narrow))
     }
+
+    /// Reads the bulk of one base, and gives its rows if they are to be kept.
+    pub(in crate::engine) fn load_targets(&mut self, base: Option<&str>, limits: &Limits, keep_rows: bool) -> Rows {
+        load_targets(&self.place, &mut self.layer, base, &self.sizes, limits, keep_rows)
+    }
 }
 
 impl<'t> Data<'t> {
     /// Reads everything but targets.
     pub(in crate::engine) fn load(roots: Roots<'t>, limits: &Limits) -> Self {
-        let Roots { checked: places, system } = roots;
-        let (system, system_sizes) = match system {
-            Some(place) => {
-                let (layer, sizes) = load(&place, limits, None);
-                (Some(Loaded::new(place, layer, Role::System, Vec::new())), sizes)
-            }
-            None => (None, MeshSizes::new()),
+        let Roots { checked: places, systems } = roots;
+        let as_system = |place: Place<'t>| {
+            let roles = place.layouts.iter().map(|layout| (layout.application, Role::System)).collect();
+            Loaded::load(place, roles, Vec::new(), &[], limits)
         };
+        let systems: Vec<Loaded<'t>> = systems.into_iter().map(as_system).collect();
         let roles = roles(places.iter().map(|(place, _)| place));
-        let mut places: Vec<_> =
-            places.into_iter().zip(roles).map(|((place, narrow), role)| (place, narrow, role)).collect();
+        let mut places: Vec<_> = places.into_iter().zip(roles).collect();
         // System data first: a user root may lack the meshes that its targets are for.
-        places.sort_by_key(|(_, _, role)| *role != Role::System);
-        let mut data = Self { system, roots: Vec::new(), sizes: Vec::new(), system_sizes };
-        let mut below = data.system_sizes.clone();
-        for (place, narrow, role) in places {
-            let (layer, sizes) = load(&place, limits, Some(&below));
-            if role == Role::System && data.system.is_none() {
-                below.extend(sizes.clone());
-            }
-            data.sizes.push(sizes);
-            data.roots.push(Loaded::new(place, layer, role, narrow));
+        places.sort_by_key(|(_, roles)| roles.iter().all(|(_, role)| *role != Role::System));
+        let mut data = Self { systems, roots: Vec::new() };
+        for ((place, narrow), roles) in places {
+            let is_given =
+                |(application, _): &(Application, Role)| data.systems.iter().any(|one| one.is_system_for(*application));
+            let below = if roles.iter().any(is_given) { &data.systems } else { &data.roots };
+            let root = Loaded::load(place, roles, narrow, below, limits);
+            data.roots.push(root);
         }
         data
     }
 
-    /// The repositories to judge, in order of the roots.
+    /// The repositories to check, in order of the roots.
     pub(in crate::engine) fn stacks(&self) -> Vec<Stack<'_, 't>> {
-        stacks(&self.roots, self.system.as_ref().map(|system| &system.layer))
+        stacks(&self.roots, &self.systems)
     }
 
-    /// Every root, the system's first, with the sizes of its meshes.
-    pub(in crate::engine) fn all_mut(&mut self) -> impl Iterator<Item = (&mut Loaded<'t>, &MeshSizes)> {
-        let system = self.system.iter_mut().map(|system| (system, &self.system_sizes));
-        system.chain(self.roots.iter_mut().zip(&self.sizes))
+    /// Every root, those of systems first.
+    pub(in crate::engine) fn all_mut(&mut self) -> impl Iterator<Item = &mut Loaded<'t>> {
+        self.systems.iter_mut().chain(&mut self.roots)
     }
 
     /// Paths of the files that a bug of ours kept from being read.
@@ -90,17 +105,15 @@ impl<'t> Data<'t> {
         files.filter(|file| file.failed).map(|file| file.path.clone()).collect()
     }
 
-    /// Every root, the system's first.
+    /// Every root, those of systems first.
     pub(in crate::engine) fn all(&self) -> impl Iterator<Item = &Loaded<'t>> {
-        self.system.iter().chain(&self.roots)
+        self.systems.iter().chain(&self.roots)
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::load_targets;
     use super::*;
-    use crate::diag::Application;
     use crate::discover::{Kind, Layout};
     use crate::source::Tree;
 
@@ -115,17 +128,39 @@ mod tests {
         let tree = Tree::in_memory("mine", files.map(|(path, text)| (path.to_owned(), text.as_bytes().to_vec())));
         let layouts = [Application::Mpfb, Application::Makehuman1].map(Layout::of);
         let checked = vec![(Place::new(&tree, "", &layouts), Vec::new())];
-        let mut data = Data::load(Roots { checked, system: None }, &Limits::default());
-        for (root, sizes) in data.all_mut() {
-            load_targets(&root.place, &mut root.layer, Some("hm08"), sizes, &Limits::default(), false);
-        }
+        let mut data = Data::load(Roots { checked, systems: Vec::new() }, &Limits::default());
+        data.all_mut().for_each(|root| drop(root.load_targets(Some("hm08"), &Limits::default(), false)));
         let root = data.roots.first().unwrap();
-        assert_eq!((root.role, root.layer.files.len()), (Role::System, files.len()));
+        let roles = [(Application::Makehuman1, Role::System), (Application::Mpfb, Role::System)];
+        assert_eq!((root.roles.as_slice(), root.layer.files.len()), (&roles[..], files.len()));
         let kind = |path: &str| root.layer.kind_at(path, Application::Mpfb);
         assert_eq!(kind("targets/target.json"), Kind::TargetCatalog);
         assert_eq!(kind("hair/a/a.mhclo"), Kind::Clothes);
         let target = root.layer.file("custom/a.target").unwrap();
         assert_eq!((target.uses.len(), target.base()), (2, Some("hm08")));
         assert_eq!(target.target().unwrap().out_of_range.count, 1);
+    }
+
+    #[test]
+    fn a_root_lies_over_the_system_of_its_own_application() {
+        let tree = |label: &str, files: &[&str]| {
+            Tree::in_memory(label, files.iter().map(|path| ((*path).to_owned(), b"{}".to_vec())))
+        };
+        let system = tree("system", &["base/b/base.json", "mpfb/targets/target.json"]);
+        let own = tree("own", &["a/target/b/x/a.target", "c/targets/target.json", "d/custom/a.target"]);
+        let place = |tree, root, application| Place::new(tree, root, &[Layout::of(application)]);
+        let systems = vec![place(&system, "", Application::Makehuman2)];
+        let checked = [("a", Application::Makehuman2), ("c", Application::Mpfb), ("d", Application::Mpfb)];
+        let checked = checked.map(|(root, application)| (place(&own, root, application), Vec::new())).into();
+        let data = Data::load(Roots { checked, systems }, &Limits::default());
+        let seen = |stack: &Stack<'_, '_>| {
+            let path = |layer: Option<&Layer>| layer.map(|layer| layer.path.clone()).unwrap_or_default();
+            let [(_, layers)] = stack.seen.as_slice() else { return Default::default() };
+            (path(layers.system), path(layers.user))
+        };
+        let mut all: Vec<(String, String)> = data.stacks().iter().map(seen).collect();
+        all.sort();
+        let expected = [("own/c", ""), ("own/c", "own/d"), ("system", "own/a")];
+        assert_eq!(all, expected.map(|(system, user)| (system.to_owned(), user.to_owned())));
     }
 }

@@ -4,9 +4,9 @@
 
 use std::path::{Path, PathBuf};
 
-use super::super::catalogue::CHECKED;
 use super::super::error::{Error, PathFault};
 use super::roots::roots_of;
+use crate::diag::Application;
 use crate::discover::{Layout, is_read_though_hidden};
 use crate::source::{Tree, folder_of, slashed};
 
@@ -28,11 +28,11 @@ impl Input {
     }
 }
 
-/// Opens the paths. A path given twice, or inside another, is opened once.
-pub(in crate::engine) fn open(paths: &[PathBuf]) -> Result<Vec<Input>, Error> {
+/// Opens the paths, inside data of these applications upwards. A path given twice, or inside another, is opened once.
+pub(in crate::engine) fn open(paths: &[PathBuf], applications: &[Application]) -> Result<Vec<Input>, Error> {
     let mut inputs: Vec<(PathBuf, Input)> = Vec::new();
     for path in paths {
-        let (place, input) = open_one(path)?;
+        let (place, input) = open_one(path, applications)?;
         match inputs.iter_mut().find(|(known, _)| *known == place) {
             Some((_, known)) if known.narrow.is_empty() || input.narrow.is_empty() => known.narrow.clear(),
             Some((_, known)) => known.narrow.extend(input.narrow),
@@ -48,7 +48,7 @@ pub(in crate::engine) fn open_system(path: &Path) -> Result<Tree, Error> {
     Ok(Tree::on_disk(label(path), path, is_read_though_hidden))
 }
 
-fn open_one(path: &Path) -> Result<(PathBuf, Input), Error> {
+fn open_one(path: &Path, applications: &[Application]) -> Result<(PathBuf, Input), Error> {
     let place = canonical(path)?;
     let here = label(path);
     if place.is_dir() {
@@ -57,7 +57,7 @@ fn open_one(path: &Path) -> Result<(PathBuf, Input), Error> {
             return Ok((place, Input::whole(tree)));
         }
     }
-    if let Some(above) = open_above(path, &place, &here) {
+    if let Some(above) = open_above(path, &place, &here, applications) {
         return Ok(above);
     }
     if place.is_file() {
@@ -74,10 +74,10 @@ fn open_beside(path: &Path, place: &Path, here: &str) -> (PathBuf, Input) {
 }
 
 /// The data root that `path` lies inside of.
-fn open_above(path: &Path, place: &Path, here: &str) -> Option<(PathBuf, Input)> {
+fn open_above(path: &Path, place: &Path, here: &str, applications: &[Application]) -> Option<(PathBuf, Input)> {
     place.to_str()?;
     let slashed_place = slashed(place);
-    let root = CHECKED.iter().find_map(|application| root_above(&slashed_place, Layout::of(*application)))?;
+    let root = applications.iter().find_map(|application| root_above(&slashed_place, Layout::of(*application)))?;
     let levels = place.strip_prefix(&root).ok()?.components().count();
     let root_label = label_above(path, here, levels);
     let below = slashed(place.strip_prefix(&root).ok()?);

@@ -20,10 +20,9 @@ use crate::source::{Limits, Tree, WalkFault, WalkFaultKind};
 /// Sizes of base meshes by name.
 pub(in crate::engine) type MeshSizes = BTreeMap<String, MeshSize>;
 
-/// Reads everything in a data root but the bulk. Sizes of meshes that only `system` has are taken from there.
-pub(super) fn load(place: &Place<'_>, limits: &Limits, system: Option<&MeshSizes>) -> (Layer, MeshSizes) {
+/// Reads everything in a data root but the bulk. `sizes` are those of meshes below; its own take their place.
+pub(super) fn load(place: &Place<'_>, limits: &Limits, mut sizes: MeshSizes) -> (Layer, MeshSizes) {
     let of = |needs: Needs| place.files().filter(|file| file.kind().format().needs == needs).collect();
-    let mut sizes = system.cloned().unwrap_or_default();
     let (mut files, _) = read_all(place.tree, of(Needs::Nothing), limits, &sizes, false);
     sizes.extend(own_sizes(&files));
     files.append(&mut read_all(place.tree, of(Needs::Mesh), limits, &sizes, false).0);
@@ -35,7 +34,7 @@ pub(super) fn load(place: &Place<'_>, limits: &Limits, system: Option<&MeshSizes
 
 /// Reads the bulk of one base (`None`: of no base) into `layer`: its targets. Gives their rows by printed path if they
 /// are to be kept.
-pub(in crate::engine) fn load_targets(
+pub(super) fn load_targets(
     place: &Place<'_>,
     layer: &mut Layer,
     base: Option<&str>,

@@ -13,6 +13,6 @@ mod stack;
 
 pub(super) use data::{Data, Loaded};
 pub(super) use input::{Input, open, open_system};
-pub(super) use layer::load_targets;
 pub use open::open_base;
 pub(super) use roots::{Roots, shown};
+pub(super) use stack::Stack;

@@ -2,7 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::discover::{Candidate, Layout, Role, candidates, loose_candidates};
+use crate::diag::Application;
+use crate::discover::{Candidate, Layout, candidates, loose_candidates};
 use crate::formats::Needs;
 use crate::source::Tree;
 
@@ -51,14 +52,9 @@ impl<'t> Place<'t> {
         self.tree.shown(&self.root)
     }
 
-    /// The part that it plays among the data roots of its application.
-    pub(super) fn role(&self) -> Role {
-        self.layouts.first().map_or(Role::User, |layout| (layout.role)(&self.below))
-    }
-
-    /// Whether it is the system data beside another root, although it could be a user's.
-    pub(super) fn is_system_of_two(&self) -> bool {
-        self.layouts.first().is_some_and(|layout| (layout.is_system_of_two)(&self.below))
+    /// Whether it is a data root of an application.
+    pub(super) fn is_of(&self, application: Application) -> bool {
+        self.layouts.iter().any(|layout| layout.application == application)
     }
 
     /// Whether nothing lies in it.

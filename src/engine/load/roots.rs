@@ -2,7 +2,6 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::super::catalogue::CHECKED;
 use super::super::error::{Error, PathFault};
 use super::super::settle::Scope;
 use super::input::Input;
@@ -16,8 +15,8 @@ use crate::source::{EntryKind, Tree};
 pub(in crate::engine) struct Roots<'t> {
     /// What to check, with the parts that alone are asked for.
     pub(in crate::engine) checked: Vec<(Place<'t>, Vec<String>)>,
-    /// `--system`, unless it is all there is to check.
-    pub(in crate::engine) system: Option<Place<'t>>,
+    /// `--system`: one data root an application, unless it is all there is to check.
+    pub(in crate::engine) systems: Vec<Place<'t>>,
 }
 
 /// The data roots in a tree of the applications of which `wanted` holds, by path.
@@ -47,22 +46,21 @@ impl<'t> Roots<'t> {
         outcome: &mut Outcome,
     ) -> Result<Self, Error> {
         let found: Vec<_> = inputs.iter().map(|input| (input, roots_of(&input.tree, |_| true))).collect();
-        let mut system = system.map(|system| system_place(system, applications)).transpose()?;
-        let bases = system.as_ref().map(base_meshes).unwrap_or_default();
+        let mut systems = system.map(|system| system_places(system, applications)).transpose()?.unwrap_or_default();
+        let outside = found.iter().filter(|(_, roots)| roots.is_empty()).map(|(input, _)| *input).collect();
+        let loose = loose(outside, &systems, options, applications, outcome);
         let mut given = found.iter().flat_map(|(input, roots)| roots.keys().map(|root| input.tree.shown(root)));
         let all_given = given.next().filter(|first| given.all(|other| other == *first));
-        if let Some(all) = system.take_if(|system| all_given == Some(system.path())) {
+        for all in systems.extract_if(.., |system| all_given == Some(system.path())) {
             outcome.notes.push(Note::SystemIsChecked { path: shown(&all.path()).to_owned() });
         }
-        let outside = found.iter().filter(|(_, roots)| roots.is_empty()).map(|(input, _)| *input);
-        let loose = loose(outside.collect(), &bases, options, applications, outcome);
-        let below = system.as_ref().map(Place::path);
-        let mut roots = Self { checked: Vec::new(), system };
+        let below: Vec<String> = systems.iter().map(Place::path).collect();
+        let mut roots = Self { checked: Vec::new(), systems };
         for (input, (path, layouts)) in
             found.iter().flat_map(|(input, roots)| roots.iter().map(move |one| (*input, one)))
         {
             let shown = input.tree.shown(path);
-            if !scope.excludes(&shown) && below.as_ref() != Some(&shown) {
+            if !scope.excludes(&shown) && !below.contains(&shown) {
                 let asked = layouts.iter().copied().filter(|layout| options.asks_for(layout.application));
                 let (checked, others) = asked.partition(|layout| applications.contains(&layout.application));
                 roots.add(input, path, [checked, others], outcome);
@@ -100,30 +98,40 @@ impl<'t> Roots<'t> {
     }
 }
 
-/// The data root of `--system`.
-fn system_place<'t>(tree: &'t Tree, applications: &[Application]) -> Result<Place<'t>, Error> {
-    let [wanted, ..] = CHECKED;
-    let nothing = || Error::Path { path: tree.label().to_owned(), fault: PathFault::NoDataOf(wanted) };
-    checked_places(tree, applications).into_iter().next().ok_or_else(nothing)
+/// The data roots of `--system`: the first of each application.
+pub(super) fn system_places<'t>(tree: &'t Tree, applications: &[Application]) -> Result<Vec<Place<'t>>, Error> {
+    let mut places = checked_places(tree, applications);
+    let mut missing = applications.to_vec();
+    places.retain(|place| {
+        let wanted = missing.len();
+        missing.retain(|application| !place.is_of(*application));
+        missing.len() < wanted
+    });
+    let nothing = || PathFault::NoDataOf(applications.to_vec());
+    if places.is_empty() { Err(Error::Path { path: tree.label().to_owned(), fault: nothing() }) } else { Ok(places) }
 }
 
 /// The files of trees without a data root, put where the applications would look for them.
 fn loose<'t>(
     outside: Vec<&'t Input>,
-    bases: &BTreeSet<String>,
+    systems: &[Place<'_>],
     options: &Config,
     applications: &[Application],
     outcome: &mut Outcome,
 ) -> Vec<(&'t Input, Place<'t>)> {
-    let base = base_for(bases, options);
-    let place = |input: &'t Input, one| (input, one, Place::loose(&input.tree, Layout::of(one), base));
-    let places = outside.into_iter().flat_map(|input| applications.iter().map(move |one| place(input, *one)));
-    let places: Vec<_> = places.filter(|(_, _, place)| !place.is_empty()).collect();
-    if base.is_none() && !places.is_empty() {
-        outcome.notes.push(Note::Alone { bases: bases.iter().cloned().collect() });
+    let mut all = Vec::new();
+    for application in applications {
+        let own = systems.iter().filter(|system| system.is_of(*application));
+        let bases: BTreeSet<String> = own.flat_map(base_meshes).collect();
+        let base = base_for(&bases, options);
+        let place = |input: &&'t Input| (*input, Place::loose(&input.tree, Layout::of(*application), base));
+        let places: Vec<_> = outside.iter().map(place).filter(|(_, place)| !place.is_empty()).collect();
+        if base.is_none() && !places.is_empty() {
+            outcome.notes.push(Note::Alone { bases: bases.into_iter().collect() });
+        }
+        all.extend(places.into_iter().filter(|_| options.asks_for(*application)));
     }
-    let asked = places.into_iter().filter(|(_, application, _)| options.asks_for(*application));
-    asked.map(|(input, _, place)| (input, place)).collect()
+    all
 }
 
 /// The base mesh that loose files are for: the one asked for, or the only one there is.

@@ -1,52 +1,72 @@
-//! Which data roots lie over which: system data below, user data on top.
+//! Which data roots lie over which: system data below, user data on top, for each application on its own.
 
 use super::data::Loaded;
 use super::place::Place;
-use crate::discover::Role;
-use crate::repo::Layer;
+use crate::diag::Application;
+use crate::discover::{Layout, Role};
+use crate::repo::{Layer, Layers};
 
-/// The roles of data roots that are judged together. Where none is the system for sure, the only one that may be is.
-pub(super) fn roles<'a, 't: 'a>(places: impl Iterator<Item = &'a Place<'t>> + Clone) -> Vec<Role> {
-    let mut roles: Vec<Role> = places.clone().map(Place::role).collect();
-    if roles.len() > 1 && !roles.contains(&Role::System) {
-        let mut systems =
-            places.zip(&mut roles).filter(|(place, role)| **role == Role::Both && place.is_system_of_two());
-        if let (Some((_, only)), None) = (systems.next(), systems.next()) {
-            *only = Role::System;
+/// The parts that a data root plays, for each application whose data it is.
+pub(super) type Roles = Vec<(Application, Role)>;
+
+/// The roles of data roots that are checked together.
+pub(super) fn roles<'a, 't: 'a>(places: impl Iterator<Item = &'a Place<'t>> + Clone) -> Vec<Roles> {
+    let mut roles: Vec<Roles> = places.clone().map(|_| Roles::new()).collect();
+    for application in Application::ALL {
+        let layout = Layout::of(application);
+        let numbered = places.clone().enumerate().filter(|(_, place)| place.is_of(application));
+        let mut own: Vec<(usize, Role)> = numbered.map(|(at, place)| (at, (layout.role)(&place.below))).collect();
+        let is_system_of_two =
+            |at: usize| places.clone().nth(at).is_some_and(|one| (layout.is_system_of_two)(&one.below));
+        choose_system(&mut own, is_system_of_two);
+        for (at, role) in own {
+            roles.get_mut(at).into_iter().for_each(|roles| roles.push((application, role)));
         }
     }
     roles
 }
 
-/// System layer, user layer and judged root of every repository to judge.
-pub(in crate::engine) type Stack<'a, 't> = (Option<&'a Layer>, Option<&'a Layer>, &'a Loaded<'t>);
+/// Where no root is the system for sure, the only one that may be is.
+fn choose_system(roles: &mut [(usize, Role)], is_system_of_two: impl Fn(usize) -> bool) {
+    if roles.len() > 1 && roles.iter().all(|(_, role)| *role != Role::System) {
+        let mut systems = roles.iter_mut().filter(|(at, role)| *role == Role::Both && is_system_of_two(*at));
+        if let (Some((_, only)), None) = (systems.next(), systems.next()) {
+            *only = Role::System;
+        }
+    }
+}
 
-/// The repositories that `loaded` makes. With `system` given, every root lies over it.
-pub(in crate::engine) fn stacks<'a, 't>(loaded: &'a [Loaded<'t>], system: Option<&'a Layer>) -> Vec<Stack<'a, 't>> {
-    let stack = |root: &'a Loaded<'t>| -> Stack<'a, 't> {
-        if let Some(system) = system {
-            return (Some(system), Some(&root.layer), root);
-        }
-        let below = nearest_system(loaded, root);
-        match (root.role, below) {
-            (Role::System, _) => (Some(&root.layer), None, root),
-            (Role::Both, None) => (Some(&root.layer), Some(&root.layer), root),
-            (Role::Both | Role::User, Some(below)) => (Some(below), Some(&root.layer), root),
-            (Role::User, None) => (None, Some(&root.layer), root),
-        }
+/// A root to check, and what each application sees it with.
+pub(in crate::engine) struct Stack<'a, 't> {
+    pub(in crate::engine) root: &'a Loaded<'t>,
+    pub(in crate::engine) seen: Vec<(Application, Layers<'a>)>,
+}
+
+/// The repositories that `loaded` makes. A root lies over that of `systems` that has data of the same application.
+pub(super) fn stacks<'a, 't>(loaded: &'a [Loaded<'t>], systems: &'a [Loaded<'t>]) -> Vec<Stack<'a, 't>> {
+    let layers = |root: &'a Loaded<'t>, application, role| {
+        let given = systems.iter().find(|system| system.role_in(application).is_some()).map(|system| &system.layer);
+        let (system, user) = match (given, role, nearest_system(loaded, root, application)) {
+            (Some(given), _, _) => (Some(given), Some(&root.layer)),
+            (None, Role::System, _) => (Some(&root.layer), None),
+            (None, Role::Both, None) => (Some(&root.layer), Some(&root.layer)),
+            (None, Role::Both | Role::User, below) => (below, Some(&root.layer)),
+        };
+        (application, Layers { system, user, checked: &root.layer })
+    };
+    let stack = |root: &'a Loaded<'t>| {
+        let seen = root.roles.iter().map(|(application, role)| layers(root, *application, *role));
+        Stack { root, seen: seen.collect() }
     };
     loaded.iter().map(stack).collect()
 }
 
-/// Of several system roots of its application the one that shares most of the path.
-fn nearest_system<'a>(loaded: &'a [Loaded<'_>], root: &Loaded<'_>) -> Option<&'a Layer> {
+/// Of several system roots of an application the one that shares most of the path.
+fn nearest_system<'a>(loaded: &'a [Loaded<'_>], root: &Loaded<'_>, application: Application) -> Option<&'a Layer> {
     let shared = |other: &Loaded<'_>| {
         let pairs = other.layer.path.split('/').zip(root.layer.path.split('/'));
         pairs.take_while(|(a, b)| a == b).count()
     };
-    let applications = |layer: &Layer| layer.layouts.iter().map(|layout| layout.application).collect::<Vec<_>>();
-    let own = applications(&root.layer);
-    let serves = |other: &Layer| applications(other).iter().any(|application| own.contains(application));
-    let systems = loaded.iter().filter(|other| other.role == Role::System && serves(&other.layer));
+    let systems = loaded.iter().filter(|other| other.role_in(application) == Some(Role::System));
     systems.max_by_key(|other| shared(other)).map(|other| &other.layer)
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::diag::{Finding, Level, fingerprint};
-use crate::repo::{Layer, Layers};
+use crate::repo::Layer;
 use crate::rules::RULES;
 
 /// A finding with the place of its asset.
@@ -18,12 +18,12 @@ pub(in crate::engine) struct Placed {
 }
 
 /// Fingerprints. Keys tell findings of one rule on one asset apart; the ordinal is for those that do not.
-pub(super) fn identify(layers: Layers<'_>, findings: Vec<(Finding, Level)>) -> Vec<Placed> {
+pub(super) fn identify(root: Root<'_>, findings: Vec<(Finding, Level)>) -> Vec<Placed> {
     let mut ordinals: BTreeMap<(&str, String, String), u32> = BTreeMap::new();
     // What names the fault may be part of the system data, such as the mesh.
     let below = |asset: &str| {
-        let system = || layers.system?.relative(asset);
-        own_path(layers, asset).or_else(system).unwrap_or_default().to_owned()
+        let system = || root.below.iter().find_map(|layer| layer.relative(asset));
+        root.own_path(asset).or_else(system).unwrap_or_default().to_owned()
     };
     let identified = findings.into_iter().map(|(mut finding, consequence)| {
         let rel = below(finding.asset_path());
@@ -40,10 +40,18 @@ pub(super) fn identify(layers: Layers<'_>, findings: Vec<(Finding, Level)>) -> V
     identified.collect()
 }
 
-/// Path below the judged root, if the file belongs to it and not to a layer inside or beside it.
-pub(super) fn own_path<'p>(layers: Layers<'_>, path: &'p str) -> Option<&'p str> {
-    let judged = layers.checked;
-    let deeper = |layer: &&Layer| layer.path.len() > judged.path.len() && layer.holds(path);
-    let foreign = [layers.system, layers.user].into_iter().flatten().any(|layer| deeper(&layer));
-    if foreign { None } else { judged.relative(path) }
+/// A root that is checked.
+#[derive(Clone, Copy)]
+pub(in crate::engine) struct Root<'r> {
+    pub(in crate::engine) layer: &'r Layer,
+    /// System data that applications see it with.
+    pub(in crate::engine) below: &'r [&'r Layer],
+}
+
+impl Root<'_> {
+    /// Path below the root, if the file belongs to it and not to a layer inside or beside it.
+    pub(super) fn own_path<'p>(&self, path: &'p str) -> Option<&'p str> {
+        let is_deeper = |layer: &&Layer| layer.path.len() > self.layer.path.len() && layer.holds(path);
+        if self.below.iter().any(is_deeper) { None } else { self.layer.relative(path) }
+    }
 }

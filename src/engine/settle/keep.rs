@@ -3,17 +3,16 @@
 use std::collections::BTreeSet;
 
 use super::heard::{Filter, Heard};
-use super::identify::{Placed, identify, own_path};
+use super::identify::{Placed, Root, identify};
 use super::ignore::Ignores;
 use super::scope::Scope;
 use super::select::Selection;
 use crate::config::Config;
 use crate::diag::Finding;
-use crate::repo::Layers;
 
 /// All that decides what is reported of some layers.
 pub(in crate::engine) struct Keeper<'r> {
-    pub(in crate::engine) layers: Layers<'r>,
+    pub(in crate::engine) root: Root<'r>,
     /// Whether a path is one that the PATHs ask for.
     pub(in crate::engine) is_asked_for: &'r dyn Fn(&str) -> bool,
     pub(in crate::engine) selection: &'r Selection<'r>,
@@ -24,7 +23,7 @@ pub(in crate::engine) struct Keeper<'r> {
 impl Keeper<'_> {
     /// Keeps what is to be reported for the judged layer and gives it level and fingerprint; counts what is ignored.
     pub(in crate::engine) fn keep(&self, findings: Vec<Finding>, ignores: &mut Ignores<'_>) -> (Vec<Placed>, usize) {
-        let files = self.layers.checked.files.values();
+        let files = self.root.layer.files.values();
         let commented = files.filter(|file| !file.ignores.is_empty() && self.is_reported(&file.path));
         commented.for_each(|file| ignores.note(file, self.selection, self.scope));
         let filter = self.filter();
@@ -42,12 +41,12 @@ impl Keeper<'_> {
                 Heard::Off | Heard::Excluded => {}
             }
         }
-        (identify(self.layers, kept), hidden)
+        (identify(self.root, kept), hidden)
     }
 
     fn filter(&self) -> Filter<'_> {
         let Self { selection, scope, options, .. } = self;
-        Filter { layer: self.layers.checked, selection, scope, options }
+        Filter { layer: self.root.layer, selection, scope, options }
     }
 
     /// Files of a fix that are not to be written: those for which the rule is ignored, and those beside the PATHs.
@@ -58,8 +57,8 @@ impl Keeper<'_> {
     }
 
     fn is_wanted(&self, finding: &Finding) -> bool {
-        let Some(rel) = own_path(self.layers, &finding.path) else { return false };
-        let bases = self.layers.checked.bases_at(rel);
+        let Some(rel) = self.root.own_path(&finding.path) else { return false };
+        let bases = self.root.layer.bases_at(rel);
         let is_of_asked = bases.is_empty() || bases.iter().any(|base| self.options.asks_for_base(base));
         // One finding may speak for several files; who names one of them is told.
         let mut files = std::iter::once(&finding.path).chain(finding.files());

@@ -14,7 +14,7 @@ mod locate;
 mod scope;
 mod select;
 
-pub(super) use identify::Placed;
+pub(super) use identify::{Placed, Root};
 pub(super) use idle::idle;
 pub(super) use ignore::Ignores;
 pub(super) use keep::Keeper;

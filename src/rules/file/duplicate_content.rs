@@ -22,9 +22,12 @@ pub(in crate::rules) static RULE: Rule = Rule {
 /// Smaller files (a dot of an icon, a target of a few rows) are equal by chance.
 const SMALLEST: u64 = 200;
 
+/// What equal files have in common: where they lie, what they are, and their content.
+type Class<'f> = ((&'f str, &'f str), &'static str, u64);
+
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers().checked;
-    let mut twins: BTreeMap<((&str, &str), &str, u64), Vec<&FileFacts>> = BTreeMap::new();
+    let mut twins: BTreeMap<Class<'_>, Vec<&FileFacts>> = BTreeMap::new();
     // Through a link it is the same file, not another one.
     let is_link = |file: &FileFacts| file.link_to.as_deref().is_some_and(|real| layer.file(real).is_some());
     for file in layer.files.values().filter(|file| !is_link(file)) {
