@@ -279,6 +279,36 @@ fn nothing_imports_a_rule() {
     assert_eq!(faults, []);
 }
 
+/// Names of the code of one application.
+const NAMES: [&str; 6] =
+    ["makehuman1::", "makehuman2::", "mpfb::", "Application::Makehuman", "Application::Mpfb", ".makehuman2()"];
+
+fn names_one(line: &str) -> bool {
+    NAMES.iter().any(|name| line.contains(name))
+}
+
+/// A rule over what all applications have takes it as the views offer it; who does what stands in its `breaks` alone.
+#[test]
+fn rules_over_what_all_have_open_no_application() {
+    const SHARED: [&str; 4] = ["Check::File(", "Check::Body(", "Check::Numeric(", "Check::Repository("];
+    let shared = |source: &Source| source.is_rule() && SHARED.iter().any(|check| source.code.contains(check));
+    let opens = |source: &Source| {
+        let (head, rest) = source.code.split_once("static RULE").unwrap();
+        let (_, body) = rest.split_once("check:").unwrap();
+        head.lines().chain(body.lines()).filter(|line| !line.trim_start().starts_with("//")).any(names_one)
+    };
+    let faults = sources().into_iter().filter(|source| shared(source) && opens(source)).map(|source| source.path);
+    assert_eq!(faults.collect::<Vec<_>>(), Vec::<String>::new());
+}
+
+/// Only the list of what is checked names applications there.
+#[test]
+fn the_engine_knows_no_application() {
+    let in_engine = |source: &Source| source.path.starts_with("engine/") && source.path != "engine/catalogue.rs";
+    let faults = sources().into_iter().filter(|source| in_engine(source) && source.lines().any(names_one));
+    assert_eq!(faults.map(|source| source.path).collect::<Vec<_>>(), Vec::<String>::new());
+}
+
 /// How far a rule sees, or what it is for, is data of the rule: a new family brings its own.
 #[test]
 fn what_runs_the_rules_names_none_of_them() {

@@ -57,6 +57,7 @@ fn about(family: &str) -> &'static str {
         "archive" => "archives of targets (`compressedtargets.npz`)",
         "base" => "the settings of a base mesh: `base.json`, `geometry.json` and what they name",
         "baseline" => "the baseline of mhlint itself",
+        "catalog" => "sliders of MPFB: `target.json` and the targets it names",
         "config" => "mutes and levels in `mhlint.toml`",
         "file" => "files as such: names, references, links, encodings, packing",
         "json" => "JSON as such: syntax, schema, keys",

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::{FileFacts, Layers, Reference, ReferenceKind, View, makehuman2, parent};
+use crate::formats::macro_json::MacroFile;
 use crate::formats::mhskel::Skeleton;
 use crate::formats::mhw::Weights;
 use crate::formats::npz::{Archive, Member};
@@ -19,6 +20,10 @@ pub(crate) struct Body<'v> {
     pub mesh: Option<(&'v FileFacts, &'v Mesh)>,
     /// Groups of the mesh that are shown, if that is said anywhere.
     pub visible_groups: Option<&'v [String]>,
+    /// Endings of the names of targets that are meant to be one-sided. `None` where nobody can tell.
+    pub one_sided_endings: Option<&'v [String]>,
+    /// `macro.json` in use.
+    pub macros: Option<(&'v FileFacts, &'v MacroFile)>,
     /// Targets of the checked layer.
     pub targets: Vec<Target<'v>>,
     /// Skeletons with their weights.
@@ -103,9 +108,9 @@ impl<'v> Body<'v> {
     /// A body with nothing but targets.
     pub(super) fn new(name: &'v str, view: &'v View<'v>, targets: Vec<Target<'v>>) -> Self {
         let by_path = targets.iter().enumerate().map(|(at, target)| (target.file.path.as_str(), at)).collect();
-        let (mesh, visible_groups, rigs) = (None, None, [].as_slice());
+        let (mesh, visible_groups, one_sided_endings, macros, rigs) = (None, None, None, None, [].as_slice());
         let (weights, layers) = (Vec::new(), view.layers());
-        Self { name, layers, mesh, visible_groups, targets, rigs, weights, view, by_path }
+        Self { name, layers, mesh, visible_groups, one_sided_endings, macros, targets, rigs, weights, view, by_path }
     }
 
     /// The rig that the application poses the body with.

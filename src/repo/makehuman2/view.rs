@@ -7,6 +7,7 @@ use super::references::collect;
 use super::usage::Usage;
 use super::{Base, OWN, rigs, textures, unbound};
 use crate::discover::Kind;
+use crate::formats::base_json::BaseJson;
 use crate::repo::{Body, BodyWeights, FileFacts, Layers, Reference, References, Target};
 
 /// `MakeHuman` 2's data, connected.
@@ -84,7 +85,11 @@ impl<'a> View<'a> {
             let mut body = Body::new(base.name, view, targets);
             let weights = base.weights.iter().zip(unbound::unbound(base));
             body.mesh = base.mesh;
-            body.visible_groups = base.settings().and_then(|(_, settings)| settings.visible_groups.as_deref());
+            let settings = base.settings().map(|(_, settings)| settings);
+            body.visible_groups = settings.and_then(|settings| settings.visible_groups.as_deref());
+            let random = |settings: &'v BaseJson| settings.random.as_ref().map(|random| random.nonsym.as_slice());
+            body.one_sided_endings = settings.map(|settings| random(settings).unwrap_or_default());
+            body.macros = base.macro_file();
             body.rigs = &base.rigs;
             body.weights = weights
                 .map(|(file, is_unbound)| BodyWeights { file, name: rigs::name_of(base.name, file), is_unbound })

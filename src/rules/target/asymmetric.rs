@@ -5,7 +5,6 @@ use super::shown::shown_by;
 use crate::diag::{Application, Evidence, Finding, Level, OptionInfo, Place, RuleInfo, Sight};
 use crate::eval::measures::Measures;
 use crate::eval::target_measure::TargetMeasure;
-use crate::repo::makehuman2::Base;
 use crate::repo::{Body, FileFacts};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -31,15 +30,11 @@ pub(in crate::rules) static RULE: Rule = Rule {
 const SIDES: [&str; 4] = ["l", "r", "left", "right"];
 
 fn run(body: &Body<'_>, measures: &Measures, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some((_, base)) = body.makehuman2() else { return };
-    // Without base.json nobody knows which endings are meant to have a side, and nothing is loaded.
-    if base.settings().is_none() {
-        return;
-    }
+    let Some(one_sided_endings) = body.one_sided_endings else { return };
     let share = cx.option(&RULE, "share");
     let mut slight: Vec<(&FileFacts, &TargetMeasure)> = Vec::new();
     let mut judged = 0;
-    for target in measures.targets.iter().filter(|target| !is_meant(base, &target.name)) {
+    for target in measures.targets.iter().filter(|target| !is_meant(one_sided_endings, &target.name)) {
         let Some(file) = body.target(&target.path).map(|own| own.file) else { continue };
         judged += 1;
         let mirror = &target.own_mirror;
@@ -57,10 +52,8 @@ fn run(body: &Body<'_>, measures: &Measures, cx: &RuleCx<'_>, out: &mut Vec<Find
 }
 
 /// Whether the name says that it is not symmetric.
-fn is_meant(base: &Base<'_>, name: &str) -> bool {
-    let random = base.settings().and_then(|(_, settings)| settings.random.as_ref());
-    let mut nonsym = random.map(|random| random.nonsym.as_slice()).unwrap_or_default().iter();
-    nonsym.any(|ending| name.ends_with(ending.as_str()))
+fn is_meant(endings: &[String], name: &str) -> bool {
+    endings.iter().any(|ending| name.ends_with(ending.as_str()))
         || name.split(['/', '-', '_']).any(|word| SIDES.contains(&word))
 }
 
