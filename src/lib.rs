@@ -1,4 +1,4 @@
-//! Judges asset repositories of the `MakeHuman` family before an application meets them.
+//! Checks asset repositories of the `MakeHuman` family before an application meets them.
 //!
 //! The library reads everything an application would read, resolves every name the way that application
 //! resolves it, and says what would happen to its user: a crash, a vanished asset, a dead slider. The

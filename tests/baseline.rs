@@ -152,21 +152,21 @@ fn a_moved_repository_keeps_its_baseline() {
     assert_eq!(run(&moved, &[]), Vec::<String>::new());
 }
 
-/// Writes the baseline with the first fault, mends it and makes the second: that one must be reported,
+/// Writes the baseline with the first fault, fixes it and makes the second: that one must be reported,
 /// and by a rule of this name.
 fn does_not_cancel_out(rule: &str, first: impl Fn(&Path), second: impl Fn(&Path)) {
     let repository = example();
     first(repository.path());
     assert!(write(repository.path(), &[]).iter().any(|line| line.contains(rule)), "{rule} does not fire");
-    let mended = example();
-    fs::copy(repository.path().join("known.json"), mended.path().join("known.json")).unwrap();
-    second(mended.path());
-    let found = run(mended.path(), &[]);
+    let fixed = example();
+    fs::copy(repository.path().join("known.json"), fixed.path().join("known.json")).unwrap();
+    second(fixed.path());
+    let found = run(fixed.path(), &[]);
     assert!(found.iter().any(|line| line.contains(&format!("[{rule}]"))), "{rule}: {found:?}");
 }
 
 #[test]
-fn mending_one_fault_and_making_another_does_not_cancel_out() {
+fn fixing_one_fault_and_making_another_does_not_cancel_out() {
     let write_file = |root: &Path, file: &str, text: &str| fs::write(root.join(file), text).unwrap();
     does_not_cancel_out(
         "target-zero-delta",
@@ -208,7 +208,7 @@ const ELSEWHERE: [(&str, &str, [&str; 2], [&str; 2]); 6] = [
     ),
 ];
 
-/// Cases of one rule: the first is known, mended, and the second comes in its place.
+/// Cases of one rule: the first is known, fixed, and the second comes in its place.
 #[test]
 fn another_fault_of_a_rule_and_a_worse_one_are_not_known() {
     let pairs = [
@@ -384,7 +384,7 @@ fn a_folder_and_its_files_are_known_by_each_other() {
     assert_eq!(run(root, &["--only", "target-unreferenced"]), Vec::<String>::new());
 }
 
-/// More vertices than anybody lists are told apart: mending one does not hide another.
+/// More vertices than anybody lists are told apart: fixing one does not hide another.
 #[test]
 fn a_mass_is_told_apart() {
     let weights = |root: &Path, wrong: std::ops::Range<u32>| {
@@ -421,7 +421,7 @@ fn stale_entries_are_told_and_pruned() {
     assert_eq!(run(root, &[]), Vec::<String>::new());
 }
 
-/// A file that cannot be read any more hides what was known of it: that is not mended.
+/// A file that cannot be read any more hides what was known of it: that is not fixed.
 #[test]
 fn errors_hide_what_the_baseline_knows() {
     let repository = damaged();
@@ -470,8 +470,8 @@ fn writing_a_baseline_says_what_changes() {
     assert!(said().ends_with("written to `known.json`: 1 new (1 error), 0 gone\n"));
 }
 
-/// A muted fault and a known one, in files of their own.
-fn known_and_muted() -> tempfile::TempDir {
+/// An ignored fault and a known one, in files of their own.
+fn known_and_ignored() -> tempfile::TempDir {
     let repository = example();
     let root = repository.path();
     lose_a_step(root);
@@ -488,8 +488,8 @@ fn words(root: &Path, format: &str) -> String {
 }
 
 #[test]
-fn the_mute_of_what_an_error_hides_is_not_to_be_removed() {
-    let repository = known_and_muted();
+fn the_ignore_of_what_an_error_hides_is_not_to_be_removed() {
+    let repository = known_and_ignored();
     let root = repository.path();
     assert!(!words(root, "human").contains("config-unused-ignore"));
     let whole = fs::read(root.join(MACROS)).unwrap();
@@ -500,8 +500,8 @@ fn the_mute_of_what_an_error_hides_is_not_to_be_removed() {
 }
 
 #[test]
-fn reports_tell_what_is_known_from_what_is_muted() {
-    let repository = known_and_muted();
+fn reports_tell_what_is_known_from_what_is_ignored() {
+    let repository = known_and_ignored();
     let verdict = "Nothing found beside 1 finding in the baseline and 1 finding muted.";
     for (format, counts) in [
         ("human", "0 infos, 1 in the baseline, 1 muted in "),

@@ -250,7 +250,7 @@ fn a_merge_counts_with_all_that_it_brings() {
 /// Git hands its hooks the index of the commit by variables, which may be relative.
 #[cfg(unix)]
 #[test]
-fn a_hook_judges_the_commit_that_is_made() {
+fn a_hook_checks_the_commit_that_is_made() {
     use std::os::unix::fs::PermissionsExt;
     let repository = repository();
     let root = repository.path();
@@ -312,7 +312,7 @@ fn names_may_hold_anything() {
 
 #[cfg(unix)]
 #[test]
-fn a_link_is_judged_under_its_own_name() {
+fn a_link_is_checked_under_its_own_name() {
     let repository = repository();
     let root = repository.path();
     ruin(root, OVAL);
@@ -336,7 +336,7 @@ fn the_later_of_staged_and_another_option_wins() {
 }
 
 /// Three targets with zero rows, one finding at the first of them, and a macro target that moves nothing.
-fn mendable(root: &Path) {
+fn fixable(root: &Path) {
     for target in [OVAL, SIDE, "data/target/figure/legs/l-foot-trans-forward.target"] {
         let sound = fs::read_to_string(root.join(target)).unwrap();
         fs::write(root.join(target), format!("{sound}5 0 0 0\n")).unwrap();
@@ -357,7 +357,7 @@ fn written(root: &Path) -> Vec<String> {
 fn a_narrowed_fix_writes_changed_files_only() {
     let repository = repository();
     let root = repository.path();
-    mendable(root);
+    fixable(root);
     let sound = fs::read_to_string(root.join(SIDE)).unwrap();
     fs::write(root.join(SIDE), sound.replacen("5 0 0 0", "5 0 0 0.0", 1)).unwrap();
     let output = check(root, &["--since", "HEAD", "--fix"]);
@@ -369,10 +369,10 @@ fn a_narrowed_fix_writes_changed_files_only() {
 }
 
 #[test]
-fn what_belongs_together_is_not_mended_by_halves() {
+fn what_belongs_together_is_not_fixed_by_halves() {
     let repository = repository();
     let root = repository.path();
-    mendable(root);
+    fixable(root);
     fs::write(root.join(EMPTY), "0 0 0 0\n1 0 0 0\n").unwrap();
     let fix = ["--since", "HEAD", "--fix", "--unsafe-fixes", "--only", "macro-empty-target"];
     let output = check(root, &fix);
@@ -553,10 +553,10 @@ fn a_loose_target_that_is_gone_is_missed_by_its_partner() {
     }
     commit_all(root);
     git(root, &["rm", "-q", "pack/feet/r-foot-big-incr.target"]);
-    let judge = |more: &[&str]| {
+    let check = |more: &[&str]| {
         let args = ["check", "pack", "--system", "data", "--no-eval", "--report", "concise"];
         mhlint(root, &[&args, more].concat())
     };
-    assert_shown(&judge(&[]), 0, &["[target-missing-side]", "[target-missing-opposite]"], &[]);
-    assert_shown(&judge(&["--staged"]), 0, &["[target-missing-side]", "[target-missing-opposite]"], &[]);
+    assert_shown(&check(&[]), 0, &["[target-missing-side]", "[target-missing-opposite]"], &[]);
+    assert_shown(&check(&["--staged"]), 0, &["[target-missing-side]", "[target-missing-opposite]"], &[]);
 }

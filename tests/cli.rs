@@ -84,7 +84,7 @@ fn nothing_to_check_is_no_pass_for_programs() {
 }
 
 #[test]
-fn data_of_another_application_are_named_as_not_judged() {
+fn data_of_another_application_are_named_as_not_checked() {
     let folder = tempfile::tempdir().unwrap();
     fs::create_dir_all(folder.path().join("targets")).unwrap();
     fs::write(folder.path().join("targets/target.json"), "{}").unwrap();
@@ -94,7 +94,7 @@ fn data_of_another_application_are_named_as_not_judged() {
 }
 
 #[test]
-fn loose_assets_are_judged_alone_and_against_the_system_data() {
+fn loose_assets_are_checked_alone_and_against_the_system_data() {
     let folder = tempfile::tempdir().unwrap();
     fs::create_dir(folder.path().join("mine")).unwrap();
     fs::write(folder.path().join("mine/wide.target"), "1 0.1 0.2 0.3\n99999 0 0 1\nabc\n").unwrap();
@@ -129,7 +129,7 @@ fn loose_assets_are_named_as_they_lie() {
 }
 
 #[test]
-fn system_data_given_to_be_judged_are_judged() {
+fn system_data_given_to_be_checked_are_checked() {
     let output = mhlint(&project("fixtures/makehuman2"), &["data", "--system", "./data/"]);
     assert_eq!(code(&output), Some(0), "{}", stderr(&output));
     assert!(stdout(&output).contains("names the data to judge itself"), "{}", stdout(&output));
@@ -556,11 +556,11 @@ fn a_report_does_not_take_the_place_of_an_asset() {
     let asset = "data/target/figure/macro.json";
     let before = fs::read(root.join(asset)).unwrap();
     for path in [".", "data", "data/target", "user"] {
-        let judged = if path == "user" { "user/target/figure/macro.json" } else { asset };
+        let checked = if path == "user" { "user/target/figure/macro.json" } else { asset };
         fs::create_dir_all(root.join("user/target/figure")).unwrap();
         fs::write(root.join("user/target/figure/macro.json"), &before).unwrap();
-        let output = mhlint(root, &[path, "--report", &format!("json={judged}")]);
-        assert_refused(&output, &[judged, "is an asset", "name another file"]);
+        let output = mhlint(root, &[path, "--report", &format!("json={checked}")]);
+        assert_refused(&output, &[checked, "is an asset", "name another file"]);
     }
     assert_eq!(fs::read(root.join(asset)).unwrap(), before);
     fs::write(root.join("loose.target"), "1 0.1 0.2 0.3\n").unwrap();
@@ -587,9 +587,9 @@ fn a_report_follows_a_link_to_a_file_that_is_not_there_yet() {
 #[test]
 fn options_that_would_be_swallowed_are_refused() {
     let repository = broken();
-    for mending in ["--diff", "--fix"] {
-        let output = mhlint(repository.path(), &["--baseline", "b.json", "--write-baseline", mending]);
-        assert_refused(&output, &["--write-baseline", mending, "cannot be used with"]);
+    for fixing in ["--diff", "--fix"] {
+        let output = mhlint(repository.path(), &["--baseline", "b.json", "--write-baseline", fixing]);
+        assert_refused(&output, &["--write-baseline", fixing, "cannot be used with"]);
     }
     assert!(!repository.path().join("b.json").exists());
     let quiet = mhlint(repository.path(), &["--fix", "--quiet"]);

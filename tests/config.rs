@@ -96,14 +96,14 @@ fn fail_on_and_max_warnings_follow_the_same_order() {
 }
 
 #[test]
-fn muted_findings_are_counted() {
+fn ignored_findings_are_counted() {
     let suppressed = |config: &str| {
         let output = mhlint(repository(config).path(), &["--report", "json"]);
         let report: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
         (report["summary"]["suppressed"].as_u64().unwrap(), report["findings"].as_array().unwrap().len())
     };
-    let mute = "[[ignore]]\nrule = \"target-zero-delta\"\npath = \"data\"\nreason = \"so\"\n";
-    assert_eq!(suppressed(mute), (1, 0));
+    let ignore = "[[ignore]]\nrule = \"target-zero-delta\"\npath = \"data\"\nreason = \"so\"\n";
+    assert_eq!(suppressed(ignore), (1, 0));
     assert_eq!(suppressed("[[path]]\nglob = \"data\"\nskip = [\"target-zero-delta\"]\n"), (1, 0));
     assert_eq!(suppressed(""), (0, 1));
 }
@@ -193,8 +193,8 @@ fn no_option_is_too_low_at_its_lowest_and_no_number_too_high_at_its_highest() {
 
 #[test]
 fn what_looks_after_the_settings_is_not_for_select() {
-    let mutes = "[[ignore]]\nrule = \"target-zero-delta\"\npath = \"data\"\nreason = \"r\"\nuntil = 2020-01-01\n";
-    let settings = format!("select = [\"macro-*\", \"json-sintax\"]\n[level]\n\"no-such\" = \"info\"\n{mutes}");
+    let ignores = "[[ignore]]\nrule = \"target-zero-delta\"\npath = \"data\"\nreason = \"r\"\nuntil = 2020-01-01\n";
+    let settings = format!("select = [\"macro-*\", \"json-sintax\"]\n[level]\n\"no-such\" = \"info\"\n{ignores}");
     let root = repository(&settings);
     let found = |args: &[&str]| concise(root.path(), args).join("\n");
     let all = found(&[]);
@@ -284,9 +284,9 @@ fn globs_are_relative_to_trees_in_memory() {
         let rules: Vec<&str> = outcome.findings.iter().map(|finding| finding.rule).collect();
         (rules.join(" "), outcome.findings.first().and_then(|finding| finding.location.line))
     };
-    let mute = |path: &str| format!("[[ignore]]\nrule = 'target-zero-delta'\npath = '{path}'\nreason = 'so'\n");
-    assert_eq!(found(&mute("data/target/**")), (String::new(), None));
-    assert_eq!(found(&mute("target/**")), ("target-zero-delta config-unused-ignore".to_owned(), Some(5)));
+    let ignore = |path: &str| format!("[[ignore]]\nrule = 'target-zero-delta'\npath = '{path}'\nreason = 'so'\n");
+    assert_eq!(found(&ignore("data/target/**")), (String::new(), None));
+    assert_eq!(found(&ignore("target/**")), ("target-zero-delta config-unused-ignore".to_owned(), Some(5)));
 }
 
 #[test]

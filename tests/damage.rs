@@ -59,7 +59,7 @@ fn verdict(case: &Case, files: &Files, folder: &str, config: &Config) -> String 
     let new: Vec<&Finding> = outcome.findings.iter().filter(|finding| finding.rule != "baseline-stale").collect();
     let mut fresh: Vec<String> = new.iter().map(|finding| line(finding.rule, &finding.path)).collect();
     fresh.sort();
-    // A fault may silence what can no longer be judged, and the case says what: nothing else may go.
+    // A fault may silence what can no longer be checked, and the case says what: nothing else may go.
     let gone = gone(&outcome);
     let says = new.is_empty() || new.iter().any(|finding| finding.message.contains(case.says));
     let fails = !outcome.passes(config);

@@ -53,7 +53,7 @@ fn control_characters_of_names_do_not_reach_the_terminal() {
 }
 
 #[test]
-fn data_behind_a_link_is_judged_under_the_name_of_the_link() {
+fn data_behind_a_link_is_checked_under_the_name_of_the_link() {
     let root = example();
     fs::write(root.path().join("data/target/figure/head/head-oval.target"), "").unwrap();
     symlink("data", root.path().join("linked")).unwrap();
@@ -79,7 +79,7 @@ fn a_bomb_is_given_up_at_the_ratio() {
 }
 
 #[test]
-fn an_archive_is_judged_by_the_sizes_in_its_directory() {
+fn an_archive_is_checked_by_the_sizes_in_its_directory() {
     let root = example();
     let path = "data/hair/figure/curls/curls.mhbin";
     fs::create_dir_all(root.path().join(path).parent().unwrap()).unwrap();

@@ -1,4 +1,4 @@
-//! Fixes through the real binary: what is mended is silent, nothing else is touched, nothing is ever half-written.
+//! Fixes through the real binary: what is fixed is silent, nothing else is touched, nothing is ever half-written.
 #![cfg(unix)]
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may stop where it fails")]
 
@@ -57,7 +57,7 @@ fn rule_of(line: &str) -> &str {
 }
 
 #[test]
-fn every_fixable_case_is_mended_for_good() {
+fn every_fixable_case_is_fixed_for_good() {
     let rules = fixable_rules();
     let mut cases = Vec::new();
     for rule in rules.keys() {
@@ -69,29 +69,29 @@ fn every_fixable_case_is_mended_for_good() {
         }
     }
     let results: Vec<Result<Option<&str>, String>> =
-        cases.par_iter().map(|(rule, folder)| Ok(mend_case(rule, &rules[*rule], folder)?.then_some(*rule))).collect();
+        cases.par_iter().map(|(rule, folder)| Ok(fix_case(rule, &rules[*rule], folder)?.then_some(*rule))).collect();
     let faults: Vec<&String> = results.iter().filter_map(|result| result.as_ref().err()).collect();
     assert!(faults.is_empty(), "{faults:#?}");
-    let mended: BTreeSet<&str> = results.into_iter().filter_map(Result::unwrap).collect();
-    assert_eq!(mended, rules.keys().map(String::as_str).collect(), "every rule that declares a fix has a case for it");
+    let fixed: BTreeSet<&str> = results.into_iter().filter_map(Result::unwrap).collect();
+    assert_eq!(fixed, rules.keys().map(String::as_str).collect(), "every rule that declares a fix has a case for it");
 }
 
-/// What MakeHuman 2 refuses has no effect and is not judged; once mended it counts, and what is wrong with it is news.
+/// What MakeHuman 2 refuses has no effect and is not checked; once fixed it counts, and what is wrong with it is news.
 const HIDDEN: [(&str, &str); 2] =
     [("file-byte-order-mark", "json-schema"), ("overlay-broken-override", "overlay-targets-not-in-layer")];
 
-/// Mends one case with all fixes. `false`: this case is one that only a person can mend.
-fn mend_case(rule: &str, declared: &str, folder: &Path) -> Result<bool, String> {
+/// Fixes one case with all fixes. `false`: this case is one that only a person can fix.
+fn fix_case(rule: &str, declared: &str, folder: &Path) -> Result<bool, String> {
     let repository = example();
     let root = repository.path();
     Case::read(folder).apply(root);
     let before = reported(root);
     let old = concise(root);
-    let judged = content(root);
+    let original = content(root);
     let Some((_, fix)) = before.iter().find(|(id, fix)| id == rule && !fix.is_null()) else {
         check(root, &["--fix", "--unsafe-fixes"]);
         let still = reported(root).iter().any(|(id, _)| id == rule);
-        return if still { Ok(false) } else { Err(format!("{}: mended without being offered", folder.display())) };
+        return if still { Ok(false) } else { Err(format!("{}: fixed without being offered", folder.display())) };
     };
     if fix["kind"] != *declared || fix["title"].as_str().unwrap().is_empty() {
         return Err(format!("{}: {fix} is not the declared kind {declared}", folder.display()));
@@ -103,7 +103,7 @@ fn mend_case(rule: &str, declared: &str, folder: &Path) -> Result<bool, String> 
         return Err(format!("{}: --fix alone", folder.display()));
     }
     check(root, &["--fix", "--unsafe-fixes"]);
-    let mended = content(root);
+    let fixed = content(root);
     let new = concise(root);
     let known: BTreeSet<&str> = old.iter().map(|line| rule_of(line)).collect();
     let fresh: Vec<&String> =
@@ -112,10 +112,10 @@ fn mend_case(rule: &str, declared: &str, folder: &Path) -> Result<bool, String> 
         return Err(format!("{}: {fresh:#?}", folder.display()));
     }
     let again = check(root, &["--fix", "--unsafe-fixes"]);
-    if content(root) != mended || !text(&again.stderr).contains("nothing fixed") {
+    if content(root) != fixed || !text(&again.stderr).contains("nothing fixed") {
         return Err(format!("{}: a second run changes something", folder.display()));
     }
-    if changed(&judged, &mended).is_empty() {
+    if changed(&original, &fixed).is_empty() {
         return Err(format!("{}: nothing changed", folder.display()));
     }
     Ok(true)
@@ -143,7 +143,7 @@ fn all_bytes_but_the_fault_stay() {
 }
 
 #[test]
-fn several_faults_of_one_name_are_mended_one_after_the_other() {
+fn several_faults_of_one_name_are_fixed_one_after_the_other() {
     for (file, right, wrong, safely, whole) in [
         ("data/target/figure/modelling.json", "head/head-oval", r"Head\\head-oval", "Head/head-oval", "head/head-oval"),
         (MACRO, "coastal-male", "Coastal-male.target.gz", "Coastal-male", "coastal-male"),
@@ -192,7 +192,7 @@ fn a_diff_changes_nothing_and_is_what_fix_does() {
 }
 
 #[test]
-fn only_what_is_reported_is_mended() {
+fn only_what_is_reported_is_fixed() {
     let damaged = || {
         let repository = example();
         edit(repository.path(), OVAL, "339 0 .001 .001\n", "339 0 0 0\n");
@@ -266,10 +266,10 @@ fn killed_at_any_moment_every_file_is_whole() {
     edit(damaged.path(), OVAL, "339 0 .001 .001\n", "339 0 0 0\n");
     edit(damaged.path(), WEIGHTS, "[158, 1.0]", "[158, 0.5]");
     let old = content(damaged.path());
-    let mended = tempfile::tempdir().unwrap();
-    copy_folder(damaged.path(), mended.path());
-    check(mended.path(), &["--fix"]);
-    let new = content(mended.path());
+    let fixed = tempfile::tempdir().unwrap();
+    copy_folder(damaged.path(), fixed.path());
+    check(fixed.path(), &["--fix"]);
+    let new = content(fixed.path());
     for round in 0..12 {
         let copy = tempfile::tempdir().unwrap();
         copy_folder(damaged.path(), copy.path());
@@ -287,7 +287,7 @@ fn killed_at_any_moment_every_file_is_whole() {
 }
 
 #[test]
-fn reports_tell_what_can_be_mended() {
+fn reports_tell_what_can_be_fixed() {
     let repository = example();
     let root = repository.path();
     edit(root, OVAL, "339 0 .001 .001\n", "339 0 0 0\n");
@@ -297,7 +297,7 @@ fn reports_tell_what_can_be_mended() {
     assert_eq!(reported(root), [("target-zero-delta".to_owned(), expected)]);
 }
 
-/// The corpus, mended: what is evaluated stays what it was, as the rules say, and the diff holds fixes only.
+/// The corpus, fixed: what is evaluated stays what it was, as the rules say, and the diff holds fixes only.
 #[test]
 #[ignore = "needs the corpora: MHLINT_CORPORA=FOLDER cargo test -- --ignored"]
 fn the_corpus_keeps_its_shape() {

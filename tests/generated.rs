@@ -51,7 +51,7 @@ fn every_rule_has_its_section_on_the_page_of_its_family() {
     }
 }
 
-/// What the rules of a family judge.
+/// What the rules of a family check.
 fn about(family: &str) -> &'static str {
     match family {
         "archive" => "archives of targets (`compressedtargets.npz`)",

@@ -117,8 +117,8 @@ fn wrong_types_at_any_place_fail_no_rule() {
     let others = [json!(null), json!(true), json!(7), json!("x"), json!([]), json!({})];
     let (mut loud, mut all, mut faults) = (0, 0, Vec::new());
     // What a pose is made of has no model yet.
-    let is_judged = |path: &str| is_one_of(path, &JSON) && !path.ends_with("-poses.json");
-    for (path, bytes) in files.iter().filter(|(path, _)| is_judged(path)) {
+    let is_checked = |path: &str| is_one_of(path, &JSON) && !path.ends_with("-poses.json");
+    for (path, bytes) in files.iter().filter(|(path, _)| is_checked(path)) {
         let whole: Value = serde_json::from_slice(bytes).unwrap();
         let mut places = Vec::new();
         pointers(&whole, "", &mut places);
@@ -134,10 +134,10 @@ fn wrong_types_at_any_place_fail_no_rule() {
             let fault = (!has_paths || !named).then(|| format!("{path} with {other} at {place:?}"));
             (outcome.findings.len(), fault)
         });
-        let judged: Vec<(usize, Option<String>)> = results.collect();
-        loud += judged.iter().filter(|(findings, _)| *findings > 0).count();
-        all += judged.len();
-        faults.extend(judged.into_iter().filter_map(|(_, fault)| fault));
+        let checked: Vec<(usize, Option<String>)> = results.collect();
+        loud += checked.iter().filter(|(findings, _)| *findings > 0).count();
+        all += checked.len();
+        faults.extend(checked.into_iter().filter_map(|(_, fault)| fault));
     }
     assert!(faults.is_empty(), "{faults:#?}");
     assert!(all > 1000, "{all} damages");

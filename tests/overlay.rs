@@ -14,7 +14,7 @@ use std::path::Path;
 
 use scratch::{copy_folder, example, findings, mhlint, remove, stderr};
 
-/// Where contarget lies and what is judged.
+/// Where contarget lies and what is checked.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Setting {
     /// The user's folder over `--system`.
@@ -229,7 +229,7 @@ fn every_row_has_its_winners_and_findings() {
         for (setting, expected) in [(OverSystem, row.over_system), (Alone, row.alone), (OneRoot, row.one_root)] {
             let mut expected: Vec<String> = expected.iter().map(|text| (*text).to_owned()).collect();
             expected.sort();
-            let found = judged(setting, row.change);
+            let found = checked(setting, row.change);
             if found != expected {
                 faults.push(format!("{} / {setting:?}\n  expected {expected:#?}\n  found {found:#?}", row.name));
             }
@@ -250,7 +250,7 @@ fn a_base_of_user_space_needs_a_macro_file() {
 }
 
 /// Findings of the setting after `change` was made to contarget.
-fn judged(setting: Setting, change: fn(&Path)) -> Vec<String> {
+fn checked(setting: Setting, change: fn(&Path)) -> Vec<String> {
     let repository = example();
     let root = repository.path();
     for (from, to) in [("base/imp", "base/imp"), ("rigs/imp", "rigs/imp"), ("contarget/imp", "target/imp")] {
@@ -282,7 +282,7 @@ fn probe_sliders(folder: &Path) {
     fs::write(folder.join("modelling.json"), slider).unwrap();
 }
 
-/// Runs overlay, JSON and probe rules; `prefix` is the judged root.
+/// Runs overlay, JSON and probe rules; `prefix` is the checked root.
 fn run(folder: &Path, args: &[&str], prefix: &str) -> Vec<String> {
     let only = ["--base", "imp", "--only", "overlay-*", "--only", "json-*", "--only", "macro-steps-length"];
     let args: Vec<&str> = args.iter().chain(&only).chain(&["--report", "concise"]).copied().collect();

@@ -143,7 +143,7 @@ pub(super) struct CheckArgs {
     #[arg(long, value_name = "FILE")]
     pub(super) baseline: Option<PathBuf>,
     /// Write what is found now to the baseline, without what is found no more.
-    #[arg(long, conflicts_with = "mending")]
+    #[arg(long, conflicts_with = "fixing")]
     pub(super) write_baseline: bool,
     /// Configuration; the nearest mhlint.toml at or above the first PATH if none is given.
     #[arg(long, value_name = "FILE")]

@@ -1,4 +1,4 @@
-//! `--fix` and `--diff`: what can be mended is mended on disk, or shown.
+//! `--fix` and `--diff`: what can be fixed is fixed on disk, or shown.
 
 use std::collections::BTreeMap;
 use std::io::{IsTerminal, Write};
@@ -15,40 +15,40 @@ use crate::fix::{FileChange, unified, unpack, write_all};
 use crate::report::{Paint, count, printable};
 use crate::source::Limits;
 
-/// Options of `check` that mend.
+/// Options of `check` that fix.
 #[derive(Debug, Clone, Copy, Default, clap::Args)]
 pub(super) struct FixArgs {
     /// Mend what can be mended without a person, then report what remains.
-    #[arg(long, group = "mending")]
+    #[arg(long, group = "fixing")]
     fix: bool,
     /// Show what --fix would change as a diff, and change nothing; exit code 1 if there is something.
-    #[arg(long, group = "mending", conflicts_with = "reports")]
+    #[arg(long, group = "fixing", conflicts_with = "reports")]
     pub(super) diff: bool,
     /// With --fix or --diff: also fixes that may change more than the fault.
-    #[arg(long, requires = "mending")]
+    #[arg(long, requires = "fixing")]
     unsafe_fixes: bool,
 }
 
-/// A run, and what it mended.
+/// A run, and what it fixed.
 pub(super) struct Checked {
     pub(super) outcome: Outcome,
-    /// Rules of the findings that are mended.
+    /// Rules of the findings that are fixed.
     fixed: Vec<&'static str>,
-    /// Findings that only a run which is not narrowed would mend.
+    /// Findings that only a run which is not narrowed would fix.
     outside: usize,
-    /// Findings that only writing muted files, or files beside the PATHs, would mend.
-    spared: usize,
+    /// Findings that only writing ignored files, or files beside the PATHs, would fix.
+    left_out: usize,
     changes: Vec<FileChange>,
 }
 
-/// Judges, and mends if that was asked for; with `--diff` in memory only.
+/// Checks, and fixes if that was asked for; with `--diff` in memory only.
 pub(super) fn check(paths: &[PathBuf], options: &Config, args: FixArgs) -> Result<Checked, engine::Error> {
     if !args.fix && !args.diff {
         let outcome = engine::lint(paths, options)?;
-        return Ok(Checked { outcome, fixed: Vec::new(), outside: 0, spared: 0, changes: Vec::new() });
+        return Ok(Checked { outcome, fixed: Vec::new(), outside: 0, left_out: 0, changes: Vec::new() });
     }
-    let Fixed { outcome, fixed, outside, spared, changes } = engine::lint_and_fix(paths, options, args.unsafe_fixes)?;
-    Ok(Checked { outcome, fixed, outside, spared, changes })
+    let Fixed { outcome, fixed, outside, left_out, changes } = engine::lint_and_fix(paths, options, args.unsafe_fixes)?;
+    Ok(Checked { outcome, fixed, outside, left_out, changes })
 }
 
 impl Checked {
@@ -77,7 +77,7 @@ impl Checked {
         names(&self.changes.iter().map(|change| change.path.as_str()).collect::<Vec<_>>())
     }
 
-    /// What was mended and what else could be, for standard error.
+    /// What was fixed and what else could be, for standard error.
     pub(super) fn tell(&self, asked: &CheckArgs, err: &mut dyn Write) -> Result<(), Failure> {
         let args = asked.fixes;
         if asked.quiet || !args.fix && !args.diff {
@@ -101,8 +101,8 @@ impl Checked {
                 "mhlint: {more} would be mended in files that have not changed; those stay as they are{whole}"
             )?;
         }
-        if self.spared > 0 {
-            let more = count(self.spared, "finding");
+        if self.left_out > 0 {
+            let more = count(self.left_out, "finding");
             writeln!(
                 err,
                 "mhlint: {more} would be mended in files that are muted or beside the PATHs; those stay as they are"

@@ -1,4 +1,4 @@
-//! What git says about the folder that is judged. The only place that starts another program.
+//! What git says about the folder that is checked. The only place that starts another program.
 
 use std::ffi::OsString;
 use std::io;
@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// By these git hands its own repository and the index of the commit to a hook. They are relative to where the hook
-/// runs, and the folder to judge may lie in another repository.
+/// runs, and the folder to check may lie in another repository.
 const HANDED_DOWN: [&str; 6] =
     ["GIT_DIR", "GIT_WORK_TREE", "GIT_IMPLICIT_WORK_TREE", "GIT_COMMON_DIR", "GIT_INDEX_FILE", "GIT_PREFIX"];
 

@@ -49,7 +49,7 @@ pub(super) fn run(format: ListFormat, paint: Paint, out: &mut dyn Write) -> Resu
     Ok(Exit::Clean)
 }
 
-/// How a rule mends what it finds; nothing where only a person can.
+/// How a rule fixes what it finds; nothing where only a person can.
 const fn shown_fix(rule: &RuleInfo) -> &'static str {
     match rule.fix {
         FixKind::None => "",

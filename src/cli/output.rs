@@ -99,7 +99,7 @@ pub(super) fn refuse_unwritable(what: &str, file: &Path) -> Result<(), Failure> 
     Ok(())
 }
 
-/// Refuses a report in place of what was judged, before anything is written.
+/// Refuses a report in place of what was checked, before anything is written.
 pub(super) fn refuse_asset(
     targets: &[Target],
     paths: &[PathBuf],

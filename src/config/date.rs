@@ -1,4 +1,4 @@
-//! Days, as far as a mute that ends needs them.
+//! Days, as far as an ignore that ends needs them.
 
 use std::fmt;
 use std::time::{SystemTime, UNIX_EPOCH};

@@ -87,7 +87,7 @@ static PATH: &[Key] = &[
     key("level", Shape::Levels, "Another level for a rule here; it also turns on a rule that is left out elsewhere."),
 ];
 
-/// Keys of `[[ignore]]`. Without a `reason` the mute is a finding, so the reader does not insist on it.
+/// Keys of `[[ignore]]`. Without a `reason` the ignore is a finding, so the reader does not insist on it.
 static IGNORE: &[Key] = &[
     required("rule", Shape::Rule, "The rule to mute, or a glob of rules."),
     required("path", Shape::Glob, "The files and folders to mute it in."),

@@ -46,7 +46,7 @@ pub const MOST_SAMPLES: usize = 100_000;
 pub struct Config {
     /// System data that is read and not reported.
     pub system: Option<PathBuf>,
-    /// Judge these applications only; empty for all.
+    /// Check these applications only; empty for all.
     pub applications: Vec<Application>,
     /// Report these base meshes only; empty for all.
     pub bases: Vec<String>,
@@ -199,12 +199,12 @@ impl Config {
         read::read(text, path, Path::new(""), Folder::default(), rules)
     }
 
-    /// Whether data of an application are to be judged.
+    /// Whether data of an application are to be checked.
     pub(crate) fn asks_for(&self, application: Application) -> bool {
         self.applications.is_empty() || self.applications.contains(&application)
     }
 
-    /// Whether a base mesh is to be judged.
+    /// Whether a base mesh is to be checked.
     pub(crate) fn asks_for_base(&self, name: &str) -> bool {
         self.bases.is_empty() || self.bases.iter().any(|base| base == name)
     }

@@ -130,16 +130,16 @@ impl Reader<'_> {
     /// Selectors of rules. One that names a safety rule is refused, one that fits nothing is noted.
     fn selectors(&mut self, name: &str, value: &Value<'_>) -> Vec<Selector> {
         let texts = self.take(value::texts(name, value)).unwrap_or_default();
-        let mutes = name != "select";
-        texts.into_iter().filter_map(|(text, span)| self.selector(name, text, span, mutes)).collect()
+        let ignores = name != "select";
+        texts.into_iter().filter_map(|(text, span)| self.selector(name, text, span, ignores)).collect()
     }
 
-    fn selector(&mut self, setting: &str, text: &str, span: Range<usize>, mutes: bool) -> Option<Selector> {
+    fn selector(&mut self, setting: &str, text: &str, span: Range<usize>, ignores: bool) -> Option<Selector> {
         let selector = Selector::new(text, span.clone());
         let help = "a rule such as `macro-steps-length`, or a glob such as `macro-*`";
         let selector =
             self.take(selector.map_err(|why| (span.clone(), format!("`{text}` is no glob: {why}"), help.to_owned())))?;
-        if mutes && self.rules.iter().any(|rule| rule.id == text && rule.cannot_be_ignored) {
+        if ignores && self.rules.iter().any(|rule| rule.id == text && rule.cannot_be_ignored) {
             let why = "it guards against running foreign code, leaving the data or filling memory";
             let message = format!("`{text}` cannot be muted or lowered: {why}");
             self.fault((span.clone(), message, "remove this entry, and what the rule finds".to_owned()));
@@ -270,7 +270,7 @@ impl Reader<'_> {
         self.file.ignores.push(Ignore { rule, path, reason, until, span: span.clone(), until_span });
     }
 
-    /// The rule of a mute: one that does not exist is told with the mute.
+    /// The rule of an ignore: one that does not exist is told with the ignore.
     fn rule_to_ignore(&mut self, value: &Value<'_>) -> Option<Selector> {
         let text = self.take(value::text("rule", value))?;
         let known = self.file.unknown.len();

@@ -7,17 +7,17 @@ use std::ops::Range;
 
 use super::FixKind;
 
-/// How a finding is mended.
+/// How a finding is fixed.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Fix {
-    /// Whether it may change what the applications do beyond mending the fault.
+    /// Whether it may change what the applications do beyond fixing the fault.
     pub kind: FixKind,
     /// What is done, as an order: `remove the rows`.
     pub title: String,
     /// What is changed; all of it or nothing.
     pub steps: Vec<Step>,
     /// Files of the steps that are not to be written, because of an ignore or of the PATHs; filled by the engine.
-    pub spared: Vec<String>,
+    pub left_out: Vec<String>,
 }
 
 /// A change of one file.
@@ -76,7 +76,7 @@ pub struct Edit {
 impl Fix {
     /// A fix of the kind that a rule declares, without steps.
     pub fn new(kind: FixKind, title: impl Into<String>) -> Self {
-        Self { kind, title: title.into(), steps: Vec::new(), spared: Vec::new() }
+        Self { kind, title: title.into(), steps: Vec::new(), left_out: Vec::new() }
     }
 
     /// Adds a step.

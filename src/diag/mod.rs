@@ -33,6 +33,6 @@ pub use outcome::{
 };
 pub use parts::{Name, Parts};
 pub use place::{Element, Excerpt, Location, Place, pointer};
-pub use rule_info::{FixKind, OptionInfo, RuleInfo, Sight};
+pub use rule_info::{Extent, FixKind, OptionInfo, RuleInfo};
 pub use subject::Subject;
 pub use upkeep::{BaselineUse, IdleGlob, IgnoreState, IgnoreUse, UnknownRule, Upkeep};

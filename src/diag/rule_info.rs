@@ -23,7 +23,7 @@ pub struct RuleInfo {
     /// What each application does with it.
     pub breaks: &'static [(Application, &'static str)],
     /// How far it sees; `None` for what is usual with the kind of its check.
-    pub sight: Option<Sight>,
+    pub extent: Option<Extent>,
     /// Typed options with their defaults.
     pub options: &'static [OptionInfo],
     /// What it means, why it matters, what to do: plain paragraphs for `mhlint explain`.
@@ -33,7 +33,7 @@ pub struct RuleInfo {
 /// The files of its base mesh that a finding can come from, besides those that the file it stands at names. A run that is
 /// narrowed to a change shows no more.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Sight {
+pub enum Extent {
     /// The one that it stands at.
     File,
     /// Those in the same folder and below.
@@ -84,7 +84,7 @@ impl RuleInfo {
     pub const fn new(id: &'static str, level: Level, summary: &'static str) -> Self {
         let (fix, cannot_be_ignored, told_apart) = (FixKind::None, false, false);
         let (levels, breaks, options) = (&[], &[], &[]);
-        Self { id, summary, level, levels, fix, cannot_be_ignored, told_apart, breaks, sight: None, options, docs: "" }
+        Self { id, summary, level, levels, fix, cannot_be_ignored, told_apart, breaks, extent: None, options, docs: "" }
     }
 
     /// The usual level in an application.

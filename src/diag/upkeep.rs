@@ -2,7 +2,7 @@
 
 use super::Place;
 
-/// Mutes, settings and baseline after everything was judged.
+/// Ignores, settings and baseline after everything was checked.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Upkeep {
     /// Every ignore, of the configuration and in the assets.
@@ -13,8 +13,8 @@ pub struct Upkeep {
     pub idle: Vec<IdleGlob>,
     /// The baseline, if there is one.
     pub baseline: Option<BaselineUse>,
-    /// Whether errors were found that neither a ignore nor the baseline hides. A file that cannot be read hides what
-    /// else was found in it and of it, so what is not found any more need not be mended.
+    /// Whether errors were found that neither an ignore nor the baseline hides. A file that cannot be read hides what
+    /// else was found in it and of it, so what is not found any more need not be fixed.
     pub errors: bool,
 }
 
@@ -33,7 +33,7 @@ pub struct IgnoreUse {
     pub state: IgnoreState,
 }
 
-/// What became of a ignore.
+/// What became of an ignore.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum IgnoreState {
     /// It hides something.
@@ -49,7 +49,7 @@ pub enum IgnoreState {
         /// That day.
         until: String,
     },
-    /// The comment is not written as a ignore has to be.
+    /// The comment is not written as an ignore has to be.
     Malformed {
         /// What it says.
         words: String,
@@ -99,7 +99,7 @@ pub struct BaselineUse {
     /// The file.
     pub path: String,
     /// Entries that this run could have found again.
-    pub judged: usize,
+    pub checked: usize,
     /// Those of them that it did not find, as `path: rule key`.
     pub stale: Vec<String>,
 }

@@ -1,4 +1,4 @@
-//! Changed files: the whole repository is judged, the report narrowed to what the change can affect.
+//! Changed files: the whole repository is checked, the report narrowed to what the change can affect.
 //!
 //! One step each way along the references: a changed file, what names it, what it names. Files that decide
 //! over a whole base mesh (`base.obj`, `macro.json` and the like) affect everything of that base. A finding that
@@ -10,8 +10,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Bound;
 use std::path::{Path, PathBuf};
 
-use super::sight::{is_numeric, sight};
-use crate::diag::{Because, Finding, Name, Note, Outcome, Place, Sight};
+use super::extent::{extent, is_numeric};
+use crate::diag::{Because, Extent, Finding, Name, Note, Outcome, Place};
 use crate::discover::Kind;
 use crate::repo::{Layer, Reference, Resolution, View};
 use crate::source::{canonical, folder_of, link_targets, resolved, slashed};
@@ -85,7 +85,7 @@ pub(super) fn explain(view: &View<'_>, findings: &mut [Finding], change: &Change
 /// Leaves out what the change cannot affect, and says how much that was. Findings on the settings of mhlint stay.
 pub(super) fn narrow(outcome: &mut Outcome, change: &Change) {
     let all = outcome.findings.len();
-    // Mutes and entries of the baseline can fall out of use by any change.
+    // Ignores and entries of the baseline can fall out of use by any change.
     outcome.findings.retain(|finding| finding.because.is_some() || finding.is_upkeep());
     outcome.left_out = all - outcome.findings.len();
     outcome.notes.push(Note::Narrowed { changed: change.files, left_out: outcome.left_out });
@@ -114,7 +114,7 @@ struct Changed {
     path: String,
     /// The folder of the data root that it lies in.
     folder: String,
-    /// Whether the whole judgement of the base hangs on it.
+    /// Whether all findings on the base hang on it.
     decides: bool,
 }
 
@@ -251,18 +251,18 @@ impl<'a> Reach<'a> {
         }
         let is_rig = |changed: &&Changed| changed.folder == "rigs";
         let folder = |path: &str| path.rsplit_once('/').map_or(String::new(), |(folder, _)| folder.to_owned());
-        let counts = match sight(finding, kind) {
-            Sight::File => None,
-            Sight::Folder => {
+        let counts = match extent(finding, kind) {
+            Extent::File => None,
+            Extent::Folder => {
                 let folder = folder(&finding.path);
                 changed.iter().find(|changed| changed.path.starts_with(&format!("{folder}/")))
             }
-            Sight::Rigs => changed.iter().find(is_rig),
-            Sight::FolderAndRigs => {
+            Extent::Rigs => changed.iter().find(is_rig),
+            Extent::FolderAndRigs => {
                 let own = folder(&finding.path);
                 changed.iter().find(|changed| is_rig(changed) || folder(&changed.path) == own)
             }
-            Sight::Base => changed.first(),
+            Extent::Base => changed.first(),
         };
         counts.map(|changed| Because::SameBase { changed: changed.path.clone(), base: base.to_owned() })
     }
@@ -319,7 +319,7 @@ fn is_within(inner: &str, outer: &str) -> bool {
     inner.strip_prefix(outer).is_some_and(|rest| rest.is_empty() || rest.starts_with('/'))
 }
 
-/// Whether the whole judgement of a base mesh hangs on the file at `rel`.
+/// Whether all findings on a base mesh hang on the file at `rel`.
 fn decides_over_base(rel: &str) -> bool {
     matches!(
         rel.split('/').collect::<Vec<_>>().as_slice(),
@@ -334,9 +334,9 @@ fn decides_over_base(rel: &str) -> bool {
 
 fn layers<'a>(view: &'a View<'_>) -> impl Iterator<Item = &'a Layer> {
     let checked = view.layers().checked;
-    let judged = std::iter::once(checked);
+    let own = std::iter::once(checked);
     let others = view.layers().strongest_first().filter(|layer| !std::ptr::eq(*layer, checked));
-    judged.chain(others)
+    own.chain(others)
 }
 
 /// The path from the root of the file system, without `.`, `..` and links: git knows its files by it.
@@ -344,7 +344,7 @@ fn absolute(path: &Path) -> String {
     slashed(&resolved(path))
 }
 
-/// The same for a file that may be a link itself: it is judged under its own name.
+/// The same for a file that may be a link itself: it is checked under its own name.
 fn in_its_folder(path: &Path) -> String {
     match path.file_name() {
         Some(name) => slashed(&resolved(folder_of(path)).join(name)),

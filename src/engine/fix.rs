@@ -29,7 +29,7 @@ pub struct Fixed {
     /// ([`Config::changed`]) would have to be written.
     pub outside: usize,
     /// The same because of files for which the rule is ignored, or which the PATHs leave out.
-    pub spared: usize,
+    pub left_out: usize,
     /// Files that differ from what is on disk, by path; nothing was written.
     pub changes: Vec<FileChange>,
 }
@@ -67,7 +67,7 @@ pub fn lint_and_fix(paths: &[PathBuf], options: &Config, with_unsafe: bool) -> R
             work.change(&mut inputs, &path, &patch);
         }
     }
-    (all.outside, all.spared) = work.left_out(&all.outcome.findings);
+    (all.outside, all.left_out) = work.not_fixed(&all.outcome.findings);
     all.changes = work.changes(&inputs);
     Ok(all)
 }
@@ -115,7 +115,7 @@ impl Work {
     /// The steps in files that may be written. Operations on whole files stand each for itself, others belong together.
     fn steps<'f>(&self, fix: &'f Fix) -> Vec<&'f Step> {
         let (inside, outside): (Vec<&Step>, Vec<&Step>) =
-            fix.steps.iter().partition(|step| self.is_changed(&step.path) && !fix.spared.contains(&step.path));
+            fix.steps.iter().partition(|step| self.is_changed(&step.path) && !fix.left_out.contains(&step.path));
         let are_apart = fix.steps.iter().all(|step| matches!(step.change, Change::Rewrite(_)));
         if outside.is_empty() || are_apart { inside } else { Vec::new() }
     }
@@ -125,12 +125,12 @@ impl Work {
     }
 
     /// How many findings could be fixed by writing files outside of the change, and how many of the others by
-    /// writing files that are spared.
-    fn left_out(&self, findings: &[Finding]) -> (usize, usize) {
+    /// writing files that are left out.
+    fn not_fixed(&self, findings: &[Finding]) -> (usize, usize) {
         let fixes = findings.iter().filter_map(|finding| finding.fix.as_ref()).filter(|fix| self.may(fix));
         let (inside, outside): (Vec<&Fix>, Vec<&Fix>) =
             fixes.partition(|fix| fix.steps.iter().all(|step| self.is_changed(&step.path)));
-        (outside.len(), inside.iter().filter(|fix| !fix.spared.is_empty()).count())
+        (outside.len(), inside.iter().filter(|fix| !fix.left_out.is_empty()).count())
     }
 
     /// Byte edits of all steps; nothing if one of them cannot be done.
@@ -193,7 +193,7 @@ impl Work {
                 continue;
             }
             let Checked { hash, bytes, file, root } = checked;
-            changes.push(FileChange { path, file, root, judged: hash, before: bytes, after });
+            changes.push(FileChange { path, file, root, checked: hash, before: bytes, after });
         }
         changes
     }

@@ -1,18 +1,18 @@
 //! The order of things: read all files in parallel, connect layers, run rules, place and sort findings.
 //!
-//! The only place with threads. Prints nothing and judges nothing.
+//! The only place with threads. Prints nothing and checks nothing.
 
 mod catalogue;
 mod caught;
 mod changed;
 mod check;
 mod error;
+mod extent;
 mod fix;
 mod load;
 mod measure;
 mod run;
 mod settle;
-mod sight;
 mod summary;
 #[doc(hidden)]
 pub mod trial;

@@ -19,7 +19,7 @@ use crate::eval::measures::Measures;
 use crate::repo::{Layer, View};
 use crate::source::Tree;
 
-/// Judges data roots found at `paths`.
+/// Checks data roots found at `paths`.
 ///
 /// # Errors
 /// When a path cannot be read, or an option names nothing that exists.
@@ -29,7 +29,7 @@ pub fn lint(paths: &[PathBuf], options: &Config) -> Result<Outcome, Error> {
     lint_inputs(&inputs, system.as_ref(), options, &CHECKED)
 }
 
-/// Judges data roots in trees, from disk or memory; `system` is read and not reported.
+/// Checks data roots in trees, from disk or memory; `system` is read and not reported.
 ///
 /// # Errors
 /// As [`lint`].
@@ -47,7 +47,7 @@ struct Asked<'c> {
     idle: Vec<IdleGlob>,
 }
 
-/// Judges what the inputs hold for these applications.
+/// Checks what the inputs hold for these applications.
 pub(super) fn lint_inputs(
     inputs: &[Input],
     system: Option<&Tree>,
@@ -75,7 +75,7 @@ pub(super) fn lint_inputs(
     outcome.failed_files = data.failed_files();
     outcome.timings.push(timing("targets and evaluation", started));
     let started = Instant::now();
-    let found = judge_all(&data, &measures, &asked, &mut ignores, &mut outcome);
+    let found = check_all(&data, &measures, &asked, &mut ignores, &mut outcome);
     check_bases(options, &outcome)?;
     settle(found, known, &data, &asked, &ignores, &mut outcome)?;
     outcome.timings.push(timing("rules", started));
@@ -127,7 +127,7 @@ fn timing(what: &str, started: Instant) -> Timing {
 }
 
 /// What is to be reported of every repository. `measures` has those of each.
-fn judge_all(
+fn check_all(
     data: &Data<'_>,
     measures: &[BTreeMap<String, Measures>],
     asked: &Asked<'_>,
@@ -136,9 +136,9 @@ fn judge_all(
 ) -> Vec<Placed> {
     let Asked { options, selection, scope, change, .. } = asked;
     let mut found = Vec::new();
-    for (number, Stack { root: judged, seen }) in data.stacks().into_iter().enumerate() {
-        outcome.summary.files += judged.layer.files.len();
-        outcome.summary.bytes += judged.layer.files.values().map(|file| file.size).sum::<u64>();
+    for (number, Stack { root: checked, seen }) in data.stacks().into_iter().enumerate() {
+        outcome.summary.files += checked.layer.files.len();
+        outcome.summary.bytes += checked.layer.files.values().map(|file| file.size).sum::<u64>();
         let views: Vec<View<'_>> =
             seen.iter().map(|(application, layers)| View::connect(*application, *layers)).collect();
         views.iter().for_each(|view| summarise(view, outcome));
@@ -149,9 +149,9 @@ fn judge_all(
         if let Some(change) = change {
             views.iter().for_each(|view| explain(view, &mut findings, change));
         }
-        let is_asked_for = |path: &str| judged.is_asked_for(path);
+        let is_asked_for = |path: &str| checked.is_asked_for(path);
         let below: Vec<&Layer> = seen.iter().filter_map(|(_, layers)| layers.system).collect();
-        let root = Root { layer: &judged.layer, below: &below };
+        let root = Root { layer: &checked.layer, below: &below };
         let keeper = Keeper { root, is_asked_for: &is_asked_for, selection, scope, options };
         let (kept, hidden) = keeper.keep(findings, ignores);
         outcome.summary.suppressed += hidden;

@@ -1,5 +1,5 @@
 //! Which fixes can be done together: a fix is taken as a whole, and only if it touches nothing that another
-//! fix of the same turn changes. The others wait for the next turn, when the file was judged again.
+//! fix of the same turn changes. The others wait for the next turn, when the file was checked again.
 
 use std::collections::BTreeMap;
 

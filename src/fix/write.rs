@@ -18,9 +18,9 @@ pub struct FileChange {
     pub file: PathBuf,
     /// The folder that it must not lie outside of.
     pub root: PathBuf,
-    /// Hash of the bytes that were judged.
-    pub judged: u64,
-    /// The bytes that were judged.
+    /// Hash of the bytes that were checked.
+    pub checked: u64,
+    /// The bytes that were checked.
     pub before: Vec<u8>,
     /// The new bytes; `None` for a file that goes away.
     pub after: Option<Vec<u8>>,
@@ -38,11 +38,11 @@ pub struct WriteError {
 /// What keeps a file from being changed.
 #[derive(Debug)]
 pub enum Reason {
-    /// Not the bytes that were judged.
+    /// Not the bytes that were checked.
     ChangedMeanwhile,
     /// May not be written to.
     ReadOnly,
-    /// A link leads out of the folder that was judged.
+    /// A link leads out of the folder that was checked.
     LeavesRoot,
     /// No regular file.
     NoFile,
@@ -99,7 +99,7 @@ pub fn write_all(changes: &[FileChange]) -> Result<(), WriteError> {
     prepared.sort_by_key(|one| one.beside.is_none());
     for Prepared { change, file, beside } in prepared {
         let failed = |reason| WriteError { path: change.path.clone(), reason };
-        refuse_changed(&file, change.judged).map_err(failed)?;
+        refuse_changed(&file, change.checked).map_err(failed)?;
         let done = match beside {
             Some(beside) => beside.take_place(),
             None => fs::remove_file(&file).inspect(|()| sync_folder(&file)),
@@ -116,7 +116,7 @@ fn prepare(change: &FileChange) -> Result<Prepared<'_>, WriteError> {
     if permissions.readonly() {
         return Err(failed(Reason::ReadOnly));
     }
-    refuse_changed(&file, change.judged).map_err(failed)?;
+    refuse_changed(&file, change.checked).map_err(failed)?;
     let write = |bytes: &Vec<u8>| Beside::write(file.clone(), bytes);
     let beside = change.after.as_ref().map(write).transpose().map_err(|error| failed(Reason::Io(error)))?;
     Ok(Prepared { change, file, beside })
@@ -132,9 +132,9 @@ fn real_file(change: &FileChange) -> Result<PathBuf, Reason> {
     if file.is_file() { Ok(file) } else { Err(Reason::NoFile) }
 }
 
-fn refuse_changed(file: &Path, judged: u64) -> Result<(), Reason> {
+fn refuse_changed(file: &Path, checked: u64) -> Result<(), Reason> {
     let bytes = fs::read(file).map_err(Reason::Io)?;
-    if xxh3_64(&bytes) == judged { Ok(()) } else { Err(Reason::ChangedMeanwhile) }
+    if xxh3_64(&bytes) == checked { Ok(()) } else { Err(Reason::ChangedMeanwhile) }
 }
 
 #[cfg(unix)]
@@ -149,7 +149,7 @@ mod tests {
             path: name.to_owned(),
             file: root.join(name),
             root: root.to_owned(),
-            judged: xxh3_64(before.as_bytes()),
+            checked: xxh3_64(before.as_bytes()),
             before: before.as_bytes().to_vec(),
             after: after.map(|text| text.as_bytes().to_vec()),
         }

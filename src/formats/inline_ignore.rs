@@ -1,27 +1,27 @@
-//! Mutes in comments of text formats: `# mhlint: ignore RULE reason`.
+//! Ignores in comments of text formats: `# mhlint: ignore RULE reason`.
 
-/// Mutes of one file that are kept; a file with more has another problem.
+/// Ignores of one file that are kept; a file with more has another problem.
 const MOST: usize = 64;
 
-/// A mute of the file that it stands in.
+/// An ignore of the file that it stands in.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct InlineIgnore {
     /// Line of the comment, counted from 1.
     pub line: u32,
-    /// The rule, or a glob of rules; empty where the comment is not written as a mute has to be.
+    /// The rule, or a glob of rules; empty where the comment is not written as an ignore has to be.
     pub rule: String,
     /// Why; empty where nothing is said. The whole comment where no rule is named.
     pub reason: String,
 }
 
-/// Notes the mute in a comment, `#` included, if it is one.
+/// Notes the ignore in a comment, `#` included, if it is one.
 pub(crate) fn note(line: u32, comment: &[u8], ignores: &mut Vec<InlineIgnore>) {
     if ignores.len() < MOST {
         ignores.extend(comment.trim_ascii().strip_prefix(b"#").and_then(|text| parse(line, text)));
     }
 }
 
-/// The mutes in a text whose comments are lines that begin with one of `marks`.
+/// The ignores in a text whose comments are lines that begin with one of `marks`.
 pub(crate) fn of_lines(text: &[u8], marks: &[&str]) -> Vec<InlineIgnore> {
     let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
     let end = if text.contains(&b'\n') { b'\n' } else { b'\r' };
@@ -34,7 +34,7 @@ pub(crate) fn of_lines(text: &[u8], marks: &[&str]) -> Vec<InlineIgnore> {
     comments.take(MOST).collect()
 }
 
-/// What speaks to mhlint and is no mute is kept as well, so that somebody can say so.
+/// What speaks to mhlint and is no ignore is kept as well, so that somebody can say so.
 fn parse(line: u32, comment: &[u8]) -> Option<InlineIgnore> {
     let text = comment.trim_ascii().strip_prefix(b"mhlint")?;
     let text = String::from_utf8_lossy(text);
@@ -59,7 +59,7 @@ mod tests {
     }
 
     #[test]
-    fn a_mute_has_a_rule_and_a_reason() {
+    fn an_ignore_has_a_rule_and_a_reason() {
         let pair = |rule: &str, reason: &str| Some((rule.to_owned(), reason.to_owned()));
         assert_eq!(
             rule_and_reason("# mhlint: ignore target-zero-delta  as   painted\r"),
@@ -71,7 +71,7 @@ mod tests {
     }
 
     #[test]
-    fn what_speaks_to_us_and_is_no_mute_is_kept_without_a_rule() {
+    fn what_speaks_to_us_and_is_no_ignore_is_kept_without_a_rule() {
         let malformed = |said: &str| Some((String::new(), said.to_owned()));
         assert_eq!(rule_and_reason("# mhlint: ignore"), malformed("mhlint: ignore"));
         assert_eq!(rule_and_reason("# mhlint: disable  a-b"), malformed("mhlint: disable a-b"));

@@ -1,7 +1,7 @@
 //! `.mhskel`: joints, planes and bones of a skeleton (formats/makehuman2.md §10).
 //!
 //! Keeps what the loader would see and, beside it, which values have a shape that the schema refuses:
-//! what hangs on those must not be judged again.
+//! what hangs on those must not be checked again.
 
 use serde::Serialize;
 

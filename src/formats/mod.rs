@@ -1,7 +1,7 @@
 //! Bytes to models and facts, one format a file.
 //!
 //! A parser never fails as a whole: it returns what the application would see, and counts in the same
-//! pass everything rules ask about. Judgement is not made here; other files are not known here.
+//! pass everything rules ask about. Nothing is checked here; other files are not known here.
 #![warn(clippy::indexing_slicing)]
 
 pub mod base_json;

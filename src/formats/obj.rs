@@ -121,7 +121,7 @@ impl Mesh {
     }
 }
 
-/// What is needed to judge the faces once all vertices are known, and dropped then.
+/// What is needed to check the faces once all vertices are known, and dropped then.
 #[derive(Default)]
 pub(super) struct Side {
     /// Texture coordinate of every corner, [`NO_UV`] for none.
@@ -149,7 +149,7 @@ impl Parser {
         let Some([x, y, z]) = floats::<3>(words) else {
             let name = |mesh: &Mesh| format!("v {}", mesh.positions.len());
             self.bad(line, "a vertex needs three numbers", name);
-            // The vertex keeps its number, or every later face would be judged wrongly.
+            // The vertex keeps its number, or every later face would be checked wrongly.
             self.mesh.positions.push([0.0; 3]);
             return;
         };

@@ -1,6 +1,6 @@
 //! Facts on a mesh: what is counted when all its lines have been read (formats/makehuman2.md §8).
 //!
-//! Gets the mesh and what the parser kept beside it, completes the facts; makes no judgement.
+//! Gets the mesh and what the parser kept beside it, completes the facts; checks nothing.
 
 use std::collections::BTreeSet;
 

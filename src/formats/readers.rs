@@ -34,7 +34,7 @@ pub struct Parsed {
     pub json: JsonFacts,
     /// What the schema of its format says.
     pub schema: SchemaFaults,
-    /// Mutes in its comments.
+    /// Ignores in its comments.
     pub ignores: Vec<InlineIgnore>,
     /// Hash of the decoded content where equal content matters.
     pub content_hash: Option<u64>,

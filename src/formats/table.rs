@@ -15,7 +15,7 @@ pub struct Format {
     pub syntax: Syntax,
     /// Name of its schema.
     pub schema: Option<&'static str>,
-    /// What comments begin with, where they may hold mutes.
+    /// What comments begin with, where they may hold ignores.
     pub comments: &'static [&'static str],
     /// Makes a model of it. A format without one gets the rules on any file, and on any JSON.
     pub reader: Option<Reader>,

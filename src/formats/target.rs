@@ -21,7 +21,7 @@ pub struct Target {
     pub rows: Vec<Row>,
     /// What was counted on the way.
     pub facts: TargetFacts,
-    /// Mutes in comments.
+    /// Ignores in comments.
     pub ignores: Vec<InlineIgnore>,
 }
 

@@ -1,6 +1,6 @@
 //! Keys that no application reads: a walk over document and schema side by side.
 //!
-//! An object is judged if its schema lists `properties` and leaves no room for others. A value whose
+//! An object is checked if its schema lists `properties` and leaves no room for others. A value whose
 //! schema is a choice is left alone, as is everything below it.
 
 use std::borrow::Cow;

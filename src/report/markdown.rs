@@ -78,8 +78,8 @@ fn head(outcome: &Outcome, view: &View<'_>) -> String {
         verdict::files(summary),
     );
     let roots: Vec<String> = verdict::roots(outcome).iter().map(|root| inline(&printable(root))).collect();
-    let judged = if roots.is_empty() { String::new() } else { format!("\nJudged: {}\n", roots.join(", ")) };
-    table + &judged
+    let checked = if roots.is_empty() { String::new() } else { format!("\nJudged: {}\n", roots.join(", ")) };
+    table + &checked
 }
 
 fn notes(outcome: &Outcome) -> String {

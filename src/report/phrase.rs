@@ -35,7 +35,7 @@ pub(super) fn lines(finding: &Finding) -> Vec<Line> {
         lines.push(line("help", help));
     }
     if let Some(fix) = &finding.fix {
-        lines.push(line("fix", &mends(fix)));
+        lines.push(line("fix", &fixed_by(fix)));
     }
     if let Some(reason) = &finding.because {
         lines.push(line("shown because", &because(reason)));
@@ -43,8 +43,8 @@ pub(super) fn lines(finding: &Finding) -> Vec<Line> {
     lines
 }
 
-/// Which option mends it, and how.
-pub(super) fn mends(fix: &Fix) -> String {
+/// Which option fixes it, and how.
+pub(super) fn fixed_by(fix: &Fix) -> String {
     let option = if fix.kind == FixKind::Safe { "`--fix`" } else { "`--fix --unsafe-fixes`" };
     format!("{option} mends it: {}", fix.title)
 }

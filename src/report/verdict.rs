@@ -6,7 +6,7 @@ use crate::diag::{Application, Finding, Level, Outcome, Scope, Summary};
 /// Names that a sentence holds, and errors that are named at the end.
 const NAMED: usize = 3;
 
-/// What was judged, and how many findings of each level there are.
+/// What was checked, and how many findings of each level there are.
 pub(super) fn counts(outcome: &Outcome, view: &View<'_>) -> String {
     let line = format!("{} in {} of {}", tally(outcome), files(&outcome.summary), roots(outcome).join(", "));
     hang("", &printable(&line), view.width)
@@ -40,7 +40,7 @@ pub(super) fn files(summary: &Summary) -> String {
     format!("{} ({})", count(summary.files, "file"), size(summary.bytes))
 }
 
-/// The judged data roots: path, application, base meshes. Not made harmless yet.
+/// The checked data roots: path, application, base meshes. Not made harmless yet.
 pub(super) fn roots(outcome: &Outcome) -> Vec<String> {
     let checked = outcome.checked();
     checked
@@ -174,7 +174,7 @@ fn too_many(outcome: &Outcome, view: &View<'_>) -> String {
     }
 }
 
-/// The applications that the gravest findings are about, or whose data were judged.
+/// The applications that the gravest findings are about, or whose data were checked.
 fn applications(outcome: &Outcome, gravest: &[&Finding]) -> String {
     let mut named: Vec<Application> =
         gravest.iter().flat_map(|finding| finding.breaks.iter().map(|one| one.application)).collect();

@@ -1,4 +1,4 @@
-//! Judgement: one rule a file, one table of them all.
+//! The rules: one a file, one table of them all.
 //!
 //! A rule reads facts and says what would happen. It reads no files, knows no report and no other rule.
 

@@ -298,7 +298,7 @@ pub(crate) static CASES: &[Case] = &[
     case("line ends of Windows", "mh2bot", &[Replace("target/mh2bot/armslegs/upperarms-length-incr.target", "1628 0 -3.303 0\n", "1628 0 -3.303 0\r\n")], &[], &[]),
 ];
 
-/// Damage judged with evaluation. A case runs once every rule that it expects exists.
+/// Damage checked with evaluation. A case runs once every rule that it expects exists.
 pub(crate) static NUMERIC: &[Case] = &[
     case(
         "a NaN is no matter of the settings",

@@ -60,7 +60,7 @@ run env RUNNER_OS=Windows RUNNER_ARCH=X64 RUNNER_TEMP="$temp" GITHUB_PATH="$acti
 expect "a temporary folder with backslashes is no obstacle" ended_with 0
 
 # The run: a stand-in shows the arguments, then the real command judges.
-judge() { # folder of the command, paths, arguments
+check() { # folder of the command, paths, arguments
     rm -rf "$action/temp" "$action/out" "$action/summary" && mkdir "$action/temp"
     touch "$action/summary" "$action/out"
     run env PATH="$1:$PATH" RUNNER_TEMP="$action/temp" GITHUB_OUTPUT="$action/out" GITHUB_STEP_SUMMARY="$action/summary" \
@@ -69,19 +69,19 @@ judge() { # folder of the command, paths, arguments
 mkdir "$action/stand-in"
 printf '#!/bin/sh\nprintf "<%%s>" "$@"\nexit 3\n' >"$action/stand-in/mhlint"
 chmod +x "$action/stand-in/mhlint"
-judge "$action/stand-in" 'src assets' '--skip *.md --fail-on warning'
+check "$action/stand-in" 'src assets' '--skip *.md --fail-on warning'
 expect "paths and arguments arrive apart, and no glob is expanded" \
     says '<check><src><assets><--skip><*.md><--fail-on><warning><--report><github>'
-judge "$action/stand-in" $'src\nassets\n' $'--skip *.md\n--fail-on warning\n'
+check "$action/stand-in" $'src\nassets\n' $'--skip *.md\n--fail-on warning\n'
 expect "so do those on several lines" says '<check><src><assets><--skip><*.md><--fail-on><warning><--report><github>'
 expect "the exit code is an output, and the step goes on" grep -qx 'exit-code=3' "$action/out"
 expect "no SARIF is promised where none was written" [ "$(grep -c sarif "$action/out")" = 0 ]
 
-judge "$(dirname "$mhlint")" fixtures/makehuman2 ''
+check "$(dirname "$mhlint")" fixtures/makehuman2 ''
 expect "sound data give exit code 0" grep -qx 'exit-code=0' "$action/out"
 cp -r fixtures/makehuman2/. "$action/data"
 sed -i 's/"steps": \[0.0, 0.25, 0.5, 1.0\]/"steps": [0.0, 0.25, 0.5, 0.75, 1.0]/' "$action/data/data/target/figure/macro.json"
-judge "$(dirname "$mhlint")" target/packaging/action/data ''
+check "$(dirname "$mhlint")" target/packaging/action/data ''
 expect "damaged data give exit code 1" grep -qx 'exit-code=1' "$action/out"
 expect "the fault is annotated" says '::error '
 expect "the annotation names the file" says 'file=target/packaging/action/data/data/target/figure/macro.json'

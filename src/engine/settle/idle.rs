@@ -24,8 +24,8 @@ pub(in crate::engine) fn idle<'t>(
     let Some(file) = config.file.as_ref().filter(|_| config.changed.is_none()) else { return Vec::new() };
     let blocks = file.blocks.iter().map(|block| ("[[path]]", &block.glob));
     let globs = file.exclude.iter().map(|glob| ("exclude", glob)).chain(blocks);
-    let judged = globs.filter(|(_, glob)| scope.covers(&file.folder, glob.folder()) && !is_hidden(&glob.text));
-    let mut waiting: Vec<Waiting<'_>> = judged.map(|(setting, glob)| Waiting::new(setting, glob)).collect();
+    let checked = globs.filter(|(_, glob)| scope.covers(&file.folder, glob.folder()) && !is_hidden(&glob.text));
+    let mut waiting: Vec<Waiting<'_>> = checked.map(|(setting, glob)| Waiting::new(setting, glob)).collect();
     for path in trees.flat_map(paths) {
         if waiting.is_empty() {
             break;

@@ -1,14 +1,13 @@
 //! Which findings on some layers are reported, at which level, and which files of their fixes stay as they are.
+//!
+//! Levels, exclusions and ignores are for files, a finding may speak for several.
 
-use std::collections::BTreeSet;
-
-use super::heard::{Filter, Heard};
 use super::identify::{Placed, Root, identify};
 use super::ignore::Ignores;
 use super::scope::Scope;
-use super::select::Selection;
+use super::select::{Selection, Verdict, cannot_be_ignored};
 use crate::config::Config;
-use crate::diag::Finding;
+use crate::diag::{Finding, IgnoredFiles};
 
 /// All that decides what is reported of some layers.
 pub(in crate::engine) struct Keeper<'r> {
@@ -21,39 +20,81 @@ pub(in crate::engine) struct Keeper<'r> {
 }
 
 impl Keeper<'_> {
-    /// Keeps what is to be reported for the judged layer and gives it level and fingerprint; counts what is ignored.
+    /// Keeps what is to be reported for the checked layer and gives it level and fingerprint; counts what is ignored.
     pub(in crate::engine) fn keep(&self, findings: Vec<Finding>, ignores: &mut Ignores<'_>) -> (Vec<Placed>, usize) {
         let files = self.root.layer.files.values();
         let commented = files.filter(|file| !file.ignores.is_empty() && self.is_reported(&file.path));
         commented.for_each(|file| ignores.note(file, self.selection, self.scope));
-        let filter = self.filter();
         let (mut kept, mut hidden) = (Vec::new(), 0);
         for mut finding in findings.into_iter().filter(|finding| self.is_wanted(finding)) {
             let consequence = finding.level;
-            match filter.of(&mut finding, ignores) {
-                Heard::At(level) => {
-                    let spared = self.spared(&filter.spared(&finding, ignores), &finding);
-                    finding.fix.iter_mut().for_each(|fix| fix.spared.clone_from(&spared));
+            match self.of(&mut finding, ignores) {
+                Verdict::At(level) => {
+                    let left_out = self.left_out(&finding, ignores);
+                    if let Some(fix) = &mut finding.fix {
+                        fix.left_out = left_out;
+                    }
                     finding.regrade(level);
                     kept.push((finding, consequence));
                 }
-                Heard::Hidden => hidden += 1,
-                Heard::Off | Heard::Excluded => {}
+                Verdict::Hidden => hidden += 1,
+                Verdict::Off | Verdict::Excluded => {}
             }
         }
         (identify(self.root, kept), hidden)
     }
 
-    fn filter(&self) -> Filter<'_> {
-        let Self { selection, scope, options, .. } = self;
-        Filter { layer: self.root.layer, selection, scope, options }
+    /// What becomes of a finding. Where it stays although some of its files are ignored, it says so.
+    fn of(&self, finding: &mut Finding, ignores: &mut Ignores<'_>) -> Verdict {
+        let own = self.at(finding, &finding.path, ignores);
+        let files = finding.files();
+        if files.is_empty() {
+            return own;
+        }
+        // What is between files is gone when only one is left.
+        let fewest = if finding.between.is_empty() { 1 } else { 2 };
+        let is_folder = !files.contains(&finding.path);
+        if is_folder && matches!(own, Verdict::Hidden | Verdict::Excluded) {
+            return own;
+        }
+        let all: Vec<Verdict> = files.iter().map(|file| self.at(finding, file, ignores)).collect();
+        let reported: Vec<Verdict> = all.iter().copied().filter(|verdict| matches!(verdict, Verdict::At(_))).collect();
+        let silent = all.len() - reported.len();
+        match reported.first() {
+            Some(first) if reported.len() >= fewest => {
+                finding.ignored = (silent > 0).then_some(IgnoredFiles { count: silent, of: all.len() });
+                if matches!(own, Verdict::At(_)) { own } else { *first }
+            }
+            _ if all.contains(&Verdict::Hidden) => Verdict::Hidden,
+            _ => all.into_iter().find(|verdict| !matches!(verdict, Verdict::At(_))).unwrap_or(own),
+        }
+    }
+
+    /// What becomes of the part of a finding in one file.
+    fn at(&self, finding: &Finding, path: &str, ignores: &mut Ignores<'_>) -> Verdict {
+        if cannot_be_ignored(finding.rule) {
+            return Verdict::At(finding.level);
+        }
+        // What is excluded is hidden; but what is dangerous is told wherever the run looks.
+        if self.scope.excludes(path) {
+            return Verdict::Excluded;
+        }
+        let rel = self.options.file.as_ref().and_then(|file| file.relative(path));
+        let verdict = self.selection.verdict(finding.rule, finding.level, rel.as_deref());
+        let layer = self.root.layer;
+        let file = || layer.relative(path).and_then(|rel| layer.file(rel));
+        let is_reported = matches!(verdict, Verdict::At(_));
+        if is_reported && ignores.hides(finding.rule, path, file()) { Verdict::Hidden } else { verdict }
     }
 
     /// Files of a fix that are not to be written: those for which the rule is ignored, and those beside the PATHs.
-    fn spared(&self, ignored: &[String], finding: &Finding) -> Vec<String> {
-        let steps = finding.fix.iter().flat_map(|fix| fix.steps.iter().map(|step| &step.path));
-        let files: BTreeSet<&String> = ignored.iter().chain(steps.filter(|path| !(self.is_asked_for)(path))).collect();
-        files.into_iter().cloned().collect()
+    fn left_out(&self, finding: &Finding, ignores: &mut Ignores<'_>) -> Vec<String> {
+        let steps = finding.fix.iter().flat_map(|fix| &fix.steps);
+        let mut files: Vec<String> = steps.map(|step| step.path.clone()).collect();
+        files.sort_unstable();
+        files.dedup();
+        files.retain(|file| !matches!(self.at(finding, file, ignores), Verdict::At(_)) || !(self.is_asked_for)(file));
+        files
     }
 
     fn is_wanted(&self, finding: &Finding) -> bool {

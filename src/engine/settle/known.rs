@@ -45,7 +45,7 @@ impl Known {
         Ok(Some(Self { folder: Folder::of(&inside), path, old, write: config.write_baseline, is_first }))
     }
 
-    /// Hides what is known. `roots` are printed paths of the judged data roots.
+    /// Hides what is known. `roots` are printed paths of the checked data roots.
     pub(in crate::engine) fn compare<'r>(
         &self,
         found: Vec<Placed>,
@@ -69,11 +69,11 @@ impl Known {
         if on_disk && lost.len() == self.old.entries.len() && scope.is_whole() {
             self.refuse_foreign(selection)?;
         }
-        let judged = |entry: &&Entry| self.is_judged(entry, selection, scope);
-        let stale: Vec<&Entry> = lost.into_iter().filter(judged).collect();
+        let checked = |entry: &&Entry| self.is_checked(entry, selection, scope);
+        let stale: Vec<&Entry> = lost.into_iter().filter(checked).collect();
         let mut used = BaselineUse {
             path: slashed(&self.path),
-            judged: self.old.entries.iter().filter(judged).count(),
+            checked: self.old.entries.iter().filter(checked).count(),
             stale: stale.iter().map(|entry| describe(entry)).collect(),
         };
         let (mut new, mut taken_over) = (None, None);
@@ -82,7 +82,7 @@ impl Known {
             let errors = added().filter(|placed| placed.finding.level == Level::Error).count();
             taken_over = (!self.is_first).then(|| TakenOver { new: added().count(), errors, gone: used.stale.len() });
             // Without what this run could not look at a narrower run would throw entries away.
-            let others = self.old.entries.iter().filter(|entry| !judged(entry) && !is_found(entry, &entries));
+            let others = self.old.entries.iter().filter(|entry| !checked(entry) && !is_found(entry, &entries));
             let mut all: Vec<Entry> = others.cloned().collect();
             all.extend(entries.into_iter().map(|found| found.entry));
             new = Some(Baseline { entries: all });
@@ -104,7 +104,7 @@ impl Known {
     }
 
     /// A file of which nothing was found, neither the faults nor the assets nor their folders, is not for these data.
-    /// Where the folder is there the asset was mended by removing it.
+    /// Where the folder is there the asset was fixed by removing it.
     fn refuse_foreign(&self, selection: &Selection<'_>) -> Result<(), Error> {
         let entries = &self.old.entries;
         let folder = |entry: &Entry| entry.path.rsplit_once('/').map_or(".", |(folder, _)| folder).to_owned();
@@ -131,7 +131,7 @@ impl Known {
     }
 
     /// Whether this run would have found it if it were still there.
-    fn is_judged(&self, entry: &Entry, selection: &Selection<'_>, scope: &Scope<'_>) -> bool {
+    fn is_checked(&self, entry: &Entry, selection: &Selection<'_>, scope: &Scope<'_>) -> bool {
         let exists = listed().any(|rule| rule.info.id == entry.rule);
         !exists || !selection.is_silenced(&entry.rule) && scope.covers(&self.folder, &entry.path)
     }

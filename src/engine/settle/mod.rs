@@ -4,7 +4,6 @@
 
 mod baseline;
 mod compare;
-mod heard;
 mod identify;
 mod idle;
 mod ignore;

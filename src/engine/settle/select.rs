@@ -20,15 +20,17 @@ pub(in crate::engine) struct Selection<'c> {
     no_eval: bool,
 }
 
-/// What becomes of a finding.
+/// What becomes of a finding, or of its part in one file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::engine) enum Verdict {
     /// Reported at this level.
     At(Level),
+    /// Hidden by somebody's wish, and counted: ignored, or of a rule that is off for this path alone.
+    Hidden,
+    /// Excluded, and not counted.
+    Excluded,
     /// The rule is off.
     Off,
-    /// The rule is on, but not for this path.
-    OffHere,
 }
 
 /// What a layer says on a rule.
@@ -84,7 +86,7 @@ impl<'c> Selection<'c> {
         match (self.command_line(rule), here, general) {
             (Some(Say::Off), ..) => Verdict::Off,
             (Some(Say::On(asked)), ..) => Verdict::At(asked.or(set).unwrap_or(level)),
-            (None, Some(Say::Off), Say::On(_)) => Verdict::OffHere,
+            (None, Some(Say::Off), Say::On(_)) => Verdict::Hidden,
             (None, Some(Say::Off) | None, Say::Off) => Verdict::Off,
             (None, ..) => Verdict::At(set.unwrap_or(level)),
         }

@@ -169,7 +169,7 @@ fn overlaid<'a, T>(
     Overlaid {
         contarget: Candidate::find(layers.user, &format!("contarget/{base}/{file}"), &model),
         system: match Candidate::find(layers.system, &format!("target/{base}/{file}"), &model) {
-            // The program stops there; nothing inside can be judged.
+            // The program stops there; nothing inside can be checked.
             Candidate::Accepted(found, _) if found.is_misshapen() => Candidate::Refused(found),
             found => found,
         },

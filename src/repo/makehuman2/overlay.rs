@@ -66,7 +66,7 @@ impl<'a, T> Overlaid<'a, T> {
         self.contarget.accepted().is_some()
     }
 
-    /// Whether a file that would be in use is refused; what depends on it cannot be judged.
+    /// Whether a file that would be in use is refused; what depends on it cannot be checked.
     pub(crate) fn is_broken(&self) -> bool {
         self.winner().is_none() && (self.contarget.is_refused() || self.system.is_refused())
     }

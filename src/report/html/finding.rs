@@ -5,7 +5,7 @@ use maud::{Markup, html};
 use super::inline;
 use crate::diag::{Finding, Location, Related};
 use crate::report::because::because;
-use crate::report::phrase::{self, bare_place, colons, doubt, evidence_line, mends};
+use crate::report::phrase::{self, bare_place, colons, doubt, evidence_line, fixed_by};
 use crate::report::printable;
 use crate::report::snippet::snippet;
 
@@ -38,7 +38,7 @@ pub(super) fn article(finding: &Finding, id: &str, open: bool) -> Markup {
                         div .help { dt { "What to do" } dd { (inline(&printable(help))) } }
                     }
                     @if let Some(fix) = &finding.fix {
-                        div .help { dt { "Fix" } dd { (inline(&printable(&mends(fix)))) } }
+                        div .help { dt { "Fix" } dd { (inline(&printable(&fixed_by(fix)))) } }
                     }
                     @if let Some(reason) = &finding.because {
                         div { dt { "Shown because" } dd { (inline(&printable(&because(reason)))) } }

@@ -3,13 +3,13 @@
 use super::super::{Check, Rule, RuleCx};
 use super::absent_keys;
 use super::sliders::{self, Gap};
-use crate::diag::{Application, Finding, Level, RuleInfo, Sight, nearest};
+use crate::diag::{Application, Extent, Finding, Level, RuleInfo, nearest};
 use crate::repo::makehuman2::{Base, View};
 use crate::repo::{FileFacts, Layer, Reference, ReferenceKind, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        sight: Some(Sight::Base),
+        extent: Some(Extent::Base),
         breaks: &[(Application::Makehuman2, "stops with a traceback when the base is loaded")],
         docs: "A base mesh consists of `base/<base>/base.json` and `base.obj` (or `base.mhbin`) beside it; `base.json` names a start model (`mhm`) in \
             the same folder and a skeleton (`pose-skeleton`) in `rigs/<base>/`.\n\nWithout `base.json`, without the mesh, or with a start model \
@@ -68,9 +68,9 @@ fn named(view: &View<'_>, base: &Base<'_>, reference: &Reference<'_>) -> Option<
     })
 }
 
-/// `base.json` and the mesh, of a base that the judged layer holds a part of.
+/// `base.json` and the mesh, of a base that the checked layer holds a part of.
 fn unnamed(view: &View<'_>, base: &Base<'_>) -> Option<Finding> {
-    let judged = view.layers.checked;
+    let checked = view.layers.checked;
     let folder = format!("base/{}", base.name);
     // What is there but cannot be opened, or is written with other capitals, has a finding of its own.
     let exists = |file: &str| {
@@ -79,20 +79,20 @@ fn unnamed(view: &View<'_>, base: &Base<'_>) -> Option<Finding> {
         view.layers.strongest_first().any(is_here)
     };
     let (settings, mesh) = (exists("base.json"), exists("base.obj") || exists("base.mhbin"));
-    let has_base = judged.below(&folder).next().is_some();
+    let has_base = checked.below(&folder).next().is_some();
     match (settings, mesh) {
         (true, false) if has_base => {
             let message = format!("the base `{}` has no mesh: neither base.obj nor base.mhbin", base.name);
-            let finding = RULE.in_layer(judged, &format!("{folder}/base.json"), message).key("mesh");
+            let finding = RULE.in_layer(checked, &format!("{folder}/base.json"), message).key("mesh");
             Some(finding.help(format!("add `{folder}/base.obj`")))
         }
         (false, true) if has_base => {
             let message = format!("the base `{}` has no base.json", base.name);
-            let finding = RULE.in_layer(judged, &format!("{folder}/base.json"), message).key("base.json");
+            let finding = RULE.in_layer(checked, &format!("{folder}/base.json"), message).key("base.json");
             Some(finding.help(format!("add `{folder}/base.json`")))
         }
         // One root with `contarget/` may be a user's folder whose system data was not given.
-        (false, false) if !view.layers.is_one_root() => orphan(judged, base),
+        (false, false) if !view.layers.is_one_root() => orphan(checked, base),
         _ => None,
     }
 }
@@ -106,12 +106,12 @@ fn of_sliders(view: &View<'_>, base: &Base<'_>) -> Option<Finding> {
 }
 
 /// Targets of a base that no layer has.
-fn orphan(judged: &Layer, base: &Base<'_>) -> Option<Finding> {
+fn orphan(checked: &Layer, base: &Base<'_>) -> Option<Finding> {
     let folders = ["contarget", "target"].map(|folder| format!("{folder}/{}", base.name));
-    let folder = folders.iter().find(|folder| judged.below(folder).next().is_some())?;
+    let folder = folders.iter().find(|folder| checked.below(folder).next().is_some())?;
     let message = format!("there is no base `{}`: neither base.json nor a mesh", base.name);
     Some(
-        RULE.in_layer(judged, folder, message)
+        RULE.in_layer(checked, folder, message)
             .key("base")
             .level(Level::Warning)
             .effect("never loads these targets")

@@ -11,8 +11,8 @@ const USER: &str = "user";
 /// What names are looked up in.
 pub(super) struct Names<'n, 'a> {
     pub(super) base: &'n Base<'a>,
-    /// Whether `macro.json` is judged, too.
-    pub(super) judges_macros: bool,
+    /// Whether `macro.json` is checked, too.
+    pub(super) checks_macros: bool,
 }
 
 /// A name that does not exist.
@@ -50,7 +50,7 @@ impl Names<'_, '_> {
     /// Whether a component reads the pattern: `macro-unknown-pattern` speaks.
     fn is_read_by_macros(&self, pattern: &str) -> bool {
         let components = self.base.macro_file().map(|(_, file)| file.components.as_slice()).unwrap_or_default();
-        self.judges_macros
+        self.checks_macros
             && components.iter().any(|component| {
                 let rest = component.pattern.as_deref().and_then(|own| pattern.strip_prefix(own));
                 match (&component.steps, &component.sum) {

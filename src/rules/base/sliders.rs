@@ -25,30 +25,30 @@ const VERSION_FILE: &str = "makehuman2_version.json";
 
 /// What is missing of the sliders of a base, if its data are the system's and nothing overrides them.
 pub(super) fn gap(view: &View<'_>, base: &Base<'_>) -> Option<Gap> {
-    let judged = view.layers.checked;
-    let is_system = view.layers.system.is_some_and(|system| std::ptr::eq(system, judged)) && base.has_system;
-    if !is_system || base.own_json.is_none() || judged.below(&format!("contarget/{}", base.name)).next().is_some() {
+    let checked = view.layers.checked;
+    let is_system = view.layers.system.is_some_and(|system| std::ptr::eq(system, checked)) && base.has_system;
+    if !is_system || base.own_json.is_none() || checked.below(&format!("contarget/{}", base.name)).next().is_some() {
         return None;
     }
     let folder = format!("target/{}", base.name);
     let is_missing = |name: &str| {
         let rel = format!("{folder}/{name}");
-        judged.file_ignoring_case(&rel).is_none() && !judged.has_unusable(&rel)
+        checked.file_ignoring_case(&rel).is_none() && !checked.has_unusable(&rel)
     };
     if is_missing("modelling.json") {
-        without_sliders(judged, base, &folder)
+        without_sliders(checked, base, &folder)
     } else if is_missing("macro.json") {
-        without_macros(judged, base, &folder)
+        without_macros(checked, base, &folder)
     } else {
         None
     }
 }
 
-fn without_sliders(judged: &Layer, base: &Base<'_>, folder: &str) -> Option<Gap> {
-    let count = targets(judged, folder).count();
+fn without_sliders(checked: &Layer, base: &Base<'_>, folder: &str) -> Option<Gap> {
+    let count = targets(checked, folder).count();
     let named = base.settings().map_or(0, |(_, settings)| named_sliders(settings).len());
     let pairs = base.settings().map_or(0, |(_, settings)| settings.opposites.len());
-    let sure = is_surely_system(judged, folder);
+    let sure = is_surely_system(checked, folder);
     let lost = if sure { Level::Error } else { Level::Warning };
     let (level, message) = match (count, named, pairs) {
         (0, 0, 0) => return None,
@@ -72,9 +72,9 @@ fn without_sliders(judged: &Layer, base: &Base<'_>, folder: &str) -> Option<Gap>
     Some(Gap { name: "modelling.json", level, message, effect, help })
 }
 
-fn without_macros(judged: &Layer, base: &Base<'_>, folder: &str) -> Option<Gap> {
+fn without_macros(checked: &Layer, base: &Base<'_>, folder: &str) -> Option<Gap> {
     let sliders = base.sliders.iter().filter(|bound| bound.slider.is_macro()).count();
-    let waiting = targets(judged, folder).filter(|file| file.rel.starts_with(&format!("{folder}/macro"))).count();
+    let waiting = targets(checked, folder).filter(|file| file.rel.starts_with(&format!("{folder}/macro"))).count();
     let name = base.name;
     let (level, message) = match (sliders, waiting) {
         (0, 0) => return None,
@@ -87,8 +87,8 @@ fn without_macros(judged: &Layer, base: &Base<'_>, folder: &str) -> Option<Gap> 
     Some(Gap { name: "macro.json", level, message, effect, help: format!("add `{folder}/macro.json`") })
 }
 
-fn targets<'a>(judged: &'a Layer, folder: &str) -> impl Iterator<Item = &'a FileFacts> + use<'a> {
-    judged.below(folder).filter(|file| file.kind == Kind::Target)
+fn targets<'a>(checked: &'a Layer, folder: &str) -> impl Iterator<Item = &'a FileFacts> + use<'a> {
+    checked.below(folder).filter(|file| file.kind == Kind::Target)
 }
 
 /// Patterns and keys of sliders that the settings of a base name.
@@ -105,7 +105,7 @@ fn named_sliders(settings: &BaseJson) -> BTreeSet<&str> {
 
 /// A user's folder may hold another `base.json` for a base whose sliders the system has. It has neither the file that
 /// only the program's own data have, nor what else belongs to hand-made sliders.
-fn is_surely_system(judged: &Layer, folder: &str) -> bool {
+fn is_surely_system(checked: &Layer, folder: &str) -> bool {
     let beside = ["macro.json", "target_cat.json"].map(|name| format!("{folder}/{name}"));
-    judged.file(VERSION_FILE).is_some() || beside.iter().any(|rel| judged.file(rel).is_some())
+    checked.file(VERSION_FILE).is_some() || beside.iter().any(|rel| checked.file(rel).is_some())
 }

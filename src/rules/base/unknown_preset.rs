@@ -28,8 +28,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, settings)) = base.settings().filter(|_| has_sliders(base)) else { return };
-    let judges_macros = base.macro_file().is_some_and(|(file, _)| view.layers.is_checked(file));
-    let names = Names { base, judges_macros };
+    let checks_macros = base.macro_file().is_some_and(|(file, _)| view.layers.is_checked(file));
+    let names = Names { base, checks_macros };
     for (pattern, _) in &settings.presets {
         out.extend(names.pattern(pattern).map(|unknown| unknown_name(file, &["modifier-presets", pattern], unknown)));
     }

@@ -1,6 +1,6 @@
 //! Entries of the baseline that no longer occur.
 
-use super::MEND_FIRST;
+use super::FIX_FIRST;
 use crate::diag::{Evidence, Finding, Level, Place, RuleInfo, Upkeep};
 use crate::rules::{Check, Rule, RuleCx};
 
@@ -19,22 +19,22 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(upkeep: &Upkeep, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(baseline) = upkeep.baseline.as_ref().filter(|baseline| !baseline.stale.is_empty()) else { return };
-    let (stale, judged) = (baseline.stale.len(), baseline.judged);
-    let (message, help) = match (stale, judged) {
-        (stale, judged) if upkeep.errors => {
+    let (stale, checked) = (baseline.stale.len(), baseline.checked);
+    let (message, help) = match (stale, checked) {
+        (stale, checked) if upkeep.errors => {
             let verb = if stale == 1 { "was" } else { "were" };
-            (format!("{stale} of {judged} entries of the baseline {verb} not found again"), MEND_FIRST)
+            (format!("{stale} of {checked} entries of the baseline {verb} not found again"), FIX_FIRST)
         }
         (1, 1) => ("the only entry of the baseline no longer occurs".to_owned(), PRUNE),
-        (stale, judged) if stale == judged => (
-            format!("none of the {judged} entries of the baseline occurs: is it that of another repository?"),
+        (stale, checked) if stale == checked => (
+            format!("none of the {checked} entries of the baseline occurs: is it that of another repository?"),
             "name the baseline of this repository, or write it anew with `--write-baseline`",
         ),
-        (1, judged) => (format!("1 of {judged} entries of the baseline no longer occurs"), PRUNE),
-        (stale, judged) => (format!("{stale} of {judged} entries of the baseline no longer occur"), PRUNE),
+        (1, checked) => (format!("1 of {checked} entries of the baseline no longer occurs"), PRUNE),
+        (stale, checked) => (format!("{stale} of {checked} entries of the baseline no longer occur"), PRUNE),
     };
     let finding = Finding::new(&RULE.info, baseline.path.clone(), Place::File, message).help(help);
-    out.push(finding.evidence(Evidence::of_cases(&baseline.stale).out_of(judged)));
+    out.push(finding.evidence(Evidence::of_cases(&baseline.stale).out_of(checked)));
 }
 
 const PRUNE: &str = "run again with `--write-baseline`, which prunes them";

@@ -11,7 +11,7 @@ use super::Rule;
 use crate::diag::{Finding, IgnoreUse};
 
 /// What to do about something that is not found any more, while there are errors.
-const MEND_FIRST: &str = "mend the errors first: what they hide may still be there";
+const FIX_FIRST: &str = "mend the errors first: what they hide may still be there";
 
 /// A finding of `rule` on an ignore.
 fn on(rule: &Rule, ignore: &IgnoreUse, message: String) -> Finding {

@@ -1,6 +1,6 @@
 //! An ignore without effect.
 
-use super::{MEND_FIRST, on, where_of};
+use super::{FIX_FIRST, on, where_of};
 use crate::diag::{Finding, IgnoreState, Level, RuleInfo, Upkeep};
 use crate::rules::{Check, Rule, RuleCx};
 
@@ -32,7 +32,7 @@ fn run(upkeep: &Upkeep, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                     ignore.rule,
                     where_of(ignore)
                 ),
-                if upkeep.errors { MEND_FIRST } else { "remove the mute" },
+                if upkeep.errors { FIX_FIRST } else { "remove the mute" },
             ),
             IgnoreState::CannotBeIgnored => (
                 format!("`{}` is a matter of safety and cannot be muted; the mute has no effect", ignore.rule),

@@ -1,4 +1,4 @@
-//! References that stand in the judged layer, by file and cause, and what follows if they lead nowhere.
+//! References that stand in the checked layer, by file and cause, and what follows if they lead nowhere.
 
 use std::collections::BTreeMap;
 

@@ -45,7 +45,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
 }
 
-/// Files whose names a reference of the judged layer writes in another form of accented letters.
+/// Files whose names a reference of the checked layer writes in another form of accented letters.
 fn named_in_another_form<'a>(view: &View<'a>) -> Vec<&'a str> {
     let layers = view.layers();
     let own = view.references().iter().filter(|reference| layers.is_checked(reference.from));

@@ -24,11 +24,11 @@ fn run(file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for duplicate in &file.json.duplicates {
         by_member.entry(&duplicate.pointer).or_default().push(duplicate);
     }
-    out.extend(by_member.into_iter().filter_map(|(pointer, all)| judge(file, pointer, &all)));
+    out.extend(by_member.into_iter().filter_map(|(pointer, all)| finding(file, pointer, &all)));
 }
 
 /// One finding for a key, however often it occurs: at the first one that is lost, with the one that wins.
-fn judge(file: &FileFacts, pointer: &str, all: &[&Duplicate]) -> Option<Finding> {
+fn finding(file: &FileFacts, pointer: &str, all: &[&Duplicate]) -> Option<Finding> {
     let (first, last) = (all.first()?, all.last()?);
     let key = pointer.rsplit('/').next().unwrap_or_default().replace("~1", "/").replace("~0", "~");
     let equal = all.iter().all(|duplicate| duplicate.equal);

@@ -35,11 +35,11 @@ fn run(file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         // Two missing keys of one object fail at the same keyword; they are two faults.
         by_keyword.entry((&fault.keyword, lack(fault))).or_default().push(fault);
     }
-    out.extend(by_keyword.into_iter().filter_map(|((keyword, lack), all)| judge(file, keyword, lack, &all)));
+    out.extend(by_keyword.into_iter().filter_map(|((keyword, lack), all)| finding(file, keyword, lack, &all)));
 }
 
 /// One finding for all values that fail in the same way.
-fn judge(file: &FileFacts, keyword: &str, lack: Option<String>, all: &[&SchemaFault]) -> Option<Finding> {
+fn finding(file: &FileFacts, keyword: &str, lack: Option<String>, all: &[&SchemaFault]) -> Option<Finding> {
     let first = all.first()?;
     let message = match all.len() {
         1 => sentence(first),

@@ -34,7 +34,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         for unknown in file.schema.unknown.iter().filter(|unknown| !told(unknown)) {
             by_key.entry((&unknown.key, unknown.object.as_deref())).or_default().push(unknown);
         }
-        out.extend(by_key.into_values().filter_map(|all| judge(file, &all)));
+        out.extend(by_key.into_values().filter_map(|all| finding(file, &all)));
     }
 }
 
@@ -43,7 +43,7 @@ type Told<'f> = BTreeSet<(String, &'f str)>;
 
 /// The misspelt keys for which entries of `modelling.json` are said to have no effect.
 fn told_sliders<'f>(view: &View<'_>, file: &'f FileFacts) -> Told<'f> {
-    // Generated entries are not judged for their effect.
+    // Generated entries are not checked for their effect.
     match &file.content {
         Content::Modelling(model) if !view.is_generated(&file.rel) => {
             let sliders = model.sliders.iter();
@@ -89,7 +89,7 @@ fn is_told(file: &FileFacts, sliders: &Told<'_>, unknown: &UnknownKey) -> bool {
 }
 
 /// One finding for a key, however many objects have it.
-fn judge(file: &FileFacts, all: &[&UnknownKey]) -> Option<Finding> {
+fn finding(file: &FileFacts, all: &[&UnknownKey]) -> Option<Finding> {
     let first = all.first()?;
     let owner = first.object.as_deref().map(|object| format!(" of a {}", object.to_lowercase())).unwrap_or_default();
     let times = if all.len() == 1 { String::new() } else { format!(" ({} times)", all.len()) };

@@ -79,7 +79,7 @@ fn fix(
     target: &FileFacts,
     unmet: &BTreeMap<&str, usize>,
 ) -> Fix {
-    // Also names that are not quite right: they may be mended next.
+    // Also names that are not quite right: they may be fixed next.
     let users = view.references.to_file(target).count() + unmet.get(stem(&target.rel)).copied().unwrap_or_default();
     let archived = base.targets.is_some_and(|folder| folder.archive().is_some());
     let fix = Fix::new(RULE.info.fix, "write `null` and remove the file");
@@ -106,10 +106,10 @@ fn stem(rel: &str) -> &str {
 }
 
 fn moves_nothing(file: &FileFacts) -> bool {
-    let judged = |facts: &TargetFacts| {
+    let is_checked = |facts: &TargetFacts| {
         // Lines that are no rows are lost, which is a finding of its own.
         let damaged = facts.unreadable_rows + facts.non_finite.count + facts.field_count.count;
         facts.moving == 0 && damaged == 0
     };
-    file.target().is_some_and(judged)
+    file.target().is_some_and(is_checked)
 }

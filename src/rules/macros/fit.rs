@@ -1,4 +1,4 @@
-//! Which combination a target file was made for, judged by the values that its name spells.
+//! Which combination a target file was made for, told by the values that its name spells.
 //!
 //! File names are free; by habit they are the values of a combination, with those left out that make no difference.
 

@@ -3,7 +3,7 @@
 use super::super::cause::schema::is_sound;
 use super::super::{Check, Rule, RuleCx};
 use super::component::{patterns, unknown_patterns};
-use super::judgeable::clear_space;
+use super::sound::clear_space;
 use crate::diag::{Application, Finding, Level, Place, RuleInfo, pointer};
 use crate::formats::macro_json::{MacroFile, Macrodef};
 use crate::repo::FileFacts;

@@ -2,8 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::judgeable::judged_space;
 use super::listing::{Listing, Slip};
+use super::sound::sound_space;
 use super::space::Space;
 use crate::diag::nearest;
 use crate::formats::macro_json::{Component, Link, MacroFile, Macrodef};
@@ -40,7 +40,7 @@ struct Usage<'a> {
 pub(super) fn misspelt_values<'a>(file: &FileFacts, macros: &'a MacroFile) -> Vec<MisspeltValue<'a>> {
     let mut usages: BTreeMap<&str, Usage<'a>> = BTreeMap::new();
     for macrodef in &macros.macrodefs {
-        let Some(space) = judged_space(file, macros, macrodef) else { continue };
+        let Some(space) = sound_space(file, macros, macrodef) else { continue };
         let listing = Listing::of(&space, macrodef);
         for (axis, component) in space.axes.iter().enumerate() {
             let usage = usages.entry(&component.name).or_default();

@@ -1,7 +1,7 @@
 //! No two macro definitions may share the name of a combination.
 
 use super::super::{Check, Rule, RuleCx};
-use super::judgeable::clear_space;
+use super::sound::clear_space;
 use super::space::Space;
 use super::titles;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};

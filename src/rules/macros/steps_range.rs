@@ -33,7 +33,7 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             continue;
         }
         let Some((fault, effect)) = fault(steps) else { continue };
-        // To mend one end and break the other is another fault.
+        // To fix one end and break the other is another fault.
         let end = fault.split_whitespace().next().unwrap_or_default();
         let slider = component.pattern.as_deref().map(|pattern| format!(" (slider `{pattern}`)")).unwrap_or_default();
         let message = format!("`steps` of `{}`{slider} {fault}", component.name);

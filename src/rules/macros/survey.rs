@@ -7,9 +7,9 @@ use std::collections::BTreeSet;
 use super::absence::{Absence, absences, index};
 use super::combination_patterns::is_walkable;
 use super::component::unknown_patterns;
-use super::judgeable::judged_space;
 use super::links::is_in_folder;
 use super::listing::Listing;
+use super::sound::sound_space;
 use super::space::{Combination, Space};
 use super::spelled::Spelled;
 use crate::formats::macro_json::Macrodef;
@@ -35,7 +35,7 @@ pub(super) fn survey<'s>(base: &Base<'s>, macrodef: &'s Macrodef, free: &[&'s Fi
     let (file, macros) = base.macro_file()?;
     // Without sliders nothing tells which values are neutral; the missing file is reported itself.
     base.modelling.winner()?;
-    let space = judged_space(file, macros, macrodef)?;
+    let space = sound_space(file, macros, macrodef)?;
     // A dead definition has no corners, whatever it lists.
     if space.axes.iter().any(|axis| !unknown_patterns(base, axis).is_empty()) {
         return None;

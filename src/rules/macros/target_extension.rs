@@ -80,7 +80,7 @@ fn fix(view: &View<'_>, base: &Base<'_>, file: &FileFacts, macrodef: &Macrodef, 
 fn exists(base: &Base<'_>, macrodef: &Macrodef, name: &str) -> bool {
     let folder = macrodef.effective_folder.as_deref();
     let name = folder.map_or_else(|| name.to_owned(), |folder| format!("{folder}/{name}"));
-    // Other faults of the name have findings of their own, and are mended afterwards.
+    // Other faults of the name have findings of their own, and are fixed afterwards.
     base.target_named(&name).meant().is_some()
 }
 

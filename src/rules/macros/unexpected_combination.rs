@@ -1,9 +1,9 @@
 //! A listed combination must be one that its macro definition generates.
 
 use super::super::{Check, Rule, RuleCx};
-use super::judgeable::judged_space;
 use super::listing::{Listing, Slip, Stranger};
 use super::misspelt_value::{MisspeltValue, misspelt_values, other_component};
+use super::sound::sound_space;
 use super::space::Space;
 use super::titles;
 use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
@@ -40,7 +40,7 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         if macrodef.components.is_empty() {
             out.extend(without_components(file, macrodef));
         }
-        let Some(space) = judged_space(file, macros, macrodef) else { continue };
+        let Some(space) = sound_space(file, macros, macrodef) else { continue };
         let listing = Listing::of(&space, macrodef);
         if let Some(finding) = finding_on_comp(file, macros, macrodef, (&space, &listing)) {
             out.push(finding);

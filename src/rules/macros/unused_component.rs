@@ -2,7 +2,7 @@
 
 use super::super::cause::schema::is_sound;
 use super::super::{Check, Rule, RuleCx};
-use super::judgeable::clear_space;
+use super::sound::clear_space;
 use super::space::Space;
 use crate::diag::{Application, Finding, Level, Place, RuleInfo, nearest};
 use crate::formats::macro_json::{MacroFile, Macrodef};

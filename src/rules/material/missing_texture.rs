@@ -3,14 +3,14 @@
 use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, Sight, Suggestions};
+use crate::diag::{Application, Evidence, Extent, Finding, Level, Place, RuleInfo, Suggestions};
 use crate::discover::{Kind, extension};
 use crate::formats::mhmat::Texture;
 use crate::repo::{FileFacts, Reference, ReferenceKind, Resolution, View, parent};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        sight: Some(Sight::Base),
+        extent: Some(Extent::Base),
         breaks: &[(Application::Makehuman2, "drops the keyword without a message and goes without this texture")],
         docs: "`diffuseTexture`, `normalmapTexture`, `aomapTexture`, `metallicRoughnessTexture` and `emissiveTexture` name a \
             picture. MakeHuman 2 drops a keyword whose picture it does not find, without a message: the surface has the colour \

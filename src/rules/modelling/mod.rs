@@ -1,6 +1,6 @@
 //! Rules on `modelling.json`, `target_cat.json` and user targets of MakeHuman 2.
 //!
-//! What they share: which of the files can be judged at all when another one is damaged, and the groups and
+//! What they share: which of the files can be checked at all when another one is damaged, and the groups and
 //! patterns that exist.
 
 pub(super) mod barycentric_arity;

@@ -22,7 +22,7 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for bound in with_patterns(base).unwrap_or_default() {
         let Some(link) = Link::of(bound) else { continue };
         let Some(partner) = base.slider(link.partner) else { continue };
-        if let Some((message, help)) = judge(base, bound, &link, partner) {
+        if let Some((message, help)) = fault(base, bound, &link, partner) {
             let key = bound.slider.key.as_str();
             let mut finding = RULE.at(bound.file, Place::pointer([key, link.member]), message).key(key).help(help);
             if !std::ptr::eq(partner, bound) {
@@ -55,7 +55,7 @@ impl<'s> Link<'s> {
     }
 }
 
-fn judge(
+fn fault(
     base: &Base<'_>,
     bound: &BoundSlider<'_>,
     link: &Link<'_>,

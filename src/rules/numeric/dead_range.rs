@@ -31,8 +31,8 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
     let Some((_, base)) = body.makehuman2() else { return };
     let Some((file, macros)) = base.macro_file() else { return };
     for (number, macrodef) in macros.macrodefs.iter().enumerate() {
-        let judged = |range: &&DeadRange| range.macrodef == number && is_sound(macros, macrodef);
-        let ranges: Vec<&DeadRange> = measures.macros.dead.iter().filter(judged).collect();
+        let checked = |range: &&DeadRange| range.macrodef == number && is_sound(macros, macrodef);
+        let ranges: Vec<&DeadRange> = measures.macros.dead.iter().filter(checked).collect();
         let Some(parts) = ranges.iter().map(|range| told(macros, range)).collect::<Option<Vec<_>>>() else { continue };
         if parts.is_empty() {
             continue;

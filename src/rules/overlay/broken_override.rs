@@ -4,7 +4,7 @@ use super::super::cause::consequence::ignored_override;
 use super::super::cause::is_ignored_override;
 use super::super::{Check, Rule, RuleCx};
 use super::overrides;
-use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Place, Rewrite, RuleInfo, Sight};
+use crate::diag::{Application, Change, Extent, Finding, Fix, FixKind, Level, Place, Rewrite, RuleInfo};
 use crate::formats::Content;
 use crate::formats::json_file::JsonFault;
 use crate::repo::FileFacts;
@@ -12,7 +12,7 @@ use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        sight: Some(Sight::Base),
+        extent: Some(Extent::Base),
         fix: FixKind::Safe,
         breaks: &[(
             Application::Makehuman2,

@@ -1,17 +1,17 @@
-//! What cannot be judged because the system data was not given.
+//! What cannot be checked because the system data was not given.
 
 use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
 use super::counted;
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, Sight};
+use crate::diag::{Application, Evidence, Extent, Finding, Level, Place, RuleInfo};
 use crate::formats::Content;
 use crate::repo::makehuman2::{Base, View};
 use crate::repo::{FileFacts, Reference, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        sight: Some(Sight::Base),
+        extent: Some(Extent::Base),
         breaks: &[(Application::Makehuman2, "finds the files if its system data has them, otherwise not")],
         docs: "User data lies over the data that comes with MakeHuman 2. Names in it may lead to files there, which \
             `mhlint` cannot know when it is given the user's folder alone. The same goes for vertices: whether the base mesh \
@@ -52,10 +52,10 @@ fn open_references<'r, 'a>(view: &'r View<'a>, base: &'r Base<'a>) -> Vec<&'r Re
 
 /// Files whose vertices are those of a base mesh that only the system has.
 fn unmeasured<'a>(view: &View<'a>, base: &Base<'a>) -> Vec<&'a FileFacts> {
-    let judged = view.layers.checked;
+    let checked = view.layers.checked;
     let meshes = ["base.obj", "base.mhbin"].map(|name| format!("base/{}/{name}", base.name));
     // A mesh that is there and broken has a finding of its own.
-    if base.has_system || meshes.iter().any(|mesh| judged.file(mesh).is_some() || judged.has_unusable(mesh)) {
+    if base.has_system || meshes.iter().any(|mesh| checked.file(mesh).is_some() || checked.has_unusable(mesh)) {
         return Vec::new();
     }
     let names_vertices = |file: &&FileFacts| match &file.content {
@@ -64,7 +64,7 @@ fn unmeasured<'a>(view: &View<'a>, base: &Base<'a>) -> Vec<&'a FileFacts> {
         Content::Weights(weights) => weights.bones.iter().any(|bone| bone.listed > 0),
         _ => false,
     };
-    let own = judged.files.values().filter(|file| file.base() == Some(base.name));
+    let own = checked.files.values().filter(|file| file.base() == Some(base.name));
     own.filter(names_vertices).collect()
 }
 

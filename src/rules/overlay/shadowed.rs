@@ -2,12 +2,12 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::{Override, counted, is_complete, overrides};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, Sight};
+use crate::diag::{Application, Evidence, Extent, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        sight: Some(Sight::Base),
+        extent: Some(Extent::Base),
         breaks: &[(Application::Makehuman2, "reads the file in contarget and not the system's")],
         docs: "macro.json, modelling.json and target_cat.json in `contarget/<base>/` replace the system's files of the same \
             names as a whole; nothing is merged. With macro.json the target files change as well: all of the system's \

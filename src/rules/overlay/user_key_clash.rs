@@ -2,12 +2,12 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::counted;
-use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo, Sight};
+use crate::diag::{Application, EXAMPLES, Evidence, Extent, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        sight: Some(Sight::Base),
+        extent: Some(Extent::Base),
         breaks: &[(Application::Makehuman2, "shows the user's slider in place of the other one, which is gone")],
         docs: "The generated modelling.json of the user's targets is merged over the sliders of the base, key by key, and the \
             user's entry wins. Its keys are made from folder and file: `head/size.target` becomes `Head Size`. If the base \

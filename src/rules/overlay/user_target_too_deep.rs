@@ -4,13 +4,13 @@ use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx};
 use super::counted;
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, Sight};
+use crate::diag::{Application, Evidence, Extent, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 use crate::repo::{FileFacts, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        sight: Some(Sight::Base),
+        extent: Some(Extent::Base),
         breaks: &[(Application::Makehuman2, "packs the targets into its archive but offers no slider for them")],
         docs: "For the user's own targets MakeHuman 2 makes sliders from the files in `target/<base>/` and in the folders \
             directly below it. It does not look deeper. Files further down are still read and packed at every start, and a \

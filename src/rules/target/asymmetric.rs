@@ -2,14 +2,14 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::shown::shown_by;
-use crate::diag::{Application, Evidence, Finding, Level, OptionInfo, Place, RuleInfo, Sight};
+use crate::diag::{Application, Evidence, Extent, Finding, Level, OptionInfo, Place, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::eval::target_measure::TargetMeasure;
 use crate::repo::{Body, FileFacts};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        sight: Some(Sight::FolderAndRigs),
+        extent: Some(Extent::FolderAndRigs),
         breaks: &[(Application::Makehuman2, "makes the figure uneven; symmetry cannot even it out")],
         docs: "A target whose name says no side (no `l`, `r`, `left`, `right`) moves one side otherwise than the other.\n\n\
             Targets whose names end as `nonsym` under `random` of base.json says are meant to be so and left alone. A target \
@@ -33,10 +33,10 @@ fn run(body: &Body<'_>, measures: &Measures, cx: &RuleCx<'_>, out: &mut Vec<Find
     let Some(one_sided_endings) = body.one_sided_endings else { return };
     let share = cx.option(&RULE, "share");
     let mut slight: Vec<(&FileFacts, &TargetMeasure)> = Vec::new();
-    let mut judged = 0;
+    let mut checked = 0;
     for target in measures.targets.iter().filter(|target| !is_meant(one_sided_endings, &target.name)) {
         let Some(file) = body.target(&target.path).map(|own| own.file) else { continue };
-        judged += 1;
+        checked += 1;
         let mirror = &target.own_mirror;
         let different = mirror.different.len();
         if different == 0 || is_told_by_cubes(target) {
@@ -48,7 +48,7 @@ fn run(body: &Body<'_>, measures: &Measures, cx: &RuleCx<'_>, out: &mut Vec<Find
             slight.push((file, target));
         }
     }
-    out.extend(uneven(body, &slight, judged));
+    out.extend(uneven(body, &slight, checked));
 }
 
 /// Whether the name says that it is not symmetric.
@@ -83,12 +83,12 @@ fn one_sided(body: &Body<'_>, file: &FileFacts, target: &TargetMeasure) -> Optio
 }
 
 /// One line for all targets in which a few vertices were missed; it stands at their folder.
-fn uneven(body: &Body<'_>, slight: &[(&FileFacts, &TargetMeasure)], judged: usize) -> Option<Finding> {
+fn uneven(body: &Body<'_>, slight: &[(&FileFacts, &TargetMeasure)], checked: usize) -> Option<Finding> {
     let worst = |target: &TargetMeasure| target.own_mirror.worst.map_or(0.0, |(_, worst)| worst);
     let (file, target) = slight.iter().max_by(|a, b| worst(a.1).total_cmp(&worst(b.1)))?;
     let (vertex, distance) = target.own_mirror.worst?;
     let message = format!(
-        "{} of {judged} targets without a side are uneven in a few vertices, most `{}` (vertex {vertex} by {distance:.3} units)",
+        "{} of {checked} targets without a side are uneven in a few vertices, most `{}` (vertex {vertex} by {distance:.3} units)",
         slight.len(),
         target.name
     );
@@ -112,6 +112,6 @@ fn uneven(body: &Body<'_>, slight: &[(&FileFacts, &TargetMeasure)], judged: usiz
                 vertices.map(|vertex| (format!("{} {vertex}", target.name), &file.path))
             }))
             .help("make these vertices symmetric")
-            .evidence(evidence.out_of(judged).with_worst(distance, format!("{} vertex {vertex}", target.name))),
+            .evidence(evidence.out_of(checked).with_worst(distance, format!("{} vertex {vertex}", target.name))),
     )
 }

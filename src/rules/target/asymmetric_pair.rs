@@ -2,13 +2,13 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::shown::shown_by;
-use crate::diag::{Application, Element, Evidence, Finding, Level, Place, RuleInfo, Sight};
+use crate::diag::{Application, Element, Evidence, Extent, Finding, Level, Place, RuleInfo};
 use crate::eval::measures::{Measures, PairMeasure};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        sight: Some(Sight::FolderAndRigs),
+        extent: Some(Extent::FolderAndRigs),
         breaks: &[(
             Application::Makehuman2,
             "gives the two sides different shapes for the same setting of their sliders",

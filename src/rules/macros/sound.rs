@@ -10,7 +10,7 @@ use crate::formats::macro_json::{MacroFile, Macrodef};
 use crate::repo::FileFacts;
 
 /// What a definition generates, if neither `comp`, `targets` nor one of its components is faulty.
-pub(super) fn judged_space<'a>(file: &FileFacts, macros: &'a MacroFile, macrodef: &Macrodef) -> Option<Space<'a>> {
+pub(super) fn sound_space<'a>(file: &FileFacts, macros: &'a MacroFile, macrodef: &Macrodef) -> Option<Space<'a>> {
     let own = format!("/macrodef/{}", macrodef.index);
     let faulty = |fault: &str| fault == own || fault == format!("{own}/targets");
     let is_whole = is_sound(file, &format!("{own}/comp")) && !file.schema.faults.iter().any(|f| faulty(&f.pointer));
@@ -20,7 +20,7 @@ pub(super) fn judged_space<'a>(file: &FileFacts, macros: &'a MacroFile, macrodef
 
 /// The same, if most of the names are spelled with the components; else `comp` holds other ones than were meant.
 pub(super) fn clear_space<'a>(file: &FileFacts, macros: &'a MacroFile, macrodef: &Macrodef) -> Option<Space<'a>> {
-    let space = judged_space(file, macros, macrodef)?;
+    let space = sound_space(file, macros, macrodef)?;
     let spelled = macrodef.links.iter().filter(|link| space.parse(&link.name).is_some()).count();
     (spelled * 2 >= macrodef.links.len()).then_some(space)
 }

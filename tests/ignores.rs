@@ -1,4 +1,4 @@
-//! Mutes and findings over several files, through the real binary: what is muted is neither told nor mended.
+//! Ignores and findings over several files, through the real binary: what is ignored is neither told nor fixed.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may stop where it fails")]
 
 mod scratch;
@@ -44,13 +44,13 @@ fn ignore_of(path: &str) -> String {
 }
 
 #[test]
-fn a_fix_spares_the_files_for_which_the_rule_is_muted() {
+fn a_fix_leaves_out_the_files_for_which_the_rule_is_ignored() {
     for config in [ignore_of(B), config_for("data/target/figure/torso/**"), format!("exclude = [\"{B}\"]\n")] {
         let repository = repository(&config, &[]);
         let output = mhlint(repository.path(), &["data", "--fix", "--only", "target-zero-delta"]);
-        let is_spared = !config.contains("[[path]]");
+        let is_left_out = !config.contains("[[path]]");
         // `--only` goes before `[[path]]`.
-        assert_eq!(rows(repository.path()), [false, is_spared], "{config}{}", stderr(&output));
+        assert_eq!(rows(repository.path()), [false, is_left_out], "{config}{}", stderr(&output));
         let repository = self::repository(&config, &[]);
         let output = mhlint(repository.path(), &["data", "--fix"]);
         assert_eq!(rows(repository.path()), [false, true], "{config}{}", stderr(&output));
@@ -72,7 +72,7 @@ fn a_fix_writes_nothing_beside_the_paths() {
 }
 
 #[test]
-fn who_names_one_of_several_files_is_told_and_gets_it_mended() {
+fn who_names_one_of_several_files_is_told_and_gets_it_fixed() {
     let repository = repository("", &[]);
     let found = findings(&mhlint(repository.path(), &[B, "--report", "concise"]));
     assert!(matches!(found.as_slice(), [line] if line.contains("[target-zero-delta]")), "{found:?}");
@@ -83,7 +83,7 @@ fn who_names_one_of_several_files_is_told_and_gets_it_mended() {
 }
 
 #[test]
-fn what_several_files_have_is_muted_when_it_is_for_all_of_them() {
+fn what_several_files_have_is_ignored_when_it_is_for_all_of_them() {
     for one in [A, B] {
         for (config, commented) in [(ignore_of(one), vec![]), (String::new(), vec![one]), (config_for(one), vec![])] {
             let told = told(repository(&config, &commented).path());
@@ -97,7 +97,7 @@ fn what_several_files_have_is_muted_when_it_is_for_all_of_them() {
 }
 
 #[test]
-fn what_two_files_have_between_them_is_muted_at_either() {
+fn what_two_files_have_between_them_is_ignored_at_either() {
     let [left, right] = ["l", "r"].map(|side| format!("data/target/figure/legs/{side}-foot-trans-forward.target"));
     let pair = |commented: Option<&String>| {
         let repository = example();
@@ -116,7 +116,7 @@ fn what_two_files_have_between_them_is_muted_at_either() {
 }
 
 #[test]
-fn a_fix_that_is_one_whole_is_left_out_where_a_file_of_it_is_muted() {
+fn a_fix_that_is_one_whole_is_left_out_where_a_file_of_it_is_ignored() {
     let empty = "data/target/figure/macro_build/teen-maxmuscle.target";
     let repository = example();
     let before = fs::read_to_string(repository.path().join("data/target/figure/macro.json")).unwrap();
@@ -129,7 +129,7 @@ fn a_fix_that_is_one_whole_is_left_out_where_a_file_of_it_is_muted() {
 }
 
 #[test]
-fn a_folder_is_muted_by_its_files() {
+fn a_folder_is_ignored_by_its_files() {
     let ignore =
         "[[ignore]]\nrule = \"target-unreferenced\"\npath = \"data/target/figure/new/*.target\"\nreason = \"later\"\n";
     let comment = "# mhlint: ignore target-unreferenced later\n";
@@ -165,7 +165,7 @@ fn told_of_text(name: &str, comment: &str) -> Vec<String> {
 }
 
 #[test]
-fn every_format_with_comments_holds_mutes_of_its_own() {
+fn every_format_with_comments_holds_ignores_of_its_own() {
     for name in ["hat.mhclo", "hat.proxy", "hat.mhmat", "hat.mhm"] {
         let told = |comment: &str| told_of_text(name, comment);
         assert_eq!(told("# mhlint: ignore file-not-utf8 an old name"), [""; 0], "{name}");
