@@ -63,6 +63,11 @@ impl Evidence {
         Self { count, groups: Some(told.count), ..told }
     }
 
+    /// Evidence on `count` elements, without examples.
+    pub fn counted(count: usize) -> Self {
+        Self { count: count as u64, ..Self::default() }
+    }
+
     fn add(&mut self, case: &impl ToString) {
         self.count += 1;
         if self.examples.len() < EXAMPLES {
@@ -117,16 +122,39 @@ impl From<Evidence> for Cases {
     }
 }
 
+/// Names, as long as they are few. Costs nothing where there are none.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Few<T>(Vec<T>);
+
+impl<T> Few<T> {
+    /// Adds a name.
+    pub fn add(&mut self, name: impl FnOnce() -> T) {
+        if self.0.len() <= NAMED_ROWS {
+            self.0.push(name());
+        }
+    }
+
+    /// The names, or none where they are too many.
+    pub fn names(&self) -> &[T] {
+        if self.0.len() > NAMED_ROWS { &[] } else { &self.0 }
+    }
+}
+
+impl<T> Default for Few<T> {
+    fn default() -> Self {
+        Self(Vec::new())
+    }
+}
+
 /// Counts rows of a bulk file while a parser walks it: how many, the first few with line and index.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Tally {
     /// How many rows.
     pub count: u64,
     /// The first few: line (from 1) and vertex index as written.
     pub first: Vec<(u32, i64)>,
-    /// Indices of all rows, as long as they are few.
-    #[serde(skip)]
-    indices: Vec<i64>,
+    /// Indices of all rows.
+    indices: Few<i64>,
 }
 
 impl Tally {
@@ -136,9 +164,7 @@ impl Tally {
         if self.first.len() < EXAMPLES {
             self.first.push((line, index));
         }
-        if self.indices.len() <= NAMED_ROWS {
-            self.indices.push(index);
-        }
+        self.indices.add(|| index);
     }
 
     /// Line of the first row counted.
@@ -150,7 +176,20 @@ impl Tally {
     pub fn evidence(&self, total: usize) -> Cases {
         let examples = self.first.iter().map(|(_, index)| index.to_string()).collect();
         let evidence = Evidence { count: self.count, of: Some(total as u64), examples, ..Evidence::default() };
-        let is_mass = self.indices.len() > NAMED_ROWS;
-        evidence.naming(self.indices.iter().filter(|_| !is_mass))
+        evidence.naming(self.indices.names())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn too_many_rows_have_no_names() {
+        let mut rows = Few::default();
+        (0..NAMED_ROWS).for_each(|row| rows.add(|| row));
+        assert_eq!(rows.names().len(), NAMED_ROWS);
+        (0..NAMED_ROWS).for_each(|row| rows.add(|| row));
+        assert_eq!((rows.names().len(), rows.0.len()), (0, NAMED_ROWS + 1));
     }
 }

@@ -21,7 +21,7 @@ mod upkeep;
 
 pub use baseline::{Baseline, Entry};
 pub use because::Because;
-pub use evidence::{Cases, EXAMPLES, Evidence, Tally, Worst};
+pub use evidence::{Cases, EXAMPLES, Evidence, Few, Tally, Worst};
 pub use finding::{Break, Finding, IgnoredFiles, Related};
 pub use fix::{Change, Edit, Fix, Rewrite, Step};
 pub use key::{fingerprint, structural};
@@ -32,7 +32,7 @@ pub use outcome::{
     ApplicationVerdict, NotChecked, Outcome, RootSummary, Scope, Summary, TakenOver, Timing, Unchecked, Verdict,
 };
 pub use parts::{Name, Parts};
-pub use place::{Element, Excerpt, Location, Place, pointer};
+pub use place::{Element, Excerpt, Location, Place, add_step, pointer, steps};
 pub use rule_info::{Extent, FixKind, OptionInfo, RuleInfo};
 pub use subject::Subject;
 pub use upkeep::{BaselineUse, IdleGlob, IgnoreState, IgnoreUse, UnknownRule, Upkeep};

@@ -77,11 +77,25 @@ impl Place {
 /// A JSON pointer built from unescaped parts.
 pub fn pointer(parts: &[&str]) -> String {
     let mut pointer = String::new();
-    for part in parts {
-        pointer.push('/');
-        pointer.push_str(&part.replace('~', "~0").replace('/', "~1"));
-    }
+    parts.iter().for_each(|part| add_step(&mut pointer, part));
     pointer
+}
+
+/// Adds a part, unescaped, to a JSON pointer.
+pub fn add_step(pointer: &mut String, part: &str) {
+    pointer.push('/');
+    for character in part.chars() {
+        match character {
+            '~' => pointer.push_str("~0"),
+            '/' => pointer.push_str("~1"),
+            other => pointer.push(other),
+        }
+    }
+}
+
+/// The parts of a JSON pointer, unescaped.
+pub fn steps(pointer: &str) -> impl Iterator<Item = String> {
+    pointer.split('/').skip(1).map(|step| step.replace("~1", "/").replace("~0", "~"))
 }
 
 #[cfg(test)]
@@ -91,5 +105,7 @@ mod tests {
     #[test]
     fn pointer_parts_are_escaped() {
         assert_eq!(Place::pointer(["a/b", "c~d", "0"]), Place::Pointer("/a~1b/c~0d/0".to_owned()));
+        assert_eq!(steps("/a~1b/c~0d/0").collect::<Vec<_>>(), ["a/b", "c~d", "0"]);
+        assert_eq!((steps("").count(), steps("/").count()), (0, 1));
     }
 }

@@ -1,14 +1,12 @@
 //! `base.json`: what a base mesh consists of and how its window is set up (formats/makehuman2.md §7).
 
-use serde::Serialize;
-
 use super::expression::{self, Fault};
 use super::macro_json::{text, texts};
 use super::modelling::fault_in;
 use crate::json::{Document, Node, Value};
 
 /// The file.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct BaseJson {
     /// Groups of the OBJ that are drawn. Without it the program stops.
     pub visible_groups: Option<Vec<String>>,
@@ -39,7 +37,7 @@ pub struct BaseJson {
 }
 
 /// `random` of a base.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Random {
     /// Suffixes of targets that may be asymmetric.
     pub nonsym: Vec<String>,
@@ -54,7 +52,7 @@ pub struct Random {
 }
 
 /// A condition of a rule of the randomizer.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Condition {
     /// Key of the slider it looks at.
     pub slider: String,

@@ -1,11 +1,9 @@
 //! `geometry.json`: vertex ranges of a base mesh, read by offline tools only (formats/makehuman2.md §9).
 
-use serde::Serialize;
-
 use crate::json::{Document, Node};
 
 /// The file.
-#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Geometry {
     /// Name of a part, first and last vertex.
     pub geometry_ranges: Vec<Range>,
@@ -14,7 +12,7 @@ pub struct Geometry {
 }
 
 /// A named vertex range, both ends inclusive.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Range {
     /// The name.
     pub name: String,

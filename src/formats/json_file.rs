@@ -2,8 +2,6 @@
 
 use std::ops::Range;
 
-use serde::Serialize;
-
 use crate::json::{self, Document, Duplicate, SyntaxFault};
 use crate::source::Encoding;
 
@@ -23,7 +21,7 @@ pub enum JsonFault {
 }
 
 /// Facts on a JSON text, whatever its format.
-#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct JsonFacts {
     /// Keys given twice.
     pub duplicates: Vec<Duplicate>,

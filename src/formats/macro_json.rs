@@ -3,12 +3,10 @@
 //! The loader checks nothing (formats/makehuman2.md §3.1); members of a wrong type are left out here
 //! and reported by the schema.
 
-use serde::Serialize;
-
 use crate::json::{Document, Node, Value};
 
 /// The file.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct MacroFile {
     /// Components in file order.
     pub components: Vec<Component>,
@@ -17,7 +15,7 @@ pub struct MacroFile {
 }
 
 /// A component: a dimension of the cross product.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Component {
     /// Its key.
     pub name: String,
@@ -32,7 +30,7 @@ pub struct Component {
 }
 
 /// A macro definition.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Macrodef {
     /// Position in the file; `macro_influence` counts by it.
     pub index: usize,
@@ -55,7 +53,7 @@ pub struct Macrodef {
 }
 
 /// An entry of `targets`.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Link {
     /// Position in `targets`.
     pub index: usize,

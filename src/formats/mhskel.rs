@@ -3,13 +3,11 @@
 //! Keeps what the loader would see and, beside it, which values have a shape that the schema refuses:
 //! what hangs on those must not be checked again.
 
-use serde::Serialize;
-
 use super::macro_json::{text, texts};
 use crate::json::{Document, Node, Value};
 
 /// The file.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Skeleton {
     /// Whether the file is an object at all.
     pub is_object: bool,
@@ -32,7 +30,7 @@ pub struct Skeleton {
 }
 
 /// A part of the file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Section {
     /// No such key.
     #[default]
@@ -44,7 +42,7 @@ pub enum Section {
 }
 
 /// A joint.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Joint {
     /// Its name.
     pub name: String,
@@ -58,7 +56,7 @@ pub struct Joint {
 }
 
 /// A plane.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Plane {
     /// Its name.
     pub name: String,
@@ -67,7 +65,7 @@ pub struct Plane {
 }
 
 /// A bone.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Bone {
     /// Its name.
     pub name: String,
@@ -92,7 +90,7 @@ pub struct Bone {
 }
 
 /// `rotation_plane` of a bone.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub enum RotationPlane {
     /// The key is missing: the normal is (0, 1, 0).
     Absent,

@@ -5,9 +5,10 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::faulty_rows::{FaultyRows, text_name};
+use super::faulty_rows::text_name;
 use super::json_file::JsonFault;
 pub use super::mhw_facts::{FAR_SUMS, PairTally, SumFacts, THRESHOLD, WeightsFacts};
+use crate::diag::{Few, pointer};
 use crate::json::{Duplicate, Reader, SyntaxFault};
 use crate::source::Encoding;
 
@@ -84,7 +85,7 @@ fn read_file(reader: &mut Reader<'_>, weights: &mut Weights) -> Step<()> {
         first = false;
         let (key, _) = reader.key()?;
         if !keys.insert(key.clone()) {
-            note_duplicate(&mut weights.facts, format!("/{}", key.replace('~', "~0").replace('/', "~1")));
+            note_duplicate(&mut weights.facts, pointer(&[&key]));
         }
         if key == "weights" {
             weights.bones.clear();
@@ -122,7 +123,7 @@ fn read_bones(reader: &mut Reader<'_>, weights: &mut Weights) -> Step<()> {
     Ok(())
 }
 
-fn read_pairs(reader: &mut Reader<'_>, bone: &mut BoneWeights, malformed: &mut FaultyRows) -> Step<()> {
+fn read_pairs(reader: &mut Reader<'_>, bone: &mut BoneWeights, malformed: &mut Few<String>) -> Step<()> {
     reader.open()?;
     while reader.more(bone.listed == 0, b']')? {
         let position = u32::try_from(bone.listed).unwrap_or(u32::MAX);
@@ -216,8 +217,7 @@ fn keep_last_of_equal_bones(weights: &mut Weights) {
     let mut last = BTreeMap::new();
     for (index, bone) in weights.bones.iter().enumerate() {
         if last.insert(bone.name.clone(), index).is_some() {
-            let pointer = format!("/weights/{}", bone.name.replace('~', "~0").replace('/', "~1"));
-            note_duplicate(&mut weights.facts, pointer);
+            note_duplicate(&mut weights.facts, pointer(&["weights", &bone.name]));
         }
     }
     if last.len() < weights.bones.len() {

@@ -5,12 +5,9 @@
 
 use std::collections::BTreeMap;
 
-use serde::Serialize;
-
-use super::faulty_rows::FaultyRows;
 use super::json_file::JsonFacts;
 use super::mhw::{BoneWeights, Pair};
-use crate::diag::{Cases, EXAMPLES, Evidence};
+use crate::diag::{Cases, EXAMPLES, Evidence, Few};
 
 /// Entries whose normalised weight is not above this are dropped by the loaders.
 pub const THRESHOLD: f32 = 1e-4;
@@ -20,28 +17,25 @@ pub(super) const SUM_TOLERANCE: f32 = 1e-4;
 pub const FAR_SUMS: [f32; 2] = [0.01, 0.1];
 
 /// Facts on a weights file.
-#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct WeightsFacts {
     /// Well-formed pairs.
     pub pairs: usize,
     /// Pairs that are not `[integer, number]`.
     pub malformed: PairTally,
     /// What these are known by: the bone and the text of the entry.
-    #[serde(skip)]
-    pub malformed_names: FaultyRows,
+    pub malformed_names: Few<String>,
     /// Weights below 0.
     pub negative: PairTally,
     /// Weights above 1, by more than 0.0001.
     pub above_one: PairTally,
     /// How many of them are the only weight of their vertex, so that dividing by the sum makes them 1.
-    #[serde(skip)]
     pub above_one_alone: u64,
     /// NaN and infinity.
     pub non_finite: PairTally,
     /// Pairs that normalising leaves at or below [`THRESHOLD`], zero weights included.
     pub below_threshold: PairTally,
     /// What they take from each vertex, as a share of its weight; in the order of the vertices. Empty without a mesh.
-    #[serde(skip)]
     pub lost: Vec<(u32, f32)>,
     /// A vertex that the bone listed before.
     pub duplicate: PairTally,
@@ -50,7 +44,6 @@ pub struct WeightsFacts {
     /// How many of them are negative.
     pub negative_index: u64,
     /// Sum over all bones per vertex of the mesh, float32 as in the loader. Empty without a mesh.
-    #[serde(skip)]
     pub sums: Vec<f32>,
     /// What the sums look like. Empty without a mesh.
     pub sum: SumFacts,
@@ -59,7 +52,7 @@ pub struct WeightsFacts {
 }
 
 /// Facts on the sums of the vertices.
-#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct SumFacts {
     /// Vertices whose sum is exactly 0: not mentioned, or with zeros only.
     pub unweighted: Vec<u32>,
@@ -72,12 +65,11 @@ pub struct SumFacts {
     /// The vertex farthest from 1, and its sum.
     pub worst: Option<(u32, f32)>,
     /// All of them.
-    #[serde(skip)]
     pub vertices: Vec<u32>,
 }
 
 /// Counts pairs: how many, the first few as bone and position.
-#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct PairTally {
     /// How many.
     pub count: u64,
@@ -85,13 +77,9 @@ pub struct PairTally {
     pub first: Vec<(String, u32, i64, f32)>,
     /// The largest number by amount.
     pub worst: Option<(String, i64, f32)>,
-    /// All of them as `bone[vertex]`, as long as they are few.
-    #[serde(skip)]
-    names: Vec<String>,
+    /// All of them as `bone[vertex]`.
+    names: Few<String>,
 }
-
-/// Pairs that are told apart by name; more of them are one mass.
-const NAMED_PAIRS: usize = 65_536;
 
 impl PairTally {
     fn add(&mut self, bone: &str, pair: Pair) {
@@ -99,9 +87,7 @@ impl PairTally {
         if self.first.len() < EXAMPLES {
             self.first.push((bone.to_owned(), pair.position, pair.vertex, pair.weight));
         }
-        if self.names.len() <= NAMED_PAIRS {
-            self.names.push(format!("{bone}[{}]", pair.vertex));
-        }
+        self.names.add(|| format!("{bone}[{}]", pair.vertex));
         let farther = |worst: &(String, i64, f32)| pair.weight.abs() > worst.2.abs();
         if self.worst.as_ref().is_none_or(farther) {
             self.worst = Some((bone.to_owned(), pair.vertex, pair.weight));
@@ -112,8 +98,7 @@ impl PairTally {
     pub fn evidence(&self, total: usize) -> Cases {
         let examples = self.first.iter().map(|(bone, _, vertex, _)| format!("{bone}[{vertex}]")).collect();
         let evidence = Evidence { count: self.count, of: Some(total as u64), examples, ..Evidence::default() };
-        let is_mass = self.names.len() > NAMED_PAIRS;
-        evidence.naming(self.names.iter().filter(|_| !is_mass))
+        evidence.naming(self.names.names())
     }
 }
 

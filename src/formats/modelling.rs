@@ -1,7 +1,5 @@
 //! `modelling.json`: the sliders (formats/makehuman2.md §4). Formulas are checked here, never evaluated.
 
-use serde::Serialize;
-
 use super::expression::{self, Fault};
 use super::format_text;
 use super::macro_json::{text, texts};
@@ -9,7 +7,7 @@ use crate::diag::nearest;
 use crate::json::{Document, Node, Value};
 
 /// The file: sliders in file order, of equal keys the last.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Modelling {
     /// The sliders.
     pub sliders: Vec<Slider>,
@@ -18,7 +16,7 @@ pub struct Modelling {
 }
 
 /// An entry.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Slider {
     /// Its key, unique in the file.
     pub key: String,
@@ -89,7 +87,7 @@ pub const EFFECTS: [&str; 4] = ["incr", "decr", "macro", "barycentric"];
 const NOTES: [&str; 8] = ["description", "comment", "author", "copyright", "license", "tags", "uuid", "version"];
 
 /// `display` of a slider.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Display {
     /// Line of the status text, 1..5.
     pub slot: Option<f64>,

@@ -6,13 +6,11 @@
 
 use std::io::{ErrorKind, Read};
 
-use serde::Serialize;
-
 use super::content_hash::ContentHash;
 use super::npy_header::{Literal, parse_header};
 
 /// Why an array cannot be used as a target.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub enum NpyFault {
     /// No array of `NumPy`.
     NotNpy,
@@ -33,7 +31,7 @@ pub enum NpyFault {
 }
 
 /// What an array holds.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Rows {
     /// How many rows.
     pub count: u64,

@@ -6,14 +6,13 @@
 
 use std::io::{BufReader, Cursor, Read};
 
-use serde::Serialize;
 use zip::ZipArchive;
 
 pub use super::npy::{NpyFault, Rows};
 use crate::source::Limits;
 
 /// A parsed archive.
-#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Archive {
     /// Members in the order of the archive.
     pub members: Vec<Member>,
@@ -24,7 +23,7 @@ pub struct Archive {
 }
 
 /// A member of an archive.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Member {
     /// Key by which the application asks for it: path without `.npy`.
     pub name: String,
@@ -33,7 +32,7 @@ pub struct Member {
 }
 
 /// Why an archive cannot be opened.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub enum ArchiveFault {
     /// No byte in it: what MakeHuman 2 leaves behind when it stops while writing.
     Empty,

@@ -6,8 +6,6 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use serde::Serialize;
-
 use super::faulty_rows::row_name;
 use super::fields::fields;
 pub use super::obj_facts::{BadLine, MeshFacts, Reopened};
@@ -47,7 +45,7 @@ pub struct Face {
 }
 
 /// A face group.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Group {
     /// Name (the first word behind `g`).
     pub name: String,

@@ -4,11 +4,8 @@
 
 use std::collections::BTreeSet;
 
-use serde::Serialize;
-
-use super::faulty_rows::FaultyRows;
 use super::obj::{Face, Mesh, NO_UV, Side};
-use crate::diag::Tally;
+use crate::diag::{Few, Tally};
 
 /// Two texture coordinates of one vertex farther apart than this make a duplicate.
 const SEAM_DISTANCE: f32 = 0.001;
@@ -16,7 +13,7 @@ const SEAM_DISTANCE: f32 = 0.001;
 const LANDINGS_KEPT: usize = 3;
 
 /// Facts on a mesh file.
-#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct MeshFacts {
     /// Vertices of the file.
     pub vertices: usize,
@@ -29,8 +26,7 @@ pub struct MeshFacts {
     /// How many such lines.
     pub unreadable_lines: u64,
     /// What they are known by: the vertex, the texture coordinate, the text of a face.
-    #[serde(skip)]
-    pub unreadable_names: FaultyRows,
+    pub unreadable_names: Few<String>,
     /// Faces with a vertex or texture coordinate that does not exist (line, number as written).
     pub face_out_of_range: Tally,
     /// Vertices with NaN or infinity (line, vertex).
@@ -42,7 +38,7 @@ pub struct MeshFacts {
 }
 
 /// A group name that was opened again after another one.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Reopened {
     /// The name.
     pub name: String,
@@ -57,7 +53,7 @@ pub struct Reopened {
 }
 
 /// A group of which some faces have texture coordinates.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct PartialUv {
     /// Name of the group.
     pub name: String,
@@ -70,7 +66,7 @@ pub struct PartialUv {
 }
 
 /// A line the loader cannot read.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct BadLine {
     /// Line from 1.
     pub line: u32,

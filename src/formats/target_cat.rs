@@ -1,19 +1,17 @@
 //! `target_cat.json`: the categories under which sliders are shown (formats/makehuman2.md §5.1).
 
-use serde::Serialize;
-
 use super::macro_json::text;
 use crate::json::{Document, Node};
 
 /// The file: categories in file order.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct TargetCategories {
     /// The categories.
     pub categories: Vec<Category>,
 }
 
 /// A category.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Category {
     /// Display name.
     pub name: String,
@@ -24,7 +22,7 @@ pub struct Category {
 }
 
 /// An item of a category.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Item {
     /// Display name.
     pub title: Option<String>,

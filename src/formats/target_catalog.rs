@@ -1,19 +1,17 @@
 //! `target.json` of MPFB: the sliders, section by section (formats/mpfb.md §2.1, §2.2).
 
-use serde::Serialize;
-
 use super::macro_json::text;
 use crate::json::{Document, Node, Value};
 
 /// The file: sections in file order.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct TargetCatalog {
     /// The sections.
     pub sections: Vec<Section>,
 }
 
 /// Sliders whose targets lie in one folder.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Section {
     /// Its key, which is the name of the folder.
     pub name: String,
@@ -22,7 +20,7 @@ pub struct Section {
 }
 
 /// A slider, or one for each side.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Category {
     /// Position in `categories`.
     pub index: usize,
@@ -39,7 +37,7 @@ pub struct Category {
 }
 
 /// An end of a slider.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Slot {
     /// Its key.
     pub key: &'static str,

@@ -1,12 +1,9 @@
 //! What the parser of targets counts on its way; the rules read nothing else.
 
-use serde::Serialize;
-
-use super::faulty_rows::FaultyRows;
-use crate::diag::Tally;
+use crate::diag::{Few, Tally};
 
 /// Facts on one target, counted while parsing.
-#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct TargetFacts {
     /// Data rows (four fields), readable or not.
     pub rows: usize,
@@ -15,13 +12,11 @@ pub struct TargetFacts {
     /// How many rows have such a field.
     pub unreadable_rows: u64,
     /// What these rows are known by.
-    #[serde(skip)]
-    pub unreadable_names: FaultyRows,
+    pub unreadable_names: Few<String>,
     /// Lines that are neither comment nor four fields (line, number of fields).
     pub field_count: Tally,
     /// What these lines are known by.
-    #[serde(skip)]
-    pub field_count_names: FaultyRows,
+    pub field_count_names: Few<String>,
     /// Negative indices.
     pub negative: Tally,
     /// Indices at or beyond the vertex count of the mesh, seam duplicates included.
@@ -53,7 +48,6 @@ pub struct TargetFacts {
     /// Hash over the decoded rows: equal rows, equal hash.
     pub content: u64,
     /// Hash over what comes of the rows: without those that move nothing or are replaced.
-    #[serde(skip)]
     pub displacement: u64,
 }
 
@@ -65,7 +59,7 @@ impl TargetFacts {
 }
 
 /// A field that is no number.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct UnreadableField {
     /// Line from 1.
     pub line: u32,
@@ -76,7 +70,7 @@ pub struct UnreadableField {
 }
 
 /// The largest displacement of a target.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Largest {
     /// Length in decimetres.
     pub length: f32,

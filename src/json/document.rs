@@ -2,9 +2,8 @@
 
 use std::ops::Range;
 
-use serde::Serialize;
-
 use super::reader::{Reader, SyntaxFault};
+use crate::diag::{add_step, steps};
 
 /// A parsed text.
 #[derive(Debug, Clone, PartialEq)]
@@ -18,7 +17,7 @@ pub struct Document {
 }
 
 /// A key given twice; the earlier value is lost.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Duplicate {
     /// Pointer to the member.
     pub pointer: String,
@@ -90,11 +89,6 @@ impl Document {
         let key = steps(pointer).last()?;
         self.at(parent)?.member(&key).map(|member| member.key_span.clone())
     }
-}
-
-pub(super) fn steps(pointer: &str) -> impl Iterator<Item = String> {
-    let body = pointer.strip_prefix('/');
-    body.into_iter().flat_map(|body| body.split('/')).map(|step| step.replace("~1", "/").replace("~0", "~"))
 }
 
 impl Node {
@@ -257,7 +251,7 @@ impl Builder<'_> {
         let mut members: Vec<Member> = Vec::new();
         while self.reader.more(members.is_empty(), b'}')? {
             let (key, key_span) = self.reader.key()?;
-            let length = self.descend(&key.replace('~', "~0").replace('/', "~1"));
+            let length = self.descend(&key);
             let node = self.value()?;
             self.pointer.truncate(length);
             members.push(Member { key: key.into_owned(), key_span, node });
@@ -268,8 +262,7 @@ impl Builder<'_> {
 
     fn descend(&mut self, step: &str) -> usize {
         let length = self.pointer.len();
-        self.pointer.push('/');
-        self.pointer.push_str(step);
+        add_step(&mut self.pointer, step);
         length
     }
 
@@ -277,7 +270,7 @@ impl Builder<'_> {
         let mut last = std::collections::BTreeMap::new();
         for member in members {
             if let Some(lost) = last.insert(member.key.as_str(), member) {
-                let length = self.descend(&member.key.replace('~', "~0").replace('/', "~1"));
+                let length = self.descend(&member.key);
                 self.duplicates.push(Duplicate {
                     pointer: self.pointer.clone(),
                     lost: lost.key_span.clone(),

@@ -3,7 +3,8 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-use super::document::{Document, Member, Node, steps};
+use super::document::{Document, Member, Node};
+use crate::diag::steps;
 
 /// Members of an object that are as soon gone through as sorted.
 const FEW: usize = 16;

@@ -4,6 +4,7 @@
 use super::Document;
 use super::document::{Node, Value};
 use super::finder::Sorted;
+use crate::diag::{add_step, steps};
 
 /// Members that name the object they stand in.
 const NAMES: [&str; 2] = ["name", "title"];
@@ -14,13 +15,15 @@ const LONGEST: usize = 48;
 pub(super) fn named(document: &Document, sorted: &mut Sorted, pointer: &str) -> String {
     let mut node = Some(&document.root);
     let mut out = String::new();
-    for step in pointer.split('/').skip(1) {
-        let next = node.and_then(|node| sorted.step(node, &step.replace("~1", "/").replace("~0", "~")));
+    for step in steps(pointer) {
+        let next = node.and_then(|node| sorted.step(node, &step));
         let is_list = node.is_some_and(|node| matches!(node.value, Value::Array(_)));
-        out.push('/');
         match next.filter(|_| is_list) {
-            Some(element) => out.extend(element_name(element).unwrap_or_else(|| "*".to_owned()).chars().take(LONGEST)),
-            None => out.push_str(step),
+            Some(element) => {
+                out.push('/');
+                out.extend(element_name(element).as_deref().unwrap_or("*").chars().take(LONGEST));
+            }
+            None => add_step(&mut out, &step),
         }
         node = next;
     }

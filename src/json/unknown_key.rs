@@ -8,7 +8,7 @@ use std::borrow::Cow;
 use serde_json::{Map, Value};
 
 use super::{Node, UnknownKey};
-use crate::diag::nearest;
+use crate::diag::{add_step, nearest};
 
 /// A key that people write because the other formats of the family have it, and what is meant.
 const TRAPS: [(&str, [&str; 2]); 1] = [("sym", ["lsym", "rsym"])];
@@ -30,8 +30,7 @@ impl<'s> Walk<'s> {
     fn value(&mut self, node: &Node, schema: &'s Value) {
         let schema = self.resolved(schema);
         for member in node.effective_members() {
-            let step = member.key.replace('~', "~0").replace('/', "~1");
-            self.below(&step, |walk| match member_schema(&schema, &member.key) {
+            self.below(&member.key, |walk| match member_schema(&schema, &member.key) {
                 Some(below) => walk.value(&member.node, below),
                 None => walk.note(&schema, &member.key),
             });
@@ -44,8 +43,7 @@ impl<'s> Walk<'s> {
 
     fn below(&mut self, step: &str, visit: impl FnOnce(&mut Self)) {
         let length = self.pointer.len();
-        self.pointer.push('/');
-        self.pointer.push_str(step);
+        add_step(&mut self.pointer, step);
         visit(self);
         self.pointer.truncate(length);
     }

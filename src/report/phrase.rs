@@ -176,7 +176,7 @@ mod tests {
         assert_eq!(evidence_line(&named).as_deref(), Some("108 of 216: a-*, b-*"));
         let cut = Evidence::of_groups(["a"; 7], 99);
         assert_eq!(evidence_line(&cut).as_deref(), Some("99: a, a, a, a, a and 2 more"));
-        let single = Evidence { count: 1, ..Evidence::default() }.with_worst(0.5, "vertex 3");
+        let single = Evidence::counted(1).with_worst(0.5, "vertex 3");
         assert_eq!(evidence_line(&single).as_deref(), Some("worst 0.5 at vertex 3"));
     }
 

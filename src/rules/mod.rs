@@ -20,6 +20,7 @@ mod skeleton;
 mod target;
 mod weights;
 
+use rule::did_you_mean;
 pub(crate) use rule::{Check, Rule, RuleCx};
 
 /// Every rule, sorted by id. A rule that is not listed here does not exist.

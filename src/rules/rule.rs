@@ -70,3 +70,8 @@ impl RuleCx<'_> {
         self.options.get(&(id.to_owned(), option.name.to_owned())).copied().unwrap_or(option.default)
     }
 }
+
+/// The help on a name that is unknown: a known one that is near, or else what to do.
+pub(super) fn did_you_mean(near: Option<&str>, otherwise: impl Into<String>) -> String {
+    near.map_or_else(|| otherwise.into(), |near| format!("did you mean `{near}`?"))
+}

@@ -1,14 +1,12 @@
 //! What a text file is before any format looks at it: encoding, byte order mark, stand-ins.
 
-use serde::Serialize;
-
 /// First bytes of the stand-in that Git LFS leaves when the content was not fetched.
 const LFS_POINTER: &[u8] = b"version https://git-lfs.github.com/spec/";
 const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 
 /// Facts on the bytes of a file.
 #[expect(clippy::struct_excessive_bools, reason = "independent facts on one text, not states of something")]
-#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Encoding {
     /// Starts with a UTF-8 byte order mark.
     pub byte_order_mark: bool,

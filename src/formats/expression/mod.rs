@@ -11,10 +11,8 @@ mod token;
 
 use std::ops::Range;
 
-use serde::Serialize;
-
 /// Why a text must not, or cannot, be evaluated.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Fault {
     /// The offending bytes.
     pub span: Range<usize>,
@@ -25,7 +23,7 @@ pub struct Fault {
 }
 
 /// What evaluation would lead to.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FaultKind {
     /// Python would evaluate more than the allow list: names, attributes, calls, comprehensions.
     Foreign,

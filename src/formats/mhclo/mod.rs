@@ -8,10 +8,8 @@ mod reader;
 
 use std::fmt;
 
-use serde::Serialize;
-
 /// The file.
-#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Clothes {
     /// Keywords with a text or a file name in file order, tags included: keyword, rest of the line, line.
     pub texts: Vec<Text>,
@@ -32,7 +30,7 @@ pub struct Clothes {
 }
 
 /// A keyword with text.
-#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Text {
     /// The keyword without colon.
     pub keyword: String,
@@ -45,7 +43,7 @@ pub struct Text {
 }
 
 /// Two base vertices and the distance they had on an axis.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Scale {
     /// The vertices.
     pub vertices: [i64; 2],
@@ -56,7 +54,7 @@ pub struct Scale {
 }
 
 /// A vertex of the asset in terms of the base mesh.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Reference {
     /// Base vertices; three times the same for a line with one number.
     pub vertices: [i64; 3],
@@ -69,7 +67,7 @@ pub struct Reference {
 }
 
 /// A line that the loader cannot take.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Fault {
     /// Line from 1.
     pub line: u32,
@@ -78,7 +76,7 @@ pub struct Fault {
 }
 
 /// The kinds of [`Fault`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FaultKind {
     /// A vertex line with 2 to 5, 7 or 8 words.
     FieldCount(usize),

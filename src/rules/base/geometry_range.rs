@@ -1,6 +1,6 @@
 //! The ranges of `geometry.json` must be those of the mesh.
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, did_you_mean};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo, nearest};
 use crate::formats::Content;
 use crate::formats::geometry::Range;
@@ -48,10 +48,7 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
 
 fn without_group(file: &FileFacts, range: &Range, mesh: &Mesh) -> Finding {
     let joints = mesh.groups.iter().filter_map(|group| group.name.strip_prefix(PREFIX));
-    let help = match nearest(&range.name, joints) {
-        Some(near) => format!("did you mean `{near}`?"),
-        None => "name a group of the mesh without `joint-`".to_owned(),
-    };
+    let help = did_you_mean(nearest(&range.name, joints), "name a group of the mesh without `joint-`");
     let message = format!("the mesh has no group `{PREFIX}{}`", range.name);
     RULE.at(file, Place::key([JOINTS, &range.name]), message).key(format!("{JOINTS} {}", range.name)).help(help)
 }

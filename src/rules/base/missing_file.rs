@@ -1,6 +1,6 @@
 //! A base needs its `base.json`, its mesh, and what `base.json` names.
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::absent_keys;
 use super::sliders::{self, Gap};
 use crate::diag::{Application, Extent, Finding, Level, RuleInfo, nearest};
@@ -55,10 +55,10 @@ fn named(view: &View<'_>, base: &Base<'_>, reference: &Reference<'_>) -> Option<
     let layers: Vec<&Layer> = view.layers.strongest_first().collect();
     let files = layers.iter().flat_map(|layer| layer.below(&folder));
     let names: Vec<&str> = files.map(FileFacts::file_name).filter(|name| name.ends_with(extension)).collect();
-    let help = match nearest(reference.text, names.iter().copied()).or_else(|| names.first().copied()) {
-        Some(near) => format!("did you mean `{near}`?"),
-        None => format!("add the file to `{folder}`, or remove the key"),
-    };
+    let help = did_you_mean(
+        nearest(reference.text, names.iter().copied()).or_else(|| names.first().copied()),
+        format!("add the file to `{folder}`, or remove the key"),
+    );
     let finding = finding.help(help);
     Some(match reference.kind {
         ReferenceKind::PoseSkeleton => {

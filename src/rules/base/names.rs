@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use super::super::did_you_mean;
 use crate::diag::nearest;
 use crate::repo::makehuman2::Base;
 
@@ -24,8 +25,7 @@ pub(super) struct Unknown {
 
 impl Unknown {
     fn new(name: &str, message: String, near: Option<&str>, otherwise: &str) -> Self {
-        let help = near.map_or_else(|| otherwise.to_owned(), |near| format!("did you mean `{near}`?"));
-        Self { name: name.to_owned(), message, help }
+        Self { name: name.to_owned(), message, help: did_you_mean(near, otherwise) }
     }
 }
 

@@ -1,6 +1,6 @@
 //! `visible groups` and `equipment` must name what exists.
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, did_you_mean};
 use crate::diag::{Application, Evidence, Extent, Finding, Level, Place, RuleInfo, nearest};
 use crate::formats::base_json::BaseJson;
 use crate::formats::obj::Mesh;
@@ -54,10 +54,7 @@ fn equipment(file: &FileFacts, settings: &BaseJson, out: &mut Vec<Finding>) {
         if EQUIPMENT.contains(&name.as_str()) {
             continue;
         }
-        let help = match nearest(name, EQUIPMENT) {
-            Some(near) => format!("did you mean `{near}`?"),
-            None => format!("known are {}", EQUIPMENT.join(", ")),
-        };
+        let help = did_you_mean(nearest(name, EQUIPMENT), format!("known are {}", EQUIPMENT.join(", ")));
         out.push(
             RULE.at(file, Place::pointer(["equipment", &index.to_string()]), format!("unknown equipment `{name}`"))
                 .key(name)
@@ -83,10 +80,7 @@ fn visible(file: &FileFacts, groups: &[String], mesh: &Mesh, out: &mut Vec<Findi
         [first, ..] => format!("`{first}` and {} other visible groups are not in the mesh", unknown.len() - 1),
     };
     let near = unknown.first().and_then(|name| nearest(name, drawn(mesh)));
-    let help = match near {
-        Some(near) => format!("did you mean `{near}`?"),
-        None => "name groups (`g`) of base.obj that have faces".to_owned(),
-    };
+    let help = did_you_mean(near, "name groups (`g`) of base.obj that have faces");
     let finding = RULE.at(file, Place::pointer([MEMBER]), message).key(MEMBER).help(help);
     let finding = finding.evidence(Evidence::of_cases(&unknown).out_of(groups.len()));
     out.push(if nothing_left {

@@ -2,7 +2,7 @@
 
 use super::on;
 use crate::diag::{Finding, IgnoreState, Level, RuleInfo, Upkeep};
-use crate::rules::{Check, Rule, RuleCx};
+use crate::rules::{Check, Rule, RuleCx, did_you_mean};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -30,5 +30,5 @@ fn run(upkeep: &Upkeep, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 }
 
 fn help(nearest: Option<&str>) -> String {
-    nearest.map_or_else(|| "`mhlint rules` lists all rules".to_owned(), |rule| format!("did you mean `{rule}`?"))
+    did_you_mean(nearest, "`mhlint rules` lists all rules")
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo, structural};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo, steps, structural};
 use crate::json::Duplicate;
 use crate::repo::FileFacts;
 
@@ -30,7 +30,7 @@ fn run(file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 /// One finding for a key, however often it occurs: at the first one that is lost, with the one that wins.
 fn finding(file: &FileFacts, pointer: &str, all: &[&Duplicate]) -> Option<Finding> {
     let (first, last) = (all.first()?, all.last()?);
-    let key = pointer.rsplit('/').next().unwrap_or_default().replace("~1", "/").replace("~0", "~");
+    let key = steps(pointer).last().unwrap_or_default();
     let equal = all.iter().all(|duplicate| duplicate.equal);
     let times = if all.len() == 1 { "twice".to_owned() } else { format!("{} times", all.len() + 1) };
     let loss = if equal { "with the same value" } else { "only the last value counts" };

@@ -1,5 +1,6 @@
 //! A schema fault in plain words.
 
+use crate::diag::steps;
 use crate::json::{Bound, Found, Misfit, SchemaFault, Shape};
 
 /// What was found and what is allowed, in one sentence.
@@ -84,8 +85,7 @@ fn found(found: &Found) -> String {
 /// `b[1]` of `a` for `/…/a/b/1`: the value and what it belongs to.
 fn subject(pointer: &str) -> String {
     let mut names: Vec<String> = Vec::new();
-    for step in pointer.split('/').skip(1) {
-        let step = step.replace("~1", "/").replace("~0", "~");
+    for step in steps(pointer) {
         match names.last_mut() {
             Some(name) if step.bytes().all(|byte| byte.is_ascii_digit()) => *name = format!("{name}[{step}]"),
             _ => names.push(step),

@@ -3,8 +3,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::cause::is_ignored_override;
-use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
+use super::super::{Check, Rule, RuleCx, did_you_mean};
+use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo, pointer};
 use crate::discover::Kind;
 use crate::formats::Content;
 use crate::formats::mhskel::{Bone, RotationPlane, Section};
@@ -47,14 +47,10 @@ fn told_sliders<'f>(view: &View<'_>, file: &'f FileFacts) -> Told<'f> {
     match &file.content {
         Content::Modelling(model) if !view.is_generated(&file.rel) => {
             let sliders = model.sliders.iter();
-            sliders.filter_map(|slider| Some((pointer_of(&slider.key), slider.misspelt_effect()?.0))).collect()
+            sliders.filter_map(|slider| Some((pointer(&[&slider.key]), slider.misspelt_effect()?.0))).collect()
         }
         _ => BTreeSet::new(),
     }
-}
-
-fn pointer_of(key: &str) -> String {
-    format!("/{}", key.replace('~', "~0").replace('/', "~1"))
 }
 
 /// Pointers of objects and the keys that the schema wants in them.
@@ -97,10 +93,7 @@ fn finding(file: &FileFacts, all: &[&UnknownKey]) -> Option<Finding> {
     let mut finding = RULE
         .at(file, Place::Key(first.pointer.clone()), message)
         .key(format!("{}{owner}", first.key))
-        .help(match &first.nearest {
-            Some(nearest) => format!("did you mean `{nearest}`?"),
-            None => "remove it, or keep notes under `comment`".to_owned(),
-        })
+        .help(did_you_mean(first.nearest.as_deref(), "remove it, or keep notes under `comment`"))
         .parts(all.iter().map(|unknown| &unknown.name))
         .evidence(Evidence::of_cases(all.iter().map(|unknown| &unknown.pointer)));
     let matters = matches!(file.kind, Kind::ModellingJson | Kind::TargetCategories | Kind::BaseJson);

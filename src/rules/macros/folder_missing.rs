@@ -1,7 +1,7 @@
 //! The folder of a macro definition must be given and exist.
 
 use super::super::cause::schema::is_sound;
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::links::{MacroLink, links};
 use super::lost_folder::{holds_files, is_lost};
 use crate::diag::{Application, Extent, Finding, Level, Place, RuleInfo, nearest};
@@ -87,8 +87,8 @@ fn folder_of_files(base: &Base<'_>, own: &[&MacroLink<'_>]) -> Option<String> {
 fn nearest_folder(base: &Base<'_>, folder: &str) -> String {
     let rel = base.targets.map(|targets| format!("{}/", targets.rel())).unwrap_or_default();
     let folders = base.targets.map(|targets| targets.layer.folders.as_slice()).unwrap_or_default();
-    match nearest(folder, folders.iter().filter_map(|other| other.strip_prefix(&rel))) {
-        Some(near) => format!("did you mean `{near}`?"),
-        None => format!("create `{rel}{folder}` with the targets, or correct the name"),
-    }
+    did_you_mean(
+        nearest(folder, folders.iter().filter_map(|other| other.strip_prefix(&rel))),
+        format!("create `{rel}{folder}` with the targets, or correct the name"),
+    )
 }

@@ -1,6 +1,6 @@
 //! `comp` must name components that are defined.
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, did_you_mean};
 use crate::diag::{Application, EXAMPLES, Finding, Level, Place, RuleInfo, nearest};
 use crate::formats::macro_json::{MacroFile, Macrodef};
 use crate::repo::FileFacts;
@@ -41,10 +41,10 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
     let used = || macros.macrodefs.iter().flat_map(|macrodef| &macrodef.components);
     for (name, places) in unknown {
-        let help = match nearest(name, known().filter(|other| used().all(|own| own != other) || places.len() == 1)) {
-            Some(near) => format!("did you mean `{near}`?"),
-            None => "define the component, or remove it from `comp` and from the names".to_owned(),
-        };
+        let help = did_you_mean(
+            nearest(name, known().filter(|other| used().all(|own| own != other) || places.len() == 1)),
+            "define the component, or remove it from `comp` and from the names",
+        );
         let more = if places.len() > 1 { format!(" ({} macrodefs name it)", places.len()) } else { String::new() };
         let Some((first, others)) = places.split_first() else { continue };
         let mut finding = RULE.at(file, first.clone(), format!("component `{name}` is not defined{more}"));

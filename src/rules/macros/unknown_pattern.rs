@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::component::{macro_patterns, sound_components, unknown_patterns, weigh};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, nearest};
 use crate::repo::makehuman2::{Base, View};
@@ -55,10 +55,10 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         };
         let read = super::component::patterns(component);
         let free = macro_patterns(base).filter(|pattern| !read.iter().any(|own| own == pattern));
-        let help = match nearest(first, free).filter(|near| is_slip(first, near)) {
-            Some(near) => format!("did you mean `{near}`?"),
-            None => "write the `macro` (or `barycentric`) of an entry of `modelling.json`".to_owned(),
-        };
+        let help = did_you_mean(
+            nearest(first, free).filter(|near| is_slip(first, near)),
+            "write the `macro` (or `barycentric`) of an entry of `modelling.json`",
+        );
         let is_corner = component.steps.is_none() && unknown.len() < read.len();
         let corner = read.iter().position(|own| own == first).filter(|_| is_corner).map(|at| at.to_string());
         let place = match &corner {

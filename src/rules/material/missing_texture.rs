@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, did_you_mean};
 use crate::diag::{Application, Evidence, Extent, Finding, Level, Place, RuleInfo, Suggestions};
 use crate::discover::{Kind, extension};
 use crate::formats::mhmat::Texture;
@@ -54,10 +54,7 @@ fn help(view: &View<'_>, reference: &Reference<'_>, suggestions: &Suggestions) -
     if let Some(name) = with_blanks(reference) {
         return format!("a name ends at the first blank: rename `{name}` without any, and write that");
     }
-    match nearest(view, reference, suggestions) {
-        Some(near) => format!("did you mean `{near}`?"),
-        None => "correct the name, add the picture, or remove the line".to_owned(),
-    }
+    did_you_mean(nearest(view, reference, suggestions), "correct the name, add the picture, or remove the line")
 }
 
 /// The whole name, where the one that is looked for ends too early.

@@ -20,7 +20,7 @@ fn run(file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for group in &mesh.facts.partial_uv {
         let message =
             format!("{} of {} faces of group `{}` have no texture coordinates", group.without, group.faces, group.name);
-        let evidence = Evidence { count: group.without as u64, ..Evidence::default() };
+        let evidence = Evidence::counted(group.without);
         out.push(
             RULE.at(file, Place::Line(group.line), message)
                 .key(&group.name)

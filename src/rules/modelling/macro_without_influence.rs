@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Confidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Confidence, Finding, Level, Place, RuleInfo, pointer};
 use crate::formats::macro_json::MacroFile;
 use crate::repo::makehuman2::{Base, BoundSlider, Pattern, View};
 
@@ -31,7 +31,7 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for bound in &base.sliders {
         let slider = bound.slider;
         // A list of wrong positions or of a wrong type is a finding of its own.
-        let pointer = format!("/{}/macro_influence", slider.key.replace('~', "~0").replace('/', "~1"));
+        let pointer = pointer(&[&slider.key, "macro_influence"]);
         let is_misshapen = || {
             let below = faulty.get(bound.file.path.as_str()).and_then(|faults| faults.range(pointer.as_str()..).next());
             below.is_some_and(|fault| fault.starts_with(&pointer))

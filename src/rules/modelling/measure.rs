@@ -68,7 +68,7 @@ fn open_line(bound: &BoundSlider<'_>, line: &[i64], positions: &[[f32; 3]]) -> O
     let message = format!("does not close: its ends are {gap:.3} apart, its length is {length:.3}");
     let effect = "shows a length without the missing piece";
     let help = format!("write vertex {first} again behind {last}, with those between them if there are any");
-    let evidence = Evidence { count: 1, ..Evidence::default() }.with_worst(gap, format!("vertices {first} and {last}"));
+    let evidence = Evidence::counted(1).with_worst(gap, format!("vertices {first} and {last}"));
     // Another fault than a vertex that does not exist: it must not be taken for the same.
     let key = format!("{} gap", bound.slider.key);
     Some(finding(bound, &message, effect).key(key).level(Level::Warning).help(help).evidence(evidence))

@@ -1,6 +1,6 @@
 //! `icon` must name a picture that exists.
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::missing::{self, Neighbours};
 use crate::diag::{Application, Evidence, Finding, Level, RuleInfo};
 use crate::repo::ReferenceKind;
@@ -32,10 +32,7 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
             }
             None => (format!("the icon `{}` of `{}` does not exist", first.text, first.owner), first.owner),
         };
-        let help = match neighbours.nearest(first) {
-            Some(near) => format!("did you mean `{near}`?"),
-            None => "add the picture, or remove the key to get the neutral one".to_owned(),
-        };
+        let help = did_you_mean(neighbours.nearest(first), "add the picture, or remove the key to get the neutral one");
         let evidence = Evidence::of_cases(group.references.iter().map(|reference| reference.text));
         out.push(RULE.at(first.from, first.place.clone(), message).key(key).help(help).evidence(evidence));
     }

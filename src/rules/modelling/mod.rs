@@ -26,6 +26,7 @@ pub(super) mod user_key_collision;
 mod user_scan;
 
 use super::cause::overlay::is_damaged;
+use super::did_you_mean;
 use crate::diag::Suggestions;
 use crate::repo::makehuman2::{Base, BoundSlider};
 
@@ -42,8 +43,8 @@ fn advice(base: &Base<'_>, name: &str, suggestions: &Suggestions) -> String {
         return format!("`{name}` is the key of an entry; write its pattern `{pattern}`");
     }
     let patterns = base.sliders.iter().flat_map(|slider| slider.pattern.names()).map(String::as_str);
-    match suggestions.nearest(name, patterns) {
-        Some(near) => format!("did you mean `{near}`?"),
-        None => "a pattern is the `macro` of an entry, its `incr`, or `<decr>|<ending of incr>` for a pair".to_owned(),
-    }
+    did_you_mean(
+        suggestions.nearest(name, patterns),
+        "a pattern is the `macro` of an entry, its `incr`, or `<decr>|<ending of incr>` for a pair",
+    )
 }

@@ -31,7 +31,7 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
     if let Some(seen) = untold(base, space, space.collapsed.as_ref()) {
         let (faces, lose) = if seen.count == 1 { ("face", "loses its") } else { ("faces", "lose their") };
         let message = format!("{} {faces} of `{}` {lose} area", seen.count, seen.name);
-        let evidence = Evidence { examples: vec![format!("face {}", seen.element)], ..evidence(seen) };
+        let evidence = Evidence { examples: vec![format!("face {}", seen.element)], ..Evidence::counted(seen.count) };
         out.push(finding(base, seen, &message, "collapsed").evidence(evidence));
     }
     if let Some(seen) = untold(base, space, space.flipped.as_ref()) {
@@ -40,7 +40,7 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
             format!("{} faces of `{}`, {share} of the visible area, look the other way", seen.count, seen.name);
         out.push(
             finding(base, seen, &message, "flipped")
-                .evidence(evidence(seen).with_worst(seen.value, format!("face {}", seen.element)))
+                .evidence(Evidence::counted(seen.count).with_worst(seen.value, format!("face {}", seen.element)))
                 .breaks(
                     Application::Makehuman2,
                     "shows the inside of the skin, or holes where back faces are not drawn",
@@ -55,8 +55,4 @@ fn finding(base: &Base<'_>, seen: &Seen, message: &str, key: &str) -> Finding {
         .parts(&seen.all)
         .confidence(Confidence::Medium)
         .help("look at the figure at this setting; the target overshoots, or several add up")
-}
-
-fn evidence(seen: &Seen) -> Evidence {
-    Evidence { count: seen.count as u64, ..Evidence::default() }
 }

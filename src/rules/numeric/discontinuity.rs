@@ -40,8 +40,11 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
             percent(jump.by)
         );
         let place = Place::pointer(["components", &component.name, "steps"]);
-        out.push(RULE.at(file, place, message).key(&component.name).help("move the steps apart").evidence(
-            Evidence { count: 1, ..Evidence::default() }.with_worst(jump.by, format!("{pattern} = {}", jump.at)),
-        ));
+        out.push(
+            RULE.at(file, place, message)
+                .key(&component.name)
+                .help("move the steps apart")
+                .evidence(Evidence::counted(1).with_worst(jump.by, format!("{pattern} = {}", jump.at))),
+        );
     }
 }

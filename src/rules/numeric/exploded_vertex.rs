@@ -36,7 +36,7 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
         seen.value,
         if seen.count > 1 { format!(", {} more with it", seen.count - 1) } else { String::new() }
     );
-    let evidence = Evidence { count: seen.count as u64, ..Evidence::default() };
+    let evidence = Evidence::counted(seen.count);
     out.push(
         at_setting(&RULE, base, seen, &message)
             .key("vertices")

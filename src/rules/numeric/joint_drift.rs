@@ -36,6 +36,6 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
             .parts(&seen.all)
             .confidence(Confidence::Medium)
             .help("move joint cube and skin together")
-            .evidence(Evidence { count: seen.count as u64, ..Evidence::default() }.with_worst(seen.value, &*seen.name)),
+            .evidence(Evidence::counted(seen.count).with_worst(seen.value, &*seen.name)),
     );
 }

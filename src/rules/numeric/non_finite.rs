@@ -39,7 +39,7 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
                 .key("vertices")
                 .parts(seen.elements.iter().copied())
                 .help("look for displacements that add up beyond all measure")
-                .evidence(Evidence { count: seen.count as u64, ..Evidence::default() }),
+                .evidence(Evidence::counted(seen.count)),
         );
     }
     if let Some(seen) =
@@ -52,9 +52,7 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
                 .key("planes")
                 .parts(&seen.all)
                 .help("let the target move the joint cubes with the limb, so that the joints keep an angle")
-                .evidence(
-                    Evidence { count: 1, ..Evidence::default() }.with_worst(1.0 / seen.value, "sine of the angle"),
-                ),
+                .evidence(Evidence::counted(1).with_worst(1.0 / seen.value, "sine of the angle")),
         );
     }
 }

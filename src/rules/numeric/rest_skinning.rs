@@ -47,6 +47,6 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
         RULE.at(skeleton, place, format!("with all bones at rest, vertex {vertex} {how} after skinning"))
             .key("rest")
             .help("look at the rotation planes of the bones that move this vertex")
-            .evidence(Evidence { count: 1, ..Evidence::default() }.with_worst(moved, format!("vertex {vertex}"))),
+            .evidence(Evidence::counted(1).with_worst(moved, format!("vertex {vertex}"))),
     );
 }

@@ -47,7 +47,7 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
             RULE.at(file, Place::pointer(["components", name, member]), message)
                 .key(format!("{}/{name}", title(macrodef)))
                 .help("give every corner of the slider a value; its combinations may be `null`")
-                .evidence(Evidence { count: 1, ..Evidence::default() }.with_worst(off.sum, at)),
+                .evidence(Evidence::counted(1).with_worst(off.sum, at)),
         );
     }
 }

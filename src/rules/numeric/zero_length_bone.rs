@@ -33,6 +33,6 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
         at_setting(&RULE, base, seen, &message)
             .parts(&seen.all)
             .help("let the target move the joint cubes at both ends with the limb")
-            .evidence(Evidence { count: 1, ..Evidence::default() }.with_worst(length, &*seen.name)),
+            .evidence(Evidence::counted(1).with_worst(length, &*seen.name)),
     );
 }

@@ -1,6 +1,6 @@
 //! The weights of a skeleton must be found.
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::{Rig, rigs};
 use crate::diag::{Application, Finding, Level, RuleInfo, nearest};
 use crate::repo::{Body, Reference, Resolution};
@@ -41,8 +41,5 @@ fn help(body: &Body<'_>, rig: &Rig<'_>, root: &str, text: &str) -> String {
     {
         return format!("the file lies beside the skeleton: write `{folder}/{text}`");
     }
-    match nearest(text, all.iter().copied()) {
-        Some(name) => format!("did you mean `{name}`?"),
-        None => format!("put the file into `{root}`, or name one that is there"),
-    }
+    did_you_mean(nearest(text, all.iter().copied()), format!("put the file into `{root}`, or name one that is there"))
 }

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::{Rig, rigs};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, Suggestions};
 use crate::formats::mhskel::Section;
@@ -37,10 +37,10 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 1 => format!("{owner} names joint `{joint}`, which does not exist"),
                 count => format!("{owner} names joint `{joint}`, which does not exist ({count} uses)"),
             };
-            let help = match suggestions.nearest(joint, known.iter().copied()) {
-                Some(name) => format!("did you mean `{name}`?"),
-                None => "add it to `joints`, or name one of the joints there".to_owned(),
-            };
+            let help = did_you_mean(
+                suggestions.nearest(joint, known.iter().copied()),
+                "add it to `joints`, or name one of the joints there",
+            );
             out.push(
                 RULE.at(rig.file, place.clone(), message)
                     .key(joint)

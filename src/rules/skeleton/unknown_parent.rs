@@ -1,6 +1,6 @@
 //! The parent of a bone must be a bone of the skeleton.
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::hierarchy::hierarchy;
 use super::rigs;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, Suggestions};
@@ -27,10 +27,10 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 1 => format!("parent `{parent}` of bone `{first}` does not exist"),
                 count => format!("`{parent}`, the parent of {count} bones, does not exist"),
             };
-            let help = match suggestions.nearest(parent, names()) {
-                Some(name) => format!("did you mean `{name}`?"),
-                None => "name a bone of this skeleton, or null for the root".to_owned(),
-            };
+            let help = did_you_mean(
+                suggestions.nearest(parent, names()),
+                "name a bone of this skeleton, or null for the root",
+            );
             out.push(
                 RULE.at(rig.file, Place::pointer(["bones", first, "parent"]), message)
                     .key(parent)

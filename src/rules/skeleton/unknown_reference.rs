@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::{Rig, rigs};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, nearest};
 use crate::formats::mhskel::Bone;
@@ -63,10 +63,7 @@ fn finding(rig: &Rig<'_>, unknown: &[(&str, &str, &str)], known: &BTreeSet<&str>
     let (bone, member, name) = unknown.first()?;
     let more = if unknown.len() > 1 { format!(" ({} names like it)", unknown.len()) } else { String::new() };
     let message = format!("`{member}` of bone `{bone}` names `{name}`, which the default skeleton does not have{more}");
-    let help = match nearest(name, known.iter().copied()) {
-        Some(name) => format!("did you mean `{name}`?"),
-        None => "name bones of the default skeleton".to_owned(),
-    };
+    let help = did_you_mean(nearest(name, known.iter().copied()), "name bones of the default skeleton");
     let cases = unknown.iter().map(|(bone, _, name)| format!("{bone}: {name}"));
     Some(
         RULE.at(rig.file, Place::pointer(["bones", bone, member]), message)

@@ -73,7 +73,7 @@ fn one_sided(body: &Body<'_>, file: &FileFacts, target: &TargetMeasure) -> Optio
          units{shown}",
         mirror.compared
     );
-    let evidence = Evidence { count: different as u64, ..Evidence::default() }.out_of(mirror.compared);
+    let evidence = Evidence::counted(different).out_of(mirror.compared);
     Some(
         RULE.at(file, Place::File, message)
             .parts(&mirror.different)

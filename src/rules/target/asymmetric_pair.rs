@@ -45,7 +45,7 @@ fn finding(body: &Body<'_>, pair: &PairMeasure) -> Option<Finding> {
         difference.compared,
     );
     let place = Place::Element(Element { kind: "vertex", index: u64::from(vertex) });
-    let evidence = Evidence { count: different as u64, ..Evidence::default() };
+    let evidence = Evidence::counted(different);
     let finding = RULE
         .at(left, place, message)
         .parts(&difference.different)

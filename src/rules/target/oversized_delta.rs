@@ -58,7 +58,7 @@ fn moves(largest: &Largest) -> String {
 fn finding(file: &FileFacts, facts: &TargetFacts, largest: &Largest, message: String) -> Finding {
     let place = u64::try_from(largest.index)
         .map_or(Place::Line(largest.line), |index| Place::Row(largest.line, Element { kind: "vertex", index }));
-    let evidence = Evidence { count: 1, ..Evidence::default() };
+    let evidence = Evidence::counted(1);
     RULE.at(file, place, message)
         .parts([largest.index])
         .help("look for a missing decimal point or another unit; lengths are decimetres")

@@ -30,7 +30,7 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         loss.pull
     );
     let vertices = body.mesh.map_or(0, |(_, mesh)| mesh.positions.len());
-    let evidence = Evidence { count: losing as u64, ..Evidence::default() }.out_of(vertices);
+    let evidence = Evidence::counted(losing).out_of(vertices);
     let place = Place::Element(Element { kind: "vertex", index: u64::from(vertex) });
     let level = if loss.pull < cx.option_of(ID, &DISTANCE) { Level::Info } else { Level::Warning };
     out.push(

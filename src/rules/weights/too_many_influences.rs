@@ -32,7 +32,7 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
         share * 100.0
     );
     let place = Place::Element(Element { kind: "vertex", index: u64::from(vertex) });
-    let evidence = Evidence { count: weights.over.len() as u64, ..Evidence::default() }.out_of(vertices);
+    let evidence = Evidence::counted(weights.over.len()).out_of(vertices);
     out.push(
         RULE.at(file, place, message)
             .parts(&weights.over)

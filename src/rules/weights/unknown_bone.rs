@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, did_you_mean};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, nearest};
 use crate::repo::{Body, BodyWeights, FileFacts, Rig};
 
@@ -32,10 +32,8 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 format!("the skeleton does not have {count} of {} bones, the first is `{first}`", weights.bones.len())
             }
         };
-        let help = match nearest(first, known.iter().copied()) {
-            Some(name) => format!("did you mean `{name}`?"),
-            None => "name bones of the skeleton that uses these weights".to_owned(),
-        };
+        let help =
+            did_you_mean(nearest(first, known.iter().copied()), "name bones of the skeleton that uses these weights");
         let mut finding = RULE
             .at(file, Place::key(["weights", first]), message)
             .level(level)

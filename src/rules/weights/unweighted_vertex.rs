@@ -70,7 +70,7 @@ fn without_any(file: &FileFacts, weights: &Weights) -> Finding {
         .help("paint the weights and export them again, or name another file in the skeleton")
         .effect("gives the whole mesh to the root bone: no other bone moves anything");
     if vertices > 0 {
-        let evidence = Evidence { count: vertices as u64, ..Evidence::default() };
+        let evidence = Evidence::counted(vertices);
         finding = finding.evidence(evidence.out_of(vertices));
     }
     finding
