@@ -37,8 +37,20 @@ pub struct Outcome {
     pub failed_rules: Vec<String>,
     /// Files on which a reader of ours panicked, by path: bugs of ours, whose findings are missing.
     pub failed_files: Vec<String>,
-    /// Other work that panicked, such as the evaluation of a base mesh.
-    pub failed_steps: Vec<String>,
+    /// Other work that panicked.
+    pub failed_steps: Vec<FailedStep>,
+}
+
+/// Work on more than one file, or for no rule.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum FailedStep {
+    /// The evaluation of a base mesh.
+    Evaluation {
+        /// Its name.
+        base: String,
+    },
+    /// The look-up of the places of findings.
+    Places,
 }
 
 /// A data root.
@@ -161,7 +173,7 @@ impl Outcome {
 
     /// Whether all of the work was done: no bug of ours took a file, a rule or a step away.
     pub fn is_whole(&self) -> bool {
-        [&self.failed_rules, &self.failed_files, &self.failed_steps].iter().all(|failed| failed.is_empty())
+        self.failed_rules.is_empty() && self.failed_files.is_empty() && self.failed_steps.is_empty()
     }
 
     /// Whether any root was checked.

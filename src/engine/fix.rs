@@ -177,7 +177,7 @@ impl Work {
             self.checked.entry(path.to_owned()).or_insert_with(checked);
         }
         for input in inputs {
-            if let Some(rel) = below(&input.tree, path).map(str::to_owned) {
+            if let Some(rel) = input.tree.below(path).map(str::to_owned) {
                 input.tree.change(&rel, after.clone());
             }
         }
@@ -201,12 +201,8 @@ impl Work {
 
 /// The tree that holds a file, and its path there.
 fn find<'i, 'p>(inputs: &'i [Input], path: &'p str) -> Option<(&'i Tree, &'p str)> {
-    let mut found = inputs.iter().filter_map(|input| Some((&input.tree, below(&input.tree, path)?)));
+    let mut found = inputs.iter().filter_map(|input| Some((&input.tree, input.tree.below(path)?)));
     found.find(|(tree, rel)| tree.entry(rel).is_some())
-}
-
-fn below<'p>(tree: &Tree, path: &'p str) -> Option<&'p str> {
-    if tree.label().is_empty() { Some(path) } else { path.strip_prefix(tree.label())?.strip_prefix('/') }
 }
 
 fn disk_path(tree: &Tree, rel: &str) -> Option<PathBuf> {

@@ -6,7 +6,7 @@ use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, utf8_percent_encode};
 use serde_json::{Map, Value, json};
 
 use super::{View, phrase, printable};
-use crate::diag::{Finding, Level, Location, Outcome, Related, RuleInfo};
+use crate::diag::{FailedStep, Finding, Level, Location, Outcome, Related, RuleInfo};
 
 /// Results that GitHub accepts in one run; it refuses the whole file beyond.
 const RESULTS: usize = 25_000;
@@ -174,16 +174,20 @@ fn notifications(outcome: &Outcome, shown: usize) -> Vec<Value> {
     if left > 0 {
         notes.push(note(format!("{left} findings are left out: code scanning accepts {RESULTS}"), "warning"));
     }
-    let failed = [
-        ("the rule", &outcome.failed_rules),
-        ("the reader of", &outcome.failed_files),
-        ("the step", &outcome.failed_steps),
-    ];
+    let steps = outcome.failed_steps.iter().map(step).collect();
+    let failed = [("the rule", &outcome.failed_rules), ("the reader of", &outcome.failed_files), ("the step", &steps)];
     for (what, names) in failed {
         let said = |name: &String| format!("{what} {} failed, a bug of mhlint", text(&printable(name)));
         notes.extend(names.iter().map(|name| note(said(name), "error")));
     }
     notes
+}
+
+fn step(step: &FailedStep) -> String {
+    match step {
+        FailedStep::Evaluation { base } => format!("evaluation of `{base}`"),
+        FailedStep::Places => "places of findings".to_owned(),
+    }
 }
 
 const fn level(level: Level) -> &'static str {

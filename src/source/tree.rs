@@ -147,6 +147,11 @@ impl Tree {
         }
     }
 
+    /// The reverse: the path from the top of the tree, of one that may be in it.
+    pub fn below<'p>(&self, shown: &'p str) -> Option<&'p str> {
+        if self.label.is_empty() { Some(shown) } else { shown.strip_prefix(&self.label)?.strip_prefix('/') }
+    }
+
     /// Everything listed, sorted by path.
     pub fn entries(&self) -> &[Entry] {
         &self.entries

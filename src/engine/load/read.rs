@@ -85,8 +85,8 @@ impl Reading {
 /// A stand-in for a file on which a parser of ours panicked.
 pub(super) fn panicked(tree: &Tree, file: &Candidate<'_>) -> Reading {
     let mut facts = unread(tree, file);
-    let reason = "mhlint itself failed on this file; please report it with the file".to_owned();
-    facts.unreadable = Some(ReadFault::Unreadable(reason));
+    // That it failed is the reason.
+    facts.unreadable = Some(ReadFault::Unreadable(String::new()));
     facts.failed = true;
     facts.content = facts.kind.format().without(JsonFault::Empty);
     Reading { facts, rows: Vec::new() }

@@ -60,11 +60,7 @@ impl<'c> Waiting<'c> {
 fn paths(tree: &Tree) -> impl Iterator<Item = String> {
     let listed = tree.entries().iter().map(|entry| &entry.path);
     let unlisted = tree.faults().iter().map(|fault| &fault.path);
-    let own = std::iter::once(tree.label().to_owned());
-    own.chain(listed.chain(unlisted).map(|path| match tree.label() {
-        "" => path.clone(),
-        label => format!("{label}/{path}"),
-    }))
+    std::iter::once("").chain(listed.chain(unlisted).map(String::as_str)).map(|path| tree.shown(path))
 }
 
 /// Whether a glob is for files that are not even listed.

@@ -22,6 +22,9 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Repository(run),
 };
 
+/// Why a file was not read on which a reader of ours panicked.
+const FAILED: &str = "mhlint itself failed on this file; please report it with the file";
+
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers().checked;
     let finding = |rel: &str, message: String| {
@@ -37,6 +40,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for file in layer.files.values() {
         match &file.unreadable {
             Some(ReadFault::Unreadable(reason)) => {
+                let reason = if file.failed { FAILED } else { reason };
                 out.extend(finding(&file.rel, format!("cannot be read: {reason}")));
             }
             _ if (view.layout().is_folder)(&file.rel, &is_base) => {
