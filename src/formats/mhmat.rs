@@ -5,7 +5,7 @@
 
 use std::ops::Range;
 
-use super::fields::fields;
+use super::fields::{fields, lines};
 
 /// The file, as far as rules ask about it.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -36,7 +36,7 @@ const TEXTURES: [&str; 5] =
 /// Reads all lines. What is no UTF-8 is no name.
 pub fn read(text: &[u8]) -> Material {
     let mut material = Material::default();
-    for (number, (start, line)) in (1..).zip(lines(text)) {
+    for (number, (Range { start, .. }, line)) in (1..).zip(lines(text)) {
         let words = fields(line);
         let Some((_, first)) = words.first() else { continue };
         let Some(keyword) = TEXTURES.into_iter().find(|keyword| keyword.as_bytes() == *first) else { continue };
@@ -50,19 +50,6 @@ pub fn read(text: &[u8]) -> Material {
         material.textures.push(Texture { keyword, word: name.into(), lost: lost.join(" ").into(), span });
     }
     material
-}
-
-/// Lines with the places where they begin; they end as in Python, with `\n`, `\r\n` or a lone `\r`.
-fn lines(text: &[u8]) -> impl Iterator<Item = (usize, &[u8])> {
-    let mut start = 0;
-    std::iter::from_fn(move || {
-        let rest = text.get(start..).filter(|rest| !rest.is_empty())?;
-        let length = rest.iter().position(|byte| matches!(byte, b'\n' | b'\r')).unwrap_or(rest.len());
-        let (line, at) = (rest.get(..length)?, start);
-        let is_pair = rest.get(length..length + 2) == Some(b"\r\n");
-        start += length + if is_pair { 2 } else { 1 };
-        Some((at, line))
-    })
 }
 
 #[cfg(test)]

@@ -7,7 +7,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::faulty_rows::row_name;
-use super::fields::fields;
+use super::fields::{fields, lines};
 pub use super::obj_facts::{BadLine, MeshFacts, Reopened};
 use super::{python_float, python_int};
 
@@ -65,13 +65,9 @@ pub fn parse(text: &[u8]) -> Mesh {
     let mut parser = Parser::default();
     // The default group is open from the start.
     parser.known.insert(DEFAULT_GROUP.to_owned(), None);
-    let mut rest = text;
-    while !rest.is_empty() {
-        let end = rest.iter().position(|byte| matches!(byte, b'\n' | b'\r')).unwrap_or(rest.len());
-        let (line, tail) = rest.split_at(end);
+    for (_, line) in lines(text) {
         parser.line += 1;
         parser.line(line);
-        rest = tail.strip_prefix(b"\r\n").or_else(|| tail.get(1..)).unwrap_or_default();
     }
     parser.finish()
 }

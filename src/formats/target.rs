@@ -6,7 +6,7 @@
 
 use super::content_hash::ContentHash;
 use super::faulty_rows::row_name;
-use super::fields::fields;
+use super::fields::{fields, first_line};
 use super::inline_ignore::{self, InlineIgnore};
 pub use super::target_facts::{Largest, TargetFacts, UnreadableField};
 use super::target_repeats::{moves, repeats};
@@ -102,8 +102,7 @@ struct Parser {
 impl Parser {
     /// Any line the fast path does not know. Returns the bytes consumed, line end included.
     fn slow_line(&mut self, line: u32, rest: &[u8], offset: usize) -> usize {
-        let end = rest.iter().position(|byte| matches!(byte, b'\n' | b'\r')).unwrap_or(rest.len());
-        let text = rest.get(..end).unwrap_or_default();
+        let (text, length) = first_line(rest);
         let fields = fields(text);
         match fields.as_slice() {
             [] => {}
@@ -115,8 +114,7 @@ impl Parser {
                 self.target.facts.field_count_names.add(|| row_name(other));
             }
         }
-        let crlf = rest.get(end..end + 2) == Some(b"\r\n");
-        end + if crlf { 2 } else { 1 }
+        length
     }
 
     fn comment(&mut self, line: u32, text: &[u8]) {

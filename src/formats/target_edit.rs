@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
-use super::fields::fields;
+use super::fields::{fields, lines};
 use super::{python_float, python_int};
 use crate::diag::Edit;
 
@@ -34,19 +34,8 @@ pub(crate) fn keep_last_rows(text: &[u8]) -> Vec<Edit> {
 }
 
 fn rows(text: &[u8]) -> Vec<Row> {
-    let mut rows = Vec::new();
-    let mut start = 0;
-    while start < text.len() {
-        let rest = text.get(start..).unwrap_or_default();
-        let end = rest.iter().position(|byte| matches!(byte, b'\n' | b'\r')).unwrap_or(rest.len());
-        let line_end = if rest.get(end..end + 2) == Some(b"\r\n") { 2 } else { 1 };
-        let next = (start + end + line_end).min(text.len());
-        if let Some((index, is_zero)) = row(rest.get(..end).unwrap_or_default()) {
-            rows.push(Row { line: start..next, index, is_zero });
-        }
-        start = next;
-    }
-    rows
+    let row = |(line, text): (Range<usize>, &[u8])| row(text).map(|(index, is_zero)| Row { line, index, is_zero });
+    lines(text).filter_map(row).collect()
 }
 
 /// Index of a row, and whether it moves nothing. As float32: what is too small for the application is zero, too.
