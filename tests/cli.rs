@@ -8,14 +8,7 @@ use std::io::Read;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
-use scratch::{assert_refused, example, lose_a_step, mhlint, project, stderr, stdout};
-
-/// A copy of the example repository with one error in it.
-fn broken() -> tempfile::TempDir {
-    let repository = example();
-    lose_a_step(repository.path());
-    repository
-}
+use scratch::{assert_refused, broken, example, mhlint, project, stderr, stdout};
 
 fn code(output: &Output) -> Option<i32> {
     output.status.code()

@@ -33,6 +33,15 @@ fn line(rule: &str, path: &str) -> String {
     format!("{rule} {}", below.unwrap_or(path))
 }
 
+/// Expected lines, each as often as it says.
+fn each(lines: &[&str]) -> Vec<String> {
+    let times = |line: &&str| {
+        let (line, times) = line.split_once(" ×").unwrap_or((line, "1"));
+        vec![line.to_owned(); times.parse().unwrap()]
+    };
+    lines.iter().flat_map(times).collect()
+}
+
 /// Entries of the baseline that no longer occur, sorted.
 fn gone(outcome: &Outcome) -> Vec<String> {
     let stale = outcome.findings.iter().filter(|finding| finding.rule == "baseline-stale");
@@ -64,7 +73,7 @@ fn verdict(case: &Case, files: &Files, folder: &str, config: &Config) -> String 
     let says = new.is_empty() || new.iter().any(|finding| finding.message.contains(case.says));
     let fails = !outcome.passes(config);
     let is_expected = fails != case.fresh.is_empty();
-    if fresh == case.fresh && gone == case.gone && says && is_expected && outcome.failed_rules.is_empty() {
+    if fresh == each(case.fresh) && gone == each(case.gone) && says && is_expected && outcome.failed_rules.is_empty() {
         return String::new();
     }
     let messages: Vec<_> = new

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use std::process::Output;
 
 use rayon::prelude::*;
-use scratch::{Case, content, edit, example, findings, mhlint, project, remove, stderr, stdout};
+use scratch::{Case, content, edit, example, findings, folders, mhlint, project, remove, stderr, stdout};
 
 const SIDE: &str = "data/target/figure/head/head-side-in.target";
 const OVAL: &str = "data/target/figure/head/head-oval.target";
@@ -27,13 +27,6 @@ fn every_fixture_case_as_a_change_shows_all_its_findings() {
     assert!(!chosen.is_empty(), "no case fits CASE={only}");
     let faults: Vec<String> = chosen.par_iter().filter_map(|case| hidden(case)).collect();
     assert!(faults.is_empty(), "\n{}", faults.join("\n"));
-}
-
-fn folders(path: &Path) -> Vec<PathBuf> {
-    let entries = fs::read_dir(path).unwrap().map(|entry| entry.unwrap().path());
-    let mut folders: Vec<PathBuf> = entries.filter(|path| path.is_dir()).collect();
-    folders.sort();
-    folders
 }
 
 /// Runs a case narrowed to what it changes; gives what is not shown of its findings.

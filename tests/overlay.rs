@@ -52,6 +52,34 @@ const DEAD_TARGETS: &str = "?overlay-partial-override contarget/imp/body/belly-s
 
 const UNMEASURED: &str = ".overlay-needs-system contarget/imp/body/belly-size-decr.target";
 
+/// A `macro.json` in contarget that is taken for none.
+const fn no_macros(name: &str, change: fn(&Path)) -> Row<'_> {
+    let alone: Expected<'_> = &[BROKEN_MACRO, OWN_SLIDERS];
+    Row { name, change, over_system: alone, alone, one_root: &[SYSTEM_PROBE, BROKEN_MACRO] }
+}
+
+/// A `modelling.json` in contarget that is taken for none: the system's sliders over contarget's targets.
+const fn no_sliders(name: &str, change: fn(&Path)) -> Row<'_> {
+    Row {
+        name,
+        change,
+        over_system: &[MACRO_PROBE, BROKEN_SLIDERS, SYSTEM_SLIDERS],
+        alone: &[MACRO_PROBE, BROKEN_SLIDERS, UNMEASURED],
+        one_root: &[MACRO_PROBE, BROKEN_SLIDERS],
+    }
+}
+
+/// A `target_cat.json` in contarget that is taken for none: the system's categories.
+const fn no_categories(name: &str, change: fn(&Path)) -> Row<'_> {
+    Row {
+        name,
+        change,
+        over_system: &[MACRO_PROBE, BROKEN_CATEGORIES, OWN_SLIDERS],
+        alone: &[MACRO_PROBE, BROKEN_CATEGORIES, UNMEASURED, OWN_SLIDERS],
+        one_root: &[MACRO_PROBE, BROKEN_CATEGORIES],
+    }
+}
+
 const ROWS: &[Row<'_>] = &[
     Row {
         name: "all three files and all targets: the system's are ignored",
@@ -112,44 +140,20 @@ const ROWS: &[Row<'_>] = &[
         ],
         one_root: &[SYSTEM_PROBE, ".overlay-partial-override contarget/imp/target_cat.json"],
     },
-    Row {
-        name: "macro.json malformed: as if absent, without a word",
-        change: |contarget| edit(&contarget.join("macro.json"), "\"macrodef\": [", "\"macrodef\": [,"),
-        over_system: &[BROKEN_MACRO, OWN_SLIDERS],
-        alone: &[BROKEN_MACRO, OWN_SLIDERS],
-        one_root: &[SYSTEM_PROBE, BROKEN_MACRO],
-    },
-    Row {
-        name: "macro.json with a byte order mark: as if absent",
-        change: |contarget| {
-            let text = fs::read_to_string(contarget.join("macro.json")).unwrap();
-            fs::write(contarget.join("macro.json"), format!("\u{feff}{text}")).unwrap();
-        },
-        over_system: &[BROKEN_MACRO, OWN_SLIDERS],
-        alone: &[BROKEN_MACRO, OWN_SLIDERS],
-        one_root: &[SYSTEM_PROBE, BROKEN_MACRO],
-    },
-    Row {
-        name: "macro.json empty: as if absent",
-        change: |contarget| fs::write(contarget.join("macro.json"), "{}").unwrap(),
-        over_system: &[BROKEN_MACRO, OWN_SLIDERS],
-        alone: &[BROKEN_MACRO, OWN_SLIDERS],
-        one_root: &[SYSTEM_PROBE, BROKEN_MACRO],
-    },
-    Row {
-        name: "modelling.json malformed: the system's sliders over contarget's targets",
-        change: |contarget| edit(&contarget.join("modelling.json"), "\"Height\": {", "\"Height\": {,"),
-        over_system: &[MACRO_PROBE, BROKEN_SLIDERS, SYSTEM_SLIDERS],
-        alone: &[MACRO_PROBE, BROKEN_SLIDERS, UNMEASURED],
-        one_root: &[MACRO_PROBE, BROKEN_SLIDERS],
-    },
-    Row {
-        name: "target_cat.json empty: the system's categories",
-        change: |contarget| fs::write(contarget.join("target_cat.json"), "[]").unwrap(),
-        over_system: &[MACRO_PROBE, BROKEN_CATEGORIES, OWN_SLIDERS],
-        alone: &[MACRO_PROBE, BROKEN_CATEGORIES, UNMEASURED, OWN_SLIDERS],
-        one_root: &[MACRO_PROBE, BROKEN_CATEGORIES],
-    },
+    no_macros("macro.json malformed: as if absent, without a word", |contarget| {
+        edit(&contarget.join("macro.json"), "\"macrodef\": [", "\"macrodef\": [,");
+    }),
+    no_macros("macro.json with a byte order mark: as if absent", |contarget| {
+        let text = fs::read_to_string(contarget.join("macro.json")).unwrap();
+        fs::write(contarget.join("macro.json"), format!("\u{feff}{text}")).unwrap();
+    }),
+    no_macros("macro.json empty: as if absent", |contarget| write(contarget, "macro.json", "{}")),
+    no_sliders("modelling.json malformed: the system's sliders over contarget's targets", |contarget| {
+        edit(&contarget.join("modelling.json"), "\"Height\": {", "\"Height\": {,");
+    }),
+    no_categories("target_cat.json empty: the system's categories", |contarget| {
+        write(contarget, "target_cat.json", "[]");
+    }),
     Row {
         name: "targets alone: never read",
         change: |contarget| remove_all(contarget, &["macro.json", "modelling.json", "target_cat.json"]),
@@ -164,55 +168,17 @@ const ROWS: &[Row<'_>] = &[
         alone: &[MACRO_PROBE, UNMEASURED, OWN_SLIDERS],
         one_root: &[MACRO_PROBE, SHADOWED_MACRO],
     },
-    Row {
-        name: "macro.json is an empty list: as if absent",
-        change: |contarget| fs::write(contarget.join("macro.json"), "[]").unwrap(),
-        over_system: &[BROKEN_MACRO, OWN_SLIDERS],
-        alone: &[BROKEN_MACRO, OWN_SLIDERS],
-        one_root: &[SYSTEM_PROBE, BROKEN_MACRO],
-    },
-    Row {
-        name: "macro.json is null: as if absent",
-        change: |contarget| fs::write(contarget.join("macro.json"), "null").unwrap(),
-        over_system: &[BROKEN_MACRO, OWN_SLIDERS],
-        alone: &[BROKEN_MACRO, OWN_SLIDERS],
-        one_root: &[SYSTEM_PROBE, BROKEN_MACRO],
-    },
-    Row {
-        name: "macro.json is false: as if absent",
-        change: |contarget| fs::write(contarget.join("macro.json"), "false").unwrap(),
-        over_system: &[BROKEN_MACRO, OWN_SLIDERS],
-        alone: &[BROKEN_MACRO, OWN_SLIDERS],
-        one_root: &[SYSTEM_PROBE, BROKEN_MACRO],
-    },
-    Row {
-        name: "macro.json is a zero: as if absent",
-        change: |contarget| fs::write(contarget.join("macro.json"), "0").unwrap(),
-        over_system: &[BROKEN_MACRO, OWN_SLIDERS],
-        alone: &[BROKEN_MACRO, OWN_SLIDERS],
-        one_root: &[SYSTEM_PROBE, BROKEN_MACRO],
-    },
-    Row {
-        name: "macro.json is an empty text: as if absent",
-        change: |contarget| fs::write(contarget.join("macro.json"), "\"\"").unwrap(),
-        over_system: &[BROKEN_MACRO, OWN_SLIDERS],
-        alone: &[BROKEN_MACRO, OWN_SLIDERS],
-        one_root: &[SYSTEM_PROBE, BROKEN_MACRO],
-    },
-    Row {
-        name: "modelling.json empty: the system's sliders over contarget's targets",
-        change: |contarget| fs::write(contarget.join("modelling.json"), "{}").unwrap(),
-        over_system: &[MACRO_PROBE, BROKEN_SLIDERS, SYSTEM_SLIDERS],
-        alone: &[MACRO_PROBE, BROKEN_SLIDERS, UNMEASURED],
-        one_root: &[MACRO_PROBE, BROKEN_SLIDERS],
-    },
-    Row {
-        name: "target_cat.json malformed: the system's categories",
-        change: |contarget| fs::write(contarget.join("target_cat.json"), "{").unwrap(),
-        over_system: &[MACRO_PROBE, BROKEN_CATEGORIES, OWN_SLIDERS],
-        alone: &[MACRO_PROBE, BROKEN_CATEGORIES, UNMEASURED, OWN_SLIDERS],
-        one_root: &[MACRO_PROBE, BROKEN_CATEGORIES],
-    },
+    no_macros("macro.json is an empty list: as if absent", |contarget| write(contarget, "macro.json", "[]")),
+    no_macros("macro.json is null: as if absent", |contarget| write(contarget, "macro.json", "null")),
+    no_macros("macro.json is false: as if absent", |contarget| write(contarget, "macro.json", "false")),
+    no_macros("macro.json is a zero: as if absent", |contarget| write(contarget, "macro.json", "0")),
+    no_macros("macro.json is an empty text: as if absent", |contarget| write(contarget, "macro.json", "\"\"")),
+    no_sliders("modelling.json empty: the system's sliders over contarget's targets", |contarget| {
+        write(contarget, "modelling.json", "{}");
+    }),
+    no_categories("target_cat.json malformed: the system's categories", |contarget| {
+        write(contarget, "target_cat.json", "{");
+    }),
     Row {
         name: "nothing in contarget",
         change: |contarget| fs::remove_dir_all(contarget).unwrap(),
@@ -313,6 +279,10 @@ fn edit(path: &Path, find: &str, replace: &str) {
     let text = fs::read_to_string(path).unwrap();
     assert!(text.contains(find), "{}: {find}", path.display());
     fs::write(path, text.replace(find, replace)).unwrap();
+}
+
+fn write(folder: &Path, name: &str, text: &str) {
+    fs::write(folder.join(name), text).unwrap();
 }
 
 fn remove_all(folder: &Path, names: &[&str]) {

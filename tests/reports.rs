@@ -14,8 +14,7 @@ use serde_json::Value;
 
 /// A copy of the example repository with two errors in two files.
 fn broken() -> tempfile::TempDir {
-    let repository = example();
-    lose_a_step(repository.path());
+    let repository = scratch::broken();
     edit(repository.path(), "data/target/figure/head/head-oval.target", "339 0 .001 .001", "339 0 0,001 .001");
     repository
 }

@@ -16,7 +16,7 @@ use mhlint::trial;
 use mhlint::{Tree, rule_infos};
 use rayon::prelude::*;
 use scratch::memory::{Asked, Memory, concise};
-use scratch::{Case, example, findings, mhlint, project};
+use scratch::{Case, example, findings, folders, mhlint, project};
 
 /// A folder below `fixtures/rules`.
 struct Fixture {
@@ -102,13 +102,6 @@ fn fixtures() -> Vec<Fixture> {
         }
     }
     all
-}
-
-fn folders(path: &Path) -> Vec<PathBuf> {
-    let entries = fs::read_dir(path).unwrap().map(|entry| entry.unwrap().path());
-    let mut folders: Vec<PathBuf> = entries.filter(|path| path.is_dir()).collect();
-    folders.sort();
-    folders
 }
 
 /// Runs a case; gives what is wrong with it.

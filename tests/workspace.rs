@@ -6,18 +6,8 @@ mod scratch;
 use std::fs;
 use std::path::Path;
 
-use scratch::{command, copy_folder, example};
+use scratch::{broken, command, copy_folder};
 use serde_json::Value;
-
-/// A copy of the example repository with one error.
-fn broken() -> tempfile::TempDir {
-    let repository = example();
-    let file = repository.path().join("data/target/figure/macro.json");
-    let text = fs::read_to_string(&file).unwrap();
-    fs::write(file, text.replacen("\"steps\": [0.0, 0.25, 0.5, 1.0]", "\"steps\": [0.0, 0.25, 0.5, 0.75, 1.0]", 1))
-        .unwrap();
-    repository
-}
 
 fn run(folder: &Path, args: &[&str]) -> String {
     String::from_utf8(command(folder, args).output().unwrap().stdout).unwrap()

@@ -229,6 +229,21 @@ pub fn lose_a_step(root: &Path) {
     edit(root, "data/target/figure/macro.json", four, three);
 }
 
+/// A copy with that error.
+pub fn broken() -> tempfile::TempDir {
+    let repository = example();
+    lose_a_step(repository.path());
+    repository
+}
+
+/// The folders in a folder, sorted.
+pub fn folders(path: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(path).unwrap().map(|entry| entry.unwrap().path());
+    let mut folders: Vec<PathBuf> = entries.filter(|path| path.is_dir()).collect();
+    folders.sort();
+    folders
+}
+
 /// Variables by which terminals and CI systems speak to programs.
 const SURROUNDINGS: [&str; 9] = [
     "CI",
