@@ -32,8 +32,6 @@ pub struct BaseJson {
     pub random: Option<Random>,
     /// Beginnings of groups that belong to the head.
     pub head_pattern: Option<Vec<String>>,
-    /// Base mesh this one is derived from.
-    pub parentmesh: Option<String>,
 }
 
 /// `random` of a base.
@@ -78,7 +76,6 @@ pub fn read(document: &Document) -> BaseJson {
         measure: text_members(root.get("measure")),
         random: root.get("random").filter(|node| node.is_object()).map(random),
         head_pattern: root.get("head-pattern").and_then(texts),
-        parentmesh: text(root, "parentmesh"),
     }
 }
 

@@ -20,8 +20,8 @@ mod skeleton;
 mod target;
 mod weights;
 
-use rule::did_you_mean;
 pub(crate) use rule::{Check, Rule, RuleCx};
+use rule::{counted, did_you_mean};
 
 /// Every rule, sorted by id. A rule that is not listed here does not exist.
 pub(crate) static RULES: &[&Rule] = &[

@@ -71,6 +71,12 @@ impl RuleCx<'_> {
     }
 }
 
+/// `1 target`, `3 targets`.
+pub(super) fn counted(count: impl ToString, thing: &str) -> String {
+    let count = count.to_string();
+    format!("{count} {thing}{}", if count == "1" { "" } else { "s" })
+}
+
 /// The help on a name that is unknown: a known one that is near, or else what to do.
 pub(super) fn did_you_mean(near: Option<&str>, otherwise: impl Into<String>) -> String {
     near.map_or_else(|| otherwise.into(), |near| format!("did you mean `{near}`?"))

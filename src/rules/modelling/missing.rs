@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::diag::Suggestions;
 use crate::repo::makehuman2::{Base, View};
-use crate::repo::{FileFacts, Reference, ReferenceKind, Resolution};
+use crate::repo::{FileFacts, Reference, ReferenceKind, Resolution, parent};
 
 /// Missing files that have one cause.
 pub(super) struct Group<'r, 'a> {
@@ -21,16 +21,16 @@ pub(super) fn groups<'r, 'a>(
     wanted: fn(ReferenceKind) -> bool,
 ) -> Vec<Group<'r, 'a>> {
     let mut groups: Vec<Group<'r, 'a>> = Vec::new();
-    let mut by_folder: BTreeMap<(&str, String), usize> = BTreeMap::new();
+    let mut by_folder: BTreeMap<(&str, &str), usize> = BTreeMap::new();
     let references = view.references_of(base).filter(|reference| wanted(reference.kind));
     for reference in references.filter(|reference| is_missing(base, reference)) {
-        let folder = folder_of(&reference.rel);
-        if !is_empty(view, &folder) {
+        let folder = parent(&reference.rel);
+        if !is_empty(view, folder) {
             groups.push(Group { folder: None, references: vec![reference] });
             continue;
         }
-        let at = *by_folder.entry((reference.from.path.as_str(), folder.clone())).or_insert_with(|| {
-            groups.push(Group { folder: Some(folder), references: Vec::new() });
+        let at = *by_folder.entry((reference.from.path.as_str(), folder)).or_insert_with(|| {
+            groups.push(Group { folder: Some(folder.to_owned()), references: Vec::new() });
             groups.len() - 1
         });
         if let Some(group) = groups.get_mut(at) {
@@ -58,10 +58,6 @@ fn is_missing(base: &Base<'_>, reference: &Reference<'_>) -> bool {
     }
 }
 
-fn folder_of(rel: &str) -> String {
-    rel.rsplit_once('/').map_or(String::new(), |(folder, _)| folder.to_owned())
-}
-
 fn is_empty(view: &View<'_>, folder: &str) -> bool {
     view.layers.strongest_first().all(|layer| layer.below(folder).next().is_none())
 }
@@ -79,9 +75,9 @@ impl<'r, 'a> Neighbours<'r, 'a> {
 
     /// The file beside the missing one that is most like it, by name without folder.
     pub(super) fn nearest(&self, reference: &Reference<'_>) -> Option<&'a str> {
-        let folder = folder_of(&reference.rel);
+        let folder = parent(&reference.rel);
         let wanted = reference.rel.rsplit('/').next().unwrap_or_default();
-        let files = self.view.layers.strongest_first().flat_map(|layer| layer.below(&folder));
+        let files = self.view.layers.strongest_first().flat_map(|layer| layer.below(folder));
         let free = files.filter(|file| !file.kind.is_json() && !self.is_used(file));
         self.suggestions.nearest(wanted, free.map(FileFacts::file_name))
     }

@@ -51,8 +51,3 @@ fn in_other_layer<'s, 'a>(view: &'s View<'a>, base: &'s Base<'a>) -> impl Iterat
 fn user_sliders(base: &Base<'_>) -> usize {
     if let Candidate::Accepted(_, model) = &base.user_modelling { model.sliders.len() } else { 0 }
 }
-
-/// `1 target`, `3 targets`.
-fn counted(count: usize, what: &str) -> String {
-    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
-}

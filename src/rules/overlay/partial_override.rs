@@ -1,9 +1,8 @@
 //! An override that lacks the files it needs beside it.
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, counted};
 use super::{
-    SystemFolder, counted, has_broken_override, has_misnamed_override, in_other_layer, overrides, system_folder,
-    user_sliders,
+    SystemFolder, has_broken_override, has_misnamed_override, in_other_layer, overrides, system_folder, user_sliders,
 };
 use crate::diag::{Application, Extent, Finding, Level, Place, RuleInfo};
 use crate::repo::FileFacts;

@@ -1,7 +1,7 @@
 //! A file that is there and not read, because another one replaces it.
 
-use super::super::{Check, Rule, RuleCx};
-use super::{Override, counted, is_complete, overrides};
+use super::super::{Check, Rule, RuleCx, counted};
+use super::{Override, is_complete, overrides};
 use crate::diag::{Application, Evidence, Extent, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 

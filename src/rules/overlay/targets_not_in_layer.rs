@@ -2,8 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use super::super::{Check, Rule, RuleCx};
-use super::{SystemFolder, counted, has_misnamed_override, in_other_layer, system_folder};
+use super::super::{Check, Rule, RuleCx, counted};
+use super::{SystemFolder, has_misnamed_override, in_other_layer, system_folder};
 use crate::diag::{Application, EXAMPLES, Evidence, Extent, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 use crate::repo::{Reference, ReferenceKind};

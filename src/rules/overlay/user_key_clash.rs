@@ -1,7 +1,6 @@
 //! User sliders that replace others of the same key.
 
-use super::super::{Check, Rule, RuleCx};
-use super::counted;
+use super::super::{Check, Rule, RuleCx, counted};
 use crate::diag::{Application, EXAMPLES, Evidence, Extent, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 

@@ -2,8 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::super::{Check, Rule, RuleCx};
-use super::counted;
+use super::super::{Check, Rule, RuleCx, counted};
 use crate::diag::{Application, Evidence, Extent, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 use crate::repo::{FileFacts, Resolution};

@@ -1,7 +1,7 @@
 //! A data line of a target has four fields.
 
-use super::super::{Check, Rule, RuleCx};
-use super::{counted, decoded};
+use super::super::{Check, Rule, RuleCx, counted};
+use super::decoded;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::FileFacts;
 

@@ -52,11 +52,6 @@ fn first_row(tally: &Tally) -> Place {
     }
 }
 
-/// `1 row`, `3 rows`.
-fn counted(count: u64, thing: &str) -> String {
-    if count == 1 { format!("1 {thing}") } else { format!("{count} {thing}s") }
-}
-
 /// Paths of the targets that something refers to, found or not: where one is missing, that is the fault to name.
 fn asked_for<'v>(view: &'v View<'_>, base: &Base<'_>) -> BTreeSet<&'v str> {
     let references = view.references_of(base).filter(|reference| reference.kind.is_target());

@@ -1,7 +1,7 @@
 //! `compressedtargets.npz` and the text files it was made from say the same.
 
-use super::super::{Check, Rule, RuleCx};
-use super::{counted, decoded};
+use super::super::{Check, Rule, RuleCx, counted};
+use super::decoded;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
 use crate::formats::npz::Archive;
@@ -76,7 +76,7 @@ fn finding(file: &FileFacts, archive: &Archive, stale: &Stale<'_>) -> Option<Fin
     ];
     let found = groups.iter().filter(|(names, _, _)| !names.is_empty());
     let parts: Vec<String> =
-        found.clone().map(|(names, what, _)| format!("{} {what}", counted(names.len() as u64, "target"))).collect();
+        found.clone().map(|(names, what, _)| format!("{} {what}", counted(names.len(), "target"))).collect();
     let (first, _, level) = found.clone().next()?;
     let effect = match level {
         Level::Error => RULE.info.breaks.first()?.1,

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use super::super::{Check, Rule, RuleCx};
-use super::{counted, first_row, targets};
+use super::super::{Check, Rule, RuleCx, counted};
+use super::{first_row, targets};
 use crate::diag::{Application, Change, EXAMPLES, Evidence, Finding, Fix, FixKind, Level, Rewrite, RuleInfo};
 use crate::formats::target::TargetFacts;
 use crate::repo::{Body, FileFacts, Layer};
@@ -70,7 +70,7 @@ fn most_first<'f>(files: &[(&'f FileFacts, &'f TargetFacts)]) -> Vec<(&'f FileFa
 fn of_folder(folder: &str, files: &[(&FileFacts, &TargetFacts)]) -> (String, Evidence) {
     let count: u64 = files.iter().map(|(_, facts)| facts.zero.count).sum();
     let of: usize = files.iter().map(|(_, facts)| facts.rows).sum();
-    let message = format!("{count} zero rows in {} of `{folder}` move nothing", counted(files.len() as u64, "target"));
+    let message = format!("{count} zero rows in {} of `{folder}` move nothing", counted(files.len(), "target"));
     let named = files.iter().map(|(file, facts)| format!("{} ({})", file.rel, facts.zero.count));
     let evidence = Evidence::of_groups(named, count);
     (message, evidence.out_of(of))
