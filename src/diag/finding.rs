@@ -176,6 +176,13 @@ impl Finding {
         self.at_worst()
     }
 
+    /// Keeps the consequences in these applications.
+    #[must_use]
+    pub fn only_in(mut self, applications: &[Application]) -> Self {
+        self.breaks.retain(|one| applications.contains(&one.application));
+        self.at_worst()
+    }
+
     fn at_worst(mut self) -> Self {
         self.level = self.breaks.iter().map(|one| one.level).max().unwrap_or(self.level);
         self
