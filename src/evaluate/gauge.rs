@@ -54,7 +54,6 @@ fn shape(scene: &Scene, rigs: &[Rig]) -> Measures {
     Measures {
         pairs: pair_measures(scene, &parts, &mirror),
         targets: target_measures(scene, &parts, &mirror),
-        unmirrored: mirror.unresolved(),
         cubes,
         skeletons: rigs.iter().filter_map(|rig| skeleton_measure(rig, &rest)).collect(),
         weights,

@@ -1,10 +1,9 @@
 //! Stretches of a slider in which a macrodef applies nothing.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{component, has_sound_steps, title};
+use super::{component, has_sound_steps, macro_file, title};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
-use crate::eval::makehuman2::macro_survey::DeadRange;
-use crate::eval::measures::Measures;
+use crate::eval::measures::{DeadRange, Measures};
 use crate::formats::macro_json::{Component, MacroFile, Macrodef};
 use crate::repo::Body;
 
@@ -28,8 +27,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some((_, base)) = body.makehuman2() else { return };
-    let Some((file, macros)) = base.macro_file() else { return };
+    let Some((file, macros)) = macro_file(body) else { return };
     for (number, macrodef) in macros.macrodefs.iter().enumerate() {
         let judged = |range: &&DeadRange| range.macrodef == number && is_sound(macros, macrodef);
         let ranges: Vec<&DeadRange> = measures.macros.dead.iter().filter(judged).collect();

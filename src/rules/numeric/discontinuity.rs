@@ -1,7 +1,7 @@
 //! The shape jumps where a slider passes a step.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{component, has_sound_steps, percent, title};
+use super::{component, has_sound_steps, macro_file, percent, title};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::repo::Body;
@@ -22,8 +22,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some((_, base)) = body.makehuman2() else { return };
-    let Some((file, macros)) = base.macro_file() else { return };
+    let Some((file, macros)) = macro_file(body) else { return };
     let mut told: Vec<&str> = Vec::new();
     for jump in &measures.macros.jumps {
         let Some((macrodef, component)) = component(macros, jump.macrodef, jump.position) else { continue };

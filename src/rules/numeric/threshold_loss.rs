@@ -1,7 +1,7 @@
 //! What the cut-off of small factors throws away.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{percent, title, worded};
+use super::{macro_file, percent, title, worded};
 use crate::diag::{Application, Evidence, Finding, Level, OptionInfo, Place, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::eval::settings::SliderSetting;
@@ -26,8 +26,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(body: &Body<'_>, measures: &Measures, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some((_, base)) = body.makehuman2() else { return };
-    let Some((file, macros)) = base.macro_file() else { return };
+    let Some((file, macros)) = macro_file(body) else { return };
     let limit = cx.option(&RULE, "percent") / 100.0;
     let over = || measures.macros.losses.iter().filter(|(_, lost, _)| *lost > limit);
     let Some((number, lost, at)) = over().max_by(|a, b| a.1.total_cmp(&b.1)) else { return };

@@ -1,7 +1,7 @@
 //! Weights of a component must add up to one.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{component, has_sound_steps, title};
+use super::{component, has_sound_steps, macro_file, title};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::formats::macro_json::Component;
@@ -26,8 +26,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some((_, base)) = body.makehuman2() else { return };
-    let Some((file, macros)) = base.macro_file() else { return };
+    let Some((file, macros)) = macro_file(body) else { return };
     let mut told: Vec<&str> = Vec::new();
     for off in &measures.macros.sums {
         let Some((macrodef, component)) = component(macros, off.macrodef, off.position) else { continue };
