@@ -43,7 +43,7 @@ fn run(files: &Files, path: &str, bytes: Vec<u8>) -> Outcome {
     let changed = shared.filter(|(other, _)| other != path).chain([(path.to_owned(), bytes.into())]);
     let options = Config { no_eval: true, ..Config::default() };
     let outcome = lint_trees(vec![Tree::in_memory("", changed)], None, &options).unwrap();
-    let failed = [&outcome.failed_rules, &outcome.failed_files, &outcome.failed_steps];
+    let failed = (&outcome.failed_rules, &outcome.failed_files, &outcome.failed_steps);
     assert!(outcome.is_whole(), "{path}: {failed:?}");
     outcome
 }

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::caught::caught;
 use super::load::{Data, Loaded, Stack};
 use crate::config::Config;
-use crate::diag::Application;
+use crate::diag::{Application, FailedStep};
 use crate::eval::measures::Measures;
 use crate::evaluate::{self, Rows};
 use crate::repo::makehuman2::Base;
@@ -15,7 +15,7 @@ use crate::repo::makehuman2::Base;
 pub(super) fn measure_bases(
     data: &mut Data<'_>,
     options: &Config,
-    failed: &mut Vec<String>,
+    failed: &mut Vec<FailedStep>,
 ) -> Vec<BTreeMap<String, Measures>> {
     let mut measures: Vec<BTreeMap<String, Measures>> = data.roots.iter().map(|_| BTreeMap::new()).collect();
     let bases: Vec<BTreeSet<String>> = data.roots.iter().map(bases_of).collect();
@@ -60,7 +60,7 @@ fn measure_base(
     concerned: &[bool],
     options: &Config,
     measures: &mut [BTreeMap<String, Measures>],
-    failed: &mut Vec<String>,
+    failed: &mut Vec<FailedStep>,
 ) {
     let last = concerned.iter().rposition(|concerned| *concerned);
     for (number, (Stack { seen, .. }, found)) in data.stacks().into_iter().zip(measures).enumerate() {
@@ -70,7 +70,7 @@ fn measure_base(
         // Repositories over the same system data share its rows; the last one takes them.
         let own = if Some(number) == last { &mut rows } else { &mut rows.clone() };
         let evaluate = || evaluate::measure(&base, own, options);
-        if let Some(Some(measured)) = caught(&format!("evaluation of `{name}`"), failed, evaluate) {
+        if let Some(Some(measured)) = caught(FailedStep::Evaluation { base: name.to_owned() }, failed, evaluate) {
             found.insert(name.to_owned(), measured);
         }
     }

@@ -55,7 +55,7 @@ pub(crate) fn holds_asset(outcome: &Outcome, file: &Path, system: Option<&Path>)
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diag::{Finding, Place, RootSummary, RuleInfo};
+    use crate::diag::{FailedStep, Finding, Place, RootSummary, RuleInfo};
 
     const RULE: RuleInfo = RuleInfo {
         breaks: &[(Application::Makehuman2, "stops"), (Application::Mpfb, "ignores it")],
@@ -83,7 +83,7 @@ mod tests {
         for missing in [
             Outcome { failed_rules: what(), ..Outcome::default() },
             Outcome { failed_files: what(), ..Outcome::default() },
-            Outcome { failed_steps: what(), ..Outcome::default() },
+            Outcome { failed_steps: vec![FailedStep::Places], ..Outcome::default() },
         ] {
             assert!(!missing.passes(&config) && !missing.is_whole());
         }

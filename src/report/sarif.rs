@@ -5,6 +5,7 @@ use std::io::{self, Write};
 use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, utf8_percent_encode};
 use serde_json::{Map, Value, json};
 
+use super::note::step;
 use super::{View, phrase, printable};
 use crate::diag::{Finding, Level, Location, Outcome, Related, RuleInfo};
 
@@ -174,11 +175,8 @@ fn notifications(outcome: &Outcome, shown: usize) -> Vec<Value> {
     if left > 0 {
         notes.push(note(format!("{left} findings are left out: code scanning accepts {RESULTS}"), "warning"));
     }
-    let failed = [
-        ("the rule", &outcome.failed_rules),
-        ("the reader of", &outcome.failed_files),
-        ("the step", &outcome.failed_steps),
-    ];
+    let steps = outcome.failed_steps.iter().map(step).collect();
+    let failed = [("the rule", &outcome.failed_rules), ("the reader of", &outcome.failed_files), ("the step", &steps)];
     for (what, names) in failed {
         let said = |name: &String| format!("{what} {} failed, a bug of mhlint", text(&printable(name)));
         notes.extend(names.iter().map(|name| note(said(name), "error")));

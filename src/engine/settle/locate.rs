@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use rayon::prelude::*;
 
-use crate::diag::{Finding, Location, Place, Related};
+use crate::diag::{FailedStep, Finding, Location, Place, Related};
 use crate::engine::caught::caught;
 use crate::json::{self, Finder};
 use crate::source::{Limits, Lines, Tree};
@@ -22,10 +22,10 @@ pub(in crate::engine) fn place_and_sort(
     findings: &mut [Finding],
     trees: &[&Tree],
     limits: &Limits,
-    failed: &mut Vec<String>,
+    failed: &mut Vec<FailedStep>,
 ) {
     findings.sort_by(|a, b| (&a.path, a.rule, &a.subject.key).cmp(&(&b.path, b.rule, &b.subject.key)));
-    caught("places of findings", failed, || locate(findings, trees, limits));
+    caught(FailedStep::Places, failed, || locate(findings, trees, limits));
     let place = |finding: &Finding| (finding.location.line, finding.location.column);
     findings
         .sort_by(|a, b| (&a.path, place(a), a.rule, &a.subject.key).cmp(&(&b.path, place(b), b.rule, &b.subject.key)));
