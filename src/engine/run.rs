@@ -1,6 +1,5 @@
 //! A run: inputs to data roots, roots to repositories, repositories through the rules to an outcome.
 
-use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -9,13 +8,12 @@ use super::changed::{Change, explain, narrow};
 use super::check::{check, check_upkeep};
 use super::error::Error;
 use super::load::{Data, Input, Loaded, Roots, Stack, open};
-use super::measure::measure_bases;
+use super::measure::{Measured, measure_bases};
 use super::settle::{Ignores, Keeper, Known, Placed, Root, Scope, Selection, idle, place_and_sort};
 use super::summary::{check_bases, summarise};
 use super::verdict::conclude;
 use crate::config::{Config, Selector};
 use crate::diag::{self, Application, IdleGlob, Level, Outcome, Phase, Timed, Timing, Upkeep};
-use crate::eval::measures::Measures;
 use crate::repo::{Layer, View};
 use crate::source::Tree;
 
@@ -129,7 +127,7 @@ fn timing(phase: Phase, started: Instant) -> Timing {
 /// What is to be reported of every repository. `measures` has those of each.
 fn judge_all(
     data: &Data<'_>,
-    measures: &[BTreeMap<String, Measures>],
+    measures: &[Measured],
     asked: &Asked<'_>,
     ignores: &mut Ignores<'_>,
     outcome: &mut Outcome,
@@ -142,8 +140,7 @@ fn judge_all(
         let views: Vec<View<'_>> =
             seen.iter().map(|(application, layers)| View::connect(*application, *layers)).collect();
         views.iter().for_each(|view| summarise(view, outcome));
-        // Only what MakeHuman 2 shows is evaluated.
-        let of_view = |view: &View<'_>| measures.get(number).filter(|_| view.makehuman2().is_some());
+        let of_view = |view: &View<'_>| measures.get(number)?.get(&view.application());
         let with_measures: Vec<_> = views.iter().map(|view| (view, of_view(view))).collect();
         let mut findings = check(&with_measures, selection, options, outcome);
         if let Some(change) = change {

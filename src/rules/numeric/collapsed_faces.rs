@@ -39,10 +39,7 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
         out.push(
             finding(body, seen, &message, "flipped")
                 .evidence(evidence(seen).with_worst(seen.value, format!("face {}", seen.element)))
-                .breaks(
-                    Application::Makehuman2,
-                    "shows the inside of the skin, or holes where back faces are not drawn",
-                ),
+                .effect("shows the inside of the skin, or holes where back faces are not drawn"),
         );
     }
 }

@@ -44,7 +44,7 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
             finding.help("list the combinations, or write `null` where no shape is meant")
         } else {
             let effect = "fades the shape out towards this position and applies nothing of the macrodef there";
-            let finding = finding.level(Level::Info).breaks(Application::Makehuman2, effect);
+            let finding = finding.level(Level::Info).effect(effect);
             finding.help("nothing needs to be done if no shape is meant there")
         });
     }
