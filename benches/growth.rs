@@ -10,7 +10,8 @@ use std::process::ExitCode;
 use std::sync::LazyLock;
 use std::time::{Duration, Instant};
 
-use mhlint::{Config, Outcome, Tree, lint_trees};
+use mhlint::diag::{Timed, Timing};
+use mhlint::{Config, Outcome, Tree, lint_trees, report};
 
 /// How many times as long four times as much may take.
 const BOUND: f64 = 4.6;
@@ -88,7 +89,13 @@ fn assert_shown(shape: &Shape, outcome: &Outcome) {
     if std::env::var_os("MHLINT_TIMINGS").is_some() {
         let mut timings: Vec<_> = outcome.timings.iter().collect();
         timings.sort_by_key(|timing| std::cmp::Reverse(timing.time));
-        timings.iter().take(12).for_each(|timing| println!("    {:.3} s {}", timing.time.as_secs_f64(), timing.what));
+        for Timing { what, time } in timings.iter().take(12) {
+            let what = match what {
+                Timed::Phase(phase) => report::phase(*phase),
+                Timed::Rule(rule) => rule,
+            };
+            println!("    {:.3} s {what}", time.as_secs_f64());
+        }
     }
 }
 

@@ -57,6 +57,9 @@ const WINGS: &[(&str, &[&str])] = &[("check", &["settle"]), ("load", &["settle"]
 /// Folders of which a part belongs to an application.
 const OF_APPLICATIONS: [&str; 4] = ["discover", "eval", "evaluate", "repo"];
 
+/// Where what all applications have asks for the formulas of one; `evaluate/mod.rs` shows them to users.
+const DISPATCH: [&str; 4] = ["eval/macros.rs", "eval/skeleton.rs", "evaluate/formulas.rs", "evaluate/mod.rs"];
+
 /// A file of `src/` without its tests.
 struct Source {
     path: String,
@@ -167,6 +170,30 @@ fn wings_of_the_engine_import_only_what_the_table_allows() {
         .filter_map(|source| Some(source.path.strip_prefix("engine/")?.split_once('/')?.0.to_owned()));
     let known: BTreeSet<String> = WINGS.iter().map(|(wing, _)| (*wing).to_owned()).collect();
     assert_eq!(folders.collect::<BTreeSet<_>>(), known, "the table of wings");
+}
+
+/// The application in whose folder a file lies, such as `makehuman2` in `eval/makehuman2/rest.rs`.
+fn application_of(path: &str) -> Option<&str> {
+    let (folder, rest) = path.split_once('/')?;
+    let (application, _) = rest.split_once('/').filter(|_| OF_APPLICATIONS.contains(&folder))?;
+    mhlint::Application::ALL.iter().map(|one| one.word()).find(|word| *word == application)
+}
+
+/// What all applications have is evaluated without a look at one of them.
+#[test]
+fn formulas_of_an_application_are_asked_for_in_few_places() {
+    let sources = sources();
+    let all = Crate::of(&sources);
+    let is_neutral = |source: &&Source| {
+        let is_evaluation = matches!(folder_of(&source.path), Some("eval" | "evaluate"));
+        is_evaluation && application_of(&source.path).is_none() && !DISPATCH.contains(&source.path.as_str())
+    };
+    let mut faults = Vec::new();
+    for source in sources.iter().filter(is_neutral) {
+        let own = all.imports(source).into_iter().filter(|other| application_of(other).is_some());
+        faults.extend(own.map(|other| format!("{} imports {other}", source.path)));
+    }
+    assert!(faults.is_empty(), "\n{}", faults.join("\n"));
 }
 
 /// Folders below folders, each with what lies beside it. Of what all applications have and what is one's own each knows

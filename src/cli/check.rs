@@ -18,7 +18,7 @@ use super::step_summary;
 use super::terminal::Terminal;
 use super::workspace::placed;
 use crate::config::Config;
-use crate::diag::{Baseline, Outcome, TakenOver, nearest};
+use crate::diag::{Baseline, Outcome, TakenOver, Timed, nearest};
 use crate::engine::{Error, rule_infos};
 use crate::report::{self, Format, View};
 
@@ -211,7 +211,7 @@ fn tell(
     }
     if nothing {
         let remedy = "give the folder that holds `base/`, `target/`, `contarget/` or `rigs/`";
-        writeln!(err, "mhlint: nothing to check: no data of MakeHuman 2 were found; {remedy}")?;
+        writeln!(err, "mhlint: nothing to check: {}; {remedy}", report::nothing(outcome))?;
     }
     Ok(())
 }
@@ -249,11 +249,12 @@ fn print_timings(outcome: &Outcome, err: &mut dyn Write) -> Result<(), Failure> 
     const SHORT: Duration = Duration::from_millis(1);
     let mut steps: BTreeMap<&str, Duration> = BTreeMap::new();
     let mut rules: BTreeMap<&str, Duration> = BTreeMap::new();
-    let known = rule_infos();
     for timing in &outcome.timings {
-        let is_rule = known.iter().any(|rule| rule.id == timing.what);
-        let times = if is_rule { &mut rules } else { &mut steps };
-        *times.entry(&timing.what).or_default() += timing.time;
+        let (times, what) = match timing.what {
+            Timed::Phase(phase) => (&mut steps, report::phase(phase)),
+            Timed::Rule(rule) => (&mut rules, rule),
+        };
+        *times.entry(what).or_default() += timing.time;
     }
     let mut line = |what: &str, time: Duration| writeln!(err, "{:>9.3} ms  {what}", time.as_secs_f64() * 1e3);
     line("total", steps.values().sum())?;

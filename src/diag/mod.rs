@@ -29,8 +29,8 @@ pub use level::{Application, Confidence, Level};
 pub use nearest::{Sought, Suggestions, nearest};
 pub use note::Note;
 pub use outcome::{
-    ApplicationVerdict, FailedStep, NotChecked, Outcome, RootSummary, Scope, Summary, TakenOver, Timing, Unchecked,
-    Verdict,
+    ApplicationVerdict, FailedStep, NotChecked, Outcome, Phase, RootSummary, Scope, Summary, TakenOver, Timed, Timing,
+    Unchecked, Verdict,
 };
 pub use parts::{Name, Parts};
 pub use place::{Element, Excerpt, Location, Place, add_step, pointer, steps};

@@ -9,6 +9,8 @@ use super::{Application, Baseline, Finding, Level, Note};
 /// Result of a run.
 #[derive(Debug, Clone, Default)]
 pub struct Outcome {
+    /// The applications whose data were looked for.
+    pub looked_for: Vec<Application>,
     /// The data roots that were found.
     pub roots: Vec<RootSummary>,
     /// How the run ended for each application of which something was checked.
@@ -37,20 +39,8 @@ pub struct Outcome {
     pub failed_rules: Vec<String>,
     /// Files on which a reader of ours panicked, by path: bugs of ours, whose findings are missing.
     pub failed_files: Vec<String>,
-    /// Other work that panicked.
+    /// Other work that panicked: bugs of ours.
     pub failed_steps: Vec<FailedStep>,
-}
-
-/// Work on more than one file, or for no rule.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum FailedStep {
-    /// The evaluation of a base mesh.
-    Evaluation {
-        /// Its name.
-        base: String,
-    },
-    /// The look-up of the places of findings.
-    Places,
 }
 
 /// A data root.
@@ -159,10 +149,44 @@ pub struct TakenOver {
 /// Time spent on something.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Timing {
-    /// Phase or rule.
-    pub what: String,
+    /// What.
+    pub what: Timed,
     /// How long, added up over threads for rules.
     pub time: Duration,
+}
+
+/// What time was spent on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Timed {
+    /// A phase of the run.
+    Phase(Phase),
+    /// The rule of this id.
+    Rule(&'static str),
+}
+
+/// A phase of a run. `report` has the words.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Phase {
+    /// Finding and reading everything but targets.
+    Read,
+    /// Reading targets, and measuring base meshes with them.
+    Evaluation,
+    /// The rules, and what becomes of their findings.
+    Rules,
+    /// Lines and columns of findings.
+    Places,
+}
+
+/// Work besides files and rules. `report` has the words.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum FailedStep {
+    /// Measuring a base mesh.
+    Evaluation {
+        /// Its name.
+        base: String,
+    },
+    /// Finding the lines and columns of findings.
+    Places,
 }
 
 impl Outcome {

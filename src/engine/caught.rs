@@ -3,7 +3,7 @@
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 /// Does some work; if it panics, notes in `failed` what it was.
-pub(super) fn caught<W, T>(what: impl Into<W>, failed: &mut Vec<W>, work: impl FnOnce() -> T) -> Option<T> {
+pub(super) fn caught<T, W>(what: impl Into<W>, failed: &mut Vec<W>, work: impl FnOnce() -> T) -> Option<T> {
     let done = catch_unwind(AssertUnwindSafe(work)).ok();
     if done.is_none() {
         failed.push(what.into());

@@ -3,21 +3,19 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::caught::caught;
-use super::load::{Data, Loaded, Stack};
+use super::load::{Data, Loaded};
 use crate::config::Config;
 use crate::diag::{Application, FailedStep};
 use crate::eval::measures::Measures;
-use crate::evaluate::{self, Rows};
-use crate::repo::makehuman2::Base;
+use crate::evaluate::{self, Rows, is_evaluated};
 
-/// Reads the targets of all bases and measures each base of each repository: one map a repository. What could not be
+/// Measures by name of the base, as each application shows it.
+pub(super) type Measured = BTreeMap<Application, BTreeMap<String, Measures>>;
+
+/// Reads the targets of all bases and measures each base of each repository: one entry a repository. What could not be
 /// measured for a bug of ours is noted in `failed`.
-pub(super) fn measure_bases(
-    data: &mut Data<'_>,
-    options: &Config,
-    failed: &mut Vec<FailedStep>,
-) -> Vec<BTreeMap<String, Measures>> {
-    let mut measures: Vec<BTreeMap<String, Measures>> = data.roots.iter().map(|_| BTreeMap::new()).collect();
+pub(super) fn measure_bases(data: &mut Data<'_>, options: &Config, failed: &mut Vec<FailedStep>) -> Vec<Measured> {
+    let mut measures: Vec<Measured> = data.roots.iter().map(|_| Measured::new()).collect();
     let bases: Vec<BTreeSet<String>> = data.roots.iter().map(bases_of).collect();
     for name in names(data) {
         let evaluated = name.as_deref().filter(|name| !options.no_eval && options.asks_for_base(name));
@@ -26,8 +24,7 @@ pub(super) fn measure_bases(
             rows.append(&mut root.load_targets(name.as_deref(), &options.limits, evaluated.is_some()));
         }
         if let Some(name) = evaluated {
-            let concerned: Vec<bool> = bases.iter().map(|bases| bases.contains(name)).collect();
-            measure_base(data, name, rows, &concerned, options, &mut measures, failed);
+            measure_base(data, name, rows, &bases, options, &mut measures, failed);
         }
     }
     measures
@@ -44,11 +41,8 @@ fn names(data: &Data<'_>) -> BTreeSet<Option<String>> {
     names
 }
 
-/// Names of the bases that files of a root of MakeHuman 2 belong to, its targets included.
+/// Names of the bases that files of a root belong to, its targets included.
 fn bases_of(root: &Loaded<'_>) -> BTreeSet<String> {
-    if !root.layer.layouts.iter().any(|layout| layout.application == Application::Makehuman2) {
-        return BTreeSet::new();
-    }
     let files = root.layer.files.values().filter_map(|file| file.base());
     files.chain(root.place.target_bases().into_iter().flatten()).map(str::to_owned).collect()
 }
@@ -57,21 +51,22 @@ fn measure_base(
     data: &Data<'_>,
     name: &str,
     mut rows: Rows,
-    concerned: &[bool],
+    bases: &[BTreeSet<String>],
     options: &Config,
-    measures: &mut [BTreeMap<String, Measures>],
+    measures: &mut [Measured],
     failed: &mut Vec<FailedStep>,
 ) {
-    let last = concerned.iter().rposition(|concerned| *concerned);
-    for (number, (Stack { seen, .. }, found)) in data.stacks().into_iter().zip(measures).enumerate() {
-        let own = seen.iter().find(|(application, _)| *application == Application::Makehuman2);
-        let (Some((_, layers)), Some(true)) = (own, concerned.get(number)) else { continue };
-        let base = Base::resolve(name, layers.system, layers.user);
+    let is_concerned = |number: usize| bases.get(number).is_some_and(|bases| bases.contains(name));
+    let stacks = data.stacks().into_iter().enumerate().filter(|(number, _)| is_concerned(*number));
+    let seen = stacks.flat_map(|(number, stack)| stack.seen.into_iter().map(move |(of, layers)| (number, of, layers)));
+    let mut seen = seen.filter(|(_, application, _)| is_evaluated(*application)).peekable();
+    while let Some((number, application, layers)) = seen.next() {
         // Repositories over the same system data share its rows; the last one takes them.
-        let own = if Some(number) == last { &mut rows } else { &mut rows.clone() };
-        let evaluate = || evaluate::measure(&base, own, options);
-        if let Some(Some(measured)) = caught(FailedStep::Evaluation { base: name.to_owned() }, failed, evaluate) {
-            found.insert(name.to_owned(), measured);
+        let own = if seen.peek().is_none() { &mut rows } else { &mut rows.clone() };
+        let evaluate = || evaluate::measure(application, layers, name, own, options);
+        let step = FailedStep::Evaluation { base: name.to_owned() };
+        if let (Some(Some(found)), Some(root)) = (caught(step, failed, evaluate), measures.get_mut(number)) {
+            root.entry(application).or_default().insert(name.to_owned(), found);
         }
     }
 }

@@ -1,6 +1,5 @@
 //! A run: inputs to data roots, roots to repositories, repositories through the rules to an outcome.
 
-use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -9,13 +8,12 @@ use super::changed::{Change, explain, narrow};
 use super::check::{check, check_upkeep};
 use super::error::Error;
 use super::load::{Data, Input, Loaded, Roots, Stack, open};
-use super::measure::measure_bases;
+use super::measure::{Measured, measure_bases};
 use super::settle::{Ignores, Keeper, Known, Placed, Root, Scope, Selection, idle, place_and_sort};
 use super::summary::{check_bases, summarise};
 use super::verdict::conclude;
 use crate::config::{Config, Selector};
-use crate::diag::{self, Application, IdleGlob, Level, Outcome, Timing, Upkeep};
-use crate::eval::measures::Measures;
+use crate::diag::{self, Application, IdleGlob, Level, Outcome, Phase, Timed, Timing, Upkeep};
 use crate::repo::{Layer, View};
 use crate::source::Tree;
 
@@ -64,21 +62,21 @@ pub(super) fn lint_inputs(
     };
     let known = Known::open(options)?;
     let mut ignores = Ignores::new(options);
-    let mut outcome = Outcome::default();
+    let mut outcome = Outcome { looked_for: applications.to_vec(), ..Outcome::default() };
     let started = Instant::now();
     let roots = Roots::of(inputs, system, &asked.scope, options, applications, &mut outcome)?;
     let mut data = Data::load(roots, &options.limits);
     outcome.scope = asked_for(&data, options);
-    outcome.timings.push(timing("read", started));
+    outcome.timings.push(timing(Phase::Read, started));
     let started = Instant::now();
     let measures = measure_bases(&mut data, options, &mut outcome.failed_steps);
     outcome.failed_files = data.failed_files();
-    outcome.timings.push(timing("targets and evaluation", started));
+    outcome.timings.push(timing(Phase::Evaluation, started));
     let started = Instant::now();
     let found = check_all(&data, &measures, &asked, &mut ignores, &mut outcome);
     check_bases(options, &outcome)?;
     settle(found, known, &data, &asked, &ignores, &mut outcome)?;
-    outcome.timings.push(timing("rules", started));
+    outcome.timings.push(timing(Phase::Rules, started));
     let started = Instant::now();
     let settings = options.file.as_ref().map(|file| (file.path.clone(), file.text.clone().into_bytes()));
     let settings = Tree::in_memory("", settings);
@@ -86,7 +84,7 @@ pub(super) fn lint_inputs(
     outcome.roots.sort_by(|a, b| (&a.path, a.application).cmp(&(&b.path, b.application)));
     place_and_sort(&mut outcome.findings, &trees, &options.limits, &mut outcome.failed_steps);
     conclude(&mut outcome, options);
-    outcome.timings.push(timing("places", started));
+    outcome.timings.push(timing(Phase::Places, started));
     Ok(outcome)
 }
 
@@ -122,14 +120,14 @@ fn off<'l, T>(
     levels.iter().filter(|(_, level)| level.is_none()).map(move |(rules, _)| name(rules))
 }
 
-fn timing(what: &str, started: Instant) -> Timing {
-    Timing { what: what.to_owned(), time: started.elapsed() }
+fn timing(phase: Phase, started: Instant) -> Timing {
+    Timing { what: Timed::Phase(phase), time: started.elapsed() }
 }
 
 /// What is to be reported of every repository. `measures` has those of each.
 fn check_all(
     data: &Data<'_>,
-    measures: &[BTreeMap<String, Measures>],
+    measures: &[Measured],
     asked: &Asked<'_>,
     ignores: &mut Ignores<'_>,
     outcome: &mut Outcome,
@@ -142,8 +140,7 @@ fn check_all(
         let views: Vec<View<'_>> =
             seen.iter().map(|(application, layers)| View::connect(*application, *layers)).collect();
         views.iter().for_each(|view| summarise(view, outcome));
-        // Only what MakeHuman 2 shows is evaluated.
-        let of_view = |view: &View<'_>| measures.get(number).filter(|_| view.makehuman2().is_some());
+        let of_view = |view: &View<'_>| measures.get(number)?.get(&view.application());
         let with_measures: Vec<_> = views.iter().map(|view| (view, of_view(view))).collect();
         let mut findings = check(&with_measures, selection, options, outcome);
         if let Some(change) = change {

@@ -13,6 +13,13 @@ pub enum Macros {
     Makehuman2(MacroTable),
 }
 
+/// Why macros stop their application.
+#[derive(Debug, Clone, PartialEq)]
+pub enum MacroFault {
+    /// In [`Macros::Makehuman2`].
+    Makehuman2(MacroError),
+}
+
 /// Room for calculating macros, meant to be reused.
 #[derive(Debug, Default)]
 pub struct MacroWork {
@@ -24,10 +31,10 @@ impl Macros {
     ///
     /// # Errors
     /// Where the macros stop the application.
-    pub fn factors<'w>(&self, settings: &[f64], work: &'w mut MacroWork) -> Result<&'w [(u32, f64)], MacroError> {
+    pub fn factors<'w>(&self, settings: &[f64], work: &'w mut MacroWork) -> Result<&'w [(u32, f64)], MacroFault> {
         match self {
             Self::Makehuman2(table) => {
-                table.evaluate(settings, &mut work.makehuman2)?;
+                table.evaluate(settings, &mut work.makehuman2).map_err(MacroFault::Makehuman2)?;
                 Ok(&work.makehuman2.factors)
             }
         }

@@ -1,6 +1,5 @@
 //! What evaluation measures on a scene, in plain data with names, which outlives the scene. Rules judge it.
 
-use super::makehuman2::macro_survey::{DeadRange, Jump, SumOff};
 use super::rig_measure::{BoneMeasure, WeightMeasure};
 use super::settings::SliderSetting;
 use super::symmetry::MirrorDifference;
@@ -17,8 +16,6 @@ pub struct Measures {
     pub targets: Vec<TargetMeasure>,
     /// Left targets compared with their right partners.
     pub pairs: Vec<PairMeasure>,
-    /// Mirror map of the base mesh: vertices without partner, vertices whose partner is ambiguous.
-    pub unmirrored: (usize, usize),
     /// Names of the joint cubes that torn cubes are counted by.
     pub cubes: Vec<String>,
     /// Skeletons of the base on the default character.
@@ -80,6 +77,47 @@ pub struct MacroMeasure {
     pub jumps: Vec<Jump>,
     /// Macrodef, weight lost to the cut-off at worst, and the setting.
     pub losses: Vec<(usize, f64, Vec<SliderSetting>)>,
+}
+
+/// A stretch of a slider in which a macrodef applies nothing, wherever its other sliders stand.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DeadRange {
+    /// Number of the macrodef.
+    pub macrodef: usize,
+    /// Position of the component in its `comp`.
+    pub position: usize,
+    /// Values that have no target in any combination; empty above the last step.
+    pub values: Vec<usize>,
+    /// Combinations with these values that are listed with null.
+    pub null: usize,
+    /// Combinations with these values that are not listed.
+    pub missing: usize,
+}
+
+/// A sum of weights that is not one.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SumOff {
+    /// Number of the macrodef.
+    pub macrodef: usize,
+    /// Position of the component in its `comp`.
+    pub position: usize,
+    /// Slider position (of a barycentric set: none).
+    pub at: Option<f64>,
+    /// The sum.
+    pub sum: f64,
+}
+
+/// A jump of the factor of a target between two sides of a step.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Jump {
+    /// Number of the macrodef whose component has the step.
+    pub macrodef: usize,
+    /// Position of the component in its `comp`.
+    pub position: usize,
+    /// The step.
+    pub at: f64,
+    /// How much the factor changes.
+    pub by: f64,
 }
 
 /// A left target and its right partner.

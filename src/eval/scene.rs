@@ -6,8 +6,7 @@
 use std::collections::BTreeMap;
 
 use super::error::EvalError;
-use super::macros::{MacroWork, Macros};
-use super::makehuman2::MacroError;
+use super::macros::{MacroFault, MacroWork, Macros};
 use super::morph::{Side, apply, detail_factor};
 use super::settings::Dimension;
 use super::skeleton::SceneSkeleton;
@@ -105,7 +104,7 @@ pub enum SettingError {
         target: usize,
     },
     /// The macros stop the application.
-    Macro(MacroError),
+    Macro(MacroFault),
     /// A target moves a vertex the mesh does not have.
     Morph(EvalError),
 }

@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use super::evaluated;
+use crate::diag::Application;
 use crate::eval::error::EvalError;
 
 /// An evaluation that cannot be done.
@@ -9,7 +11,7 @@ use crate::eval::error::EvalError;
 pub enum Error {
     /// The data folder cannot be opened; why.
     Open(String),
-    /// No MakeHuman 2 data below the path.
+    /// No data that can be evaluated below the path.
     NoData(String),
     /// Several data folders hold the base.
     SeveralRoots(Vec<String>),
@@ -51,7 +53,12 @@ pub enum Error {
         reason: String,
     },
     /// A target with a factor that has no file.
-    MissingTarget(String),
+    MissingTarget {
+        /// Whose slider asks for it.
+        application: Application,
+        /// The target.
+        name: String,
+    },
     /// A file that cannot be read or used.
     File {
         /// Its path.
@@ -75,8 +82,10 @@ pub enum Error {
     },
     /// A field of a case that is missing or of the wrong kind.
     Input(String),
-    /// Data that stops MakeHuman 2 with an exception.
+    /// Data that stops an application with an exception.
     Stops {
+        /// Which one.
+        application: Application,
         /// Name of the exception in Python.
         exception: &'static str,
         /// What is wrong.
@@ -89,12 +98,10 @@ impl Error {
     pub(super) fn file(path: impl Into<String>, reason: impl Into<String>) -> Self {
         Self::File { path: path.into(), reason: reason.into() }
     }
-}
 
-impl From<EvalError> for Error {
-    /// Indices that do not exist stop the application with an `IndexError`.
-    fn from(error: EvalError) -> Self {
-        Self::Stops { exception: "IndexError", reason: error.to_string() }
+    /// Indices that do not exist stop every application with an `IndexError`.
+    pub(super) fn index(application: Application, error: EvalError) -> Self {
+        Self::Stops { application, exception: "IndexError", reason: error.to_string() }
     }
 }
 
@@ -107,7 +114,9 @@ impl fmt::Display for Error {
         match self {
             Self::Open(reason) => f.write_str(reason),
             Self::NoData(path) => {
-                write!(f, "`{path}` holds no MakeHuman 2 data (a folder with base/<name>/base.obj in it is wanted)")
+                let titles: Vec<&str> = evaluated().map(Application::title).collect();
+                let titles = titles.join(" or ");
+                write!(f, "`{path}` holds no {titles} data (a folder with base/<name>/base.obj in it is wanted)")
             }
             Self::SeveralRoots(paths) => {
                 write!(f, "several data folders hold this base; give one of them: {}", paths.join(", "))
@@ -123,14 +132,16 @@ impl fmt::Display for Error {
             Self::NoMacros { base, reason } => write!(f, "base `{base}` has no macros: {reason}"),
             Self::UnknownSlider { name, nearest } => write!(f, "there is no slider `{name}`{}", meant(nearest)),
             Self::Setting { text, reason } => write!(f, "setting `{text}`: {reason}"),
-            Self::MissingTarget(name) => {
-                write!(f, "target `{name}` is needed by this setting and has no file; MakeHuman 2 stops here")
+            Self::MissingTarget { application, name } => {
+                write!(f, "target `{name}` is needed by this setting and has no file; {application} stops here")
             }
             Self::File { path, reason } => write!(f, "cannot use `{path}`: {reason}"),
             Self::NoSkeleton { base, reason } => write!(f, "base `{base}`: {reason}"),
             Self::UnknownBone { name, nearest } => write!(f, "there is no bone `{name}`{}", meant(nearest)),
             Self::Input(what) => f.write_str(what),
-            Self::Stops { exception, reason } => write!(f, "MakeHuman 2 stops with {exception}: {reason}"),
+            Self::Stops { application, exception, reason } => {
+                write!(f, "{application} stops with {exception}: {reason}")
+            }
         }
     }
 }

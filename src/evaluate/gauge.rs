@@ -4,7 +4,6 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use rayon::prelude::*;
 
-use super::makehuman2::compose::Rig;
 use crate::config::{Config, MOST_SAMPLES};
 use crate::eval::culprit::most_moving;
 use crate::eval::look::look;
@@ -13,6 +12,7 @@ use crate::eval::measures::{Measures, PairMeasure, Seen, SkeletonMeasure, SpaceM
 use crate::eval::rig_measure::{bone_pairs, bones, weights};
 use crate::eval::scene::{MorphTarget, Scene, Setting};
 use crate::eval::settings::{DEFAULT_SAMPLES, moved, plan};
+use crate::eval::skeleton::SceneSkeleton;
 use crate::eval::survey::{Survey, Worst};
 use crate::eval::surveyor::Surveyor;
 use crate::eval::symmetry::{MirrorComparison, MirrorMap};
@@ -29,8 +29,25 @@ const WEIGHT_TOLERANCE: f32 = 0.01;
 /// Settings that one thread looks at in a row, starting from the base mesh.
 const CHUNK: usize = 64;
 
-/// Measures a scene.
-pub(super) fn gauge(scene: &Scene, rigs: &[Rig], options: &Config) -> Measures {
+/// A base mesh made ready for evaluation.
+pub(super) struct Composed {
+    pub(super) scene: Scene,
+    /// Every skeleton of the base.
+    pub(super) rigs: Vec<Rig>,
+}
+
+/// A skeleton of a base.
+pub(super) struct Rig {
+    /// Printed path of its file.
+    pub(super) path: String,
+    pub(super) skeleton: SceneSkeleton,
+    /// Bones that receive no weights through their references; empty for the pose skeleton.
+    pub(super) without_weights: Vec<String>,
+}
+
+/// Measures a base mesh.
+pub(super) fn gauge(composed: &Composed, options: &Config) -> Measures {
+    let Composed { scene, rigs } = composed;
     let samples = options.samples.unwrap_or(DEFAULT_SAMPLES).min(MOST_SAMPLES);
     let settings = plan(scene, samples, options.exhaustive);
     let (space, (macros, shape)) = rayon::join(
@@ -54,7 +71,6 @@ fn shape(scene: &Scene, rigs: &[Rig]) -> Measures {
     Measures {
         pairs: pair_measures(scene, &parts, &mirror),
         targets: target_measures(scene, &parts, &mirror),
-        unmirrored: mirror.unresolved(),
         cubes,
         skeletons: rigs.iter().filter_map(|rig| skeleton_measure(rig, &rest)).collect(),
         weights,

@@ -17,8 +17,10 @@
 //! ```
 
 mod cases;
+mod data;
 mod error;
 mod files;
+mod formulas;
 mod gauge;
 mod makehuman2;
 mod opened;
@@ -31,29 +33,23 @@ pub use crate::eval::scene::Setting;
 pub use crate::eval::settings::SliderSetting;
 pub use crate::eval::vector::Point;
 pub use cases::{CaseReport, CaseRun, Comparison, Deviation, OpenBase, Roots, run_cases};
+pub use data::{Fitted, NamedWeights, RestSkeleton, SkeletonFile};
 pub use error::Error;
 pub use files::{read_positions, read_text, with_positions};
-pub use makehuman2::asset::{Asset, Fitted, read_asset};
+pub use makehuman2::asset::{Asset, read_asset};
 pub use makehuman2::macros::macros_json;
-pub use makehuman2::skeleton::{RestSkeleton, SkeletonFile, read_skeleton};
-pub use makehuman2::weights::{NamedWeights, WeightLists, read_weights, to_mhw, transferred};
+pub use makehuman2::skeleton::read_skeleton;
+pub use makehuman2::weights::{WeightLists, read_weights, to_mhw, transferred};
 pub use opened::Evaluation;
 pub use outputs::{fit_json, load_json, mesh_json, object, reduction_json, skeleton_json, skin_json, weights_json};
 pub use pose::{PosedBase, Poses, read_poses};
 pub use settings::{parse_setting, read_settings};
 
+pub(crate) use formulas::{Openable, evaluated, is_evaluated, measure, openable};
+
 use std::collections::BTreeMap;
 
-use crate::config::Config;
-use crate::eval::measures::Measures;
 use crate::formats::target::Row;
-use crate::repo::makehuman2::Base;
 
 /// Rows of targets by printed path.
 pub(crate) type Rows = BTreeMap<String, Vec<Row>>;
-
-/// Measures a base, taking the rows of its targets out of `rows`. `None` without a mesh that vertices can be counted on.
-pub(crate) fn measure(base: &Base<'_>, rows: &mut Rows, options: &Config) -> Option<Measures> {
-    let composed = makehuman2::compose::compose(base, rows)?;
-    Some(gauge::gauge(&composed.scene, &composed.rigs, options))
-}

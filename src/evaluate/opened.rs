@@ -4,10 +4,11 @@
 
 use std::collections::BTreeSet;
 
+use super::data::SkeletonFile;
 use super::error::Error;
 use super::files::read_cause;
-use super::makehuman2::skeleton::SkeletonFile;
 use crate::eval::scene::Scene;
+use crate::eval::skeleton::Formulas;
 use crate::formats::macro_json::MacroFile;
 use crate::formats::target::MeshSize;
 use crate::source::{Entry, Limits, Tree};
@@ -15,17 +16,18 @@ use crate::source::{Entry, Limits, Tree};
 /// A base mesh ready for settings.
 #[derive(Debug)]
 pub struct Evaluation {
+    /// Those of its application.
+    pub(super) formulas: Formulas,
     pub(super) trees: Vec<Tree>,
     pub(super) limits: Limits,
     pub(super) base: String,
     pub(super) size: MeshSize,
     pub(super) scene: Scene,
-    /// Keys of `modelling.json` with the patterns they register.
+    /// Other names of sliders, each with the patterns that it stands for.
     pub(super) keys: Vec<(String, Vec<String>)>,
     pub(super) macros: Result<MacroFile, String>,
     pub(super) mesh_path: String,
     pub(super) skeleton: Result<SkeletonFile, String>,
-    pub(super) weights_path: Option<String>,
     /// Why the application stops when it binds the weights.
     pub(super) weights_fault: Option<Error>,
     /// The archive that the application reads in place of target files, and the targets in it.
@@ -53,9 +55,13 @@ impl Evaluation {
         &self.mesh_path
     }
 
-    /// Path of the weights of the pose skeleton, if there are any.
-    pub fn weights_path(&self) -> Option<&str> {
-        self.weights_path.as_deref()
+    /// The pose skeleton of the base.
+    ///
+    /// # Errors
+    /// There is none, or it cannot be used.
+    pub fn pose_skeleton(&self) -> Result<&SkeletonFile, Error> {
+        let missing = |reason: &String| Error::NoSkeleton { base: self.base.clone(), reason: reason.clone() };
+        self.skeleton.as_ref().map_err(missing)
     }
 
     /// The bytes of `base.obj`.

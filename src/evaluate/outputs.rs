@@ -5,10 +5,8 @@
 
 use serde_json::{Map, Value, json};
 
+use super::data::{Fitted, NamedWeights, RestSkeleton};
 use super::error::Error;
-use super::makehuman2::asset::{Asset, Fitted};
-use super::makehuman2::skeleton::RestSkeleton;
-use super::makehuman2::weights::NamedWeights;
 use super::pose::PosedBase;
 use crate::eval::influences::{Influences, Reduction};
 use crate::eval::mesh::{bounding_box, coordinate_sum};
@@ -90,28 +88,24 @@ pub fn skin_json(posed: &PosedBase, vertices: &[i64]) -> Result<Map<String, Valu
 ///
 /// # Errors
 /// As [`mesh_json`].
-pub fn fit_json(asset: &Asset, fitted: &Fitted, vertices: &[i64]) -> Result<Map<String, Value>, Error> {
+pub fn fit_json(fitted: &Fitted, vertices: &[i64]) -> Result<Map<String, Value>, Error> {
     let mut outputs = mesh_json(&fitted.positions, vertices)?;
     outputs.extend(object([
         ("scale", fitted.scales.map_or(Value::Null, vector)),
-        ("vertex_count", Value::from(asset.positions.len())),
-        ("ref_count", Value::from(asset.clothes.references.len())),
+        ("vertex_count", Value::from(fitted.positions.len())),
+        ("ref_count", Value::from(fitted.references)),
         ("delete_verts", Value::from(fitted.deleted)),
     ]));
     Ok(outputs)
 }
 
 /// Entries and sum of every bone, bones of chosen vertices, and the range of the sums of vertices.
-///
-/// # Errors
-/// Weights of vertices beyond `count`.
-pub fn weights_json(weights: &NamedWeights, count: usize, vertices: &[i64]) -> Result<Map<String, Value>, Error> {
+pub fn weights_json(weights: &NamedWeights, influences: &Influences, vertices: &[i64]) -> Map<String, Value> {
     let name = |bone: usize| weights.names.get(bone).cloned().unwrap_or_default();
     let bones = weights.loaded.bones.iter().map(|list| {
         let sum: f64 = list.entries.iter().map(|(_, weight)| f64::from(*weight)).sum();
         (name(list.bone), json!([list.entries.len(), rounded(sum)]))
     });
-    let influences = Influences::new(&weights.loaded.bones, count)?;
     let chosen = vertices.iter().map(|vertex| {
         let of = u32::try_from(*vertex).map(|vertex| influences.of(vertex)).unwrap_or_default();
         let pairs: Vec<Value> = of.iter().map(|(bone, w)| json!([name(*bone), rounded(f64::from(*w))])).collect();
@@ -119,11 +113,11 @@ pub fn weights_json(weights: &NamedWeights, count: usize, vertices: &[i64]) -> R
     });
     let sums = influences.iter().map(|of| of.iter().map(|(_, weight)| f64::from(*weight)).sum::<f64>());
     let (low, high) = sums.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), sum| (low.min(sum), high.max(sum)));
-    Ok(object([
+    object([
         ("bones", Value::Object(bones.collect())),
         ("vertices", chosen.collect()),
         ("vertex_sum_range", json!([rounded(low), rounded(high)])),
-    ]))
+    ])
 }
 
 /// The lists themselves.

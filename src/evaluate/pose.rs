@@ -62,7 +62,8 @@ impl Evaluation {
     /// # Errors
     /// No usable skeleton or weights, weights that stop the application, a bone that does not exist.
     pub fn posed(&self, positions: &[Point], poses: &Poses) -> Result<PosedBase, Error> {
-        let rest = self.pose_skeleton()?.rest(positions)?;
+        let rest = self.rest(self.pose_skeleton()?, positions)?;
+        let stopped = |error| Error::index(self.application(), error);
         if let Some(fault) = &self.weights_fault {
             return Err(fault.clone());
         }
@@ -81,9 +82,9 @@ impl Evaluation {
             }
             places.push(place);
         }
-        let bones = pose_bones(&rest.skeleton.bones, &rest.bones, &by_bone)?;
+        let bones = pose_bones(&rest.skeleton.bones, &rest.bones, &by_bone).map_err(stopped)?;
         let moved: Vec<Mat4> = bones.iter().map(|bone| bone.moved).collect();
-        let positions = skin(positions, &weights.bones, &moved)?;
+        let positions = skin(positions, &weights.bones, &moved).map_err(stopped)?;
         let ends = |place: &usize| {
             let (bone, rest): (&PosedBone, _) = (bones.get(*place)?, rest.bones.get(*place)?);
             Some((translation(&bone.global), transform(&bone.moved, widen(rest.tail)), bone.moved))

@@ -2,9 +2,8 @@
 
 use super::error::Error;
 use super::files::read_cause;
-use super::makehuman2::compose::is_usable;
 use super::opened::Evaluation;
-use crate::eval::macros::MacroWork;
+use crate::eval::macros::{MacroFault, MacroWork};
 use crate::eval::scene::{Setting, SettingError};
 use crate::eval::vector::Point;
 use crate::formats::target::{self, Row, TargetFacts};
@@ -40,7 +39,8 @@ impl Evaluation {
         }
         if let Some((path, _)) = self.archive.as_ref().filter(|(_, members)| members.contains(&known.name)) {
             let reason = format!(
-                "MakeHuman 2 takes `{}` from it, and targets are only evaluated from text here; evaluate without the archive",
+                "{} takes `{}` from it, and targets are only evaluated from text here; evaluate without the archive",
+                self.application(),
                 known.name
             );
             return Err(Error::file(path, reason));
@@ -57,7 +57,7 @@ impl Evaluation {
     }
 
     fn read_rows(&self, path: &str, name: &str) -> Result<Vec<Row>, Error> {
-        let (tree, entry) = self.entry(path).ok_or_else(|| Error::MissingTarget(name.to_owned()))?;
+        let (tree, entry) = self.entry(path).ok_or_else(|| self.missing(name))?;
         let bytes = tree.read(entry, &self.limits).map_err(|fault| Error::file(path, read_cause(&fault)))?;
         let encoding = Encoding::of(&bytes);
         if encoding.lfs_pointer {
@@ -68,18 +68,26 @@ impl Evaluation {
         unusable(&target.facts).map_or(Ok(target.rows), |cause| Err(Error::file(path, cause)))
     }
 
-    pub(super) fn setting_error(&self, error: SettingError) -> Error {
+    fn missing(&self, name: &str) -> Error {
+        Error::MissingTarget { application: self.application(), name: name.to_owned() }
+    }
+
+    fn setting_error(&self, error: SettingError) -> Error {
         match error {
             SettingError::Unusable { target } => {
-                Error::MissingTarget(self.scene.targets.get(target).map_or_else(String::new, |t| t.name.clone()))
+                self.missing(self.scene.targets.get(target).map_or("", |target| &target.name))
             }
-            SettingError::Macro(error) => self.macro_error(error),
-            SettingError::Morph(error) => error.into(),
+            SettingError::Macro(MacroFault::Makehuman2(error)) => self.macro_error(error),
+            SettingError::Morph(error) => Error::index(self.application(), error),
         }
     }
 }
 
-/// Why the application cannot load or apply a target.
+/// Whether a target is evaluated: whether its rows say what applications can do.
+pub(super) fn is_usable(target: &TargetFacts) -> bool {
+    target.unreadable_rows == 0 && target.negative.count == 0 && target.out_of_range.count == 0
+}
+
 fn unusable(target: &TargetFacts) -> Option<String> {
     if is_usable(target) {
         return None;

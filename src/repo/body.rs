@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{FileFacts, Layers, Reference, ReferenceKind, View, makehuman2, parent};
+use super::{FileFacts, Layers, Reference, ReferenceKind, View, parent};
 use crate::formats::macro_json::MacroFile;
 use crate::formats::mhskel::Skeleton;
 use crate::formats::mhw::Weights;
@@ -136,12 +136,6 @@ impl<'v> Body<'v> {
     /// A setting at which a target is applied fully; `None` if nothing uses it.
     pub(crate) fn shown_at(&self, file: &FileFacts) -> Option<Shown<'v>> {
         self.view.shown_at(file)
-    }
-
-    /// As a base of MakeHuman 2, if it is one.
-    pub(crate) fn makehuman2(&self) -> Option<(&'v makehuman2::View<'v>, &'v makehuman2::Base<'v>)> {
-        let view = self.view.makehuman2()?;
-        Some((view, view.base(self.name)?))
     }
 }
 

@@ -23,9 +23,10 @@ use std::io::{self, Write};
 use crate::diag::{Level, Outcome, RuleInfo};
 
 pub use markdown::summary;
-pub use note::note;
+pub use note::{note, phase};
 pub(crate) use paint::Paint;
 pub(crate) use printable::printable;
+pub(crate) use verdict::nothing;
 pub(crate) use wrap::{count, hang, paragraphs};
 
 /// What a report writer may know besides the outcome.

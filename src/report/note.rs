@@ -1,7 +1,25 @@
-//! Notes of a run in words.
+//! Notes, phases and steps of a run in words.
 
 use super::count;
-use crate::diag::Note;
+use crate::diag::{FailedStep, Note, Phase};
+
+/// A phase, as `--timings` lists it.
+pub const fn phase(phase: Phase) -> &'static str {
+    match phase {
+        Phase::Read => "read",
+        Phase::Evaluation => "targets and evaluation",
+        Phase::Rules => "rules",
+        Phase::Places => "places",
+    }
+}
+
+/// A step that failed, not made harmless yet.
+pub(super) fn step(step: &FailedStep) -> String {
+    match step {
+        FailedStep::Evaluation { base } => format!("evaluation of `{base}`"),
+        FailedStep::Places => "places of findings".to_owned(),
+    }
+}
 
 /// One sentence, not made harmless yet.
 pub fn note(note: &Note) -> String {

@@ -5,8 +5,9 @@ use std::io::{self, Write};
 use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, utf8_percent_encode};
 use serde_json::{Map, Value, json};
 
+use super::note::step;
 use super::{View, phrase, printable};
-use crate::diag::{FailedStep, Finding, Level, Location, Outcome, Related, RuleInfo};
+use crate::diag::{Finding, Level, Location, Outcome, Related, RuleInfo};
 
 /// Results that GitHub accepts in one run; it refuses the whole file beyond.
 const RESULTS: usize = 25_000;
@@ -181,13 +182,6 @@ fn notifications(outcome: &Outcome, shown: usize) -> Vec<Value> {
         notes.extend(names.iter().map(|name| note(said(name), "error")));
     }
     notes
-}
-
-fn step(step: &FailedStep) -> String {
-    match step {
-        FailedStep::Evaluation { base } => format!("evaluation of `{base}`"),
-        FailedStep::Places => "places of findings".to_owned(),
-    }
 }
 
 const fn level(level: Level) -> &'static str {

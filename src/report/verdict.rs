@@ -83,7 +83,7 @@ pub(super) fn words(outcome: &Outcome, view: &View<'_>) -> String {
         return "No verdict: mhlint itself failed on these data.".to_owned();
     }
     if !outcome.checked_anything() {
-        return "Nothing to check: no data of MakeHuman 2 were found.".to_owned();
+        return format!("Nothing to check: {}.", nothing(outcome));
     }
     let only = only(outcome);
     if outcome.findings.is_empty() && outcome.left_out > 0 {
@@ -107,6 +107,11 @@ pub(super) fn words(outcome: &Outcome, view: &View<'_>) -> String {
         Some(limit) => format!("Passed: nothing at or above {limit}. {harm}"),
         None => format!("Passed, whatever was found (`fail-on` is never). {harm}"),
     }
+}
+
+/// `no data of MakeHuman 2 were found`.
+pub(crate) fn nothing(outcome: &Outcome) -> String {
+    format!("no data of {} were found", titles(&outcome.looked_for))
 }
 
 /// Where or by what alone something could be found, with a blank before it; empty where nothing was left out.
@@ -183,8 +188,11 @@ fn applications(outcome: &Outcome, gravest: &[&Finding]) -> String {
     }
     named.sort_unstable();
     named.dedup();
-    let titles: Vec<&str> = named.into_iter().map(Application::title).collect();
-    titles.join(" or ")
+    titles(&named)
+}
+
+fn titles(applications: &[Application]) -> String {
+    applications.iter().map(|application| application.title()).collect::<Vec<_>>().join(" or ")
 }
 
 fn size(bytes: u64) -> String {

@@ -20,7 +20,7 @@ pub(super) fn run(args: &FitArgs, out: &mut dyn Write) -> Result<(), Failure> {
         let mut inputs = meshes.inputs.clone();
         let attached = if args.attached == Attached::Before { "before the morph" } else { "after the morph" };
         inputs.extend(object([("file", Value::from(asset.path.as_str())), ("attached", Value::from(attached))]));
-        Ok(document("fit", inputs, fit_json(&asset, &fitted, &args.output.vertices)?))
+        Ok(document("fit", inputs, fit_json(&fitted, &args.output.vertices)?))
     };
     write::write_mesh(&args.output, obj, json, out)
 }

@@ -16,7 +16,7 @@ pub(super) fn run(args: &SkeletonArgs, out: &mut dyn Write) -> Result<(), Failur
         Some(file) => read_skeleton(file)?,
         None => opened.evaluation.pose_skeleton()?.clone(),
     };
-    let rest = skeleton.rest(&positions)?;
+    let rest = opened.evaluation.rest(&skeleton, &positions)?;
     opened.inputs.insert("rig".to_owned(), Value::from(skeleton.path));
     write::write(&document("skeleton", opened.inputs, skeleton_json(&rest)), None, out)
 }

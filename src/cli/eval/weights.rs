@@ -34,7 +34,7 @@ pub(super) fn run(args: &WeightsArgs, out: &mut dyn Write) -> Result<(), Failure
         let reduction = weights.reduce(usize::from(limit), count)?;
         more.insert("reduction".to_owned(), reduction_json(&reduction, usize::from(limit)));
     }
-    let mut outputs = weights_json(&weights, count, &[])?;
+    let mut outputs = weights_json(&weights, &weights.influences(count)?, &[]);
     outputs.remove("vertices");
     outputs.extend(more);
     if let Some(file) = &args.output {

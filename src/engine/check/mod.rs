@@ -13,7 +13,7 @@ use super::caught::caught;
 
 use super::settle::{Ignores, Selection, Verdict};
 use crate::config::Config;
-use crate::diag::{Finding, Outcome, Timing, Upkeep, fingerprint};
+use crate::diag::{Finding, Outcome, Timed, Timing, Upkeep, fingerprint};
 use crate::eval::measures::Measures;
 use crate::repo::{Body, FileFacts, View};
 use crate::rules::{Check, RULES, Rule, RuleCx};
@@ -58,7 +58,7 @@ fn check_view(
         .collect();
     let mut findings = Vec::new();
     for (rule, time, found) in results {
-        outcome.timings.push(Timing { what: rule.to_owned(), time });
+        outcome.timings.push(Timing { what: Timed::Rule(rule), time });
         match found {
             Some(found) => findings.extend(found),
             None => outcome.failed_rules.push(rule.to_owned()),

@@ -3,11 +3,11 @@
 //!
 //! Source: MakeHuman 2, macro calculation (formats/makehuman2.md §3.3, §3.4).
 
-use super::super::measures::MacroMeasure;
+use super::super::measures::{DeadRange, Jump, MacroMeasure, SumOff};
 use super::super::scene::{Scene, Setting};
 use super::super::settings::{Dimension, moved};
 use super::component::{ComponentState, stepped};
-use super::macro_eval::{FACTOR_LIMIT, Fate, MacroResult};
+use super::macro_eval::{Fate, MacroResult};
 use super::macro_table::{Link, MacroTable};
 
 /// Distance from a step at which both of its sides are compared.
@@ -17,53 +17,6 @@ const SIDE: f64 = 1e-6;
 pub const JUMP: f64 = 0.02;
 /// Weights of a component may miss one by the shares of up to 0.001 that the loader leaves out on either side.
 pub const SUM_TOLERANCE: f64 = 0.0025;
-
-/// A stretch of a slider in which a macrodef applies nothing, wherever its other sliders stand.
-#[derive(Debug, Clone, PartialEq)]
-pub struct DeadRange {
-    /// Number of the macrodef.
-    pub macrodef: usize,
-    /// Position of the component in its `comp`.
-    pub position: usize,
-    /// Values that have no target in any combination; empty above the last step.
-    pub values: Vec<usize>,
-    /// The stretch of the slider.
-    pub from: f64,
-    /// Its end.
-    pub to: f64,
-    /// Combinations with these values that are listed with null.
-    pub null: usize,
-    /// Combinations with these values that are not listed.
-    pub missing: usize,
-}
-
-/// A sum of weights that is not one.
-#[derive(Debug, Clone, PartialEq)]
-pub struct SumOff {
-    /// Number of the macrodef.
-    pub macrodef: usize,
-    /// Position of the component in its `comp`.
-    pub position: usize,
-    /// Slider position (of a barycentric set: none).
-    pub at: Option<f64>,
-    /// The sum.
-    pub sum: f64,
-}
-
-/// A jump of the factor of a target between two sides of a step.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Jump {
-    /// Number of the macrodef whose component has the step.
-    pub macrodef: usize,
-    /// Position of the component in its `comp`.
-    pub position: usize,
-    /// The step.
-    pub at: f64,
-    /// How much the factor changes.
-    pub by: f64,
-    /// Target number of the macros.
-    pub target: u32,
-}
 
 /// The most weight that the cut-off throws away.
 #[derive(Debug, Clone, PartialEq)]
@@ -96,11 +49,7 @@ pub fn dead_ranges(table: &MacroTable, macrodefs: &[Vec<Dimension>]) -> Vec<Dead
             let Dimension::Steps { steps, .. } = dimension else { continue };
             let states = value_states(table, macrodef, position, steps.len());
             if states.iter().any(|state| state.applied > 0) {
-                found.extend(stretches(steps, &states).into_iter().map(|range| DeadRange {
-                    macrodef,
-                    position,
-                    ..range
-                }));
+                found.extend(stretches(&states).into_iter().map(|range| DeadRange { macrodef, position, ..range }));
             }
         }
     }
@@ -130,8 +79,8 @@ fn value_states(table: &MacroTable, macrodef: usize, position: usize, values: us
     states
 }
 
-/// Runs of values without target, widened to where the share of a living neighbour passes the cut-off.
-fn stretches(steps: &[f64], states: &[ValueState]) -> Vec<DeadRange> {
+/// Runs of values without target.
+fn stretches(states: &[ValueState]) -> Vec<DeadRange> {
     let mut found = Vec::new();
     let mut start = 0;
     while start < states.len() {
@@ -142,17 +91,10 @@ fn stretches(steps: &[f64], states: &[ValueState]) -> Vec<DeadRange> {
         }
         let end = start + run - 1;
         let dead = states.get(start..=end).unwrap_or_default();
-        let edge = |inner: usize, outer: Option<usize>| {
-            let inner = steps.get(inner).copied().unwrap_or(0.0);
-            let outer = outer.and_then(|outer| steps.get(outer)).copied();
-            outer.map_or(inner, |outer| inner + FACTOR_LIMIT * (outer - inner))
-        };
         found.push(DeadRange {
             macrodef: 0,
             position: 0,
             values: (start..=end).collect(),
-            from: edge(start, start.checked_sub(1)),
-            to: edge(end, Some(end + 1)),
             null: dead.iter().map(|state| state.null).sum(),
             missing: dead.iter().map(|state| state.missing).sum(),
         });
@@ -210,15 +152,15 @@ pub fn jumps(table: &MacroTable, macrodefs: &[Vec<Dimension>], defaults: &[f64])
                     continue;
                 }
                 seen.push((*place, at.to_bits()));
-                let jump = jump(table, *place, at, defaults).filter(|(_, by)| *by > JUMP);
-                found.extend(jump.map(|(target, by)| Jump { macrodef, position, at, by, target }));
+                let jump = jump(table, *place, at, defaults).filter(|by| *by > JUMP);
+                found.extend(jump.map(|by| Jump { macrodef, position, at, by }));
             }
         }
     }
     found
 }
 
-fn jump(table: &MacroTable, place: usize, at: f64, defaults: &[f64]) -> Option<(u32, f64)> {
+fn jump(table: &MacroTable, place: usize, at: f64, defaults: &[f64]) -> Option<f64> {
     let side = |value: f64| {
         let mut settings = defaults.to_vec();
         *settings.get_mut(place)? = value;
@@ -231,9 +173,7 @@ fn jump(table: &MacroTable, place: usize, at: f64, defaults: &[f64]) -> Option<(
         list.iter().find(|(number, _)| *number == target).map_or(0.0, |(_, factor)| *factor)
     };
     let targets = below.iter().chain(&above).map(|(target, _)| *target);
-    targets
-        .map(|target| (target, (factor(&below, target) - factor(&above, target)).abs()))
-        .max_by(|a, b| a.1.total_cmp(&b.1))
+    targets.map(|target| (factor(&below, target) - factor(&above, target)).abs()).max_by(f64::total_cmp)
 }
 
 /// For each macrodef a setting of its sliders at which the cut-off throws away most: the worst of those given,
@@ -347,12 +287,11 @@ mod tests {
     }
 
     #[test]
-    fn a_value_without_target_is_dead_up_to_the_cut_off() {
+    fn a_value_without_target_is_dead() {
         let table = table(vec![("child-f", Some(0)), ("old-m", Some(1)), ("baby-f", None)]);
         let found = dead_ranges(&table, &dimensions());
         assert_eq!(found.len(), 1);
         let baby = &found[0];
-        assert_eq!((baby.from, baby.to), (0.0, 0.005));
         assert_eq!((baby.null, baby.missing, baby.values.as_slice()), (1, 1, [0].as_slice()));
     }
 
@@ -360,7 +299,7 @@ mod tests {
     fn two_dead_values_in_a_row_are_one_stretch() {
         let table = table(vec![("old-f", Some(0)), ("old-m", Some(1))]);
         let found = dead_ranges(&table, &dimensions());
-        assert_eq!((found[0].from, found[0].to), (0.0, 0.505));
+        assert_eq!(found.iter().map(|range| range.values.as_slice()).collect::<Vec<_>>(), [[0, 1]]);
     }
 
     #[test]

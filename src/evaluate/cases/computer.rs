@@ -6,6 +6,7 @@ use std::path::Path;
 use super::Kind;
 use super::inputs::{self, File};
 use super::roots::Roots;
+use crate::eval::scene::Setting;
 use crate::eval::vector::Point;
 use crate::evaluate::{Error, Evaluation, SliderSetting};
 use crate::json::Node;
@@ -58,12 +59,14 @@ pub(in crate::evaluate) fn morphed(
     notes: &mut Vec<String>,
 ) -> Result<Vec<Point>, Error> {
     let Some(modifiers) = modifiers else { return Ok(base.scene().positions.clone()) };
-    let (setting, unknown) = base.model_setting(&modifiers);
-    note_unknown(unknown, notes);
+    let setting = setting(base, &modifiers, notes);
     base.morphed(&setting)
 }
 
-/// Names that no slider has are left out.
-pub(in crate::evaluate) fn note_unknown(unknown: Vec<String>, notes: &mut Vec<String>) {
-    notes.extend(unknown.into_iter().map(|name| format!("no slider `{name}`: left out, as MakeHuman 2 does")));
+/// The settings of a case; names that no slider has are left out.
+pub(in crate::evaluate) fn setting(base: &Evaluation, modifiers: &[SliderSetting], notes: &mut Vec<String>) -> Setting {
+    let (setting, unknown) = base.model_setting(modifiers);
+    let left_out = |name| format!("no slider `{name}`: left out, as {} does", base.application());
+    notes.extend(unknown.into_iter().map(left_out));
+    setting
 }

@@ -13,11 +13,12 @@ use serde_json::{Map, Value};
 
 pub use compare::{Comparison, Deviation};
 pub use computer::OpenBase;
-pub(super) use computer::{Computer, morphed, note_unknown};
+pub(super) use computer::{Computer, morphed, setting};
 pub use roots::Roots;
 
 use super::error::Error;
-use super::{files, makehuman2};
+use super::files;
+use super::formulas::kinds;
 use crate::json::{Document, Node};
 use inputs::File;
 use tolerance::Tolerance;
@@ -39,11 +40,6 @@ pub(super) struct Kind {
     pub(super) tolerances: &'static [(&'static str, Tolerance)],
     /// Whether `bones` has for each bone a number of entries and a sum.
     pub(super) by_bone: bool,
-}
-
-/// Every kind, of all applications.
-fn kinds() -> impl Iterator<Item = &'static Kind> {
-    makehuman2::cases::KINDS.iter()
 }
 
 /// A file of cases with what came out.
@@ -93,7 +89,7 @@ fn kind_called(name: &str) -> Result<&'static Kind, Error> {
 fn report(kind: &Kind, computer: &mut Computer<'_>, case: &Node) -> CaseReport {
     let mut notes = Vec::new();
     let outputs = match (kind.outputs)(computer, case, &mut notes) {
-        Err(Error::Stops { exception, reason }) => {
+        Err(Error::Stops { exception, reason, .. }) => {
             notes.push(reason);
             Ok(super::object([("error", Value::from(exception))]))
         }

@@ -2,13 +2,15 @@
 
 use std::path::{Path, PathBuf};
 
-use super::weights::{NamedWeights, number};
+use super::weights::number;
+use super::{stopped, stops};
 use crate::eval::fit::{Reference, ScaleLine, fit};
 use crate::eval::influences::Influences;
 use crate::eval::makehuman2::fit::{axis_scales, deleted_vertices, derived_weights};
-use crate::eval::vector::{Point, Vec3};
+use crate::eval::vector::Point;
 use crate::evaluate::Error;
 use crate::evaluate::Evaluation;
+use crate::evaluate::data::{Fitted, NamedWeights};
 use crate::evaluate::files::{read_text, shown};
 use crate::formats::mhclo::{self, Clothes};
 use crate::formats::obj;
@@ -28,17 +30,6 @@ pub struct Asset {
     lines: [Option<ScaleLine>; 3],
 }
 
-/// An asset on a mesh.
-#[derive(Debug, Clone)]
-pub struct Fitted {
-    /// Positions of all vertices of the OBJ; those without a line keep their place.
-    pub positions: Vec<Point>,
-    /// Scales of the axes, if any.
-    pub scales: Option<Vec3>,
-    /// Base vertices that it hides.
-    pub deleted: usize,
-}
-
 /// Reads an asset and its OBJ.
 ///
 /// # Errors
@@ -47,7 +38,7 @@ pub fn read_asset(path: &Path) -> Result<Asset, Error> {
     let clothes = mhclo::parse(&read_text(path)?);
     if let Some((fault, exception)) = clothes.stops_at() {
         let reason = format!("`{}`, line {}: {}", shown(path), fault.line, fault.kind);
-        return Err(Error::Stops { exception, reason });
+        return Err(stops(exception, reason));
     }
     let name = clothes.file("obj_file").ok_or_else(|| Error::file(shown(path), "it names no obj_file"))?;
     let obj_path = path.parent().unwrap_or(Path::new("")).join(name);
@@ -72,7 +63,7 @@ impl Asset {
         let rows = self.clothes.references.len();
         if rows == 0 || rows > self.positions.len() {
             let reason = format!("`{}` has {rows} vertex lines, its mesh {} vertices", self.path, self.positions.len());
-            return Err(Error::Stops { exception: "IndexError", reason });
+            return Err(stops("IndexError", reason));
         }
         for line in &self.clothes.references {
             let vertices = line.vertices.map(|vertex| self.vertex(vertex, line.line));
@@ -89,10 +80,8 @@ impl Asset {
     }
 
     fn vertex(&self, vertex: i64, line: u32) -> Result<u32, Error> {
-        u32::try_from(vertex).map_err(|_| Error::Stops {
-            exception: "OverflowError",
-            reason: format!("`{}`, line {line}: vertex {vertex}", self.path),
-        })
+        let outside = |_| stops("OverflowError", format!("`{}`, line {line}: vertex {vertex}", self.path));
+        u32::try_from(vertex).map_err(outside)
     }
 
     /// Whether it replaces the body and is therefore never scaled.
@@ -106,11 +95,12 @@ impl Asset {
     /// References outside the mesh.
     pub fn fit(&self, positions: &[Point], measured: &[Point], is_proxy: bool) -> Result<Fitted, Error> {
         let lines = if is_proxy { [None; 3] } else { self.lines };
-        let scales = axis_scales(measured, lines)?;
-        let mut fitted = fit(positions, &self.references, scales)?;
+        let scales = axis_scales(measured, lines).map_err(stopped)?;
+        let mut fitted = fit(positions, &self.references, scales).map_err(stopped)?;
         fitted.extend_from_slice(self.positions.get(fitted.len()..).unwrap_or_default());
-        let deleted = deleted_vertices(&self.clothes.deleted, positions.len())?;
-        Ok(Fitted { positions: fitted, scales, deleted: deleted.into_iter().filter(|deleted| *deleted).count() })
+        let deleted = deleted_vertices(&self.clothes.deleted, positions.len()).map_err(stopped)?;
+        let deleted = deleted.into_iter().filter(|deleted| *deleted).count();
+        Ok(Fitted { positions: fitted, references: self.references.len(), scales, deleted })
     }
 
     /// Weights taken from the body, for an asset without weights of its own.
@@ -125,7 +115,8 @@ impl Asset {
         })?;
         let mut names = skeleton.names.clone();
         let root = number(&mut names, root);
-        let influences = Influences::new(&weights.bones, body.scene.positions.len())?;
-        Ok(NamedWeights { names, loaded: derived_weights(&self.references, &influences, root)? })
+        let influences = Influences::new(&weights.bones, body.scene.positions.len()).map_err(stopped)?;
+        let loaded = derived_weights(&self.references, &influences, root).map_err(stopped)?;
+        Ok(NamedWeights { names, loaded })
     }
 }

@@ -1,53 +1,69 @@
 //! A base of a MakeHuman 2 repository made ready for settings.
 
+use std::collections::BTreeSet;
+
 use serde_json::{Value, json};
 
 use crate::eval::scene::Scene;
+use crate::eval::skeleton::Formulas;
 use crate::eval::vector::Point;
 use crate::evaluate::outputs::rounded;
 use crate::evaluate::{Error, Evaluation};
 use crate::formats::macro_json::MacroFile;
 use crate::formats::target::MeshSize;
 use crate::repo::makehuman2::{Base, BoundSlider};
+use crate::repo::{FileFacts, Layers};
 use crate::source::Limits;
 
 use super::compose::compose;
-use super::skeleton::SkeletonFile;
+use super::stops;
 use crate::evaluate::Rows;
+use crate::evaluate::data::SkeletonFile;
+
+/// The base of a name as it is seen through layers.
+pub(in crate::evaluate) fn base<'a>(name: &'a str, layers: Layers<'a>) -> Base<'a> {
+    Base::resolve(name, layers.system, layers.user)
+}
+
+/// Names of the bases that have a mesh.
+pub(in crate::evaluate) fn with_mesh(layers: Layers<'_>) -> BTreeSet<&str> {
+    let files = layers.strongest_first().flat_map(|layer| layer.files.values());
+    files.filter(|file| file.mesh().is_some()).filter_map(FileFacts::base).collect()
+}
+
+/// Takes what the files of a base hold, but for the rows of its targets.
+///
+/// # Errors
+/// An unusable `base.obj`.
+pub(in crate::evaluate) fn open(base: &Base<'_>, limits: Limits) -> Result<Evaluation, Error> {
+    let name = base.name;
+    let no_mesh = || Error::file(format!("base/{name}/base.obj"), "there is no mesh in it");
+    let (file, mesh) = base.mesh.ok_or_else(no_mesh)?;
+    if let Some(bad) = mesh.facts.unreadable.first() {
+        return Err(Error::file(&file.path, format!("line {}: {} (`{}`)", bad.line, bad.what, bad.text)));
+    }
+    let scene = compose(base, &mut Rows::new()).ok_or_else(no_mesh)?.scene;
+    let vertices = mesh.facts.vertices;
+    Ok(Evaluation {
+        formulas: Formulas::Makehuman2,
+        trees: Vec::new(),
+        limits,
+        base: name.to_owned(),
+        size: MeshSize { vertices, with_seams: vertices + mesh.facts.seam_duplicates },
+        keys: base.sliders.iter().map(key_and_patterns).collect(),
+        macros: macros_of(base, &scene),
+        mesh_path: file.path.clone(),
+        skeleton: skeleton_of(base),
+        weights_fault: weights_fault(base, &scene),
+        archive: base.targets.and_then(|folder| folder.archive()).and_then(|file| {
+            let members = file.archive()?.members.iter().map(|member| member.name.clone());
+            Some((file.path.clone(), members.collect()))
+        }),
+        scene,
+    })
+}
 
 impl Evaluation {
-    /// Takes what the files of a base hold, but for the rows of its targets.
-    ///
-    /// # Errors
-    /// An unusable `base.obj`.
-    pub(crate) fn of(base: &Base<'_>, limits: Limits) -> Result<Self, Error> {
-        let name = base.name;
-        let no_mesh = || Error::file(format!("base/{name}/base.obj"), "there is no mesh in it");
-        let (file, mesh) = base.mesh.ok_or_else(no_mesh)?;
-        if let Some(bad) = mesh.facts.unreadable.first() {
-            return Err(Error::file(&file.path, format!("line {}: {} (`{}`)", bad.line, bad.what, bad.text)));
-        }
-        let scene = compose(base, &mut Rows::new()).ok_or_else(no_mesh)?.scene;
-        let vertices = mesh.facts.vertices;
-        Ok(Self {
-            trees: Vec::new(),
-            limits,
-            base: name.to_owned(),
-            size: MeshSize { vertices, with_seams: vertices + mesh.facts.seam_duplicates },
-            keys: base.sliders.iter().map(key_and_patterns).collect(),
-            macros: macros_of(base, &scene),
-            mesh_path: file.path.clone(),
-            skeleton: skeleton_of(base),
-            weights_path: base.pose_rig().and_then(|(rig, _)| rig.usable_weights()).map(|(file, _)| file.path.clone()),
-            weights_fault: weights_fault(base, &scene),
-            archive: base.targets.and_then(|folder| folder.archive()).and_then(|file| {
-                let members = file.archive()?.members.iter().map(|member| member.name.clone());
-                Some((file.path.clone(), members.collect()))
-            }),
-            scene,
-        })
-    }
-
     /// The box that MakeHuman 2 itself reports: positions of the vertices that are extreme in the unmorphed visible
     /// body, where vertices of no visible face count as the origin.
     pub(in crate::evaluate) fn visible_box(&self, positions: &[Point]) -> Value {
@@ -77,7 +93,7 @@ impl Evaluation {
 fn weights_fault(base: &Base<'_>, scene: &Scene) -> Option<Error> {
     let (file, weights) = base.pose_rig()?.0.usable_weights()?;
     let names = &scene.skeleton.as_ref()?.names;
-    let stops = |exception, reason| Some(Error::Stops { exception, reason });
+    let stops = |exception, reason| Some(stops(exception, reason));
     for bone in weights.bones.iter().filter(|bone| !bone.pairs.is_empty()) {
         if !names.contains(&bone.name) {
             return stops(

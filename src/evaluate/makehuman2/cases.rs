@@ -6,11 +6,12 @@ use serde_json::{Map, Value};
 
 use super::asset::read_asset;
 use super::skeleton::read_skeleton;
+use super::stops;
 use super::weights::{WeightLists, read_weights, transferred};
 use crate::diag::Application;
 use crate::discover::Layout;
 use crate::evaluate::cases::tolerance::{FACTORS, FITTED, JOINTS, MORPHED, REST_MATRICES, SKINNED, Tolerance, WEIGHTS};
-use crate::evaluate::cases::{Compute, Computer, Kind, inputs, morphed, note_unknown};
+use crate::evaluate::cases::{Compute, Computer, Kind, inputs, morphed, setting};
 use crate::evaluate::outputs::{fit_json, mesh_json, skeleton_json, skin_json, weight_lists_json, weights_json};
 use crate::evaluate::{Error, pose};
 use crate::formats::mhw;
@@ -36,8 +37,7 @@ const fn kind(name: &'static str, outputs: Compute, tolerance: Tolerance) -> Kin
 fn macros(of: &mut Computer<'_>, case: &Node, notes: &mut Vec<String>) -> Result<Outputs, Error> {
     let modifiers = inputs::modifiers(case)?.unwrap_or_default();
     let base = of.base(case)?;
-    let (setting, unknown) = base.model_setting(&modifiers);
-    note_unknown(unknown, notes);
+    let setting = setting(base, &modifiers, notes);
     let (table, result) = base.macros(&setting)?;
     Ok(base.macro_outputs(table, &result))
 }
@@ -54,8 +54,9 @@ fn morph(of: &mut Computer<'_>, case: &Node, notes: &mut Vec<String>) -> Result<
 fn joints(of: &mut Computer<'_>, case: &Node, notes: &mut Vec<String>) -> Result<Outputs, Error> {
     let rig = of.roots.file(inputs::text(case, "rig")?)?;
     let modifiers = inputs::modifiers(case)?;
-    let positions = morphed(of.base(case)?, modifiers, notes)?;
-    Ok(skeleton_json(&read_skeleton(&rig)?.rest(&positions)?))
+    let base = of.base(case)?;
+    let positions = morphed(base, modifiers, notes)?;
+    Ok(skeleton_json(&base.rest(&read_skeleton(&rig)?, &positions)?))
 }
 
 fn weights(of: &mut Computer<'_>, case: &Node, _: &mut Vec<String>) -> Result<Outputs, Error> {
@@ -75,7 +76,7 @@ fn weights(of: &mut Computer<'_>, case: &Node, _: &mut Vec<String>) -> Result<Ou
     } else {
         read_weights(&path)?.load(root, count)?
     };
-    let mut outputs = weights_json(&weights, count, &inputs::weighted_vertices(case))?;
+    let mut outputs = weights_json(&weights, &weights.influences(count)?, &inputs::weighted_vertices(case));
     outputs.remove("vertex_sum_range");
     Ok(outputs)
 }
@@ -93,7 +94,7 @@ fn transfer(of: &mut Computer<'_>, case: &Node, _: &mut Vec<String>) -> Result<O
         if inputs::field(case, "vertex_count").is_some() { inputs::count(case, "vertex_count")? } else { vertices };
     let loaded = read_weights(&path)?.load(default.root()?, count)?;
     let (moved, _) = transferred(&loaded, &default, &other)?;
-    weights_json(&moved, count, &inputs::weighted_vertices(case))
+    Ok(weights_json(&moved, &moved.influences(count)?, &inputs::weighted_vertices(case)))
 }
 
 fn skinning(of: &mut Computer<'_>, case: &Node, notes: &mut Vec<String>) -> Result<Outputs, Error> {
@@ -120,7 +121,7 @@ fn fit(of: &mut Computer<'_>, case: &Node, notes: &mut Vec<String>) -> Result<Ou
         other => return Err(Error::Input(format!("`attached` is neither before nor after the morph: `{other}`"))),
     };
     let fitted = asset.fit(&positions, measured, is_proxy)?;
-    let mut outputs = fit_json(&asset, &fitted, &inputs::vertex_ids(file, case, base.base())?)?;
+    let mut outputs = fit_json(&fitted, &inputs::vertex_ids(file, case, base.base())?)?;
     if attached != "same mesh" {
         // Counts do not depend on the mesh; the files give them once an asset, on the plain mesh.
         outputs.retain(|key, _| !matches!(key.as_str(), "vertex_count" | "ref_count" | "delete_verts"));
@@ -135,7 +136,7 @@ fn is_asset(path: &Path) -> bool {
 
 /// The `weights` object of a weights file that stands in the case itself.
 fn inline(node: &Node) -> Result<WeightLists, Error> {
-    let stop = |exception, reason: String| Err(Error::Stops { exception, reason });
+    let stop = |exception, reason| Err(stops(exception, reason));
     if !node.is_object() {
         return stop("AttributeError", "`weights` is no object".to_owned());
     }

@@ -17,32 +17,18 @@ use crate::eval::settings::Dimension;
 use crate::eval::skeleton::{Bone, SceneSkeleton};
 use crate::eval::weights::{Entry, LoadedWeights};
 use crate::evaluate::Rows;
+use crate::evaluate::gauge::{Composed, Rig};
+use crate::evaluate::rows::is_usable;
 use crate::formats::macro_json::MacroFile;
-use crate::formats::mhskel::{Plane, RotationPlane, Skeleton};
+use crate::formats::mhskel::{self, Plane, RotationPlane, Skeleton};
 use crate::formats::mhw::Weights;
 use crate::formats::obj::Mesh;
-use crate::formats::target::{Row, TargetFacts};
+use crate::formats::target::Row;
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, Pattern, TargetFolder};
 
 /// Barycentric sets after a reset, whatever `default` says.
 const BARYCENTRIC_DEFAULTS: [f64; 3] = [0.33, 0.33, 0.34];
-
-/// A base mesh made ready for evaluation.
-pub(in crate::evaluate) struct Composed {
-    pub(in crate::evaluate) scene: Scene,
-    /// Every skeleton of the base.
-    pub(in crate::evaluate) rigs: Vec<Rig>,
-}
-
-/// A skeleton of a base.
-pub(in crate::evaluate) struct Rig {
-    /// Printed path of its file.
-    pub(in crate::evaluate) path: String,
-    pub(in crate::evaluate) skeleton: SceneSkeleton,
-    /// Bones that receive no weights through their references; empty for the pose skeleton.
-    pub(in crate::evaluate) without_weights: Vec<String>,
-}
 
 /// The scene of a base, taking its rows out of `rows`. `None` without a mesh.
 pub(in crate::evaluate) fn compose(base: &Base<'_>, rows: &mut Rows) -> Option<Composed> {
@@ -57,13 +43,13 @@ pub(in crate::evaluate) fn compose(base: &Base<'_>, rows: &mut Rows) -> Option<C
     }
     let mut scene = composer.scene;
     if let Some((rig, skeleton)) = base.pose_rig() {
-        scene.skeleton = skeleton_of(skeleton, mesh.positions.len());
+        scene.skeleton = skeleton_of(skeleton, mesh.positions.len()).ok();
         let weights = rig.usable_weights().map(|(_, weights)| weights);
         scene.weights = scene.skeleton.as_ref().zip(weights).and_then(|(bones, weights)| bind(bones, weights, mesh));
     }
     let rigs = base.rigs.iter().filter_map(|rig| {
         let model = rig.skeleton()?;
-        let skeleton = skeleton_of(model, mesh.positions.len())?;
+        let skeleton = skeleton_of(model, mesh.positions.len()).ok()?;
         let without_weights = if rig.is_default { Vec::new() } else { without_weights(&scene, model) };
         Some(Rig { path: rig.file.path.clone(), skeleton, without_weights })
     });
@@ -256,54 +242,57 @@ fn component(component: &crate::formats::macro_json::Component) -> Option<Compon
     })
 }
 
-/// Whether the application could load and apply a target.
-pub(in crate::evaluate) fn is_usable(target: &TargetFacts) -> bool {
-    target.unreadable_rows == 0 && target.negative.count == 0 && target.out_of_range.count == 0
-}
-
-/// Bones in an order with parents first. `None` if the application refuses the skeleton or would stop.
-pub(in crate::evaluate) fn skeleton_of(skeleton: &Skeleton, vertices: usize) -> Option<SceneSkeleton> {
+/// Bones in an order with parents first, or the first thing that makes the application refuse the skeleton or stop.
+pub(in crate::evaluate) fn skeleton_of(skeleton: &Skeleton, vertices: usize) -> Result<SceneSkeleton, String> {
     let mut out = SceneSkeleton::default();
     for joint in &skeleton.joints {
         // A joint without vertices does not exist for the application; it matters only where a bone names it.
         let Some(list) = joint.vertices.as_deref().filter(|list| !list.is_empty()) else { continue };
-        out.joints.push(list.iter().map(|vertex| joint_vertex(*vertex, vertices)).collect::<Option<Vec<u32>>>()?);
+        let outside = |vertex| format!("joint `{}` names vertex {vertex}, the mesh has {vertices}", joint.name);
+        let number = |vertex: &i64| joint_vertex(*vertex, vertices).ok_or_else(|| outside(*vertex));
+        out.joints.push(list.iter().map(number).collect::<Result<_, _>>()?);
         out.joint_names.push(joint.name.clone());
     }
     let by_name = first_places(skeleton.bones.iter().map(|bone| bone.name.as_str()));
-    let mut parents = Vec::new();
-    for bone in &skeleton.bones {
-        parents.push(match &bone.parent {
-            None => None,
-            Some(parent) => Some(*by_name.get(parent.as_str())?),
-        });
-    }
-    let order = hierarchy(&parents).ok()?;
-    let places: BTreeMap<usize, usize> = order.iter().enumerate().map(|(place, old)| (*old, place)).collect();
+    let parents = skeleton.bones.iter().map(|bone| by_name.get(bone.parent.as_deref()?).copied());
+    let parents: Vec<Option<usize>> = parents.collect();
     let joints = first_places(out.joint_names.iter().map(String::as_str));
     let joint = |name: &str| joints.get(name).copied();
     let by_plane = first_places(skeleton.planes.iter().map(|plane| plane.name.as_str()));
-    let mut bones = Vec::new();
-    for old in &order {
-        let bone = skeleton.bones.get(*old)?;
+    let bone = |bone: &mhskel::Bone| {
+        let name = &bone.name;
+        let end = |end: &str, at: &Option<String>| {
+            let at = at.as_ref().ok_or_else(|| format!("bone `{name}` has no {end}"))?;
+            joint(at).ok_or_else(|| format!("the {end} of bone `{name}` is joint `{at}`, which has no vertices"))
+        };
+        let (head, tail) = (end("head", &bone.head)?, end("tail", &bone.tail)?);
+        if let Some(parent) = bone.parent.as_ref().filter(|parent| !by_name.contains_key(parent.as_str())) {
+            return Err(format!("the parent `{parent}` of bone `{name}` does not exist"));
+        }
         let plane = match &bone.rotation_plane {
             RotationPlane::Absent => None,
-            RotationPlane::Malformed => return None,
-            RotationPlane::Named(name) => {
-                Some(plane_joints(skeleton.planes.get(*by_plane.get(name.as_str())?)?, joint)?)
+            RotationPlane::Malformed => return Err(format!("`rotation_plane` of bone `{name}` is no name")),
+            RotationPlane::Named(plane) => {
+                let found = by_plane.get(plane.as_str()).and_then(|at| skeleton.planes.get(*at));
+                let three = found.and_then(|found| plane_joints(found, joint));
+                Some(three.ok_or_else(|| format!("plane `{plane}` of bone `{name}` has no three joints"))?)
             }
         };
-        let parent = parents.get(*old).copied().flatten();
-        bones.push(Bone {
-            parent: parent.and_then(|parent| places.get(&parent).copied()),
-            head: joint(bone.head.as_deref()?)?,
-            tail: joint(bone.tail.as_deref()?)?,
-            plane,
-        });
-        out.names.push(bone.name.clone());
+        Ok(Bone { parent: None, head, tail, plane })
+    };
+    let bones: Vec<Result<Bone, String>> = skeleton.bones.iter().map(bone).collect();
+    let first_fault = |fault: String| bones.iter().find_map(|bone| bone.clone().err()).unwrap_or(fault);
+    // A bone without known parent is a root here, so that it is reached or a second one. Others that are not reached
+    // from the root do not exist for the application, whatever is wrong with them.
+    let order = hierarchy(&parents).map_err(|fault| first_fault(fault.to_string()))?;
+    let places: BTreeMap<usize, usize> = order.iter().enumerate().map(|(place, old)| (*old, place)).collect();
+    for old in &order {
+        let (Some(bone), Some(model)) = (bones.get(*old), skeleton.bones.get(*old)) else { continue };
+        let parent = parents.get(*old).copied().flatten().and_then(|parent| places.get(&parent).copied());
+        out.bones.push(Bone { parent, ..bone.clone().map_err(first_fault)? });
+        out.names.push(model.name.clone());
     }
-    out.bones = bones;
-    Some(out)
+    Ok(out)
 }
 
 /// A negative index counts from the end of the mesh with its seam duplicates; only the plain ones are resolved here.

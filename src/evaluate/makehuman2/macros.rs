@@ -4,11 +4,12 @@ use std::collections::BTreeMap;
 
 use serde_json::{Map, Value, json};
 
+use super::stops;
 use crate::eval::macros::Macros;
 use crate::eval::makehuman2::component::ComponentFault;
 use crate::eval::makehuman2::macro_eval::{Combination, Fate};
 use crate::eval::makehuman2::{MacroError, MacroResult, MacroTable};
-use crate::eval::scene::{Setting, SettingError};
+use crate::eval::scene::Setting;
 use crate::evaluate::outputs::{object, rounded};
 use crate::evaluate::{Error, Evaluation};
 
@@ -24,7 +25,7 @@ impl Evaluation {
             .ok_or_else(|| Error::NoMacros { base, reason: self.macros.as_ref().err().cloned().unwrap_or_default() })?;
         let mut result = MacroResult::default();
         let evaluated = table.evaluate(&setting.macros, &mut result);
-        evaluated.map_err(|error| self.setting_error(SettingError::Macro(error)))?;
+        evaluated.map_err(|error| self.macro_error(error))?;
         Ok((table, result))
     }
 
@@ -74,10 +75,7 @@ impl Evaluation {
                 macros.components.iter().filter(|c| c.pattern.is_some() && (c.steps.is_some() || c.sum.is_some()));
             used.map(|c| c.name.as_str()).nth(component)
         });
-        Error::Stops {
-            exception: exception(fault),
-            reason: format!("macro component `{}`: {fault}", name.unwrap_or("?")),
-        }
+        stops(exception(fault), format!("macro component `{}`: {fault}", name.unwrap_or("?")))
     }
 }
 

@@ -1,10 +1,23 @@
 //! How files of MakeHuman 2 become the arrays that are evaluated, and its kinds of cases.
 
 pub(super) mod asset;
-mod base;
+pub(super) mod base;
 pub(super) mod cases;
 pub(super) mod compose;
 pub(super) mod macros;
 mod references;
 pub(super) mod skeleton;
 pub(super) mod weights;
+
+use super::Error;
+use crate::diag::Application;
+use crate::eval::error::EvalError;
+
+/// Data that stop the application, as Python says it.
+fn stops(exception: &'static str, reason: String) -> Error {
+    Error::Stops { application: Application::Makehuman2, exception, reason }
+}
+
+fn stopped(error: EvalError) -> Error {
+    Error::index(Application::Makehuman2, error)
+}

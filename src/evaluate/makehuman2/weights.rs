@@ -4,11 +4,12 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use super::references::through_references;
-use super::skeleton::SkeletonFile;
+use super::{stopped, stops};
 use crate::eval::influences::{Influences, Reduction};
 use crate::eval::makehuman2::weights::load;
 use crate::eval::weights::{BoneWeights, Entry, LoadedWeights};
 use crate::evaluate::Error;
+use crate::evaluate::data::{NamedWeights, SkeletonFile};
 use crate::evaluate::files::{json_cause, read_text, shown};
 use crate::formats::mhw::{self, Pair, Weights};
 use crate::source::Encoding;
@@ -21,15 +22,6 @@ pub(in crate::evaluate) const MOST_VERTICES: usize = 1 << 24;
 pub struct WeightLists {
     /// Name of each bone and its vertices with weights, in file order.
     pub bones: Vec<(String, Vec<Pair>)>,
-}
-
-/// Weights with the names of their bones.
-#[derive(Debug, Clone, Default)]
-pub struct NamedWeights {
-    /// Names by bone number.
-    pub names: Vec<String>,
-    /// The weights.
-    pub loaded: LoadedWeights,
 }
 
 /// Reads a `.mhw`.
@@ -77,16 +69,15 @@ impl WeightLists {
         let lists: Vec<Vec<Entry>> =
             self.bones.iter().map(|(_, pairs)| pairs.iter().filter_map(entry).collect()).collect();
         let slices: Vec<(usize, &[Entry])> = lists.iter().map(Vec::as_slice).enumerate().collect();
-        let loaded = load(&slices, root, vertices)?;
+        let loaded = load(&slices, root, vertices).map_err(stopped)?;
         Ok(NamedWeights { names, loaded })
     }
 
     /// The sums over all bones come first in the application and take negative numbers from the end; storing does not.
     fn check(&self, vertices: usize) -> Result<(), Error> {
         let all = || self.bones.iter().flat_map(|(bone, pairs)| pairs.iter().map(move |pair| (bone, pair.vertex)));
-        let stop = |exception, (bone, vertex): (&String, i64)| Error::Stops {
-            exception,
-            reason: format!("bone `{bone}` lists vertex {vertex}, the mesh has {vertices}"),
+        let stop = |exception, (bone, vertex): (&String, i64)| {
+            stops(exception, format!("bone `{bone}` lists vertex {vertex}, the mesh has {vertices}"))
         };
         let count = i64::try_from(vertices).unwrap_or(i64::MAX);
         if let Some(found) = all().find(|(_, vertex)| *vertex >= count || *vertex < -count) {
@@ -152,12 +143,20 @@ pub fn to_mhw(weights: &NamedWeights, name: &str) -> String {
 }
 
 impl NamedWeights {
+    /// The bones of every vertex.
+    ///
+    /// # Errors
+    /// Weights of vertices beyond `vertices`.
+    pub fn influences(&self, vertices: usize) -> Result<Influences, Error> {
+        Influences::new(&self.loaded.bones, vertices).map_err(stopped)
+    }
+
     /// Keeps the strongest `limit` bones of every vertex.
     ///
     /// # Errors
     /// Weights of vertices beyond `vertices`.
     pub fn reduce(&mut self, limit: usize, vertices: usize) -> Result<Reduction, Error> {
-        let reduction = Influences::new(&self.loaded.bones, vertices)?.reduce(limit);
+        let reduction = self.influences(vertices)?.reduce(limit);
         let mut lists: Vec<BoneWeights> =
             self.loaded.bones.iter().map(|list| BoneWeights { bone: list.bone, entries: Vec::new() }).collect();
         let mut places = vec![None; self.names.len()];

@@ -5,7 +5,6 @@ use super::{at_setting, percent, untold};
 use crate::diag::{Application, Confidence, Evidence, Finding, Level, RuleInfo};
 use crate::eval::measures::{Measures, Seen};
 use crate::repo::Body;
-use crate::repo::makehuman2::Base;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -26,31 +25,27 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some((_, base)) = body.makehuman2() else { return };
     let Some(space) = &measures.space else { return };
-    if let Some(seen) = untold(base, space, space.collapsed.as_ref()) {
+    if let Some(seen) = untold(body, space, space.collapsed.as_ref()) {
         let (faces, lose) = if seen.count == 1 { ("face", "loses its") } else { ("faces", "lose their") };
         let message = format!("{} {faces} of `{}` {lose} area", seen.count, seen.name);
         let evidence = Evidence { examples: vec![format!("face {}", seen.element)], ..Evidence::counted(seen.count) };
-        out.push(finding(base, seen, &message, "collapsed").evidence(evidence));
+        out.push(finding(body, seen, &message, "collapsed").evidence(evidence));
     }
-    if let Some(seen) = untold(base, space, space.flipped.as_ref()) {
+    if let Some(seen) = untold(body, space, space.flipped.as_ref()) {
         let share = percent(seen.value);
         let message =
             format!("{} faces of `{}`, {share} of the visible area, look the other way", seen.count, seen.name);
         out.push(
-            finding(base, seen, &message, "flipped")
+            finding(body, seen, &message, "flipped")
                 .evidence(Evidence::counted(seen.count).with_worst(seen.value, format!("face {}", seen.element)))
-                .breaks(
-                    Application::Makehuman2,
-                    "shows the inside of the skin, or holes where back faces are not drawn",
-                ),
+                .effect("shows the inside of the skin, or holes where back faces are not drawn"),
         );
     }
 }
 
-fn finding(base: &Base<'_>, seen: &Seen, message: &str, key: &str) -> Finding {
-    at_setting(&RULE, base, seen, message)
+fn finding(body: &Body<'_>, seen: &Seen, message: &str, key: &str) -> Finding {
+    at_setting(&RULE, body, seen, message)
         .key(key)
         .parts(&seen.all)
         .confidence(Confidence::Medium)

@@ -3,8 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use super::{component, has_sound_steps, title};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
-use crate::eval::makehuman2::macro_survey::DeadRange;
-use crate::eval::measures::Measures;
+use crate::eval::measures::{DeadRange, Measures};
 use crate::formats::macro_json::{Component, MacroFile, Macrodef};
 use crate::repo::Body;
 
@@ -28,8 +27,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some((_, base)) = body.makehuman2() else { return };
-    let Some((file, macros)) = base.macro_file() else { return };
+    let Some((file, macros)) = body.macros else { return };
     for (number, macrodef) in macros.macrodefs.iter().enumerate() {
         let checked = |range: &&DeadRange| range.macrodef == number && is_sound(macros, macrodef);
         let ranges: Vec<&DeadRange> = measures.macros.dead.iter().filter(checked).collect();
@@ -46,7 +44,7 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
             finding.help("list the combinations, or write `null` where no shape is meant")
         } else {
             let effect = "fades the shape out towards this position and applies nothing of the macrodef there";
-            let finding = finding.level(Level::Info).breaks(Application::Makehuman2, effect);
+            let finding = finding.level(Level::Info).effect(effect);
             finding.help("nothing needs to be done if no shape is meant there")
         });
     }

@@ -22,8 +22,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some((_, base)) = body.makehuman2() else { return };
-    let Some((file, macros)) = base.macro_file() else { return };
+    let Some((file, macros)) = body.macros else { return };
     let mut told: Vec<&str> = Vec::new();
     for jump in &measures.macros.jumps {
         let Some((macrodef, component)) = component(macros, jump.macrodef, jump.position) else { continue };

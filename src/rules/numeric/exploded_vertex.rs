@@ -27,9 +27,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some((_, base)) = body.makehuman2() else { return };
     let Some(space) = &measures.space else { return };
-    let Some(seen) = untold(base, space, space.exploded.as_ref()) else { return };
+    let Some(seen) = untold(body, space, space.exploded.as_ref()) else { return };
     let message = format!(
         "vertex {} lies {:.1} diagonals of the figure outside of it{}",
         seen.element,
@@ -38,7 +37,7 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
     );
     let evidence = Evidence::counted(seen.count);
     out.push(
-        at_setting(&RULE, base, seen, &message)
+        at_setting(&RULE, body, seen, &message)
             .key("vertices")
             .parts(seen.elements.iter().copied())
             .confidence(Confidence::Medium)

@@ -24,15 +24,14 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some((_, base)) = body.makehuman2() else { return };
     let Some(space) = &measures.space else { return };
-    let Some(seen) = untold(base, space, space.drifted.as_ref()) else { return };
+    let Some(seen) = untold(body, space, space.drifted.as_ref()) else { return };
     let message = format!(
         "joint `{}` leaves the skin around it: its distance grows by {:.1} times its stand on the default character",
         seen.name, seen.value
     );
     out.push(
-        at_setting(&RULE, base, seen, &message)
+        at_setting(&RULE, body, seen, &message)
             .parts(&seen.all)
             .confidence(Confidence::Medium)
             .help("move joint cube and skin together")

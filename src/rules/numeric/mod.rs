@@ -8,7 +8,7 @@ use crate::diag::{Finding, Place};
 use crate::eval::measures::{Seen, SpaceMeasure};
 use crate::eval::settings::SliderSetting;
 use crate::formats::macro_json::{Component, MacroFile, Macrodef};
-use crate::repo::makehuman2::Base;
+use crate::repo::Body;
 
 use super::Rule;
 use super::cause::component::has_sound_steps;
@@ -25,8 +25,8 @@ pub(super) mod weights_sum;
 pub(super) mod zero_length_bone;
 
 /// `message` and the setting that shows it, at the target that moves the thing most; without one, at the mesh.
-fn at_setting(rule: &Rule, base: &Base<'_>, seen: &Seen, message: &str) -> Finding {
-    let mesh = || base.mesh.map(|(file, _)| file.path.clone());
+fn at_setting(rule: &Rule, body: &Body<'_>, seen: &Seen, message: &str) -> Finding {
+    let mesh = || body.mesh.map(|(file, _)| file.path.clone());
     let path = seen.target.clone().or_else(mesh).unwrap_or_default();
     let asset = mesh().unwrap_or_default();
     Finding::new(&rule.info, path, Place::File, format!("{message}; shown by {}", worded(&seen.setting))).asset(asset)
@@ -68,8 +68,8 @@ fn in_order(space: &SpaceMeasure) -> [&Option<Seen>; 7] {
 
 /// What a rule may tell: `seen`, unless something graver is told of the same target, or the setting moves a slider
 /// whose steps are at fault.
-fn untold<'s>(base: &Base<'_>, space: &SpaceMeasure, seen: Option<&'s Seen>) -> Option<&'s Seen> {
-    gravest(space, seen.filter(|seen| !is_of_unsound_steps(base, &seen.setting))?)
+fn untold<'s>(body: &Body<'_>, space: &SpaceMeasure, seen: Option<&'s Seen>) -> Option<&'s Seen> {
+    gravest(space, seen.filter(|seen| !is_of_unsound_steps(body, &seen.setting))?)
 }
 
 /// What was seen, unless something graver was seen of the same target.
@@ -81,8 +81,8 @@ fn gravest<'s>(space: &SpaceMeasure, seen: &'s Seen) -> Option<&'s Seen> {
 
 /// Whether a setting moves a slider of a component whose steps have a finding of their own: outside of them, weights
 /// go to any size.
-fn is_of_unsound_steps(base: &Base<'_>, setting: &[SliderSetting]) -> bool {
-    let components = base.macro_file().map(|(_, file)| file.components.as_slice()).unwrap_or_default();
+fn is_of_unsound_steps(body: &Body<'_>, setting: &[SliderSetting]) -> bool {
+    let components = body.macros.map(|(_, file)| file.components.as_slice()).unwrap_or_default();
     let mut unsound = components.iter().filter(|component| component.steps.is_some() && !has_sound_steps(component));
     unsound.any(|component| setting.iter().any(|(slider, _)| component.pattern.as_ref() == Some(slider)))
 }

@@ -30,12 +30,11 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some((_, base)) = body.makehuman2() else { return };
     let Some(space) = &measures.space else { return };
-    if let Some(seen) = untold(base, space, space.non_finite.as_ref()) {
+    if let Some(seen) = untold(body, space, space.non_finite.as_ref()) {
         let message = format!("{} vertices are not finite, the first is {}", seen.count, seen.element);
         out.push(
-            at_setting(&RULE, base, seen, &message)
+            at_setting(&RULE, body, seen, &message)
                 .key("vertices")
                 .parts(seen.elements.iter().copied())
                 .help("look for displacements that add up beyond all measure")
@@ -43,12 +42,12 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
         );
     }
     if let Some(seen) =
-        untold(base, space, space.flat_plane.as_ref()).filter(|seen| !is_flat_at_rest(measures, &seen.name))
+        untold(body, space, space.flat_plane.as_ref()).filter(|seen| !is_flat_at_rest(measures, &seen.name))
     {
         let message =
             format!("the rotation plane of bone `{}` has no normal: its three joints lie in one line", seen.name);
         out.push(
-            at_setting(&RULE, base, seen, &message)
+            at_setting(&RULE, body, seen, &message)
                 .key("planes")
                 .parts(&seen.all)
                 .help("let the target move the joint cubes with the limb, so that the joints keep an angle")

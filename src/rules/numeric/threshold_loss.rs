@@ -26,8 +26,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(body: &Body<'_>, measures: &Measures, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some((_, base)) = body.makehuman2() else { return };
-    let Some((file, macros)) = base.macro_file() else { return };
+    let Some((file, macros)) = body.macros else { return };
     let limit = cx.option(&RULE, "percent") / 100.0;
     let over = || measures.macros.losses.iter().filter(|(_, lost, _)| *lost > limit);
     let Some((number, lost, at)) = over().max_by(|a, b| a.1.total_cmp(&b.1)) else { return };

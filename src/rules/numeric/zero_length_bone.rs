@@ -24,13 +24,12 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some((_, base)) = body.makehuman2() else { return };
     let Some(space) = &measures.space else { return };
-    let Some(seen) = untold(base, space, space.short_bone.as_ref()) else { return };
+    let Some(seen) = untold(body, space, space.short_bone.as_ref()) else { return };
     let length = 1.0 / seen.value;
     let message = format!("bone `{}` has no length ({length:.6})", seen.name);
     out.push(
-        at_setting(&RULE, base, seen, &message)
+        at_setting(&RULE, body, seen, &message)
             .parts(&seen.all)
             .help("let the target move the joint cubes at both ends with the limb")
             .evidence(Evidence::counted(1).with_worst(length, &*seen.name)),

@@ -1,0 +1,111 @@
+//! Whose formulas evaluate what: the one place that asks for an application.
+//!
+//! To evaluate another one: a variant of [`Formulas`], a folder beside `makehuman2`, and an arm wherever the compiler
+//! asks for one.
+
+use super::cases::Kind;
+use super::data::{RestSkeleton, SkeletonFile};
+use super::gauge::gauge;
+use super::{Error, Evaluation, Rows, makehuman2};
+use crate::config::Config;
+use crate::diag::Application;
+use crate::eval::measures::Measures;
+use crate::eval::skeleton::Formulas;
+use crate::eval::vector::Point;
+use crate::repo::Layers;
+use crate::source::Limits;
+
+/// A body of layers that can be opened.
+#[derive(Clone, Copy)]
+pub(crate) struct Openable<'a> {
+    pub(crate) name: &'a str,
+    pub(crate) layers: Layers<'a>,
+    formulas: Formulas,
+}
+
+/// Whose formulas evaluate the data of an application; `None` where they are not known yet.
+const fn formulas(application: Application) -> Option<Formulas> {
+    match application {
+        Application::Makehuman2 => Some(Formulas::Makehuman2),
+        Application::Makehuman1 | Application::Mpfb => None,
+    }
+}
+
+/// Whether data of an application can be evaluated.
+pub(crate) const fn is_evaluated(application: Application) -> bool {
+    formulas(application).is_some()
+}
+
+/// The applications whose data can be evaluated.
+pub(crate) fn evaluated() -> impl Iterator<Item = Application> {
+    Application::ALL.into_iter().filter(|application| is_evaluated(*application))
+}
+
+/// Measures a body as an application shows it, taking the rows of its targets out of `rows`. `None` for an application
+/// that is not evaluated, and without a mesh that vertices can be counted on.
+///
+/// Takes layers, not a view: their targets are not all read yet.
+pub(crate) fn measure(
+    application: Application,
+    layers: Layers<'_>,
+    name: &str,
+    rows: &mut Rows,
+    options: &Config,
+) -> Option<Measures> {
+    let composed = match formulas(application)? {
+        Formulas::Makehuman2 => makehuman2::compose::compose(&makehuman2::base::base(name, layers), rows)?,
+    };
+    Some(gauge(&composed, options))
+}
+
+/// The bodies that can be opened in layers as an application sees them.
+pub(crate) fn openable(application: Application, layers: Layers<'_>) -> Vec<Openable<'_>> {
+    let Some(formulas) = formulas(application) else { return Vec::new() };
+    let names = match formulas {
+        Formulas::Makehuman2 => makehuman2::base::with_mesh(layers),
+    };
+    names.into_iter().map(|name| Openable { name, layers, formulas }).collect()
+}
+
+impl Openable<'_> {
+    /// Whether it has a macro system.
+    pub(crate) fn has_macros(&self) -> bool {
+        match self.formulas {
+            Formulas::Makehuman2 => makehuman2::base::base(self.name, self.layers).macro_file().is_some(),
+        }
+    }
+
+    /// Takes what its files hold, but for the rows of its targets.
+    ///
+    /// # Errors
+    /// An unusable mesh.
+    pub(crate) fn open(&self, limits: Limits) -> Result<Evaluation, Error> {
+        match self.formulas {
+            Formulas::Makehuman2 => makehuman2::base::open(&makehuman2::base::base(self.name, self.layers), limits),
+        }
+    }
+}
+
+impl Evaluation {
+    /// Whose data are evaluated.
+    pub(super) const fn application(&self) -> Application {
+        match self.formulas {
+            Formulas::Makehuman2 => Application::Makehuman2,
+        }
+    }
+
+    /// Joints and rest matrices of a skeleton on a mesh.
+    ///
+    /// # Errors
+    /// A skeleton that the application refuses for this mesh.
+    pub fn rest(&self, skeleton: &SkeletonFile, positions: &[Point]) -> Result<RestSkeleton, Error> {
+        match self.formulas {
+            Formulas::Makehuman2 => makehuman2::skeleton::rest(skeleton, positions),
+        }
+    }
+}
+
+/// Every kind of case, of all applications.
+pub(super) fn kinds() -> impl Iterator<Item = &'static Kind> {
+    makehuman2::cases::KINDS.iter()
+}
