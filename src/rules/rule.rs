@@ -17,7 +17,7 @@ pub(crate) struct Rule {
 /// What a rule looks at. A rule takes the narrowest, and what all applications have before what one of them has.
 pub(crate) enum Check {
     /// Each file of the checked layer.
-    File(fn(&FileFacts, &RuleCx<'_>, &mut Vec<Finding>)),
+    File(fn(&View<'_>, &FileFacts, &RuleCx<'_>, &mut Vec<Finding>)),
     /// Each body.
     Body(fn(&Body<'_>, &RuleCx<'_>, &mut Vec<Finding>)),
     /// Each base mesh of `MakeHuman` 2, over all layers.

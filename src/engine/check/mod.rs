@@ -19,12 +19,25 @@ use crate::repo::{Body, FileFacts, View};
 use crate::rules::{Check, RULES, Rule, RuleCx};
 
 /// A view with what is computed once for all rules.
-struct Sight<'v> {
+struct Checked<'v> {
     view: &'v View<'v>,
+    /// The files of the checked layer, but for those that another application alone reads as what they are.
+    files: Vec<&'v FileFacts>,
     bodies: Vec<Body<'v>>,
     /// By name of the body.
     measures: Option<&'v BTreeMap<String, Measures>>,
 }
+
+/// What a rule did, or a part of it.
+#[derive(Default)]
+struct Done {
+    time: Duration,
+    findings: Vec<Finding>,
+    failed: bool,
+}
+
+/// Files that all rules on files look at before they go on: so many are still near when the next rule comes.
+const AT_ONCE: usize = 128;
 
 /// Runs all rules that are on over each view; what several views show is one finding.
 pub(super) fn check(
@@ -36,7 +49,7 @@ pub(super) fn check(
     merged(views.iter().map(|(view, measures)| check_view(view, *measures, selection, options, outcome)).collect())
 }
 
-/// Runs the rules that concern the application, each in its own thread.
+/// Runs the rules that concern the application: those on files over some files in a thread, each other one in its own.
 fn check_view(
     view: &View<'_>,
     measures: Option<&BTreeMap<String, Measures>>,
@@ -45,41 +58,65 @@ fn check_view(
     outcome: &mut Outcome,
 ) -> Vec<Finding> {
     let cx = RuleCx { options: &options.rule_options };
-    let sight = Sight { view, bodies: view.bodies(), measures };
     let application = view.application();
-    let results: Vec<(&str, Duration, Option<Vec<Finding>>)> = RULES
-        .par_iter()
-        .filter(|rule| selection.runs(rule.info.id) && rule.concerns(application))
-        .map(|rule| {
-            let started = Instant::now();
-            let found = catch_unwind(AssertUnwindSafe(|| run_rule(rule, &sight, &cx, options))).ok();
-            (rule.info.id, started.elapsed(), found)
-        })
-        .collect();
+    let own = |file: &&FileFacts| file.kind_in(application) == file.kind;
+    let files = view.layers().checked.files.values().filter(own).collect();
+    let checked = Checked { view, files, bodies: view.bodies(), measures };
+    let is_on = |rule: &Rule| selection.runs(rule.info.id) && rule.concerns(application);
+    let rules: Vec<&Rule> = RULES.iter().copied().filter(|rule| is_on(rule)).collect();
+    let mut done = over_files(&checked, &rules, &cx);
+    let others = rules.par_iter().map(|rule| run_caught(|out| run_rule(rule, &checked, &cx, options, out)));
+    done.iter_mut().zip(others.collect::<Vec<_>>()).for_each(|(done, other)| done.join(other));
     let mut findings = Vec::new();
-    for (rule, time, found) in results {
-        outcome.timings.push(Timing { what: Timed::Rule(rule), time });
-        match found {
-            Some(found) => findings.extend(found),
-            None => outcome.failed_rules.push(rule.to_owned()),
+    for (rule, done) in rules.iter().zip(done) {
+        outcome.timings.push(Timing { what: Timed::Rule(rule.info.id), time: done.time });
+        if done.failed {
+            outcome.failed_rules.push(rule.info.id.to_owned());
+        } else {
+            findings.extend(done.findings);
         }
     }
     findings.into_iter().map(|finding| finding.only_in(&[application])).collect()
 }
 
-fn run_rule(rule: &Rule, sight: &Sight<'_>, cx: &RuleCx<'_>, options: &Config) -> Vec<Finding> {
+impl Done {
+    fn join(&mut self, other: Self) {
+        self.time += other.time;
+        self.findings.extend(other.findings);
+        self.failed |= other.failed;
+    }
+}
+
+fn run_caught(run: impl FnOnce(&mut Vec<Finding>)) -> Done {
+    let started = Instant::now();
     let mut findings = Vec::new();
-    let out = &mut findings;
-    let view = sight.view;
+    let failed = catch_unwind(AssertUnwindSafe(|| run(&mut findings))).is_err();
+    Done { time: started.elapsed(), findings, failed }
+}
+
+/// What the rules on files did, in the order of `rules`; nothing for the others.
+fn over_files(checked: &Checked<'_>, rules: &[&Rule], cx: &RuleCx<'_>) -> Vec<Done> {
+    let run_all = |files: &[&FileFacts]| -> Vec<Done> {
+        let run = |rule: &&Rule| match rule.check {
+            Check::File(run) => run_caught(|out| files.iter().for_each(|file| run(checked.view, file, cx, out))),
+            _ => Done::default(),
+        };
+        rules.iter().map(run).collect()
+    };
+    let parts: Vec<Vec<Done>> = checked.files.par_chunks(AT_ONCE).map(run_all).collect();
+    let mut all: Vec<Done> = rules.iter().map(|_| Done::default()).collect();
+    for part in parts {
+        all.iter_mut().zip(part).for_each(|(all, part)| all.join(part));
+    }
+    all
+}
+
+/// Runs a rule on more than files.
+fn run_rule(rule: &Rule, checked: &Checked<'_>, cx: &RuleCx<'_>, options: &Config, out: &mut Vec<Finding>) {
     // What belongs to no mesh is asked for with every one.
     let asked = |name: &str| name.is_empty() || options.asks_for_base(name);
-    let bodies = || sight.bodies.iter().filter(|body| asked(body.name));
-    match (&rule.check, view) {
-        (Check::File(run), _) => {
-            // Not what another application reads it as.
-            let own = |file: &&FileFacts| file.kind_in(view.application()) == file.kind;
-            view.layers().checked.files.values().filter(own).for_each(|file| run(file, cx, out));
-        }
+    let bodies = || checked.bodies.iter().filter(|body| asked(body.name));
+    match (&rule.check, checked.view) {
         (Check::Body(run), _) => bodies().for_each(|body| run(body, cx, out)),
         (Check::Makehuman2(run), View::Makehuman2(view)) => {
             view.bases.iter().filter(|base| asked(base.name)).for_each(|base| run(view, base, cx, out));
@@ -88,15 +125,14 @@ fn run_rule(rule: &Rule, sight: &Sight<'_>, cx: &RuleCx<'_>, options: &Config) -
         (Check::Mpfb(run), View::Mpfb(view)) => run(view, cx, out),
         (Check::Numeric(run), _) => {
             for body in bodies() {
-                if let Some(measures) = sight.measures.and_then(|all| all.get(body.name)) {
+                if let Some(measures) = checked.measures.and_then(|all| all.get(body.name)) {
                     run(body, measures, cx, out);
                 }
             }
         }
-        (Check::Repository(run), _) => run(view, cx, out),
-        (Check::Makehuman2(_) | Check::Makehuman1(_) | Check::Mpfb(_) | Check::Upkeep(_), _) => {}
+        (Check::Repository(run), view) => run(view, cx, out),
+        (Check::File(_) | Check::Makehuman2(_) | Check::Makehuman1(_) | Check::Mpfb(_) | Check::Upkeep(_), _) => {}
     }
-    findings
 }
 
 /// Findings on the ignores themselves. Rules that panicked are noted in `failed`.

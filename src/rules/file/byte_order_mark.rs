@@ -19,30 +19,29 @@ pub(in crate::rules) static RULE: Rule = Rule {
             info.\n\nSave the file as UTF-8 without byte order mark.",
         ..RuleInfo::new("file-byte-order-mark", Level::Error, "a byte order mark at the beginning of a text file")
     },
-    check: Check::Repository(run),
+    check: Check::File(run),
 };
 
 /// Fields of a line that a target's reader takes for data.
 const ROW_FIELDS: usize = 4;
 
-fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let encoding = &file.encoding;
     // Behind a mark alone there is nothing to lose: the file is empty.
-    let marked = |file: &&FileFacts| {
-        file.encoding.byte_order_mark && file.encoding.invalid_utf8_at.is_none() && !file.encoding.blank
-    };
-    let texts = view.layers().checked.files.values().filter(|file| file.kind.is_text() && !is_override(file));
-    for file in texts.filter(|file| !is_unmet(view, file)).filter(marked) {
-        let damage = damage(file);
-        let Some(loss) = consequence(view, &file.rel, damage) else { continue };
-        let message = format!("`{}` begins with a byte order mark", file.file_name());
-        let fix = Fix::new(RULE.info.fix, "remove the mark");
-        let finding = RULE
-            .at(file, Place::Span(0..3), message)
-            .fix(fix.step(&file.path, Change::Rewrite(Rewrite::DropByteOrderMark)))
-            .help("save the file as UTF-8 without byte order mark");
-        let finding = loss.of(finding);
-        out.push(if damage == Damage::MarkedRow { weigh(&view.target(file), finding) } else { finding });
+    let is_marked = encoding.byte_order_mark && encoding.invalid_utf8_at.is_none() && !encoding.blank;
+    if !is_marked || !file.kind.is_text() || is_override(file) || is_unmet(view, file) {
+        return;
     }
+    let damage = damage(file);
+    let Some(loss) = consequence(view, &file.rel, damage) else { return };
+    let message = format!("`{}` begins with a byte order mark", file.file_name());
+    let fix = Fix::new(RULE.info.fix, "remove the mark");
+    let finding = RULE
+        .at(file, Place::Span(0..3), message)
+        .fix(fix.step(&file.path, Change::Rewrite(Rewrite::DropByteOrderMark)))
+        .help("save the file as UTF-8 without byte order mark");
+    let finding = loss.of(finding);
+    out.push(if damage == Damage::MarkedRow { weigh(&view.target(file), finding) } else { finding });
 }
 
 fn damage(file: &FileFacts) -> Damage {

@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
-use crate::repo::FileFacts;
+use crate::repo::{FileFacts, View};
 use crate::source::GzipFault;
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -22,7 +22,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::File(run),
 };
 
-fn run(file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(GzipFault::Bomb { packed, unpacked }) = file.gzip_fault else { return };
     let message = format!("{packed} bytes unpack to {unpacked} bytes or more");
     out.push(RULE.at(file, Place::File, message).help("do not open it; ask where it comes from"));

@@ -1,14 +1,12 @@
 //! Files without anything in them where content is needed.
 
-use std::collections::BTreeSet;
-
 use super::super::cause::consequence::{Damage, consequence};
 use super::super::cause::schema::is_of_wrong_type;
 use super::super::cause::{self, is_override, is_unmet};
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
-use crate::repo::{FileFacts, ReferenceKind, Resolution, View};
+use crate::repo::{FileFacts, Reference, ReferenceKind, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -20,30 +18,26 @@ pub(in crate::rules) static RULE: Rule = Rule {
             content, or remove the file and what refers to it.",
         ..RuleInfo::new("file-empty", Level::Warning, "an empty file where content is needed")
     },
-    check: Check::Repository(run),
+    check: Check::File(run),
 };
 
-fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let macros = targets_of_macros(view);
-    let needed = |file: &&FileFacts| !is_unmet(view, file) && !is_override(file);
-    for file in view.layers().checked.files.values().filter(needed) {
-        let Some(what) = emptiness(file).or_else(|| counts_as_missing(view, file)) else { continue };
-        if macros.contains(file.rel.as_str()) {
-            continue;
-        }
-        let damage = match file.kind {
-            _ if view.does_without(file) => Damage::Needless,
-            kind if kind.is_json() => Damage::Refused,
-            _ => Damage::Empty,
-        };
-        let Some(loss) = consequence(view, &file.rel, damage) else { continue };
-        let message = format!("`{}` is empty{what}", file.file_name());
-        let help = match file.kind {
-            Kind::TargetArchive => "delete it: MakeHuman 2 makes a new one from the targets",
-            _ => "restore the content, or remove the file and what refers to it",
-        };
-        out.push(loss.of(RULE.at(file, Place::File, message)).help(help));
+fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(what) = emptiness(file).or_else(|| counts_as_missing(view, file)) else { return };
+    if is_override(file) || is_target_of_macros(view, file) || is_unmet(view, file) {
+        return;
     }
+    let damage = match file.kind {
+        _ if view.does_without(file) => Damage::Needless,
+        kind if kind.is_json() => Damage::Refused,
+        _ => Damage::Empty,
+    };
+    let Some(loss) = consequence(view, &file.rel, damage) else { return };
+    let message = format!("`{}` is empty{what}", file.file_name());
+    let help = match file.kind {
+        Kind::TargetArchive => "delete it: MakeHuman 2 makes a new one from the targets",
+        _ => "restore the content, or remove the file and what refers to it",
+    };
+    out.push(loss.of(RULE.at(file, Place::File, message)).help(help));
 }
 
 /// An empty value counts as no file, too. In a generated modelling.json it is usual.
@@ -58,15 +52,9 @@ fn counts_as_missing(view: &View<'_>, file: &FileFacts) -> Option<&'static str> 
 }
 
 /// `macro-empty-target` knows these better.
-fn targets_of_macros<'r>(view: &'r View<'_>) -> BTreeSet<&'r str> {
-    let layers = view.layers();
-    let macros = view.references().iter().filter(|reference| reference.kind == ReferenceKind::MacroTarget);
-    macros
-        .filter_map(|reference| match reference.resolution {
-            Resolution::Found(file) if layers.is_checked(file) => Some(file.rel.as_str()),
-            _ => None,
-        })
-        .collect()
+fn is_target_of_macros(view: &View<'_>, file: &FileFacts) -> bool {
+    let is_macro = |reference: &Reference<'_>| reference.kind == ReferenceKind::MacroTarget;
+    view.references().to_file(file).any(|reference| is_macro(reference) && reference.found().is_some())
 }
 
 fn emptiness(file: &FileFacts) -> Option<&'static str> {

@@ -3,7 +3,7 @@
 use super::super::cause::consequence::{Damage, Moment, consequence, moment};
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
-use crate::repo::View;
+use crate::repo::{FileFacts, View};
 use crate::source::GzipFault;
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -22,22 +22,20 @@ pub(in crate::rules) static RULE: Rule = Rule {
             "a packed file that is truncated, damaged or followed by garbage",
         )
     },
-    check: Check::Repository(run),
+    check: Check::File(run),
 };
 
-fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for file in view.layers().checked.files.values() {
-        let message = match &file.gzip_fault {
-            Some(GzipFault::Corrupt(reason)) => format!("cannot be unpacked: {reason}"),
-            Some(GzipFault::TrailingGarbage { bytes }) => format!("{bytes} bytes of garbage behind the packed data"),
-            Some(GzipFault::Bomb { .. }) | None => continue,
-        };
-        let help = if moment(view, &file.rel) == Moment::Never {
-            "MakeHuman 2 reads plain targets only: put the unpacked target here, or remove the file"
-        } else {
-            "pack the file again from its source"
-        };
-        let finding = RULE.at(file, Place::File, message).help(help);
-        out.extend(consequence(view, &file.rel, Damage::Packed).map(|loss| loss.of(finding)));
-    }
+fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let message = match &file.gzip_fault {
+        Some(GzipFault::Corrupt(reason)) => format!("cannot be unpacked: {reason}"),
+        Some(GzipFault::TrailingGarbage { bytes }) => format!("{bytes} bytes of garbage behind the packed data"),
+        Some(GzipFault::Bomb { .. }) | None => return,
+    };
+    let help = if moment(view, &file.rel) == Moment::Never {
+        "MakeHuman 2 reads plain targets only: put the unpacked target here, or remove the file"
+    } else {
+        "pack the file again from its source"
+    };
+    let finding = RULE.at(file, Place::File, message).help(help);
+    out.extend(consequence(view, &file.rel, Damage::Packed).map(|loss| loss.of(finding)));
 }

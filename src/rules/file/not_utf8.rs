@@ -6,7 +6,7 @@ use super::super::cause::is_unmet;
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
-use crate::repo::View;
+use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -19,18 +19,17 @@ pub(in crate::rules) static RULE: Rule = Rule {
             and save it as UTF-8 without byte order mark.",
         ..RuleInfo::new("file-not-utf8", Level::Error, "a text file that is not UTF-8")
     },
-    check: Check::Repository(run),
+    check: Check::File(run),
 };
 
-fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let texts = view.layers().checked.files.values().filter(|file| file.kind.is_text());
-    for file in texts.filter(|file| !is_unmet(view, file)) {
-        let Some(at) = file.encoding.invalid_utf8_at else { continue };
-        let guess = file.encoding.guess.unwrap_or("another encoding");
-        let message = format!("`{}` is not UTF-8 (probably {guess})", file.file_name());
-        let Some(loss) = consequence(view, &file.rel, Damage::NotUtf8) else { continue };
-        let finding = RULE.at(file, Place::Span(at..at + 1), message);
-        let finding = loss.of(finding).help("save the file as UTF-8 without byte order mark");
-        out.push(if file.kind == Kind::Target { weigh(&view.target(file), finding) } else { finding });
-    }
+fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(at) = file.encoding.invalid_utf8_at.filter(|_| file.kind.is_text() && !is_unmet(view, file)) else {
+        return;
+    };
+    let Some(loss) = consequence(view, &file.rel, Damage::NotUtf8) else { return };
+    let guess = file.encoding.guess.unwrap_or("another encoding");
+    let message = format!("`{}` is not UTF-8 (probably {guess})", file.file_name());
+    let finding = RULE.at(file, Place::Span(at..at + 1), message);
+    let finding = loss.of(finding).help("save the file as UTF-8 without byte order mark");
+    out.push(if file.kind == Kind::Target { weigh(&view.target(file), finding) } else { finding });
 }

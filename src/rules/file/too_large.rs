@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Finding, Level, OptionInfo, Place, RuleInfo};
 use crate::discover::Kind;
-use crate::repo::FileFacts;
+use crate::repo::{FileFacts, View};
 use crate::source::ReadFault;
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -40,7 +40,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 /// Bytes in a MB.
 const MB: f64 = 1e6;
 
-fn run(file: &FileFacts, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(_: &View<'_>, file: &FileFacts, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let size = file.size as f64;
     let limit = cx.option(&RULE, option(file));
     let unread = matches!(file.unreadable, Some(ReadFault::TooLarge { .. }));

@@ -8,7 +8,7 @@ use super::super::{Check, Rule, RuleCx};
 use super::schema_words::{lack, sentence};
 use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
 use crate::json::SchemaFault;
-use crate::repo::FileFacts;
+use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -26,7 +26,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::File(run),
 };
 
-fn run(file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if is_ignored_override(file) || counts_as_missing(file) {
         return;
     }

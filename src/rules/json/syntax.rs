@@ -23,25 +23,26 @@ pub(in crate::rules) static RULE: Rule = Rule {
             at the place that is shown; the cause may stand just before it.",
         ..RuleInfo::new("json-syntax", Level::Error, "a file is no JSON")
     },
-    check: Check::Repository(run),
+    check: Check::File(run),
 };
 
-fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for file in view.layers().checked.files.values().filter(|file| !is_ignored_override(file)) {
-        match &file.content {
-            Content::Broken(JsonFault::Syntax(fault)) if fault.kind != SyntaxKind::TooDeep && !is_stray(view, file) => {
-                let finding = RULE
-                    .at(file, Place::Span(fault.span.clone()), format!("no JSON: {fault}"))
-                    .parts([format!("{} {}", sort(&fault.kind), fault.within)])
-                    .help(help(fault));
-                out.extend(consequence(view, &file.rel, Damage::Syntax).map(|loss| loss.of(finding)));
-            }
-            // What NaN does to weights is worse, and another rule's business.
-            _ if !matches!(file.kind, Kind::Weights | Kind::AssetWeights) && !is_stray(view, file) => {
-                out.extend(special_numbers(file));
-            }
-            _ => {}
+fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    if is_ignored_override(file) {
+        return;
+    }
+    match &file.content {
+        Content::Broken(JsonFault::Syntax(fault)) if fault.kind != SyntaxKind::TooDeep && !is_stray(view, file) => {
+            let finding = RULE
+                .at(file, Place::Span(fault.span.clone()), format!("no JSON: {fault}"))
+                .parts([format!("{} {}", sort(&fault.kind), fault.within)])
+                .help(help(fault));
+            out.extend(consequence(view, &file.rel, Damage::Syntax).map(|loss| loss.of(finding)));
         }
+        // What NaN does to weights is worse, and another rule's business.
+        _ if !matches!(file.kind, Kind::Weights | Kind::AssetWeights) && !is_stray(view, file) => {
+            out.extend(special_numbers(file));
+        }
+        _ => {}
     }
 }
 

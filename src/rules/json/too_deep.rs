@@ -6,7 +6,7 @@ use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::formats::Content;
 use crate::formats::json_file::JsonFault;
 use crate::json::SyntaxKind;
-use crate::repo::View;
+use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -20,16 +20,14 @@ pub(in crate::rules) static RULE: Rule = Rule {
             does not expect.\n\nReplace the file.",
         ..RuleInfo::new("json-too-deep", Level::Error, "a JSON is nested beyond the limit")
     },
-    check: Check::Repository(run),
+    check: Check::File(run),
 };
 
-fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for file in view.layers().checked.files.values() {
-        let Content::Broken(JsonFault::Syntax(fault)) = &file.content else { continue };
-        if fault.kind == SyntaxKind::TooDeep {
-            let finding = RULE.at(file, Place::Span(fault.span.clone()), fault.to_string());
-            let finding = finding.help("no format needs more than ten levels; replace the file");
-            out.extend(consequence(view, &file.rel, Damage::TooDeep).map(|loss| loss.of(finding)));
-        }
+fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Content::Broken(JsonFault::Syntax(fault)) = &file.content else { return };
+    if fault.kind == SyntaxKind::TooDeep {
+        let finding = RULE.at(file, Place::Span(fault.span.clone()), fault.to_string());
+        let finding = finding.help("no format needs more than ten levels; replace the file");
+        out.extend(consequence(view, &file.rel, Damage::TooDeep).map(|loss| loss.of(finding)));
     }
 }

@@ -22,20 +22,21 @@ pub(in crate::rules) static RULE: Rule = Rule {
             `comment` or `description`.",
         ..RuleInfo::new("json-unknown-key", Level::Info, "a key that no application reads")
     },
-    check: Check::Repository(run),
+    check: Check::File(run),
 };
 
-fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for file in view.layers().checked.files.values().filter(|file| !is_ignored_override(file)) {
-        let mut by_key: BTreeMap<(&str, Option<&str>), Vec<&UnknownKey>> = BTreeMap::new();
-        let sliders = told_sliders(view, file);
-        let lacking = lacking(file);
-        let told = |unknown: &&UnknownKey| lacks(&lacking, unknown) || is_told(file, &sliders, unknown);
-        for unknown in file.schema.unknown.iter().filter(|unknown| !told(unknown)) {
-            by_key.entry((&unknown.key, unknown.object.as_deref())).or_default().push(unknown);
-        }
-        out.extend(by_key.into_values().filter_map(|all| finding(file, &all)));
+fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    if file.schema.unknown.is_empty() || is_ignored_override(file) {
+        return;
     }
+    let mut by_key: BTreeMap<(&str, Option<&str>), Vec<&UnknownKey>> = BTreeMap::new();
+    let sliders = told_sliders(view, file);
+    let lacking = lacking(file);
+    let told = |unknown: &&UnknownKey| lacks(&lacking, unknown) || is_told(file, &sliders, unknown);
+    for unknown in file.schema.unknown.iter().filter(|unknown| !told(unknown)) {
+        by_key.entry((&unknown.key, unknown.object.as_deref())).or_default().push(unknown);
+    }
+    out.extend(by_key.into_values().filter_map(|all| finding(file, &all)));
 }
 
 /// Pointers of entries, and the keys of theirs that another rule names.

@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
-use crate::repo::FileFacts;
+use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -19,7 +19,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::File(run),
 };
 
-fn run(file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(mesh) = file.mesh() else { return };
     let tally = &mesh.facts.face_out_of_range;
     let Some((line, number)) = tally.first.first() else { return };

@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::formats::obj::Mesh;
-use crate::repo::FileFacts;
+use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -17,7 +17,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::File(run),
 };
 
-fn run(file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     // Faces that could not be read may be the ones that use them.
     let is_whole = |mesh: &&Mesh| mesh.facts.unreadable_lines == 0 && mesh.facts.face_out_of_range.count == 0;
     let Some(mesh) = file.mesh().filter(is_whole) else { return };

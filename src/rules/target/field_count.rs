@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx, counted};
 use super::decoded;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
-use crate::repo::FileFacts;
+use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -17,7 +17,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::File(run),
 };
 
-fn run(file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(facts) = decoded(file) else { return };
     let Some((line, fields)) = facts.field_count.first.first() else { return };
     let count = facts.field_count.count;

@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use super::{bones_of, pair_place, worst};
 use crate::diag::{Application, Finding, Level, RuleInfo};
-use crate::repo::FileFacts;
+use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -22,7 +22,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::File(run),
 };
 
-fn run(file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(weights) = bones_of(file) else { return };
     let tally = &weights.facts.above_one;
     let (Some((bone, _, vertex, weight)), Some(place)) = (tally.first.first(), pair_place(tally)) else { return };

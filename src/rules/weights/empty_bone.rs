@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use super::{bones_of, is_empty};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
-use crate::repo::FileFacts;
+use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -19,7 +19,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::File(run),
 };
 
-fn run(file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     // Where no bone has an entry, that is the fault (`weights-unweighted-vertex`).
     let Some(weights) = bones_of(file).filter(|weights| !is_empty(weights)) else { return };
     let empty = weights.bones.iter().filter(|bone| bone.listed == 0 && bone.is_list);
