@@ -27,7 +27,7 @@
 //! done. No input makes the library panic; where one of its own bugs does, the file, rule or base mesh is
 //! skipped and [`Outcome::is_whole`] tells.
 //!
-//! One way through the house: discover → source → formats → repo → rules → engine → report → cli
+//! One way through the house: source → discover → formats → repo → eval → evaluate → rules → engine → report → cli
 //! (`docs/architecture.md`).
 
 // Files, streams and surroundings have few doors, and who may use them says so; tests are free.

@@ -7,7 +7,7 @@ use super::{Level, Parts};
 /// Known findings. [`Baseline::text`] is the file.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Baseline {
-    /// Sorted by path, rule and key.
+    /// In any order; the text sorts them.
     pub entries: Vec<Entry>,
 }
 

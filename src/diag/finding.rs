@@ -15,7 +15,7 @@ pub struct Finding {
     pub level: Level,
     /// How sure the rule is.
     pub confidence: Confidence,
-    /// File, relative to its data root in rules; relative to the working directory in reports.
+    /// File, as reports print it: relative to the working directory.
     pub path: String,
     /// Symbolic place.
     pub place: Place,

@@ -1,4 +1,4 @@
-//! What a finding is: plain, serialisable data shared by every layer.
+//! What a finding is: plain data shared by every layer.
 //!
 //! A leaf of the house: imports nothing of ours, no terminal types, no borrowed sources. Rules make
 //! [`Finding`]s, the engine places and sorts them, reports only say them.

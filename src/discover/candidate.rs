@@ -33,6 +33,11 @@ pub(crate) fn kind_of(uses: &[Use]) -> Kind {
     uses.iter().map(|one| one.kind).min().unwrap_or(Kind::Other)
 }
 
+/// The base mesh that a file belongs to as what it is read as.
+pub(crate) fn owner_of(uses: &[Use]) -> Option<&str> {
+    uses.iter().min_by_key(|one| (one.kind, one.owner.is_none()))?.owner.as_deref()
+}
+
 /// What a file is for to one application; anything to those that have no use for it.
 pub(crate) fn kind_in(uses: &[Use], application: Application) -> Kind {
     uses.iter().find(|one| one.application == application).map_or(Kind::Other, |one| one.kind)
@@ -75,9 +80,9 @@ impl<'t> Candidate<'t> {
         kind_in(&self.uses, application)
     }
 
-    /// The base mesh that it belongs to; the same to all applications that know one.
+    /// The base mesh that it belongs to as what it is read as.
     pub(crate) fn owner(&self) -> Option<&str> {
-        self.uses.iter().find_map(|one| one.owner.as_deref())
+        owner_of(&self.uses)
     }
 
     /// Whether it is to be read, as far as the listing can tell.

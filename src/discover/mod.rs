@@ -1,15 +1,15 @@
 //! What is where: data roots in a listing, what each path in them is for. Looks at paths only, opens nothing.
 //!
 //! What an application makes of paths is its [`Layout`]; nothing else here or further up matches parts of paths to find
-//! out what a file is for.
+//! out what a file is for. The code of one application builds the paths of files that it opens by name.
 
 mod candidate;
 mod kind;
 mod layout;
 mod roots;
 
-pub(crate) use candidate::{Candidate, Use, candidates, kind_in, loose_candidates, uses_of};
+pub(crate) use candidate::{Candidate, Use, candidates, kind_in, loose_candidates, owner_of, uses_of};
 pub(crate) use kind::{Kind, extension};
-pub(crate) use layout::makehuman2::opened::material_of;
+pub(crate) use layout::makehuman2::opened::{is_in_override_folder, material_of};
 pub(crate) use layout::{Layout, Role, is_read_though_hidden};
 pub(crate) use roots::find_roots;

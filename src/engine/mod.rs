@@ -1,6 +1,6 @@
 //! The order of things: read all files in parallel, connect layers, run rules, place and sort findings.
 //!
-//! The only place with threads. Prints nothing and checks nothing.
+//! Has the threads, as `evaluate` has some. Prints nothing and checks nothing.
 
 mod catalogue;
 mod caught;

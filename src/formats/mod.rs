@@ -1,6 +1,6 @@
 //! Bytes to models and facts, one format a file.
 //!
-//! A parser never fails as a whole: it returns what the application would see, and counts in the same
+//! A parser returns what the application would see, and counts in the same
 //! pass everything rules ask about. Nothing is checked here; other files are not known here.
 #![warn(clippy::indexing_slicing)]
 

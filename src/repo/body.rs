@@ -49,6 +49,8 @@ pub(crate) enum Shown<'v> {
 pub(crate) struct Target<'v> {
     /// Its file.
     pub file: &'v FileFacts,
+    /// The folder that it belongs to, with all below it.
+    pub folder: &'v str,
     /// How it is used; of several uses the earliest.
     pub used_as: Option<ReferenceKind>,
     /// Whether the application reads it and nothing uses it. Both are false where nobody can tell.
@@ -131,6 +133,11 @@ impl<'v> Body<'v> {
     /// The target at a printed path.
     pub(crate) fn target(&self, path: &str) -> Option<&Target<'v>> {
         self.targets.get(*self.by_path.get(path)?)
+    }
+
+    /// The folder that a target belongs to.
+    pub(crate) fn folder_of(&self, file: &'v FileFacts) -> &'v str {
+        self.target(&file.path).map_or_else(|| parent(&file.rel), |target| target.folder)
     }
 
     /// A setting at which a target is applied fully; `None` if nothing uses it.

@@ -1,7 +1,7 @@
 //! What is kept of a file when its bytes are gone.
 
 use crate::diag::Application;
-use crate::discover::{Kind, Use, kind_in};
+use crate::discover::{Kind, Use, kind_in, owner_of};
 use crate::formats::Content;
 use crate::formats::inline_ignore::InlineIgnore;
 use crate::formats::json_file::JsonFacts;
@@ -56,9 +56,9 @@ impl FileFacts {
         kind_in(&self.uses, application)
     }
 
-    /// The base mesh that it belongs to; the same to all applications that know one.
+    /// The base mesh that it belongs to as what it is read as.
     pub fn base(&self) -> Option<&str> {
-        self.uses.iter().find_map(|one| one.owner.as_deref())
+        owner_of(&self.uses)
     }
 
     /// The base mesh that it belongs to in one application.
@@ -85,12 +85,6 @@ impl FileFacts {
     /// Path of the folder as reports print it.
     pub fn folder(&self) -> &str {
         self.path.rsplit_once('/').map_or("", |(folder, _)| folder)
-    }
-
-    /// The folder that targets of a base are loaded from: the first two parts of the path.
-    pub fn target_folder(&self) -> &str {
-        let end = self.rel.match_indices('/').nth(1).map_or(self.rel.len(), |(at, _)| at);
-        self.rel.get(..end).unwrap_or(&self.rel)
     }
 
     /// File name without folders.

@@ -34,16 +34,15 @@ pub(crate) struct Layer {
     pub folders: Vec<String>,
     /// What the walk could not list, relative to the root.
     pub walk_faults: Vec<WalkFault>,
-    /// Folded paths to paths, of those that differ in case only the first; made when first asked for.
-    folded: OnceLock<BTreeMap<String, String>>,
+    /// Folded paths to paths, in order; made when first asked for.
+    folded: OnceLock<BTreeMap<String, Vec<String>>>,
 }
 
-/// Notes a path under its folded form, unless a smaller one has it.
-fn enter(folded: &mut BTreeMap<String, String>, rel: &str) {
-    let known = folded.entry(fold(rel)).or_insert_with(|| rel.to_owned());
-    if rel < known.as_str() {
-        rel.clone_into(known);
-    }
+/// Notes a path under its folded form.
+fn enter(folded: &mut BTreeMap<String, Vec<String>>, rel: &str) {
+    let alike = folded.entry(fold(rel)).or_default();
+    let place = alike.partition_point(|other| other.as_str() < rel);
+    alike.insert(place, rel.to_owned());
 }
 
 impl Layer {
@@ -96,14 +95,19 @@ impl Layer {
         from.take_while(move |(rel, _)| rel.starts_with(&prefix)).map(|(_, file)| file)
     }
 
-    /// The file whose path differs from `rel` in nothing but case, or the form of its accented letters.
+    /// The first file whose path differs from `rel` in nothing but case, or the form of its accented letters.
     pub(crate) fn file_ignoring_case(&self, rel: &str) -> Option<&FileFacts> {
+        self.alike(rel).first().and_then(|alike| self.file(alike))
+    }
+
+    /// The paths of all such files, `rel` among them if it is one.
+    pub(crate) fn alike(&self, rel: &str) -> &[String] {
         let folded = self.folded.get_or_init(|| {
             let mut folded = BTreeMap::new();
             self.files.keys().for_each(|rel| enter(&mut folded, rel));
             folded
         });
-        self.files.get(folded.get(&fold(rel))?)
+        folded.get(&fold(rel)).map(Vec::as_slice).unwrap_or_default()
     }
 
     /// Path of something in this layer as reports print it.

@@ -15,8 +15,9 @@ pub struct References<'a> {
 }
 
 impl<'a> References<'a> {
-    /// Groups references; those of a base must stand together.
-    pub fn new(all: Vec<Reference<'a>>) -> Self {
+    /// Groups references.
+    pub fn new(mut all: Vec<Reference<'a>>) -> Self {
+        all.sort_by_key(|reference| reference.base);
         let mut references = Self::default();
         for (number, reference) in all.iter().enumerate() {
             let of_base = references.by_base.entry(reference.base).or_insert(number..number);

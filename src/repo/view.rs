@@ -1,6 +1,6 @@
 //! The data of one application as it sees them.
 
-use super::{Body, FileFacts, Layers, Reference, References, Shown, Target, makehuman1, makehuman2, mpfb};
+use super::{Body, FileFacts, Layers, Reference, References, Shown, Target, makehuman1, makehuman2, mpfb, parent};
 use crate::diag::Application;
 use crate::discover::{Kind, Layout};
 
@@ -53,6 +53,12 @@ impl<'a> View<'a> {
         self.layers().checked.kind_at(rel, self.application())
     }
 
+    /// The files of the checked layer, but for those that other applications alone have as what they are read as.
+    pub(crate) fn files(&self) -> impl Iterator<Item = &'a FileFacts> + use<'a> {
+        let application = self.application();
+        self.layers().checked.files.values().filter(move |file| file.kind_in(application) == file.kind)
+    }
+
     /// Everything that names a file, and what it leads to.
     pub(crate) const fn references(&self) -> &References<'a> {
         match self {
@@ -85,32 +91,42 @@ impl<'a> View<'a> {
         match self {
             Self::Makehuman2(view) => view.target(file),
             Self::Mpfb(view) => view.target(file),
-            Self::Makehuman1(_) => Target { file, used_as: None, is_unused: false, packed_in: None },
+            Self::Makehuman1(_) => {
+                Target { file, folder: parent(&file.rel), used_as: None, is_unused: false, packed_in: None }
+            }
         }
     }
 
     /// A setting at which a target is applied fully; `None` if nothing uses it, or nobody can tell.
     pub(super) fn shown_at(&self, file: &FileFacts) -> Option<Shown<'a>> {
-        self.makehuman2()?.shown_at(file)
+        match self {
+            Self::Makehuman2(view) => view.shown_at(file),
+            Self::Makehuman1(_) | Self::Mpfb(_) => None,
+        }
     }
 
     /// Whether the application makes the file at this path of the checked layer itself.
     pub(crate) fn is_generated(&self, rel: &str) -> bool {
-        self.makehuman2().is_some_and(|view| view.is_generated(rel))
+        match self {
+            Self::Makehuman2(view) => view.is_generated(rel),
+            Self::Makehuman1(_) | Self::Mpfb(_) => false,
+        }
     }
 
     /// Whether the application does as well without this file.
     pub(crate) fn does_without(&self, file: &FileFacts) -> bool {
-        self.makehuman2().is_some_and(|view| view.does_without(file))
+        match self {
+            Self::Makehuman2(view) => view.does_without(file),
+            Self::Makehuman1(_) | Self::Mpfb(_) => false,
+        }
     }
 
     /// Whether other files know what a reference belongs to by the name that it writes, so that the name has to stay.
     pub(crate) fn is_known_by(&self, reference: &Reference<'_>) -> bool {
-        self.makehuman2().is_some_and(|view| view.is_known_by(reference))
-    }
-
-    /// As a view of `MakeHuman` 2.
-    pub(crate) fn makehuman2(&self) -> Option<&makehuman2::View<'a>> {
-        if let Self::Makehuman2(view) = self { Some(view) } else { None }
+        match self {
+            Self::Makehuman2(view) => view.is_known_by(reference),
+            // Nobody can tell yet: the name stays.
+            Self::Makehuman1(_) | Self::Mpfb(_) => true,
+        }
     }
 }

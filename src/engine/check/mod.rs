@@ -21,7 +21,6 @@ use crate::rules::{Check, RULES, Rule, RuleCx};
 /// A view with what is computed once for all rules.
 struct Checked<'v> {
     view: &'v View<'v>,
-    /// The files of the checked layer, but for those that another application alone reads as what they are.
     files: Vec<&'v FileFacts>,
     bodies: Vec<Body<'v>>,
     /// By name of the body.
@@ -59,9 +58,7 @@ fn check_view(
 ) -> Vec<Finding> {
     let cx = RuleCx { options: &options.rule_options };
     let application = view.application();
-    let own = |file: &&FileFacts| file.kind_in(application) == file.kind;
-    let files = view.layers().checked.files.values().filter(own).collect();
-    let checked = Checked { view, files, bodies: view.bodies(), measures };
+    let checked = Checked { view, files: view.files().collect(), bodies: view.bodies(), measures };
     let is_on = |rule: &Rule| selection.runs(rule.info.id) && rule.concerns(application);
     let rules: Vec<&Rule> = RULES.iter().copied().filter(|rule| is_on(rule)).collect();
     let mut done = over_files(&checked, &rules, &cx);

@@ -94,7 +94,8 @@ fn size_for(file: &Candidate<'_>, sizes: &MeshSizes) -> Option<MeshSize> {
 }
 
 fn own_sizes(files: &ByRel) -> MeshSizes {
-    let meshes = files.values().filter_map(|file| Some((file.base()?.to_owned(), file.mesh()?)));
+    let own = files.values().filter(|file| file.kind == Kind::BaseMesh);
+    let meshes = own.filter_map(|file| Some((file.base()?.to_owned(), file.mesh()?)));
     // Against a damaged mesh every index would be wrong; the mesh itself is the fault then.
     let meshes = meshes.filter(|(_, mesh)| mesh.is_sound());
     meshes

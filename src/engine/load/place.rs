@@ -57,6 +57,11 @@ impl<'t> Place<'t> {
         self.layouts.iter().any(|layout| layout.application == application)
     }
 
+    /// Whether it is a data root of the same applications as another place.
+    pub(super) fn has_layouts_of(&self, other: &Self) -> bool {
+        self.layouts.iter().map(|layout| layout.application).eq(other.layouts.iter().map(|layout| layout.application))
+    }
+
     /// Whether nothing lies in it.
     pub(super) fn is_empty(&self) -> bool {
         self.below.is_empty()

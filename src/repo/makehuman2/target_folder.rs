@@ -46,3 +46,9 @@ impl<'a> TargetFolder<'a> {
         self.layer.below(&self.rel()).next().is_some()
     }
 }
+
+/// The folder that the targets of a base are loaded from: the first two parts of their paths.
+pub(super) fn of(file: &FileFacts) -> &str {
+    let end = file.rel.match_indices('/').nth(1).map_or(file.rel.len(), |(at, _)| at);
+    file.rel.get(..end).unwrap_or(&file.rel)
+}

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::base::{Sources, base_names, resolve};
 use super::references::collect;
 use super::usage::Usage;
-use super::{Base, OWN, rigs, textures, unbound};
+use super::{Base, OWN, rigs, target_folder, textures, unbound};
 use crate::discover::Kind;
 use crate::formats::base_json::BaseJson;
 use crate::repo::{Body, BodyWeights, FileFacts, Layers, Reference, References, Target};
@@ -106,11 +106,13 @@ impl<'a> View<'a> {
 
     /// What is known of a target of the checked layer.
     pub(crate) fn target<'v>(&'v self, file: &'v FileFacts) -> Target<'v> {
+        let folder = target_folder::of(file);
         Target {
             file,
+            folder,
             used_as: self.usage.of_file(file),
             is_unused: self.usage.is_unused(file),
-            packed_in: self.layers.checked.file(&format!("{}/compressedtargets.npz", file.target_folder())),
+            packed_in: self.layers.checked.file(&format!("{folder}/compressedtargets.npz")),
         }
     }
 }

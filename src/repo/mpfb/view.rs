@@ -63,7 +63,7 @@ impl<'a> View<'a> {
     /// What is known of a target of the checked layer.
     pub(in crate::repo) fn target<'v>(&self, file: &'v FileFacts) -> Target<'v> {
         let used_as = self.references.to_file(file).map(|reference| reference.kind).min();
-        Target { file, used_as, is_unused: false, packed_in: None }
+        Target { file, folder: parent(&file.rel), used_as, is_unused: false, packed_in: None }
     }
 }
 

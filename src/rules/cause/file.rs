@@ -1,7 +1,7 @@
 //! Files of which something else is told before what is in them.
 
 use super::consequence::{Moment, moment};
-use crate::discover::Kind;
+use crate::discover::{Kind, is_in_override_folder};
 use crate::formats::Content;
 use crate::formats::json_file::JsonFault;
 use crate::json::SyntaxKind;
@@ -21,7 +21,7 @@ pub(in crate::rules) fn is_unmet(view: &View<'_>, file: &FileFacts) -> bool {
 /// Whether the file is one of `contarget/` that falls back to the system's where it cannot be read: the fallback is the
 /// worse news (`overlay-broken-override`).
 pub(in crate::rules) fn is_override(file: &FileFacts) -> bool {
-    file.rel.starts_with("contarget/")
+    is_in_override_folder(&file.rel)
         && matches!(file.kind, Kind::MacroJson | Kind::ModellingJson | Kind::TargetCategories)
 }
 

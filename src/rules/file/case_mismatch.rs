@@ -3,9 +3,10 @@
 use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
-use super::named::{Cause, alike, causes, differs_in_form, effect, written};
+use super::named::{Cause, causes, differs_in_form, effect, written};
 use super::spelling::{as_on_disk, differing, folder_on_disk, found, plain, respelled};
 use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Place, RuleInfo};
+use crate::discover::Kind;
 use crate::repo::{Reference, ReferenceKind, Resolution, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -60,9 +61,10 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             out.push(finding.help(format!("rename the file to `{right}`: extensions count with their capitals")));
             continue;
         }
-        let others = alike(view, target);
-        if let [_, ..] = others.as_slice() {
-            let names: Vec<String> = others.iter().map(|other| format!("`{other}`")).collect();
+        let alike = holder.map(|layer| layer.alike(target)).unwrap_or_default();
+        let names: Vec<String> =
+            alike.iter().filter(|other| *other != target).map(|other| format!("`{other}`")).collect();
+        if !names.is_empty() {
             let help = format!("write which is meant: there are `{target}` and {}", names.join(", "));
             out.push(finding.help(help));
             continue;
@@ -117,7 +119,7 @@ fn fixed_names(view: &View<'_>, out: &mut Vec<Finding>) {
         let Some(right) = (view.layout().misnamed)(&file.rel, &|rel| layer.file(rel).is_some()) else { continue };
         let (name, wanted) = (file.file_name(), right.rsplit('/').next().unwrap_or_default());
         let message = format!("`{name}` is looked for as `{wanted}`");
-        let effect = if right.starts_with("base/") {
+        let effect = if matches!(view.kind_at(&right), Kind::BaseJson | Kind::BaseMesh) {
             "on Linux: does not load the base mesh".to_owned()
         } else {
             format!("on Linux: takes `{wanted}` as missing, without a word")

@@ -30,7 +30,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let mut twins: BTreeMap<Class<'_>, Vec<&FileFacts>> = BTreeMap::new();
     // Through a link it is the same file, not another one.
     let is_link = |file: &FileFacts| file.link_to.as_deref().is_some_and(|real| layer.file(real).is_some());
-    for file in layer.files.values().filter(|file| !is_link(file)) {
+    for file in view.files().filter(|file| !is_link(file)) {
         if let (Some(class), Some(hash)) = (class(file), file.content_hash) {
             twins.entry((category(file), class, hash)).or_default().push(file);
         }

@@ -25,7 +25,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers().checked;
     let mut folders: BTreeMap<(&str, bool), Vec<&FileFacts>> = BTreeMap::new();
-    for file in layer.files.values().filter(|file| file.encoding.lfs_pointer) {
+    for file in view.files().filter(|file| file.encoding.lfs_pointer) {
         let folder = file.rel.rsplit_once('/').map_or("", |(folder, _)| folder);
         folders.entry((folder, file.kind.is_text())).or_default().push(file);
     }

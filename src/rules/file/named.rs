@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::super::Rule;
 use crate::diag::{Change, Evidence, Finding, Fix, Level, Place};
-use crate::repo::{Reference, ReferenceKind, Resolution, View, composed, fold};
+use crate::repo::{Reference, ReferenceKind, Resolution, View, composed};
 
 /// References of one cause in one file, in the order of the file.
 pub(super) struct Cause<'r, 'a> {
@@ -87,12 +87,4 @@ pub(super) fn effect(kind: ReferenceKind) -> &'static str {
 /// Whether a reference names its file in another form of accented letters, and not just with other capitals.
 pub(super) fn differs_in_form(reference: &Reference<'_>) -> bool {
     matches!(reference.resolution, Resolution::CaseOnly(file) if composed(&reference.rel) == composed(&file.rel))
-}
-
-/// Other files of the layer that the name fits as well, but for capitals.
-pub(super) fn alike<'r>(view: &'r View<'_>, target: &str) -> Vec<&'r str> {
-    let layer = view.layers().strongest_first().find(|layer| layer.file(target).is_some());
-    let wanted = fold(target);
-    let is_alike = |rel: &&str| *rel != target && fold(rel) == wanted;
-    layer.into_iter().flat_map(|layer| layer.files.values().map(|file| file.rel.as_str())).filter(is_alike).collect()
 }

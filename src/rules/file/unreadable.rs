@@ -37,7 +37,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         }
     }
     let is_base = |name: &str| layer.files.values().any(|file| file.base_in(view.application()) == Some(name));
-    for file in layer.files.values() {
+    for file in view.files() {
         match &file.unreadable {
             Some(ReadFault::Unreadable(reason)) => {
                 let reason = if file.failed { FAILED } else { reason };

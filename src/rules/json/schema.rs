@@ -26,7 +26,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::File(run),
 };
 
-fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if is_ignored_override(file) || counts_as_missing(file) {
         return;
     }
@@ -35,11 +35,17 @@ fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         // Two missing keys of one object fail at the same keyword; they are two faults.
         by_keyword.entry((&fault.keyword, lack(fault))).or_default().push(fault);
     }
-    out.extend(by_keyword.into_iter().filter_map(|((keyword, lack), all)| finding(file, keyword, lack, &all)));
+    out.extend(by_keyword.into_iter().filter_map(|((keyword, lack), all)| finding(view, file, keyword, lack, &all)));
 }
 
 /// One finding for all values that fail in the same way.
-fn finding(file: &FileFacts, keyword: &str, lack: Option<String>, all: &[&SchemaFault]) -> Option<Finding> {
+fn finding(
+    view: &View<'_>,
+    file: &FileFacts,
+    keyword: &str,
+    lack: Option<String>,
+    all: &[&SchemaFault],
+) -> Option<Finding> {
     let first = all.first()?;
     let message = match all.len() {
         1 => sentence(first),
@@ -48,7 +54,7 @@ fn finding(file: &FileFacts, keyword: &str, lack: Option<String>, all: &[&Schema
     let mut finding = RULE.at(file, Place::Pointer(first.pointer.clone()), message);
     finding = finding.key(format!("{keyword}{}", lack.unwrap_or_default())).help(help(file, first));
     // Of values that fail in the same way the worst counts.
-    let each = all.iter().map(|fault| of_value(file.kind, fault));
+    let each = all.iter().map(|fault| of_value(view, file.kind, fault));
     if let Some(Some(loss)) = each.max_by_key(|loss| loss.map_or(RULE.info.level, |loss| loss.level)) {
         finding = loss.of(finding);
     }

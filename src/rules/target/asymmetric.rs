@@ -97,7 +97,7 @@ fn uneven(body: &Body<'_>, slight: &[(&FileFacts, &TargetMeasure)], checked: usi
     }));
     let finding = match slight {
         [_] => RULE.at(file, Place::File, message),
-        _ => RULE.in_layer(body.layers.checked, file.target_folder(), message).related(
+        _ => RULE.in_layer(body.layers.checked, body.folder_of(file), message).related(
             &file.path,
             Place::File,
             "the worst of them",

@@ -32,7 +32,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         if let (Some(base), Some((line, named))) = (file.base(), &facts.basemesh)
             && !named.eq_ignore_ascii_case(base)
         {
-            found.entry((file.target_folder(), named)).or_default().push((file, *line));
+            found.entry((body.folder_of(file), named)).or_default().push((file, *line));
         }
     }
     for ((folder, named), files) in found {

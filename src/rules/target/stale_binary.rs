@@ -5,7 +5,7 @@ use super::decoded;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
 use crate::formats::npz::Archive;
-use crate::repo::{FileFacts, Layer, View};
+use crate::repo::{FileFacts, Layer, View, parent};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -37,7 +37,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for file in layer.files.values().filter(|file| file.kind == Kind::TargetArchive) {
         // What cannot be read as a whole cannot be compared.
         if let Some(archive) = file.archive().filter(|archive| archive.is_sound()) {
-            let stale = compare(layer, file.target_folder(), archive);
+            let stale = compare(layer, parent(&file.rel), archive);
             out.extend(finding(file, archive, &stale));
         }
     }

@@ -27,7 +27,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (folder, found) in with_zero_rows(body) {
         let finding = match found.as_slice() {
             [] => continue,
-            [(file, facts)] => one_file(layer, file, facts),
+            [(file, facts)] => one_file(layer, folder, file, facts),
             [(file, facts), ..] => {
                 let most = most_first(&found);
                 let (message, evidence) = of_folder(folder, &most);
@@ -50,13 +50,13 @@ fn fix(body: &Body<'_>, found: &[(&FileFacts, &TargetFacts)]) -> Fix {
     read.fold(fix, |fix, (file, _)| fix.step(&file.path, Change::Rewrite(Rewrite::DropZeroRows)))
 }
 
-fn one_file(layer: &Layer, file: &FileFacts, facts: &TargetFacts) -> Finding {
+fn one_file(layer: &Layer, folder: &str, file: &FileFacts, facts: &TargetFacts) -> Finding {
     let message = match facts.zero.count {
         1 => "1 zero row moves nothing".to_owned(),
         count => format!("{count} zero rows move nothing"),
     };
     let finding = RULE.at(file, first_row(&facts.zero), message).parts([&file.rel]);
-    finding.asset(layer.display(file.target_folder())).evidence(facts.zero.evidence(facts.rows))
+    finding.asset(layer.display(folder)).evidence(facts.zero.evidence(facts.rows))
 }
 
 /// The files by how many of their rows are zero.
@@ -85,7 +85,7 @@ fn with_zero_rows<'v>(body: &Body<'v>) -> ZeroRows<'v> {
     for (_, file, facts) in targets(body) {
         // A target that moves nothing is a finding of its own.
         if facts.zero.count > 0 && !facts.moves_nothing() {
-            folders.entry(file.target_folder()).or_default().push((file, facts));
+            folders.entry(body.folder_of(file)).or_default().push((file, facts));
         }
     }
     folders

@@ -43,6 +43,11 @@ pub(super) fn is_scanned(rel: &str) -> bool {
     wanted && SCANNED.contains(&folder) && matches!(rel.split('/').count(), 3 | 4)
 }
 
+/// Whether a path lies in the folder whose files take the place of the system's.
+pub(crate) fn is_in_override_folder(rel: &str) -> bool {
+    rel.starts_with("contarget/")
+}
+
 /// Whose surface a material is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct MaterialUse<'p> {

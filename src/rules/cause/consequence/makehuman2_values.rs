@@ -85,7 +85,7 @@ static ROWS: [Row; 33] = [
 ];
 
 /// What a value of a file of this kind comes to, where it is not what `json-schema` says in general.
-pub(in crate::rules) fn of_value(kind: Kind, fault: &SchemaFault) -> Option<Consequence> {
+pub(super) fn of_value(kind: Kind, fault: &SchemaFault) -> Option<Consequence> {
     let kind = if kind == Kind::AssetWeights { Weights } else { kind };
     let fits = |row: &&Row| row.kind == kind && fault.keyword.starts_with(row.keyword) && (row.found)(fault.found());
     ROWS.iter().find(fits).map(|row| row.consequence)

@@ -8,10 +8,11 @@ mod mpfb;
 mod table;
 
 pub(in crate::rules) use makehuman2::ignored_override;
-pub(in crate::rules) use makehuman2_values::of_value;
 use table::{Row, Table};
 
 use crate::diag::{Application, Finding, Level};
+use crate::discover::Kind;
+use crate::json::SchemaFault;
 use crate::repo::View;
 
 /// When an application opens a file.
@@ -107,6 +108,14 @@ pub(in crate::rules) fn moment(view: &View<'_>, rel: &str) -> Moment {
 pub(in crate::rules) fn consequence(view: &View<'_>, rel: &str, damage: Damage) -> Option<Consequence> {
     let (table, row) = asked(view, rel);
     table.consequence(row, row.moment(view.layout(), rel), damage)
+}
+
+/// What a value comes to that does not fit the schema, where it is not what `json-schema` says in general.
+pub(in crate::rules) fn of_value(view: &View<'_>, kind: Kind, fault: &SchemaFault) -> Option<Consequence> {
+    match view.application() {
+        Application::Makehuman2 => makehuman2_values::of_value(kind, fault),
+        Application::Makehuman1 | Application::Mpfb => None,
+    }
 }
 
 #[cfg(test)]

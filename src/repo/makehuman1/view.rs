@@ -1,6 +1,6 @@
-//! The data of `MakeHuman` 1. Nothing in them is connected yet.
+//! The layers of `MakeHuman` 1.
 
-use super::{Layers, References};
+use crate::repo::{Layers, References};
 
 /// The layers of `MakeHuman` 1.
 #[derive(Debug)]
