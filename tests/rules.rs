@@ -87,7 +87,8 @@ fn an_application_on_trial_is_not_checked_for_users() {
 #[ignore = "needs the corpora: MHLINT_CORPORA=FOLDER cargo test -- --ignored"]
 fn the_catalogue_of_mpfb_is_whole() {
     let tree = Tree::on_disk("", scratch::corpus("mpfb").join("data"), |_, _| false);
-    let outcome = trial::lint_trees(&[mhlint::Application::Mpfb], vec![tree], &mhlint::Config::default()).unwrap();
+    let outcome =
+        trial::lint_trees(&[mhlint::Application::Mpfb], vec![tree], None, &mhlint::Config::default()).unwrap();
     assert!(outcome.is_whole());
     assert_eq!(outcome.checked().map(|root| root.bases.clone()).collect::<Vec<_>>(), [["hm08"]]);
     assert_eq!(concise(&outcome), Vec::<String>::new());
@@ -164,4 +165,32 @@ fn compare(title: &str, path: &Path, found: &[String]) -> Option<String> {
         return None;
     }
     Some(format!("{title}:\n--- expected\n{expected}--- found\n{text}"))
+}
+
+/// Two applications have one data root: each is told of what it reads itself, and at its own level.
+#[test]
+fn a_file_is_a_matter_of_the_applications_that_read_it() {
+    use mhlint::Application::{Makehuman2, Mpfb};
+    let broken = b"\x1f\x8b\x08\x00\x00\x00\x00\x00\x02\x03".as_slice();
+    let files = [
+        ("base/cube/base.json", b"{}".as_slice()),
+        ("target/cube/head/a.target.gz", broken),
+        ("targets/target.json", b"{}"),
+        ("targets/nose/b.target.gz", broken),
+    ];
+    let tree = mhlint::Tree::in_memory("", files.map(|(path, bytes)| (path.to_owned(), bytes.to_vec())));
+    let config = mhlint::Config { only: vec!["file-gzip-corrupt".to_owned()], ..mhlint::Config::default() };
+    let outcome = trial::lint_trees(&[Makehuman2, Mpfb], vec![tree], None, &config).unwrap();
+    let told = |finding: &mhlint::Finding| {
+        let breaks: Vec<_> = finding.breaks.iter().map(|one| (one.application, one.level)).collect();
+        (finding.path.clone(), finding.level, breaks)
+    };
+    let expected = [
+        ("target/cube/head/a.target.gz", mhlint::Level::Info, Makehuman2),
+        ("targets/nose/b.target.gz", mhlint::Level::Error, Mpfb),
+    ];
+    let expected = expected.map(|(path, level, of)| (path.to_owned(), level, vec![(of, level)]));
+    assert_eq!(outcome.findings.iter().map(told).collect::<Vec<_>>(), expected);
+    let verdicts: Vec<_> = outcome.applications.iter().map(|one| (one.application, one.verdict)).collect();
+    assert_eq!(verdicts, [(Makehuman2, mhlint::diag::Verdict::Pass), (Mpfb, mhlint::diag::Verdict::Fail)]);
 }

@@ -10,13 +10,18 @@ use crate::diag::{Application, Outcome, RuleInfo};
 use crate::rules::RULES;
 use crate::source::Tree;
 
-/// As [`super::lint_trees`] without system data, for these applications in place of those that are checked.
+/// As [`super::lint_trees`], for these applications in place of those that are checked.
 ///
 /// # Errors
 /// As [`super::lint`].
-pub fn lint_trees(applications: &[Application], trees: Vec<Tree>, options: &Config) -> Result<Outcome, Error> {
+pub fn lint_trees(
+    applications: &[Application],
+    trees: Vec<Tree>,
+    system: Option<Tree>,
+    options: &Config,
+) -> Result<Outcome, Error> {
     let inputs: Vec<Input> = trees.into_iter().map(Input::whole).collect();
-    lint_inputs(&inputs, None, options, applications)
+    lint_inputs(&inputs, system.as_ref(), options, applications)
 }
 
 /// As [`super::rule_infos`], for all applications.

@@ -26,7 +26,8 @@ static EXAMPLES: LazyLock<BTreeMap<&str, Memory>> = LazyLock::new(|| {
         }
         (name, example)
     };
-    ["makehuman2", "mpfb"].map(read).into()
+    let names = Application::ALL.map(Application::word);
+    names.into_iter().filter(|name| project("fixtures").join(name).is_dir()).map(read).collect()
 });
 
 /// What the arguments of a case ask for, where trees in memory can give it.
@@ -71,11 +72,11 @@ impl Asked {
     /// Runs the library on a repository.
     pub fn lint(&self, repository: &Memory) -> Outcome {
         let trees = self.paths.iter().map(|path| repository.tree(path)).collect();
-        if let Some(application) = self.application {
-            assert!(self.system.is_none(), "a trial has no system data");
-            return trial::lint_trees(&[application], trees, &self.config).unwrap();
+        let system = self.system.as_ref().map(|path| repository.tree(path));
+        match self.application {
+            Some(application) => trial::lint_trees(&[application], trees, system, &self.config).unwrap(),
+            None => lint_trees(trees, system, &self.config).unwrap(),
         }
-        lint_trees(trees, self.system.as_ref().map(|path| repository.tree(path)), &self.config).unwrap()
     }
 }
 
