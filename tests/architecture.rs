@@ -15,7 +15,7 @@ const IMPORTS: &[(&str, &[&str])] = &[
     ("diag", &[]),
     ("json", &["diag"]),
     ("source", &["diag"]),
-    ("config", &["diag", "source", "json"]),
+    ("config", &["diag", "source"]),
     ("discover", &["diag", "source"]),
     ("formats", &["diag", "json", "source", "discover"]),
     ("repo", &["diag", "json", "source", "discover", "formats"]),

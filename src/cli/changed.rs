@@ -7,7 +7,7 @@ use std::path::{Component, Path, PathBuf};
 use super::exit::Failure;
 use super::git::{Refusal, Repository};
 use crate::config::{Config, FILE_NAME};
-use crate::source::{canonical, folder_of, holds, link_targets, resolved};
+use crate::source::{canonical, folder_of, holds, link_targets, own_place, resolved};
 
 /// Paths from a list: a line each, or separated by NUL as `git diff -z` writes them; `-` is standard input.
 /// Lines that git has put in quotes, as it does where a name is not ASCII, are read as git means them.
@@ -163,7 +163,7 @@ fn differing(repository: &Repository, revision: &str) -> Result<BTreeSet<PathBuf
 pub(super) fn setting_among(files: &[PathBuf], config: &Config, from: Option<&Path>) -> Option<String> {
     let in_use = |setting: &Path| {
         let places = places_of(setting);
-        files.iter().any(|file| places.contains(&in_its_folder(file)))
+        files.iter().any(|file| places.contains(&own_place(file)))
     };
     let file = config.file.as_ref().map(|file| Path::new(&file.path)).filter(|file| in_use(file));
     if let Some(file) = file {
@@ -185,7 +185,7 @@ fn places_of(file: &Path) -> BTreeSet<PathBuf> {
     let mut open = vec![std::path::absolute(file).unwrap_or_else(|_| file.to_owned())];
     while let Some(path) = open.pop() {
         for step in path.ancestors() {
-            if places.insert(in_its_folder(step)) {
+            if places.insert(own_place(step)) {
                 open.extend(link_targets(step));
             }
         }
@@ -193,15 +193,9 @@ fn places_of(file: &Path) -> BTreeSet<PathBuf> {
     places
 }
 
-/// The absolute path of a file that may be a link itself.
-fn in_its_folder(file: &Path) -> PathBuf {
-    file.file_name().map_or_else(|| resolved(file), |name| resolved(folder_of(file)).join(name))
-}
-
 /// The repository that the first PATH lies in.
 fn around(first: &Path, option: &str) -> Result<Repository, Failure> {
-    let folder = if first.is_dir() { first } else { first.parent().unwrap_or(first) };
-    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+    let folder = if first.is_dir() { first } else { folder_of(first) };
     Repository::around(folder).map_err(|refusal| {
         let words = refusal.words();
         Failure::Usage(match refusal {

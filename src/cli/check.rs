@@ -42,21 +42,21 @@ pub(super) fn run(
     refuse_asset(&targets, paths, &config, outcome)?;
     let exit = exit(outcome, &config, &panics.noted());
     if args.fixes.diff && !matches!(exit, Exit::CannotWork | Exit::NothingToCheck) {
-        let changes = checked.show(terminal, out)?;
+        let changes = fix::show(&checked.changes, terminal, out)?;
         out.flush()?;
-        checked.tell(args, err)?;
+        fix::tell(&checked, args, err)?;
         if args.timings {
             print_timings(outcome, err)?;
         }
         return Ok(if changes { Exit::Findings } else { Exit::Clean });
     }
-    checked.write()?;
+    fix::write(&checked.changes)?;
     if let (Some(file), Some(baseline)) = (new_baseline, &outcome.baseline) {
         write_baseline(file, baseline, outcome.taken_over, exit, args, err)?;
     }
     write_reports(&targets, outcome, args, &config, exit, terminal, out)?;
     tell(outcome, args, exit, &targets, err)?;
-    checked.tell(args, err)?;
+    fix::tell(&checked, args, err)?;
     if !panics.noted().is_empty() || !outcome.is_whole() {
         writeln!(err, "mhlint: {}", own_fault(&panics.noted()))?;
     }

@@ -9,7 +9,6 @@ use super::exit::Failure;
 use super::patch::{Names, names};
 use super::terminal::Terminal;
 use crate::config::Config;
-use crate::diag::Outcome;
 use crate::engine::{self, Fixed, fixable};
 use crate::fix::{FileChange, unified, unpack, write_all};
 use crate::report::{Paint, count, printable};
@@ -29,94 +28,71 @@ pub(super) struct FixArgs {
     unsafe_fixes: bool,
 }
 
-/// A run, and what it fixed.
-pub(super) struct Checked {
-    pub(super) outcome: Outcome,
-    /// Rules of the findings that are fixed.
-    fixed: Vec<&'static str>,
-    /// Findings that only a run which is not narrowed would fix.
-    outside: usize,
-    /// Findings that only writing ignored files, or files beside the PATHs, would fix.
-    left_out: usize,
-    changes: Vec<FileChange>,
-}
-
 /// Checks, and fixes if that was asked for; with `--diff` in memory only.
-pub(super) fn check(paths: &[PathBuf], options: &Config, args: FixArgs) -> Result<Checked, engine::Error> {
+pub(super) fn check(paths: &[PathBuf], options: &Config, args: FixArgs) -> Result<Fixed, engine::Error> {
     if !args.fix && !args.diff {
-        let outcome = engine::lint(paths, options)?;
-        return Ok(Checked { outcome, fixed: Vec::new(), outside: 0, left_out: 0, changes: Vec::new() });
+        return Ok(Fixed { outcome: engine::lint(paths, options)?, ..Fixed::default() });
     }
-    let Fixed { outcome, fixed, outside, left_out, changes } = engine::lint_and_fix(paths, options, args.unsafe_fixes)?;
-    Ok(Checked { outcome, fixed, outside, left_out, changes })
+    engine::lint_and_fix(paths, options, args.unsafe_fixes)
 }
 
-impl Checked {
-    /// Brings the changes to disk.
-    pub(super) fn write(&self) -> Result<(), Failure> {
-        write_all(&self.changes).map_err(|error| Failure::Usage(printable(&error.to_string())))
-    }
+/// Brings the changes to disk.
+pub(super) fn write(changes: &[FileChange]) -> Result<(), Failure> {
+    write_all(changes).map_err(|error| Failure::Usage(printable(&error.to_string())))
+}
 
-    /// Shows the changes. Gives whether there are any.
-    pub(super) fn show(&self, terminal: Terminal, out: &mut dyn Write) -> Result<bool, Failure> {
-        for (change, name) in self.changes.iter().zip(self.names().names) {
-            let text = |stored: &[u8]| unpack(stored, &Limits::default()).unwrap_or_default();
-            let after = change.after.as_deref().map(text);
-            let diff = unified(&name, &text(&change.before), after.as_deref());
-            if std::io::stdout().is_terminal() {
-                write_painted(&diff, Paint { color: terminal.color }, out)?;
-            } else {
-                out.write_all(&diff)?;
-            }
+/// Shows the changes. Gives whether there are any.
+pub(super) fn show(changes: &[FileChange], terminal: Terminal, out: &mut dyn Write) -> Result<bool, Failure> {
+    for (change, name) in changes.iter().zip(names_of(changes).names) {
+        let text = |stored: &[u8]| unpack(stored, &Limits::default()).unwrap_or_default();
+        let after = change.after.as_deref().map(text);
+        let diff = unified(&name, &text(&change.before), after.as_deref());
+        if std::io::stdout().is_terminal() {
+            write_painted(&diff, Paint { color: terminal.color }, out)?;
+        } else {
+            out.write_all(&diff)?;
         }
-        Ok(!self.changes.is_empty())
     }
+    Ok(!changes.is_empty())
+}
 
-    /// What the changed files are called in a patch.
-    fn names(&self) -> Names {
-        names(&self.changes.iter().map(|change| change.path.as_str()).collect::<Vec<_>>())
-    }
+/// What the changed files are called in a patch.
+fn names_of(changes: &[FileChange]) -> Names {
+    names(&changes.iter().map(|change| change.path.as_str()).collect::<Vec<_>>())
+}
 
-    /// What was fixed and what else could be, for standard error.
-    pub(super) fn tell(&self, asked: &CheckArgs, err: &mut dyn Write) -> Result<(), Failure> {
-        let args = asked.fixes;
-        if asked.quiet || !args.fix && !args.diff {
-            return Ok(());
-        }
-        if let Some(above) = self.names().above.filter(|_| args.diff) {
-            writeln!(err, "mhlint: the patch is for the folder `{above}`: use `git apply` or `patch -p1` there")?;
-        }
-        let files = count(self.changes.len(), "file");
-        let done = if args.fix { "fixed" } else { "would be fixed" };
-        match self.fixed.len() {
-            0 => writeln!(err, "mhlint: nothing {done}")?,
-            number => writeln!(err, "mhlint: {number} {done} in {files}: {}", by_rule(&self.fixed))?,
-        }
-        if self.outside > 0 {
-            let more = count(self.outside, "finding");
-            let whole =
-                asked.narrowing().map_or_else(String::new, |option| format!("; run without {option} to mend them"));
-            writeln!(
-                err,
-                "mhlint: {more} would be mended in files that have not changed; those stay as they are{whole}"
-            )?;
-        }
-        if self.left_out > 0 {
-            let more = count(self.left_out, "finding");
-            writeln!(
-                err,
-                "mhlint: {more} would be mended in files that are muted or beside the PATHs; those stay as they are"
-            )?;
-        }
-        let (_, risky) = fixable(&self.outcome.findings);
-        if risky > 0 && !args.unsafe_fixes {
-            writeln!(
-                err,
-                "mhlint: {risky} more can be mended with --unsafe-fixes; look at --diff --unsafe-fixes first"
-            )?;
-        }
-        Ok(())
+/// What was fixed and what else could be, for standard error.
+pub(super) fn tell(all: &Fixed, asked: &CheckArgs, err: &mut dyn Write) -> Result<(), Failure> {
+    let args = asked.fixes;
+    if asked.quiet || !args.fix && !args.diff {
+        return Ok(());
     }
+    if let Some(above) = names_of(&all.changes).above.filter(|_| args.diff) {
+        writeln!(err, "mhlint: the patch is for the folder `{above}`: use `git apply` or `patch -p1` there")?;
+    }
+    let files = count(all.changes.len(), "file");
+    let done = if args.fix { "fixed" } else { "would be fixed" };
+    match all.fixed.len() {
+        0 => writeln!(err, "mhlint: nothing {done}")?,
+        number => writeln!(err, "mhlint: {number} {done} in {files}: {}", by_rule(&all.fixed))?,
+    }
+    if all.outside > 0 {
+        let more = count(all.outside, "finding");
+        let whole = asked.narrowing().map_or_else(String::new, |option| format!("; run without {option} to mend them"));
+        writeln!(err, "mhlint: {more} would be mended in files that have not changed; those stay as they are{whole}")?;
+    }
+    if all.left_out > 0 {
+        let more = count(all.left_out, "finding");
+        writeln!(
+            err,
+            "mhlint: {more} would be mended in files that are muted or beside the PATHs; those stay as they are"
+        )?;
+    }
+    let (_, risky) = fixable(&all.outcome.findings);
+    if risky > 0 && !args.unsafe_fixes {
+        writeln!(err, "mhlint: {risky} more can be mended with --unsafe-fixes; look at --diff --unsafe-fixes first")?;
+    }
+    Ok(())
 }
 
 /// `target-zero-delta (1), weights-not-normalized (2)`.

@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use super::args::ListFormat;
 use super::exit::{Exit, Failure};
-use crate::diag::{Application, FixKind, Level, RuleInfo};
+use crate::diag::{Application, FixKind, Level, OptionInfo, RuleInfo};
 use crate::engine::rule_infos;
 use crate::report::Paint;
 
@@ -19,20 +19,13 @@ struct Item {
     fix: &'static str,
     unmutable: bool,
     breaks: Vec<BreakItem>,
-    options: Vec<OptionItem>,
+    options: &'static [OptionInfo],
 }
 
 #[derive(Serialize)]
 struct BreakItem {
     application: Application,
     effect: &'static str,
-}
-
-#[derive(Serialize)]
-struct OptionItem {
-    name: &'static str,
-    default: f64,
-    docs: &'static str,
 }
 
 pub(super) fn run(format: ListFormat, paint: Paint, out: &mut dyn Write) -> Result<Exit, Failure> {
@@ -84,7 +77,6 @@ fn write_markdown(rules: &[&RuleInfo], out: &mut dyn Write) -> Result<(), Failur
 
 fn item(rule: &RuleInfo) -> Item {
     let breaks = rule.breaks.iter().map(|(application, effect)| BreakItem { application: *application, effect });
-    let options = rule.options.iter();
     Item {
         id: rule.id,
         family: rule.family(),
@@ -93,8 +85,6 @@ fn item(rule: &RuleInfo) -> Item {
         fix: rule.fix.word(),
         unmutable: rule.cannot_be_ignored,
         breaks: breaks.collect(),
-        options: options
-            .map(|option| OptionItem { name: option.name, default: option.default, docs: option.docs })
-            .collect(),
+        options: rule.options,
     }
 }

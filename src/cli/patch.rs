@@ -2,7 +2,7 @@
 
 use std::path::{Component, Path, PathBuf};
 
-use crate::source::{canonical, folder_of, resolved, slashed};
+use crate::source::{canonical, own_place, slashed};
 
 /// Names of the files of a patch.
 pub(super) struct Names {
@@ -20,7 +20,7 @@ pub(super) fn names(paths: &[&str]) -> Names {
         return as_they_are();
     }
     let Some(here) = canonical(Path::new(".")) else { return as_they_are() };
-    let places: Vec<PathBuf> = paths.iter().map(|path| place(Path::new(path))).collect();
+    let places: Vec<PathBuf> = paths.iter().map(|path| own_place(Path::new(path))).collect();
     let common = |folder: &&Path| places.iter().all(|place| place.starts_with(folder));
     let Some((ups, folder)) = here.ancestors().enumerate().find(|(_, folder)| common(folder)) else {
         return as_they_are();
@@ -29,9 +29,4 @@ pub(super) fn names(paths: &[&str]) -> Names {
     let is_top = folder.parent().is_none();
     let above = if is_top { slashed(folder) } else { vec![".."; ups].join("/") };
     Names { names: places.iter().map(name).collect(), above: (ups > 0).then_some(above) }
-}
-
-/// Where a file is, which may be a link itself.
-fn place(path: &Path) -> PathBuf {
-    path.file_name().map_or_else(|| resolved(path), |name| resolved(folder_of(path)).join(name))
 }

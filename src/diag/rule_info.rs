@@ -1,5 +1,7 @@
 //! What is known of a rule without running it: id, level, consequences, texts.
 
+use serde::Serialize;
+
 use super::{Application, Level};
 
 /// The declared half of a rule; everything public (table, `explain`, reports) is derived from it.
@@ -69,7 +71,7 @@ impl FixKind {
 }
 
 /// One numeric option of a rule.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Serialize)]
 pub struct OptionInfo {
     /// Key in `[rule.<id>]`.
     pub name: &'static str,

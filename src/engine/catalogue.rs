@@ -12,6 +12,11 @@ pub(super) fn listed() -> impl Iterator<Item = &'static Rule> {
     RULES.iter().copied().filter(concerns)
 }
 
+/// The rule of that id.
+pub(super) fn named(id: &str) -> Option<&'static Rule> {
+    RULES.iter().copied().find(|rule| rule.info.id == id)
+}
+
 /// The declared halves of the rules, sorted by id.
 pub fn rule_infos() -> Vec<&'static RuleInfo> {
     listed().map(|rule| &rule.info).collect()
@@ -19,5 +24,5 @@ pub fn rule_infos() -> Vec<&'static RuleInfo> {
 
 /// Whether a rule is about ignores, settings and the baseline, and about no asset.
 pub(super) fn is_upkeep(rule: &str) -> bool {
-    RULES.iter().any(|known| known.info.id == rule && matches!(known.check, Check::Upkeep(_)))
+    named(rule).is_some_and(|known| matches!(known.check, Check::Upkeep(_)))
 }

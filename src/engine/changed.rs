@@ -14,7 +14,7 @@ use super::extent::{extent, is_numeric};
 use crate::diag::{Because, Extent, Finding, Name, Note, Outcome, Place};
 use crate::discover::Kind;
 use crate::repo::{Layer, Reference, Resolution, View};
-use crate::source::{canonical, folder_of, link_targets, resolved, slashed};
+use crate::source::{canonical, link_targets, own_place, resolved, slashed};
 
 /// Paths of changed files: absolute, without `..`, with forward slashes.
 pub(super) struct Change {
@@ -346,10 +346,7 @@ fn absolute(path: &Path) -> String {
 
 /// The same for a file that may be a link itself: it is checked under its own name.
 fn in_its_folder(path: &Path) -> String {
-    match path.file_name() {
-        Some(name) => slashed(&resolved(folder_of(path)).join(name)),
-        None => slashed(&resolved(path)),
-    }
+    slashed(&own_place(path))
 }
 
 #[cfg(test)]

@@ -1,13 +1,14 @@
 //! How far a rule reaches from the file at which it reports, besides what that file names: as it declares, or as is usual
 //! with the kind of its check.
 
+use super::catalogue::named;
 use crate::diag::{Extent, Finding, Level};
 use crate::discover::Kind;
-use crate::rules::{Check, RULES, Rule};
+use crate::rules::Check;
 
 /// How far the rule of a finding on a file of this kind reaches.
 pub(super) fn extent(finding: &Finding, kind: Kind) -> Extent {
-    let Some(rule) = rule_of(finding) else { return Extent::Base };
+    let Some(rule) = named(finding.rule) else { return Extent::Base };
     match (rule.info.extent, &rule.check) {
         // The archive stands for all targets beside and below it.
         (_, Check::File(_) | Check::Repository(_)) if kind == Kind::TargetArchive => Extent::Folder,
@@ -32,9 +33,5 @@ fn usual(check: &Check, finding: &Finding, kind: Kind) -> Extent {
 
 /// Whether a finding is on evaluated shapes.
 pub(super) fn is_numeric(finding: &Finding) -> bool {
-    rule_of(finding).is_some_and(|rule| matches!(rule.check, Check::Numeric(_)))
-}
-
-fn rule_of(finding: &Finding) -> Option<&'static Rule> {
-    RULES.iter().find(|rule| rule.info.id == finding.rule).copied()
+    named(finding.rule).is_some_and(|rule| matches!(rule.check, Check::Numeric(_)))
 }

@@ -17,13 +17,6 @@ pub struct Reference {
     pub offset: Point,
 }
 
-impl Reference {
-    /// A line with one number: the base vertex itself.
-    pub fn exact(vertex: u32) -> Self {
-        Self { vertices: [vertex; 3], weights: [1.0, 0.0, 0.0], offset: [0.0; 3] }
-    }
-}
-
 /// `x_scale` and its kin: two base vertices and the distance they had on that axis when the asset was made.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ScaleLine {
@@ -53,14 +46,19 @@ fn fitted(positions: &[Point], reference: &Reference, scales: Vec3) -> Result<Po
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
+
+    /// A line with one number: the base vertex itself.
+    pub(in crate::eval) fn exact(vertex: u32) -> Reference {
+        Reference { vertices: [vertex; 3], weights: [1.0, 0.0, 0.0], offset: [0.0; 3] }
+    }
 
     const MESH: [Point; 4] = [[0.0; 3], [2.0, 0.0, 0.0], [0.0, 4.0, 0.0], [0.0, 0.0, 8.0]];
 
     #[test]
     fn exact_reference_is_the_vertex_itself() {
-        let references: Vec<Reference> = (0..4).map(Reference::exact).collect();
+        let references: Vec<Reference> = (0..4).map(exact).collect();
         assert_eq!(fit(&MESH, &references, Some([9.0; 3])).unwrap(), MESH);
     }
 
@@ -79,6 +77,6 @@ mod tests {
 
     #[test]
     fn reference_outside_the_mesh_is_an_error() {
-        assert_eq!(fit(&MESH, &[Reference::exact(4)], None), Err(EvalError::vertex(4, 4)));
+        assert_eq!(fit(&MESH, &[exact(4)], None), Err(EvalError::vertex(4, 4)));
     }
 }

@@ -271,7 +271,7 @@ pub(super) fn flatness(joints: &[Point], plane: [usize; 3]) -> f64 {
     plane_sine(a, b, c)
 }
 
-fn sub(a: Point, b: Point) -> Point {
+pub(super) fn sub(a: Point, b: Point) -> Point {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 

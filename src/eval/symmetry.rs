@@ -22,7 +22,6 @@ pub enum Mirror {
 /// Mirror partners of all vertices: partners are always mutual.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MirrorMap {
-    plane: f32,
     partners: Vec<Mirror>,
 }
 
@@ -69,17 +68,12 @@ impl MirrorMap {
             }
             partners.push(partner);
         }
-        let mut map = Self { plane, partners };
+        let mut map = Self { partners };
         if open.iter().any(|candidates| !candidates.is_empty()) {
             map.settle(open, &Neighbours::new(positions.len(), faces));
         }
         map.keep_mutual();
         map
-    }
-
-    /// The plane is x = this, in mesh units.
-    pub fn plane(&self) -> f32 {
-        self.plane
     }
 
     /// Partner of a vertex; `Unmatched` outside the mesh.
@@ -392,7 +386,6 @@ mod tests {
         let mesh = strips().iter().map(|p| [p[0] - 0.25, p[1], p[2]]).collect::<Vec<_>>();
         let faces: Vec<u32> = (0..16).collect();
         let map = MirrorMap::new(&mesh, faces.chunks(4), 1e-3);
-        assert_eq!(map.plane(), -0.25);
         assert_eq!(map.unresolved(), (0, 0));
         assert_eq!(MirrorMap::with_plane(&mesh, faces.chunks(4), 1e-3, 0.0).unresolved(), (16, 0));
     }

@@ -1,7 +1,6 @@
 //! Shape of single targets: symmetry, which parts of the mesh they move, joint cubes that they tear.
 
-use std::ops::Range;
-
+use super::surveyor::sub;
 use super::symmetry::{MirrorComparison, MirrorDifference};
 use super::vector::Point;
 
@@ -122,25 +121,9 @@ pub fn cubes_of<'f>(faces: impl IntoIterator<Item = (&'f str, &'f [u32])>) -> Ve
     cubes.into_iter().map(sorted).collect()
 }
 
-/// Consecutive runs in a sorted list, for messages.
-pub fn runs(sorted: &[u32]) -> Vec<Range<u32>> {
-    let mut runs: Vec<Range<u32>> = Vec::new();
-    for vertex in sorted {
-        match runs.last_mut() {
-            Some(run) if run.end == *vertex => run.end += 1,
-            _ => runs.push(*vertex..vertex + 1),
-        }
-    }
-    runs
-}
-
 fn length(delta: Point) -> f64 {
     let [x, y, z] = delta.map(f64::from);
     (x * x + y * y + z * z).sqrt()
-}
-
-fn sub(a: Point, b: Point) -> Point {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
 #[cfg(test)]
@@ -176,10 +159,5 @@ mod tests {
     fn one_sided_displacement_differs_from_its_mirror_image() {
         assert_eq!(measure(&[(0, [0.0, 1.0, 0.0])]).own_mirror.different.len(), 2);
         assert_eq!(measure(&[(0, [0.5, 1.0, 0.0]), (1, [-0.5, 1.0, 0.0])]).own_mirror.different.len(), 0);
-    }
-
-    #[test]
-    fn runs_join_neighbours() {
-        assert_eq!(runs(&[1, 2, 3, 7]), [1..4, 7..8]);
     }
 }

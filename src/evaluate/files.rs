@@ -7,7 +7,9 @@ use crate::eval::vector::Point;
 use crate::formats::json_file::{self, JsonFault};
 use crate::formats::obj;
 use crate::json::{Document, SyntaxFault};
-use crate::source::{Encoding, Limits, Lines, ReadFault, read_file, slashed};
+/// A path as messages print it.
+pub(super) use crate::source::slashed as shown;
+use crate::source::{Encoding, Limits, Lines, ReadFault, read_file};
 
 /// The bytes of a file.
 ///
@@ -34,11 +36,6 @@ pub(super) fn read_document(path: &Path) -> Result<Document, Error> {
 /// A JSON text as a tree, or what is wrong with it.
 pub(super) fn document(bytes: &[u8]) -> Result<Document, String> {
     json_file::parse(bytes, &Encoding::of(bytes)).map_err(|fault| json_cause(&fault, bytes))
-}
-
-/// A path as messages print it.
-pub(super) fn shown(path: &Path) -> String {
-    slashed(path)
 }
 
 /// Why bytes could not be had, in words.

@@ -77,10 +77,6 @@ impl Evaluation {
 
     /// The listed file at a printed path.
     pub(super) fn entry(&self, path: &str) -> Option<(&Tree, &Entry)> {
-        self.trees.iter().find_map(|tree| {
-            let rel =
-                if tree.label().is_empty() { path } else { path.strip_prefix(tree.label())?.strip_prefix('/')? };
-            Some((tree, tree.entry(rel)?))
-        })
+        self.trees.iter().find_map(|tree| Some((tree, tree.entry(tree.below(path)?)?)))
     }
 }

@@ -177,23 +177,6 @@ fn names(node: &Node) -> Option<Vec<String>> {
     }
 }
 
-impl Skeleton {
-    /// The joint of that name.
-    pub fn joint(&self, name: &str) -> Option<&Joint> {
-        self.joints.iter().find(|joint| joint.name == name)
-    }
-
-    /// The plane of that name.
-    pub fn plane(&self, name: &str) -> Option<&Plane> {
-        self.planes.iter().find(|plane| plane.name == name)
-    }
-
-    /// The bone of that name.
-    pub fn bone(&self, name: &str) -> Option<&Bone> {
-        self.bones.iter().find(|bone| bone.name == name)
-    }
-}
-
 impl Bone {
     /// Whether it has no parent.
     pub fn is_root(&self) -> bool {

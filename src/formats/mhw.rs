@@ -8,8 +8,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::faulty_rows::text_name;
 use super::json_file::JsonFault;
 pub use super::mhw_facts::{FAR_SUMS, PairTally, SumFacts, THRESHOLD, WeightsFacts};
-use crate::diag::{Few, pointer};
-use crate::json::{Duplicate, Reader, SyntaxFault};
+use crate::diag::Few;
+use crate::json::{Reader, SyntaxFault};
 use crate::source::Encoding;
 
 /// The file.
@@ -65,7 +65,6 @@ pub fn parse(text: &[u8], encoding: &Encoding, vertices: Option<usize>) -> Resul
     let mut reader = Reader::new(text);
     let mut weights = Weights::default();
     read_file(&mut reader, &mut weights).map_err(JsonFault::Syntax)?;
-    weights.facts.json.specials = std::mem::take(&mut reader.specials);
     keep_last_of_equal_bones(&mut weights);
     weights.facts.count(&weights.bones, vertices);
     Ok(weights)
@@ -84,9 +83,7 @@ fn read_file(reader: &mut Reader<'_>, weights: &mut Weights) -> Step<()> {
     while reader.more(first, b'}')? {
         first = false;
         let (key, _) = reader.key()?;
-        if !keys.insert(key.clone()) {
-            note_duplicate(&mut weights.facts, pointer(&[&key]));
-        }
+        weights.facts.has_duplicate_keys |= !keys.insert(key.clone());
         if key == "weights" {
             weights.bones.clear();
             weights.has_shapeless_bone = false;
@@ -207,20 +204,14 @@ fn skip(reader: &mut Reader<'_>) -> Step<()> {
     }
 }
 
-/// Notes that a key occurs twice; the schema reader, which is then asked, knows the places.
-fn note_duplicate(facts: &mut WeightsFacts, pointer: String) {
-    facts.json.duplicates.push(Duplicate { pointer, lost: 0..0, kept: 0..0, equal: false });
-}
-
 /// Python's reader keeps the last of equal keys; the schema reader reports them.
 fn keep_last_of_equal_bones(weights: &mut Weights) {
     let mut last = BTreeMap::new();
     for (index, bone) in weights.bones.iter().enumerate() {
-        if last.insert(bone.name.clone(), index).is_some() {
-            note_duplicate(&mut weights.facts, pointer(&["weights", &bone.name]));
-        }
+        last.insert(bone.name.clone(), index);
     }
     if last.len() < weights.bones.len() {
+        weights.facts.has_duplicate_keys = true;
         let mut index = 0;
         weights.bones.retain(|bone| {
             index += 1;
@@ -245,7 +236,7 @@ mod tests {
         let names: Vec<_> = weights.bones.iter().map(|bone| bone.name.as_str()).collect();
         assert_eq!(names, ["b", "a"]);
         assert_eq!(weights.bones[1].pairs[0].vertex, 1);
-        assert_eq!((weights.facts.json.duplicates.len(), weights.facts.malformed.count), (1, 0));
+        assert_eq!((weights.facts.has_duplicate_keys, weights.facts.malformed.count), (true, 0));
     }
 
     #[test]

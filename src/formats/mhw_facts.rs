@@ -5,7 +5,6 @@
 
 use std::collections::BTreeMap;
 
-use super::json_file::JsonFacts;
 use super::mhw::{BoneWeights, Pair};
 use crate::diag::{Cases, EXAMPLES, Evidence, Few};
 
@@ -47,8 +46,8 @@ pub struct WeightsFacts {
     pub sums: Vec<f32>,
     /// What the sums look like. Empty without a mesh.
     pub sum: SumFacts,
-    /// Duplicate keys and other facts on the text.
-    pub json: JsonFacts,
+    /// Whether a key occurs twice; the schema reader, which is then asked, knows the places.
+    pub has_duplicate_keys: bool,
 }
 
 /// Facts on the sums of the vertices.

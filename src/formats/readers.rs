@@ -118,8 +118,7 @@ pub(super) fn weights(input: &Input<'_>) -> Parsed {
         Ok(weights) => weights,
         Err(fault) => return Parsed { content: Content::Broken(fault), ..Parsed::default() },
     };
-    let needs_explaining =
-        !weights.has_weights || weights.has_shapeless_bone || !weights.facts.json.duplicates.is_empty();
+    let needs_explaining = !weights.has_weights || weights.has_shapeless_bone || weights.facts.has_duplicate_keys;
     let explained = if needs_explaining { tree(input, Some("mhw"), |_| Content::Json) } else { Parsed::default() };
     Parsed { content: Content::Weights(Box::new(weights)), ..explained }
 }

@@ -2,6 +2,8 @@
 
 use std::ops::Range;
 
+use serde_json::Value as Plain;
+
 use super::reader::{Reader, SyntaxFault};
 use crate::diag::{add_step, steps};
 
@@ -82,13 +84,6 @@ impl Document {
     pub fn at(&self, pointer: &str) -> Option<&Node> {
         steps(pointer).try_fold(&self.root, |node, step| node.step(&step))
     }
-
-    /// Span of the key a pointer leads to.
-    pub fn key_at(&self, pointer: &str) -> Option<Range<usize>> {
-        let (parent, _) = pointer.rsplit_once('/')?;
-        let key = steps(pointer).last()?;
-        self.at(parent)?.member(&key).map(|member| member.key_span.clone())
-    }
 }
 
 impl Node {
@@ -158,6 +153,21 @@ impl Node {
             #[expect(clippy::cast_possible_truncation, reason = "saturates, which is as far out of any range")]
             Value::Number(number, true) => Some(number as i64),
             _ => None,
+        }
+    }
+
+    /// The value without places: of equal keys the last, and for `NaN` and infinities what stands for them.
+    pub fn plain(&self, non_finite: &Plain) -> Plain {
+        match &self.value {
+            Value::Null => Plain::Null,
+            Value::Bool(value) => Plain::Bool(*value),
+            Value::Number(number, false) if !number.is_finite() => non_finite.clone(),
+            Value::Number(number, _) => self.as_i64().map_or_else(|| Plain::from(*number), Plain::from),
+            Value::String(text) => Plain::from(text.as_str()),
+            Value::Array(elements) => elements.iter().map(|element| element.plain(non_finite)).collect(),
+            Value::Object(members) => {
+                members.iter().map(|member| (member.key.clone(), member.node.plain(non_finite))).collect()
+            }
         }
     }
 
@@ -299,7 +309,6 @@ mod tests {
         let document = parse(br#" {"a": [1, 2.5, "x/y"], "a~/b": null} "#).unwrap();
         assert_eq!(document.at("/a/1").unwrap().as_f64(), Some(2.5));
         assert_eq!(document.at("/a/2").unwrap().span, 16..21);
-        assert_eq!(document.key_at("/a~0~1b").unwrap(), 24..30);
         assert_eq!(document.at("/a/0").unwrap().as_i64(), Some(1));
         assert_eq!(document.at("/a/1").unwrap().as_i64(), None);
     }

@@ -81,8 +81,15 @@ mod tests {
         let numbered = (0..40).map(|number| format!("/a~0~1b/k{number}"));
         for pointer in pointers.map(str::to_owned).into_iter().chain(numbered) {
             assert_eq!(finder.at(&pointer), document.at(&pointer), "{pointer}");
-            assert_eq!(finder.key_at(&pointer), document.key_at(&pointer), "{pointer}");
         }
         assert_eq!(finder.at("/a~0~1b/k3/0").and_then(Node::as_i64), Some(33));
+        for (pointer, key) in [("/a~0~1b", "\"a~/b\""), ("/few/k", "\"k\""), ("/a~0~1b/k3", "\"k3\"")] {
+            let last = text.rfind(&format!("{key}: "));
+            assert_eq!(
+                finder.key_at(pointer).map(|span| (Some(span.start), &text[span])),
+                last.map(|at| (Some(at), key))
+            );
+        }
+        assert_eq!((finder.key_at(""), finder.key_at("/none"), finder.key_at("/list/0")), (None, None, None));
     }
 }

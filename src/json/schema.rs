@@ -10,7 +10,7 @@ use serde_json::Value as Plain;
 use super::finder::Sorted;
 use super::naming::named;
 use super::schema_fault::{Misfit, SchemaFault, describe};
-use super::{Document, Node, Value, unknown_key};
+use super::{Document, unknown_key};
 
 /// What a schema has to say on a document.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -87,7 +87,7 @@ pub(crate) fn schema_text(name: &str) -> Option<&'static str> {
 /// Checks a document against the embedded schema `name` (`macro`, `mhskel` …). An unknown name fits anything.
 pub(crate) fn check(name: &str, document: &Document) -> SchemaFaults {
     let Some(schema) = find(name).map(Schema::compiled) else { return SchemaFaults::default() };
-    let plain = plain(&document.root);
+    let plain = document.root.plain(&Plain::from(f64::MAX));
     let errors = schema.validator.iter_errors(&plain);
     let faults = errors.map(|error| describe(&error, &schema.tree)).collect();
     let mut found = SchemaFaults {
@@ -117,24 +117,6 @@ fn empty_objects_once(root: &Plain, faults: Vec<SchemaFault>) -> Vec<SchemaFault
 
 fn find(name: &str) -> Option<&'static Schema> {
     SCHEMAS.iter().find(|schema| schema.name == name)
-}
-
-/// The tree as the validator takes it: of equal keys the last, `NaN` and infinities as a large number.
-fn plain(node: &Node) -> Plain {
-    match &node.value {
-        Value::Null => Plain::Null,
-        Value::Bool(value) => Plain::Bool(*value),
-        Value::Number(number, _) => node.as_i64().map_or_else(|| real(*number), Plain::from),
-        Value::String(text) => Plain::String(text.clone()),
-        Value::Array(elements) => Plain::Array(elements.iter().map(plain).collect()),
-        Value::Object(members) => {
-            Plain::Object(members.iter().map(|member| (member.key.clone(), plain(&member.node))).collect())
-        }
-    }
-}
-
-fn real(number: f64) -> Plain {
-    Plain::from(if number.is_finite() { number } else { f64::MAX })
 }
 
 #[cfg(test)]

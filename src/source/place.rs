@@ -42,8 +42,13 @@ pub(crate) fn resolved(path: &Path) -> PathBuf {
     place
 }
 
-/// Links that are followed one after the other.
-const LONGEST_CHAIN: usize = 40;
+/// The same for a file that may be a link itself: it keeps its own name.
+pub(crate) fn own_place(file: &Path) -> PathBuf {
+    file.file_name().map_or_else(|| resolved(file), |name| resolved(folder_of(file)).join(name))
+}
+
+/// Links that are followed one after the other before they count as a loop, as Linux does it.
+pub(super) const LONGEST_CHAIN: usize = 40;
 
 /// What a link leads to, link by link, whether it is there or not; nothing for what is no link.
 pub(crate) fn link_targets(path: &Path) -> Vec<PathBuf> {

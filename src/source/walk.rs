@@ -5,14 +5,12 @@ use std::path::{Component, Path, PathBuf};
 
 use walkdir::{DirEntry, WalkDir};
 
-use super::place::resolved;
+use super::place::{LONGEST_CHAIN, resolved};
 use super::tree::{Entry, EntryKind, WalkFault, WalkFaultKind};
 
 /// Entries that are listed at most: folders that link to each other multiply without end, and no asset
 /// repository comes near.
 const MOST_ENTRIES: usize = 1_000_000;
-/// Links followed one after the other before they count as a loop, as Linux does it.
-const LONGEST_CHAIN: usize = 40;
 
 /// Says of a hidden path, or of a path in a hidden folder, whether somebody reads it: a file that is to be listed, or
 /// (`true` behind it) a folder that is to be searched for such files.

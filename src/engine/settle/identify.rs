@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use crate::diag::{Finding, Level, fingerprint};
+use crate::engine::catalogue::named;
 use crate::repo::Layer;
-use crate::rules::RULES;
 
 /// A finding with the place of its asset.
 pub(in crate::engine) struct Placed {
@@ -27,11 +27,11 @@ pub(super) fn identify(root: Root<'_>, findings: Vec<(Finding, Level)>) -> Vec<P
     };
     let identified = findings.into_iter().map(|(mut finding, consequence)| {
         let rel = below(finding.asset_path());
-        let is_told_apart = RULES.iter().any(|rule| rule.info.id == finding.rule && rule.info.told_apart);
-        let named = if is_told_apart { below(&finding.path) } else { rel.clone() };
+        let is_told_apart = named(finding.rule).is_some_and(|rule| rule.info.told_apart);
+        let place = if is_told_apart { below(&finding.path) } else { rel.clone() };
         let key = &finding.subject.key;
-        let ordinal = ordinals.entry((finding.rule, named.clone(), key.clone())).or_default();
-        finding.fingerprint = fingerprint(finding.rule, &named, key, *ordinal);
+        let ordinal = ordinals.entry((finding.rule, place.clone(), key.clone())).or_default();
+        finding.fingerprint = fingerprint(finding.rule, &place, key, *ordinal);
         *ordinal += 1;
         let known_as =
             if is_told_apart { fingerprint(finding.rule, &rel, key, 0) } else { finding.fingerprint.clone() };

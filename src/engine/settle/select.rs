@@ -3,19 +3,17 @@
 //! Three layers, each going before the one above it: what the configuration file says for all files, what it
 //! says for some (`[[path]]`), and the command line (the fields of [`Config`] itself).
 
-use globset::{Glob, GlobMatcher};
-
 use crate::config::{Config, ConfigFile, Selector};
 use crate::diag::{Level, nearest};
-use crate::engine::catalogue::{is_upkeep, listed};
+use crate::engine::catalogue::{is_upkeep, listed, named};
 use crate::engine::error::{Error, SelectorFault};
-use crate::rules::{Check, RULES};
+use crate::rules::Check;
 
 /// Compiled selectors of a run.
 pub(in crate::engine) struct Selection<'c> {
-    only: Vec<GlobMatcher>,
-    skip: Vec<GlobMatcher>,
-    levels: Vec<(GlobMatcher, Option<Level>)>,
+    only: Vec<Selector>,
+    skip: Vec<Selector>,
+    levels: Vec<(Selector, Option<Level>)>,
     file: Option<&'c ConfigFile>,
     no_eval: bool,
 }
@@ -94,7 +92,7 @@ impl<'c> Selection<'c> {
 
     /// Whether the command line keeps a rule from saying all that it would say.
     pub(in crate::engine) fn is_silenced(&self, rule: &str) -> bool {
-        let numeric = || RULES.iter().any(|r| r.info.id == rule && matches!(r.check, Check::Numeric(_)));
+        let numeric = || named(rule).is_some_and(|known| matches!(known.check, Check::Numeric(_)));
         matches!(self.command_line(rule), Some(Say::Off)) || self.no_eval && numeric()
     }
 
@@ -113,15 +111,10 @@ impl<'c> Selection<'c> {
     }
 
     fn command_line(&self, rule: &str) -> Option<Say> {
-        let fits = |globs: &[GlobMatcher]| globs.iter().any(|glob| glob.is_match(rule));
-        if fits(&self.skip) || !self.only.is_empty() && !fits(&self.only) {
+        if !self.only.is_empty() && !fits(&self.only, rule) {
             return Some(Say::Off);
         }
-        match self.levels.iter().rev().find(|(glob, _)| glob.is_match(rule)) {
-            Some((_, None)) => Some(Say::Off),
-            Some((_, set)) => Some(Say::On(*set)),
-            None => (!self.only.is_empty()).then_some(Say::On(None)),
-        }
+        say(&self.skip, &self.levels, rule).or_else(|| (!self.only.is_empty()).then_some(Say::On(None)))
     }
 }
 
@@ -158,15 +151,14 @@ fn refuse_empty_select(config: &Config) -> Result<(), Error> {
 
 /// Whether a rule is a matter of safety.
 pub(in crate::engine) fn cannot_be_ignored(rule: &str) -> bool {
-    RULES.iter().any(|known| known.info.id == rule && known.info.cannot_be_ignored)
+    named(rule).is_some_and(|known| known.info.cannot_be_ignored)
 }
 
-fn selector(text: &str) -> Result<GlobMatcher, Error> {
+fn selector(text: &str) -> Result<Selector, Error> {
     let refuse = |fault| Error::Selector { text: text.to_owned(), fault };
-    let no_glob = |error: globset::Error| refuse(SelectorFault::NoGlob(error.kind().to_string()));
-    let glob = Glob::new(text).map_err(no_glob)?.compile_matcher();
-    if listed().any(|rule| glob.is_match(rule.info.id)) {
-        return Ok(glob);
+    let selector = Selector::new(text, 0..0).map_err(|error| refuse(SelectorFault::NoGlob(error)))?;
+    if listed().any(|rule| selector.fits(rule.info.id)) {
+        return Ok(selector);
     }
     Err(refuse(SelectorFault::NoRule { nearest: like(text) }))
 }

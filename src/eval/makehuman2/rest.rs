@@ -93,7 +93,7 @@ fn global_rest(joints: &[Point], bone: &Bone) -> Result<RestBone, EvalError> {
 #[cfg(test)]
 mod tests {
     use super::super::super::skeleton::{plane_sine, roll_sine};
-    use super::super::super::vector::{IDENTITY, dot, is_finite};
+    use super::super::super::vector::{IDENTITY, dot};
     use super::*;
 
     fn column(m: &Mat4, i: usize) -> Vec3 {
@@ -125,7 +125,7 @@ mod tests {
 
     #[test]
     fn bone_without_length_is_nan() {
-        assert!(!is_finite(&rest_matrix([1.0; 3], [1.0; 3], DEFAULT_NORMAL)));
+        assert!(rest_matrix([1.0; 3], [1.0; 3], DEFAULT_NORMAL).iter().flatten().any(|x| !x.is_finite()));
         assert!(roll_sine([1.0; 3], [1.0; 3], DEFAULT_NORMAL).is_nan());
     }
 

@@ -66,7 +66,11 @@ impl Operand {
 
 type Parsed = Result<Operand, Fault>;
 
-pub(super) fn check(text: &str, variable: &str) -> Result<(), Fault> {
+/// Checks an expression in which only `variable` is a known name.
+///
+/// # Errors
+/// The first thing that is not on the allow list.
+pub fn check(text: &str, variable: &str) -> Result<(), Fault> {
     let mut lexer = Lexer::new(text);
     let next = lexer.next()?;
     let mut parser = Parser { lexer, next, variable, depth: 0 };

@@ -11,6 +11,8 @@ mod token;
 
 use std::ops::Range;
 
+pub use grammar::check;
+
 /// Why a text must not, or cannot, be evaluated.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Fault {
@@ -39,14 +41,6 @@ impl Fault {
     fn new(kind: FaultKind, span: Range<usize>, what: impl Into<String>) -> Self {
         Self { span, kind, what: what.into() }
     }
-}
-
-/// Checks an expression in which only `variable` is a known name.
-///
-/// # Errors
-/// The first thing that is not on the allow list.
-pub fn check(text: &str, variable: &str) -> Result<(), Fault> {
-    grammar::check(text, variable)
 }
 
 #[cfg(test)]

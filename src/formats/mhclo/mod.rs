@@ -8,6 +8,8 @@ mod reader;
 
 use std::fmt;
 
+pub use reader::parse;
+
 /// The file.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Clothes {
@@ -118,11 +120,6 @@ impl fmt::Display for FaultKind {
             Self::OldFormat => f.write_str("`weights` is a format that is no longer read"),
         }
     }
-}
-
-/// Parses an asset.
-pub fn parse(text: &[u8]) -> Clothes {
-    reader::read(text)
 }
 
 impl Clothes {

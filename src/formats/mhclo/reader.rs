@@ -35,8 +35,8 @@ const TEXTS: [&str; 11] = [
 ];
 const IGNORED: [&str; 4] = ["basemesh", "max_pole", "shapekey", "z_depth"];
 
-/// Reads all lines.
-pub(super) fn read(text: &[u8]) -> Clothes {
+/// Parses an asset.
+pub fn parse(text: &[u8]) -> Clothes {
     let mut reader =
         Reader { clothes: Clothes::default(), section: Section::Header, line: 0, last: None, range: false };
     for line in text.split(|byte| *byte == b'\n') {
