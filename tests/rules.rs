@@ -178,7 +178,7 @@ fn a_file_is_a_matter_of_the_applications_that_read_it() {
         ("targets/target.json", b"{}"),
         ("targets/nose/b.target.gz", broken),
     ];
-    let tree = mhlint::Tree::in_memory("", files.map(|(path, bytes)| (path.to_owned(), bytes.to_vec())));
+    let tree = Tree::in_memory("", files.map(|(path, bytes)| (path.to_owned(), bytes.to_vec())));
     let config = mhlint::Config { only: vec!["file-gzip-corrupt".to_owned()], ..mhlint::Config::default() };
     let outcome = trial::lint_trees(&[Makehuman2, Mpfb], vec![tree], None, &config).unwrap();
     let told = |finding: &mhlint::Finding| {
