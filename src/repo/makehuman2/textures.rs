@@ -56,12 +56,14 @@ impl<'a> Search<'a> {
         Some(Self { file, layer, folder: use_of.folder, shared, is_open })
     }
 
-    /// Names that lead nowhere count for nothing where the same keyword names a picture that is there.
+    /// Names that lead nowhere count for nothing where the same keyword names a picture that is there. One that leads out
+    /// of the data is another matter: where a file is there, the application takes it.
     fn references(&self, base: &'a str) -> Vec<Reference<'a>> {
         let Some(material) = self.file.material() else { return Vec::new() };
         let all: Vec<_> = material.textures.iter().map(|texture| self.reference(base, texture)).collect();
         let found: BTreeSet<&str> = all.iter().filter(|one| one.found().is_some()).map(|one| one.owner).collect();
-        all.into_iter().filter(|one| one.found().is_some() || !found.contains(one.owner)).collect()
+        let escapes = |one: &Reference<'_>| matches!(one.resolution, Resolution::Escapes);
+        all.into_iter().filter(|one| one.found().is_some() || escapes(one) || !found.contains(one.owner)).collect()
     }
 
     fn reference(&self, base: &'a str, texture: &'a Texture) -> Reference<'a> {
@@ -81,27 +83,34 @@ impl<'a> Search<'a> {
 
     /// The first place with the picture; without one, the place that comes nearest to it.
     fn find(&self, base: &str, word: &str) -> (String, Resolution<'a>) {
-        let tried = self.places(base, word).into_iter().map(|(layer, rel)| {
-            let resolution = resolve(&[layer], word, &rel);
-            (rel, resolution)
-        });
-        let (rel, resolution) =
-            tried.min_by_key(|(_, resolution)| distance(resolution)).unwrap_or((String::new(), Resolution::Missing));
+        let mut tried: Vec<(String, Resolution<'a>)> = Vec::new();
+        for (layer, rel, text) in self.places(base, word) {
+            let resolution = resolve(&[layer], text, &rel);
+            let ends = matches!(resolution, Resolution::Found(_) | Resolution::Escapes);
+            tried.push((rel, resolution));
+            if ends {
+                break;
+            }
+        }
+        // Outside of the data there may be anything: what comes behind may never be reached.
+        let escape = tried.pop_if(|(_, resolution)| matches!(resolution, Resolution::Escapes));
+        let nearest = || tried.into_iter().min_by_key(|(_, resolution)| distance(resolution));
+        let (rel, resolution) = escape.or_else(nearest).unwrap_or((String::new(), Resolution::Missing));
         let is_open = self.is_open && matches!(resolution, Resolution::Missing);
         (rel, if is_open { Resolution::NeedsSystem } else { resolution })
     }
 
-    /// Where the picture is looked for, in order.
-    fn places(&self, base: &str, word: &str) -> Vec<(&'a Layer, String)> {
+    /// Where the picture is looked for, in order, and what of the name is left there.
+    fn places<'w>(&self, base: &str, word: &'w str) -> Vec<(&'a Layer, String, &'w str)> {
         let folder = parent(&self.file.rel);
         let below = word.split_once('/').map(|(_, below)| below);
-        let mut places = vec![(self.layer, format!("{folder}/{word}"))];
+        let mut places = vec![(self.layer, format!("{folder}/{word}"), word)];
         if folder.ends_with("materials") {
-            places.push((self.layer, format!("{}/{word}", parent(folder))));
+            places.push((self.layer, format!("{}/{word}", parent(folder)), word));
         }
-        places.extend(below.map(|below| (self.layer, format!("{folder}/{below}"))));
+        places.extend(below.map(|below| (self.layer, format!("{folder}/{below}"), below)));
         let shared = below.filter(|_| word.starts_with(self.folder)).unwrap_or(word);
-        places.extend(self.shared.iter().map(|layer| (*layer, format!("{}/{base}/{shared}", self.folder))));
+        places.extend(self.shared.iter().map(|layer| (*layer, format!("{}/{base}/{shared}", self.folder), shared)));
         places
     }
 }

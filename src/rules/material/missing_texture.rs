@@ -1,10 +1,10 @@
 //! Textures of a material must exist.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use crate::diag::{Application, Evidence, Extent, Finding, Level, Place, RuleInfo, Suggestions};
-use crate::discover::{Kind, extension};
+use crate::discover::extension;
 use crate::formats::mhmat::Texture;
 use crate::repo::{FileFacts, Reference, ReferenceKind, Resolution, View, parent};
 
@@ -18,7 +18,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
             folder of the material; in the folder above, if that one is called `materials`; without the first folder of its name, \
             again beside the material; and last in the folder of all such assets, `clothes/<base>/` say, of the system and of \
             the user (`skins/<base>/` for the material of a body). A name is one word: it ends at the first blank.\n\n\
-            Looked at are materials of skins, of base meshes, and below folders with an asset in them. Other keywords, such as \
+            Looked at are materials of skins, of base meshes, and below folders with an asset in them; a topology wears the skin. Other keywords, such as \
             `specularmapTexture`, are not known to MakeHuman 2.\n\nCorrect the name, add the picture, or remove the line.",
         ..RuleInfo::new("material-missing-texture", Level::Warning, "a material names a texture that does not exist")
     },
@@ -33,52 +33,68 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             && matches!(reference.resolution, Resolution::Missing)
             && layers.is_checked(reference.from)
     };
-    // A name is one cause, however many keywords have it.
+    // A name is one cause, however many keywords and materials of a folder have it.
     let mut causes: BTreeMap<(&str, &str), Vec<&Reference<'_>>> = BTreeMap::new();
     for reference in view.references().iter().filter(is_missing) {
-        causes.entry((&reference.from.path, reference.text)).or_default().push(reference);
+        causes.entry((parent(&reference.from.rel), reference.text)).or_default().push(reference);
     }
-    for references in causes.into_values() {
-        let Some(first) = references.first() else { continue };
-        let keywords = references.iter().map(|reference| reference.owner);
-        let message = format!("the texture `{}` of `{}` does not exist", first.text, first.owner);
-        let finding = RULE.at(first.from, first.place.clone(), message).key(first.text);
-        let finding = finding.help(help(view, first, &suggestions)).evidence(Evidence::of_cases(keywords.clone()));
-        let is_colour = keywords.into_iter().any(|keyword| keyword == "diffuseTexture");
-        let effect = "drops the keyword without a message and shows the colour instead";
-        out.push(if is_colour { finding.effect(effect) } else { finding });
+    for ((folder, _), references) in causes {
+        let help = references.first().map(|first| help(view, first, &suggestions));
+        out.extend(finding(&references, &layers.checked.display(folder)).zip(help).map(|(one, help)| one.help(help)));
     }
+}
+
+fn finding(references: &[&Reference<'_>], folder: &str) -> Option<Finding> {
+    let first = references.first()?;
+    let materials: BTreeSet<&str> = references.iter().map(|reference| reference.from.path.as_str()).collect();
+    let more = match materials.len() {
+        1 => String::new(),
+        count => format!(" ({count} materials here name it)"),
+    };
+    let message = format!("the texture `{}` of `{}` does not exist{more}", first.text, first.owner);
+    let cases = references.iter().map(|reference| format!("{} {}", reference.from.file_name(), reference.owner));
+    let parts = cases.clone().zip(references.iter().map(|reference| &reference.from.path));
+    let finding = RULE.at(first.from, first.place.clone(), message).key(first.text).asset(folder).parts_in(parts);
+    let finding = finding.evidence(Evidence::of_cases(cases));
+    let is_colour = references.iter().any(|reference| reference.owner == "diffuseTexture");
+    let effect = "drops the keyword without a message and shows the colour instead";
+    Some(if is_colour { finding.effect(effect) } else { finding })
 }
 
 fn help(view: &View<'_>, reference: &Reference<'_>, suggestions: &Suggestions) -> String {
-    if let Some(name) = with_blanks(reference) {
+    let pictures = pictures(view, reference);
+    if let Some(name) = with_blanks(reference).filter(|name| pictures.iter().any(|(other, _)| other == name)) {
         return format!("a name ends at the first blank: rename `{name}` without any, and write that");
     }
-    did_you_mean(nearest(view, reference, suggestions), "correct the name, add the picture, or remove the line")
+    let is_free = |file: &FileFacts| view.references().to_file(file).next().is_none();
+    // What cannot be written as a name, or is no picture, is not what is meant.
+    let is_name = |name: &str| !name.contains([' ', char::REPLACEMENT_CHARACTER]);
+    let names = pictures.iter().filter(|(name, file)| is_name(name) && is_free(file)).map(|(name, _)| *name);
+    did_you_mean(suggestions.nearest(reference.text, names), "correct the name, add the picture, or remove the line")
 }
 
-/// The whole name, where the one that is looked for ends too early.
+/// The whole name, where the one that is looked for may end too early.
 fn with_blanks(reference: &Reference<'_>) -> Option<String> {
     let is_it = |texture: &&Texture| reference.place == Place::Span(texture.span.clone());
     let texture = reference.from.material()?.textures.iter().find(is_it)?;
-    let is_name = texture.lost.contains('.') && !extension(&texture.lost).contains(' ');
-    (is_name && !texture.word.contains('.')).then(|| format!("{} {}", texture.word, texture.lost))
+    (!texture.lost.is_empty()).then(|| format!("{} {}", texture.word, texture.lost).replace('"', ""))
 }
 
-/// The picture below the folder of the material, or the one above, that is most like it and that no texture is yet.
-fn nearest<'a>(view: &'a View<'_>, reference: &Reference<'_>, suggestions: &Suggestions) -> Option<&'a str> {
-    let layer = view.layers().checked;
+/// The pictures below the folder of the material, or the one above, by the names that the material would write.
+fn pictures<'a>(view: &View<'a>, reference: &Reference<'_>) -> Vec<(&'a str, &'a FileFacts)> {
     let own = parent(&reference.from.rel);
     let folder = if own.ends_with("materials") { parent(own) } else { own };
-    let is_free = |file: &&FileFacts| is_picture(file) && view.references().to_file(file).next().is_none();
-    let free = layer.below(folder).filter(is_free);
-    let names = free.filter_map(|file| {
+    let pictures = view.layers().checked.below(folder).filter(|file| is_picture(file));
+    let named = pictures.filter_map(|file| {
         let below = |folder: &str| file.rel.strip_prefix(folder)?.strip_prefix('/');
-        below(own).or_else(|| below(folder))
+        Some((below(own).or_else(|| below(folder))?, file))
     });
-    suggestions.nearest(reference.text, names)
+    named.collect()
 }
 
+/// Extensions of pictures that MakeHuman 2 can show, in small letters.
+const PICTURES: [&str; 10] = ["bmp", "gif", "jpeg", "jpg", "png", "svg", "tga", "tif", "tiff", "webp"];
+
 fn is_picture(file: &FileFacts) -> bool {
-    matches!(file.kind, Kind::Image | Kind::Other) && extension(&file.rel) != "thumb"
+    PICTURES.contains(&extension(&file.rel).to_lowercase().as_str())
 }

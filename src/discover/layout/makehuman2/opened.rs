@@ -57,8 +57,8 @@ pub(crate) struct MaterialUse<'p> {
     pub is_worn: bool,
 }
 
-/// Folders of what a body wears.
-const WORN: [&str; 8] = ["clothes", "hair", "eyes", "eyebrows", "eyelashes", "teeth", "tongue", "proxy"];
+/// Folders of what a body wears with a material of its own; a topology wears the skin.
+const WORN: [&str; 7] = ["clothes", "hair", "eyes", "eyebrows", "eyelashes", "teeth", "tongue"];
 
 /// What the application has a material of this path for: skins, one folder deep, the base mesh, and what is worn
 /// (formats/makehuman2.md §17).
@@ -132,6 +132,7 @@ mod tests {
             ("clothes/b/materials", Some(("clothes", true))),
             ("poses/b/x.mhmat", None),
             ("clothes/x.mhmat", None),
+            ("proxy/b/a/x.mhmat", None),
         ] {
             assert_eq!(material_of(rel).map(|use_of| (use_of.folder, use_of.is_worn)), found, "{rel}");
         }
