@@ -46,19 +46,22 @@ fn fitted(positions: &[Point], reference: &Reference, scales: Vec3) -> Result<Po
 }
 
 #[cfg(test)]
-pub(super) mod tests {
-    use super::*;
-
+impl Reference {
     /// A line with one number: the base vertex itself.
-    pub(in crate::eval) fn exact(vertex: u32) -> Reference {
-        Reference { vertices: [vertex; 3], weights: [1.0, 0.0, 0.0], offset: [0.0; 3] }
+    pub(super) fn exact(vertex: u32) -> Self {
+        Self { vertices: [vertex; 3], weights: [1.0, 0.0, 0.0], offset: [0.0; 3] }
     }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
 
     const MESH: [Point; 4] = [[0.0; 3], [2.0, 0.0, 0.0], [0.0, 4.0, 0.0], [0.0, 0.0, 8.0]];
 
     #[test]
     fn exact_reference_is_the_vertex_itself() {
-        let references: Vec<Reference> = (0..4).map(exact).collect();
+        let references: Vec<Reference> = (0..4).map(Reference::exact).collect();
         assert_eq!(fit(&MESH, &references, Some([9.0; 3])).unwrap(), MESH);
     }
 
@@ -77,6 +80,6 @@ pub(super) mod tests {
 
     #[test]
     fn reference_outside_the_mesh_is_an_error() {
-        assert_eq!(fit(&MESH, &[exact(4)], None), Err(EvalError::vertex(4, 4)));
+        assert_eq!(fit(&MESH, &[Reference::exact(4)], None), Err(EvalError::vertex(4, 4)));
     }
 }

@@ -30,12 +30,9 @@ pub(in crate::engine) struct Data<'t> {
 }
 
 impl<'t> Loaded<'t> {
-    /// Reads a data root; `below` are those that may lie below it.
-    fn load(place: Place<'t>, roles: Roles, narrow: Vec<String>, below: &[Self], limits: &Limits) -> Self {
-        let serves = |other: &&Self| roles.iter().any(|(application, _)| other.is_system_for(*application));
-        let mut sizes = MeshSizes::new();
-        below.iter().filter(serves).for_each(|other| sizes.extend(other.sizes.clone()));
-        let (layer, sizes) = load(&place, limits, sizes);
+    /// Reads a data root; `below` are the meshes of those that may lie below it.
+    fn load(place: Place<'t>, roles: Roles, narrow: Vec<String>, below: MeshSizes, limits: &Limits) -> Self {
+        let (layer, sizes) = load(&place, limits, below);
         Self { place, layer, roles, sizes, narrow }
     }
 
@@ -71,7 +68,7 @@ impl<'t> Data<'t> {
         let Roots { checked: places, systems } = roots;
         let as_system = |place: Place<'t>| {
             let roles = place.layouts.iter().map(|layout| (layout.application, Role::System)).collect();
-            Loaded::load(place, roles, Vec::new(), &[], limits)
+            Loaded::load(place, roles, Vec::new(), MeshSizes::new(), limits)
         };
         let systems: Vec<Loaded<'t>> = systems.into_iter().map(as_system).collect();
         let roles = roles(places.iter().map(|(place, _)| place));
@@ -80,13 +77,23 @@ impl<'t> Data<'t> {
         places.sort_by_key(|(_, roles)| roles.iter().all(|(_, role)| *role != Role::System));
         let mut data = Self { systems, roots: Vec::new() };
         for ((place, narrow), roles) in places {
-            let is_given =
-                |(application, _): &(Application, Role)| data.systems.iter().any(|one| one.is_system_for(*application));
-            let below = if roles.iter().any(is_given) { &data.systems } else { &data.roots };
-            let root = Loaded::load(place, roles, narrow, below, limits);
-            data.roots.push(root);
+            let below = data.meshes_below(&roles);
+            data.roots.push(Loaded::load(place, roles, narrow, below, limits));
         }
         data
+    }
+
+    /// Sizes of the meshes that may lie below a root: those of the system data that was given for an application of
+    /// its, else of what was read that is the system.
+    fn meshes_below(&self, roles: &Roles) -> MeshSizes {
+        let mut sizes = MeshSizes::new();
+        for (application, _) in roles {
+            let is_system = |root: &&Loaded<'_>| root.is_system_for(*application);
+            let given = self.systems.iter().find(is_system);
+            let found = self.roots.iter().filter(|root| given.is_none() && is_system(root));
+            given.into_iter().chain(found).for_each(|root| sizes.extend(root.sizes.clone()));
+        }
+        sizes
     }
 
     /// The repositories to check, in order of the roots.
@@ -162,5 +169,24 @@ mod tests {
         all.sort();
         let expected = [("own/c", ""), ("own/c", "own/d"), ("system", "own/a")];
         assert_eq!(all, expected.map(|(system, user)| (system.to_owned(), user.to_owned())));
+    }
+
+    #[test]
+    fn a_root_of_two_applications_has_the_meshes_of_both_systems() {
+        let mesh = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n".as_slice();
+        let tree = |label: &str, files: &[(&str, &[u8])]| {
+            Tree::in_memory(label, files.iter().map(|(path, bytes)| ((*path).to_owned(), bytes.to_vec())))
+        };
+        let given = tree("given", &[("base/b/base.obj", mesh)]);
+        let found = tree("found", &[("3dobjs/base.obj", mesh), ("targets/target.json", b"{}")]);
+        let both = tree("both", &[("target/b/x/a.target", b""), ("custom/a.target", b"")]);
+        let layouts = [Application::Makehuman2, Application::Mpfb].map(Layout::of);
+        let [of_given, of_found] = layouts;
+        let systems = vec![Place::new(&given, "", &[of_given])];
+        let checked =
+            vec![(Place::new(&both, "", &layouts), Vec::new()), (Place::new(&found, "", &[of_found]), Vec::new())];
+        let data = Data::load(Roots { checked, systems }, &Limits::default());
+        let root = data.roots.iter().find(|root| root.layer.path == "both").unwrap();
+        assert_eq!(root.sizes.keys().map(String::as_str).collect::<Vec<_>>(), ["b", "hm08"]);
     }
 }

@@ -95,7 +95,6 @@ fn entries_of<'a>(bone: usize, places: &mut Vec<Option<usize>>, lists: &'a mut V
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::fit::tests::exact;
     use super::*;
 
     const MESH: [Point; 4] = [[0.0; 3], [2.0, 0.0, 0.0], [0.0, 4.0, 0.0], [0.0, 0.0, 8.0]];
@@ -133,7 +132,7 @@ mod tests {
     #[test]
     fn exact_reference_takes_the_weights_of_its_vertex() {
         let body = body(&[&[(0, 0.25), (1, 1.0)], &[(0, 0.75)]]);
-        let found = derived_weights(&[exact(0)], &body, 9).unwrap();
+        let found = derived_weights(&[Reference::exact(0)], &body, 9).unwrap();
         assert_eq!(found.bones[0], BoneWeights { bone: 0, entries: vec![(0, 0.25)] });
         assert_eq!(found.bones[1], BoneWeights { bone: 1, entries: vec![(0, 0.75)] });
     }
@@ -157,7 +156,7 @@ mod tests {
 
     #[test]
     fn asset_vertex_without_weights_goes_to_the_root() {
-        let found = derived_weights(&[exact(3), exact(77)], &body(&[&[(0, 1.0)]]), 9).unwrap();
+        let found = derived_weights(&[Reference::exact(3), Reference::exact(77)], &body(&[&[(0, 1.0)]]), 9).unwrap();
         assert_eq!(found.bones, [BoneWeights { bone: 9, entries: vec![(0, 1.0), (1, 1.0)] }]);
     }
 }
