@@ -1,21 +1,19 @@
 //! How a run grows with what it reads: `cargo bench --bench growth`, or `… --bench growth -- sliders` for one row.
 //!
-//! Repositories of one size and of four times that size are made in memory and checked on one thread. Four times as
-//! much may take at most [`BOUND`] times as long; a row beyond it fails the run. What grows with the square takes 16
-//! times as long, so that it shows whatever the machine.
+//! Repositories of one size and of four times that size are written to a folder and checked by the program itself, as
+//! a user runs it. Four times as much may take at most [`BOUND`] times the processor time; a row beyond it fails the
+//! run. What grows with the square takes 16 times as long, so that it shows whatever the machine.
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a benchmark prints, and stops where it fails")]
 
 use std::fmt::Write as _;
-use std::process::ExitCode;
+use std::path::Path;
+use std::process::{Command, ExitCode};
 use std::time::Duration;
-
-use mhlint::diag::{Timed, Timing};
-use mhlint::{Config, Outcome, Tree, lint_trees, report};
 
 /// How many times as long four times as much may take.
 const BOUND: f64 = 4.6;
-/// Runs of each size; the fastest counts.
-const RUNS: usize = 7;
+/// Runs of each size; the one in the middle counts.
+const RUNS: usize = 9;
 
 /// Files of a repository: path and bytes.
 type Files = Vec<(String, Vec<u8>)>;
@@ -44,11 +42,10 @@ const SHAPES: [Shape; 9] = [
 
 fn main() -> ExitCode {
     let wanted = std::env::args().skip(1).find(|arg| !arg.starts_with('-')).unwrap_or_default();
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
     println!("{:<26}{:>8}{:>12}{:>12}{:>8}", "", "few", "few", "4 x few", "factor");
     let mut steep = 0;
     for shape in SHAPES.iter().filter(|shape| shape.name.contains(&wanted)) {
-        let [small, large] = [1, 4].map(|times| pool.install(|| time(shape, shape.few * times)));
+        let [small, large] = time(shape);
         let factor = large.as_secs_f64() / small.as_secs_f64();
         let shown = |time: Duration| format!("{:.1} ms", time.as_secs_f64() * 1e3);
         let word = if factor > BOUND { "  too steep" } else { "" };
@@ -58,25 +55,52 @@ fn main() -> ExitCode {
     if steep == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }
 
-/// The fastest of some runs on a repository with `count` of what the shape is about.
-fn time(shape: &Shape, count: usize) -> Duration {
-    let files = (shape.make)(count);
-    let run = || {
-        let tree = Tree::in_memory("", files.iter().cloned());
-        let start = clock();
-        let outcome = lint_trees(vec![tree], None, &Config::default()).unwrap();
-        (clock().saturating_sub(start), outcome)
-    };
-    let (first, outcome) = run();
-    assert_shown(shape, &outcome);
-    (1..RUNS).map(|_| run().0).fold(first, Duration::min)
+/// The middle of some runs on few and on four times as many, in turn: what else the machine does concerns both.
+fn time(shape: &Shape) -> [Duration; 2] {
+    let repositories = [1, 4].map(|times| written(&(shape.make)(shape.few * times)));
+    for repository in &repositories {
+        assert_shown(shape, repository.path());
+    }
+    let mut times = [const { Vec::new() }; 2];
+    for _ in 0..RUNS {
+        for (times, repository) in times.iter_mut().zip(&repositories) {
+            let start = clock();
+            mhlint(repository.path());
+            times.push(clock().saturating_sub(start));
+        }
+    }
+    times.map(|mut times| {
+        times.sort_unstable();
+        times[RUNS / 2]
+    })
 }
 
-/// Processor time of this thread: other programs are no matter of ours.
+fn written(files: &Files) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    for (path, bytes) in files {
+        let path = folder.path().join(path);
+        std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+        std::fs::write(path, bytes).unwrap();
+    }
+    folder
+}
+
+/// The JSON report on a repository.
+fn mhlint(repository: &Path) -> Vec<u8> {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_mhlint"));
+    command.args(["--report", "json"]).arg(repository).output().unwrap().stdout
+}
+
+/// Processor time of the programs that were run.
 #[cfg(unix)]
 fn clock() -> Duration {
-    let time = rustix::time::clock_gettime(rustix::time::ClockId::ThreadCPUTime);
-    Duration::new(time.tv_sec.unsigned_abs(), u32::try_from(time.tv_nsec).unwrap())
+    use nix::sys::{
+        resource::{UsageWho, getrusage},
+        time::TimeValLike as _,
+    };
+    let usage = getrusage(UsageWho::RUSAGE_CHILDREN).unwrap();
+    let microseconds = usage.user_time().num_microseconds() + usage.system_time().num_microseconds();
+    Duration::from_micros(u64::try_from(microseconds).unwrap())
 }
 
 #[cfg(not(unix))]
@@ -86,21 +110,11 @@ fn clock() -> Duration {
 }
 
 /// A repository that is not what it is taken for measures nothing.
-fn assert_shown(shape: &Shape, outcome: &Outcome) {
-    assert!(outcome.is_whole() && outcome.checked_anything(), "{}", shape.name);
-    let rules: std::collections::BTreeSet<&str> = outcome.findings.iter().map(|finding| finding.rule).collect();
-    assert!(shape.finds.is_none_or(|rule| rules.contains(rule)), "{}: {rules:?}", shape.name);
-    if std::env::var_os("MHLINT_TIMINGS").is_some() {
-        let mut timings: Vec<_> = outcome.timings.iter().collect();
-        timings.sort_by_key(|timing| std::cmp::Reverse(timing.time));
-        for Timing { what, time } in timings.iter().take(12) {
-            let what = match what {
-                Timed::Phase(phase) => report::phase(*phase),
-                Timed::Rule(rule) => rule,
-            };
-            println!("    {:.3} s {what}", time.as_secs_f64());
-        }
-    }
+fn assert_shown(shape: &Shape, repository: &Path) {
+    let report: serde_json::Value = serde_json::from_slice(&mhlint(repository)).unwrap();
+    assert_ne!(report["summary"]["files"], 0, "{}", shape.name);
+    let rules: Vec<&str> = report["findings"].as_array().unwrap().iter().filter_map(|it| it["rule"].as_str()).collect();
+    assert!(shape.finds.is_none_or(|rule| rules.contains(&rule)), "{}: {rules:?}", shape.name);
 }
 
 const BASE: &str = r#"{"visible groups": ["body"], "numverts": 8, "target-opposites": {"decr": "incr"}}"#;
