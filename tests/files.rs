@@ -138,3 +138,25 @@ fn help_says_what_to_write_in_the_words_of_the_file() {
         assert_eq!(help(file, find, replace), expected);
     }
 }
+
+#[test]
+fn help_names_a_picture_as_the_material_has_to_write_it() {
+    let otherwise = "correct the name, add the picture, or remove the line";
+    for (picture, expected) in [
+        ("plain/maps/skin.png", "write `maps/skin.png`, where the picture is"),
+        ("other/skin.png", "write `other/skin.png`, where the picture is"),
+        // The first part of such a name is left out.
+        ("skins/skin.png", otherwise),
+        ("plain/my maps/skin.png", otherwise),
+    ] {
+        let root = example();
+        let skins = root.path().join("data/skins/figure");
+        for (file, text) in [("plain/plain.mhmat", "diffuseTexture skin.png"), (picture, "a picture")] {
+            fs::create_dir_all(skins.join(file).parent().unwrap()).unwrap();
+            fs::write(skins.join(file), text).unwrap();
+        }
+        let output = mhlint(root.path(), &["--report", "json", "--no-eval", "--only", "material-*"]);
+        let report: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        assert_eq!(report["findings"][0]["help"], expected, "{picture}");
+    }
+}

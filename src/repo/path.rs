@@ -15,6 +15,9 @@ pub(super) fn resolve<'a>(layers: &[&'a Layer], text: &str, rel: &str) -> Resolu
     let Some(normal) = normalized(rel) else {
         return Resolution::Escapes;
     };
+    if rel.ends_with('/') || !layers.iter().any(|layer| has_way(layer, rel)) {
+        return Resolution::Missing;
+    }
     if let Some(file) = layers.iter().find_map(|layer| layer.file(&normal)) {
         return Resolution::Found(file);
     }
@@ -34,6 +37,13 @@ pub(super) fn resolve<'a>(layers: &[&'a Layer], text: &str, rel: &str) -> Resolu
         Some(file) => Resolution::CaseOnly(file),
         None => Resolution::Missing,
     }
+}
+
+/// Whether the folders are there that `..` leaves again. Only Windows does without.
+fn has_way(layer: &Layer, rel: &str) -> bool {
+    let exists = |folder: &String| layer.folders.binary_search(folder).is_ok() || layer.below(folder).next().is_some();
+    let left = rel.match_indices("/../").filter_map(|(end, _)| normalized(rel.get(..end)?));
+    left.filter(|folder| !folder.is_empty()).all(|folder| exists(&folder))
 }
 
 /// The path without `.` and `..`, or nothing if it leaves the root.

@@ -4,73 +4,116 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::OWN;
 use crate::diag::Place;
-use crate::discover::{Kind, extension, material_of};
+use crate::discover::{Kind, Layout, material_of};
 use crate::formats::mhmat::Texture;
-use crate::repo::path::resolve;
+use crate::repo::path::{is_absolute, normalized, resolve};
 use crate::repo::{FileFacts, Layer, Layers, Reference, ReferenceKind, Resolution, parent};
 
 /// The pictures of all materials that the application opens, by base mesh.
 pub(super) fn by_base(layers: Layers<'_>) -> BTreeMap<&str, Vec<Reference<'_>>> {
     let mut by_base: BTreeMap<&str, Vec<Reference<'_>>> = BTreeMap::new();
+    let assets: Vec<_> = layers.strongest_first().map(|layer| (layer, folders_of_assets(layer))).collect();
     for layer in layers.strongest_first() {
-        let assets = folders_of_assets(layer);
-        for file in layer.files.values().filter(|file| file.kind_in(OWN) == Kind::Material) {
-            if let (Some(base), Some(search)) = (file.base_in(OWN), Search::of(layers, layer, file, &assets)) {
-                by_base.entry(base).or_default().extend(search.references(base));
+        for file in layer.files.values().filter(|file| is_material(file)) {
+            let search = file.base_in(OWN).and_then(|base| Search::of(layers, layer, file, base));
+            if let Some(search) = search.filter(|search| search.is_opened(&assets)) {
+                by_base.entry(search.base).or_default().extend(search.references());
             }
         }
     }
     by_base
 }
 
-/// Folders with something to wear in them. Materials elsewhere are offered for nothing.
+fn is_material(file: &FileFacts) -> bool {
+    file.kind_in(OWN) == Kind::Material
+}
+
+/// Folders of a layer with what the asset scan finds in them (formats/makehuman2.md §19).
+type Assets<'a> = (&'a Layer, BTreeSet<&'a str>);
+
 fn folders_of_assets(layer: &Layer) -> BTreeSet<&str> {
-    let is_asset = |file: &&FileFacts| file.kind_in(OWN) == Kind::Clothes || extension(&file.rel) == "mhbin";
-    layer.files.values().filter(is_asset).map(|file| parent(&file.rel)).collect()
+    let scans = Layout::of(OWN).scans;
+    layer.files.keys().filter(|rel| scans(rel)).map(|rel| parent(rel)).collect()
+}
+
+/// Whether system data that is not at hand could have a part of the base. Without an answer nobody has the base.
+fn is_open(layers: Layers<'_>, base: &str) -> Option<bool> {
+    let folder = format!("base/{base}");
+    let has = |layer: &Layer, name: &str| layer.file(&format!("{folder}/{name}")).is_some();
+    let has_mesh = |layer: &Layer| has(layer, "base.obj") || has(layer, "base.mhbin");
+    // One of both alone may lie over the base of a system.
+    if layers.strongest_first().any(|layer| has(layer, "base.json") && has_mesh(layer)) {
+        return Some(false);
+    }
+    if layers.system.is_none() || layers.is_one_root() {
+        return Some(true);
+    }
+    layers.strongest_first().any(|layer| layer.below(&folder).next().is_some()).then_some(false)
 }
 
 /// A material with all that is asked for its pictures.
 struct Search<'a> {
     file: &'a FileFacts,
+    base: &'a str,
     layer: &'a Layer,
     /// The folder that all assets of this sort are in, without that for the base mesh.
-    folder: &'a str,
-    /// Layers with such a folder.
+    sort: &'a str,
+    /// Layers with a folder for all assets of this sort.
     shared: Vec<&'a Layer>,
     /// Whether system data that is not at hand could have the picture.
     is_open: bool,
 }
 
 impl<'a> Search<'a> {
-    fn of(layers: Layers<'a>, layer: &'a Layer, file: &'a FileFacts, assets: &BTreeSet<&str>) -> Option<Self> {
-        let use_of = material_of(&file.rel)?;
-        let mut above = std::iter::successors(Some(parent(&file.rel)), |folder| Some(parent(folder)))
-            .take_while(|folder| !folder.is_empty());
-        if use_of.is_worn && !above.any(|folder| assets.contains(folder)) {
-            return None;
-        }
-        let settings = format!("base/{}", file.base_in(OWN)?);
-        let has_base = layers.strongest_first().any(|layer| layer.below(&settings).next().is_some());
-        let is_open = !has_base && (layers.system.is_none() || layers.is_one_root());
+    fn of(layers: Layers<'a>, layer: &'a Layer, file: &'a FileFacts, base: &'a str) -> Option<Self> {
+        let sort = material_of(&file.rel)?.folder;
+        let is_open = is_open(layers, base)?;
         let shared = layers.system.into_iter().chain(layers.user).collect();
-        Some(Self { file, layer, folder: use_of.folder, shared, is_open })
+        Some(Self { file, base, layer, sort, shared, is_open })
     }
 
-    /// Names that lead nowhere count for nothing where the same keyword names a picture that is there. One that leads out
-    /// of the data is another matter: where a file is there, the application takes it.
-    fn references(&self, base: &'a str) -> Vec<Reference<'a>> {
+    /// What is worn has the materials below its folder. If there are none it has those of the folder `materials` beside
+    /// it, eyes those of the system and of the user.
+    fn is_opened(&self, assets: &[Assets<'_>]) -> bool {
+        let is_eye = self.sort == "eyes";
+        let offers = |(layer, folders): &Assets<'_>| {
+            let is_own = std::ptr::eq(*layer, self.layer);
+            is_own && self.is_below(folders) || (is_own || is_eye) && self.is_beside(layer, folders)
+        };
+        self.sort == "skins" || is_eye && self.is_open || assets.iter().any(offers)
+    }
+
+    fn is_below(&self, folders: &BTreeSet<&str>) -> bool {
+        let above = std::iter::successors(Some(parent(&self.file.rel)), |path| Some(parent(path)));
+        above.take_while(|path| !path.is_empty()).any(|folder| folders.contains(folder))
+    }
+
+    fn is_beside(&self, layer: &Layer, folders: &BTreeSet<&str>) -> bool {
+        let all = format!("{}/{}", self.sort, self.base);
+        let has_none = |asset: &str| !layer.below(asset).any(is_material);
+        self.file.rel.starts_with(&format!("{all}/materials/"))
+            && folders.iter().any(|asset| parent(asset) == all && has_none(asset))
+    }
+
+    /// The last line of a keyword with a picture wins: what stands above it counts for nothing. A name that leads out of
+    /// the data is another matter: where a file is there, the application takes it.
+    fn references(&self) -> Vec<Reference<'a>> {
         let Some(material) = self.file.material() else { return Vec::new() };
-        let all: Vec<_> = material.textures.iter().map(|texture| self.reference(base, texture)).collect();
-        let found: BTreeSet<&str> = all.iter().filter(|one| one.found().is_some()).map(|one| one.owner).collect();
-        let escapes = |one: &Reference<'_>| matches!(one.resolution, Resolution::Escapes);
-        all.into_iter().filter(|one| one.found().is_some() || escapes(one) || !found.contains(one.owner)).collect()
+        let all: Vec<_> = material.textures.iter().map(|texture| self.reference(texture)).collect();
+        let meant = all.iter().enumerate().filter(|(_, one)| one.meant().is_some());
+        let last: BTreeMap<&str, usize> = meant.map(|(line, one)| (one.owner, line)).collect();
+        let counts = |(line, one): &(usize, Reference<'a>)| {
+            matches!(one.resolution, Resolution::Found(_) | Resolution::Escapes)
+                || last.get(one.owner).is_none_or(|last| line >= last)
+        };
+        all.into_iter().enumerate().filter(counts).map(|(_, one)| one).collect()
     }
 
-    fn reference(&self, base: &'a str, texture: &'a Texture) -> Reference<'a> {
-        let (rel, resolution) = self.find(base, &texture.word);
+    fn reference(&self, texture: &'a Texture) -> Reference<'a> {
+        let (rel, resolution) = self.find(&texture.word);
         Reference {
             kind: ReferenceKind::Texture,
-            base,
+            base: self.base,
             from: self.file,
             place: Place::Span(texture.span.clone()),
             text: &texture.word,
@@ -81,13 +124,28 @@ impl<'a> Search<'a> {
         }
     }
 
+    /// As the application finds it. A name with `\` may miss places, on any system, that it had with `/`.
+    fn find(&self, word: &str) -> (String, Resolution<'a>) {
+        let (rel, resolution) = self.nearest(word);
+        if !matches!(resolution, Resolution::Backslash(None)) {
+            return (rel, resolution);
+        }
+        match self.nearest(&word.replace('\\', "/")) {
+            (slashed, Resolution::Found(file) | Resolution::CaseOnly(file)) => {
+                (slashed, Resolution::Backslash(Some(file)))
+            }
+            (slashed, Resolution::NeedsSystem) => (slashed, Resolution::NeedsSystem),
+            _ => (rel, resolution),
+        }
+    }
+
     /// The first place with the picture; without one, the place that comes nearest to it.
-    fn find(&self, base: &str, word: &str) -> (String, Resolution<'a>) {
+    fn nearest(&self, word: &str) -> (String, Resolution<'a>) {
         let mut tried: Vec<(String, Resolution<'a>)> = Vec::new();
-        for (layer, rel, text) in self.places(base, word) {
+        for (layer, rel, text) in self.places(word) {
             let resolution = resolve(&[layer], text, &rel);
             let ends = matches!(resolution, Resolution::Found(_) | Resolution::Escapes);
-            tried.push((rel, resolution));
+            tried.push((normalized(&rel).unwrap_or(rel), resolution));
             if ends {
                 break;
             }
@@ -101,16 +159,17 @@ impl<'a> Search<'a> {
     }
 
     /// Where the picture is looked for, in order, and what of the name is left there.
-    fn places<'w>(&self, base: &str, word: &'w str) -> Vec<(&'a Layer, String, &'w str)> {
-        let folder = parent(&self.file.rel);
-        let below = word.split_once('/').map(|(_, below)| below);
+    fn places<'w>(&self, word: &'w str) -> Vec<(&'a Layer, String, &'w str)> {
+        let (folder, sort) = (parent(&self.file.rel), self.sort);
+        // What begins with a slash is not put behind the folder.
+        let below = word.split_once('/').map(|(_, below)| below).filter(|below| !is_absolute(below));
         let mut places = vec![(self.layer, format!("{folder}/{word}"), word)];
         if folder.ends_with("materials") {
             places.push((self.layer, format!("{}/{word}", parent(folder)), word));
         }
         places.extend(below.map(|below| (self.layer, format!("{folder}/{below}"), below)));
-        let shared = below.filter(|_| word.starts_with(self.folder)).unwrap_or(word);
-        places.extend(self.shared.iter().map(|layer| (*layer, format!("{}/{base}/{shared}", self.folder), shared)));
+        let shared = below.filter(|_| word.starts_with(sort)).unwrap_or(word);
+        places.extend(self.shared.iter().map(|layer| (*layer, format!("{sort}/{}/{shared}", self.base), shared)));
         places
     }
 }

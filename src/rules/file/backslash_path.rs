@@ -51,11 +51,13 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         for ((path, pointer), text) in folders {
             fix = fix.step(path, Change::Value { pointer: pointer.clone(), text: Some(text) });
         }
+        // A picture may be found with `/` where no system looks for it with a backslash.
+        let systems = if first.rel.contains('\\') { "on Linux and macOS: " } else { "" };
         out.push(
             finding
                 .fix(fix)
                 .level(level)
-                .effect(format!("on Linux and macOS: {}", effect(first.kind)))
+                .effect(format!("{systems}{}", effect(first.kind)))
                 .help(format!("write `{slashed}`")),
         );
     }

@@ -1,3 +1,4 @@
 //! Materials: `.mhmat`.
 
+mod advice;
 pub(in crate::rules) mod missing_texture;

@@ -1,0 +1,97 @@
+//! What to write for a picture that is not found.
+
+use std::collections::BTreeMap;
+
+use super::super::did_you_mean;
+use crate::diag::{Place, Suggestions};
+use crate::discover::extension;
+use crate::formats::mhmat::Texture;
+use crate::repo::{FileFacts, Reference, View, parent};
+
+/// The pictures that names may be meant for.
+pub(super) struct Advice<'v, 'a> {
+    view: &'v View<'a>,
+    /// By their names without folders.
+    pictures: BTreeMap<&'a str, Vec<&'a FileFacts>>,
+    suggestions: Suggestions,
+}
+
+impl<'v, 'a> Advice<'v, 'a> {
+    pub(super) fn of(view: &'v View<'a>) -> Self {
+        let mut pictures: BTreeMap<&str, Vec<&FileFacts>> = BTreeMap::new();
+        for file in view.layers().checked.files.values().filter(|file| is_picture(file)) {
+            pictures.entry(file.file_name()).or_default().push(file);
+        }
+        Self { view, pictures, suggestions: Suggestions::default() }
+    }
+
+    pub(super) fn on(&self, reference: &Reference<'_>) -> String {
+        let around = self.view.layers().checked.below(around(reference)).filter(|file| is_picture(file));
+        let around: Vec<_> = around.filter_map(|file| Some((near(file, reference)?, file))).collect();
+        if let Some(name) = with_blanks(reference).filter(|name| around.iter().any(|(other, _)| other == name)) {
+            return format!("a name ends at the first blank: rename `{name}` without any, and write that");
+        }
+        if let Some(name) = self.moved(reference) {
+            return format!("write `{name}`, where the picture is");
+        }
+        let names = around.iter().filter(|(name, file)| is_name(name) && self.is_free(file)).map(|(name, _)| *name);
+        let near = self.suggestions.nearest(reference.text, names);
+        did_you_mean(near, "correct the name, add the picture, or remove the line")
+    }
+
+    /// A picture of this name in another folder: one of the same asset, or one that nobody names.
+    fn moved(&self, reference: &Reference<'_>) -> Option<&'a str> {
+        let same = self.pictures.get(file_name(reference.text))?;
+        let has_own_folder = around(reference).matches('/').count() > 1;
+        let around = same.iter().filter(|file| has_own_folder || self.is_free(file));
+        let mut around = around.filter_map(|file| near(file, reference));
+        let sort = reference.from.rel.split('/').next().filter(|folder| *folder != "base").unwrap_or("skins");
+        let all = format!("{sort}/{}", reference.base);
+        let shared = same.iter().filter(|file| self.is_free(file)).filter_map(|file| below(&file.rel, &all));
+        // The first part of such a name would be left out.
+        let mut shared = shared.filter(|name| !name.starts_with(sort));
+        around.find(|name| is_name(name)).or_else(|| shared.find(|name| is_name(name)))
+    }
+
+    fn is_free(&self, file: &FileFacts) -> bool {
+        self.view.references().to_file(file).next().is_none()
+    }
+}
+
+/// Whether it can be written as a name.
+fn is_name(name: &str) -> bool {
+    !name.contains([' ', char::REPLACEMENT_CHARACTER])
+}
+
+/// The whole name, where the one that is looked for may end too early.
+fn with_blanks(reference: &Reference<'_>) -> Option<String> {
+    let is_it = |texture: &&Texture| reference.place == Place::Span(texture.span.clone());
+    let texture = reference.from.material()?.textures.iter().find(is_it)?;
+    (!texture.lost.is_empty()).then(|| format!("{} {}", texture.word, texture.lost).replace('"', ""))
+}
+
+/// The folder of the material, or the one above if the application looks there as well.
+fn around<'r>(reference: &'r Reference<'_>) -> &'r str {
+    let own = parent(&reference.from.rel);
+    if own.ends_with("materials") { parent(own) } else { own }
+}
+
+/// The name of a picture there, as the material would write it.
+fn near<'a>(file: &'a FileFacts, reference: &Reference<'_>) -> Option<&'a str> {
+    below(&file.rel, parent(&reference.from.rel)).or_else(|| below(&file.rel, around(reference)))
+}
+
+fn below<'p>(path: &'p str, folder: &str) -> Option<&'p str> {
+    path.strip_prefix(folder)?.strip_prefix('/')
+}
+
+pub(super) fn file_name(path: &str) -> &str {
+    path.rsplit('/').next().unwrap_or(path)
+}
+
+/// Extensions of pictures that MakeHuman 2 can show, in small letters.
+const PICTURES: [&str; 10] = ["bmp", "gif", "jpeg", "jpg", "png", "svg", "tga", "tif", "tiff", "webp"];
+
+fn is_picture(file: &FileFacts) -> bool {
+    PICTURES.contains(&extension(&file.rel).to_lowercase().as_str())
+}
