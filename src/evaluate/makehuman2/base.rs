@@ -20,11 +20,6 @@ use super::stops;
 use crate::evaluate::Rows;
 use crate::evaluate::data::SkeletonFile;
 
-/// The base of a name as it is seen through layers.
-pub(in crate::evaluate) fn base<'a>(name: &'a str, layers: Layers<'a>) -> Base<'a> {
-    Base::resolve(name, layers.system, layers.user)
-}
-
 /// Names of the bases that have a mesh.
 pub(in crate::evaluate) fn with_mesh(layers: Layers<'_>) -> BTreeSet<&str> {
     let files = layers.strongest_first().flat_map(|layer| layer.files.values());
