@@ -9,6 +9,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::faulty_rows::row_name;
 use super::fields::{fields, lines};
 pub use super::obj_facts::{BadLine, MeshFacts, Reopened};
+use super::target::MeshSize;
 use super::{python_float, python_int};
 
 /// The group of faces before any `g`.
@@ -80,6 +81,12 @@ impl Mesh {
             && facts.face_out_of_range.count == 0
             && facts.vertices > 0
             && !self.faces.is_empty()
+    }
+
+    /// How many vertices there are to be moved.
+    pub fn size(&self) -> MeshSize {
+        let vertices = self.facts.vertices;
+        MeshSize { vertices, with_seams: vertices + self.facts.seam_duplicates }
     }
 }
 
