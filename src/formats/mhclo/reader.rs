@@ -2,7 +2,7 @@
 
 use super::{Clothes, Fault, FaultKind, Reference, Scale, Text};
 use crate::formats::fields::fields;
-use crate::formats::{python_float, python_int};
+use crate::formats::{python_float, python_int, stored};
 
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Section {
@@ -119,7 +119,7 @@ impl Reader {
         let read = python_int(a).zip(python_int(b)).zip(python_float(distance));
         let Some(((a, b), distance)) = read else { return self.fault(FaultKind::NoNumber) };
         if let Some(slot) = self.clothes.scales.get_mut(axis) {
-            *slot = Some(Scale { vertices: [a, b], distance: narrow(distance), line: self.line });
+            *slot = Some(Scale { vertices: [a, b], distance: stored(distance), line: self.line });
         }
     }
 
@@ -166,7 +166,7 @@ fn exact_vertex(words: &[&[u8]]) -> Option<Reference> {
 /// Three base vertices, their weights, and a displacement if there is one.
 fn triple(words: &[&[u8]], with_offset: bool) -> Option<Reference> {
     let vertex = |place: usize| python_int(words.get(place)?);
-    let number = |place: usize| Some(narrow(python_float(words.get(place)?)?));
+    let number = |place: usize| Some(stored(python_float(words.get(place)?)?));
     let numbers = |from: usize| Some([number(from)?, number(from + 1)?, number(from + 2)?]);
     Some(Reference {
         vertices: [vertex(0)?, vertex(1)?, vertex(2)?],
@@ -183,9 +183,4 @@ fn is_numeric(word: &str) -> bool {
 
 fn joined(words: &[&[u8]]) -> String {
     words.iter().map(|word| String::from_utf8_lossy(word)).collect::<Vec<_>>().join(" ")
-}
-
-#[expect(clippy::cast_possible_truncation, reason = "the application stores float32")]
-fn narrow(value: f64) -> f32 {
-    value as f32
 }
