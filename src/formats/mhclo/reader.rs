@@ -3,6 +3,7 @@
 use super::{Clothes, Fault, FaultKind, Reference, Scale, Text};
 use crate::formats::fields::fields;
 use crate::formats::{python_float, python_int, stored};
+use crate::source::lines;
 
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Section {
@@ -39,7 +40,7 @@ const IGNORED: [&str; 4] = ["basemesh", "max_pole", "shapekey", "z_depth"];
 pub fn parse(text: &[u8]) -> Clothes {
     let mut reader =
         Reader { clothes: Clothes::default(), section: Section::Header, line: 0, last: None, range: false };
-    for line in text.split(|byte| *byte == b'\n') {
+    for (_, line) in lines(text) {
         reader.line = reader.line.saturating_add(1);
         let words: Vec<&[u8]> = fields(line).into_iter().map(|(_, word)| word).collect();
         reader.take(&words);
