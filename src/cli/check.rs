@@ -231,7 +231,7 @@ fn explained(error: Error, paths: &[PathBuf], args: &CheckArgs, config: &Config)
     {
         return Failure::Usage(format!("there is no file or folder `{path}`; did you mean the command `{word}`?"));
     }
-    Failure::Run(error)
+    error.into()
 }
 
 /// What to say when mhlint itself failed.

@@ -34,14 +34,8 @@ impl Exit {
 /// Why the command could not work.
 #[derive(Debug)]
 pub(super) enum Failure {
-    /// The run could not be done.
-    Run(engine::Error),
-    /// The configuration cannot be used.
-    Config(config::Error),
-    /// The arguments cannot be meant so; the text names the remedy.
+    /// What is asked for cannot be done; the text says why, and names the remedy where it can.
     Usage(String),
-    /// An evaluation could not be done.
-    Eval(evaluate::Error),
     /// Writing failed.
     Io(io::Error),
 }
@@ -55,19 +49,19 @@ impl Failure {
 
 impl From<engine::Error> for Failure {
     fn from(error: engine::Error) -> Self {
-        Self::Run(error)
+        Self::Usage(printable(&error.to_string()))
     }
 }
 
 impl From<config::Error> for Failure {
     fn from(error: config::Error) -> Self {
-        Self::Config(error)
+        Self::Usage(error.to_string())
     }
 }
 
 impl From<evaluate::Error> for Failure {
     fn from(error: evaluate::Error) -> Self {
-        Self::Eval(error)
+        Self::Usage(printable(&error.to_string()))
     }
 }
 
@@ -80,10 +74,7 @@ impl From<io::Error> for Failure {
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Run(error) => f.write_str(&printable(&error.to_string())),
-            Self::Config(error) => error.fmt(f),
             Self::Usage(text) => f.write_str(text),
-            Self::Eval(error) => f.write_str(&printable(&error.to_string())),
             Self::Io(error) => {
                 write!(f, "cannot write to standard output: {error}; send it to a file or program that takes it")
             }

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::skeleton::PARALLEL_SINE;
-use super::survey::{Concerned, DRIFT_STANDS, EXPLOSION_DIAGONALS, FLIPPED_SHARE, SHORTEST_BONE, Survey, Worst, keep};
+use super::survey::{DRIFT_STANDS, EXPLOSION_DIAGONALS, FLIPPED_SHARE, Fault, SHORTEST_BONE, Survey, Worst};
 use super::surveyor::{FaceAtRest, Surveyor, dot, flatness, stand};
 use super::vector::{Point, distance};
 use super::walk::{Stop, Walk};
@@ -34,12 +34,10 @@ struct Look<'s> {
     /// Faces at fault, by their number among the visible ones.
     collapsed: BTreeSet<u32>,
     flipped: BTreeSet<u32>,
-    /// The worst joint and the worst bones.
-    drifted: Option<Worst>,
-    short_bone: Option<Worst>,
-    flat_plane: Option<Worst>,
-    /// All joints and bones at fault, as the mesh stands.
-    lost: Concerned,
+    /// Joints and bones at fault, whatever the setting.
+    drifted: Fault,
+    short_bone: Fault,
+    flat_plane: Fault,
     survey: Survey,
 }
 
@@ -54,10 +52,9 @@ impl<'s> Look<'s> {
             strays: BTreeSet::new(),
             collapsed: BTreeSet::new(),
             flipped: BTreeSet::new(),
-            drifted: None,
-            short_bone: None,
-            flat_plane: None,
-            lost: Concerned::default(),
+            drifted: Fault::default(),
+            short_bone: Fault::default(),
+            flat_plane: Fault::default(),
             survey: Survey::default(),
         }
     }
@@ -119,8 +116,7 @@ impl<'s> Look<'s> {
     }
 
     fn skeleton(&mut self) {
-        (self.drifted, self.short_bone, self.flat_plane) = (None, None, None);
-        self.lost = Concerned::default();
+        (self.drifted, self.short_bone, self.flat_plane) = Default::default();
         let positions = self.walk.positions();
         let Some((skeleton, joints)) = self.surveyor.scene.skeleton.as_ref().zip(self.surveyor.joints(positions))
         else {
@@ -130,8 +126,7 @@ impl<'s> Look<'s> {
             let Some(joint) = joints.get(anchor.joint) else { continue };
             let value = (stand(*joint, &anchor.skin, positions) - anchor.distance) / anchor.stand;
             if value > DRIFT_STANDS {
-                keep(&mut self.drifted, one(value, anchor.joint));
-                self.lost.drifted.insert(anchor.joint);
+                add_one(&mut self.drifted, value, anchor.joint);
             }
         }
         for (element, bone) in skeleton.bones.iter().enumerate() {
@@ -139,14 +134,12 @@ impl<'s> Look<'s> {
             let length = distance(*head, *tail);
             let known = |list: &[bool]| list.get(element).is_some_and(|known| *known);
             if length < SHORTEST_BONE && !known(&self.surveyor.short_at_rest) {
-                keep(&mut self.short_bone, one(1.0 / length, element));
-                self.lost.short_bone.insert(element);
+                add_one(&mut self.short_bone, 1.0 / length, element);
             }
             let sine = bone.plane.map_or(1.0, |plane| flatness(&joints, plane));
             // A coincidence of joints is not finite: it counts as in line.
             if !(sine > PARALLEL_SINE || known(&self.surveyor.flat_at_rest)) {
-                keep(&mut self.flat_plane, one(1.0 / sine.max(0.0), element));
-                self.lost.flat_plane.insert(element);
+                add_one(&mut self.flat_plane, 1.0 / sine.max(0.0), element);
             }
         }
     }
@@ -159,14 +152,13 @@ impl<'s> Look<'s> {
         }
         let collapsed = Faces::of(self.surveyor, &self.collapsed);
         if collapsed.count > 0 {
-            keep(&mut self.survey.collapsed, collapsed.worst(f64::from(collapsed.count), setting));
-            self.survey.concerned.collapsed.extend(faces(self.surveyor, &self.collapsed));
+            let worst = collapsed.worst(f64::from(collapsed.count), setting);
+            self.survey.collapsed.add(worst, numbers(self.surveyor, &self.collapsed));
         }
         let flipped = Faces::of(self.surveyor, &self.flipped);
         let share = flipped.area / self.surveyor.area;
         if share > FLIPPED_SHARE {
-            keep(&mut self.survey.flipped, flipped.worst(share, setting));
-            self.survey.concerned.flipped.extend(faces(self.surveyor, &self.flipped));
+            self.survey.flipped.add(flipped.worst(share, setting), numbers(self.surveyor, &self.flipped));
         }
         self.explosion(setting);
         let pairs = [
@@ -174,12 +166,9 @@ impl<'s> Look<'s> {
             (&mut self.survey.short_bone, &self.short_bone),
             (&mut self.survey.flat_plane, &self.flat_plane),
         ];
-        for (slot, found) in pairs {
-            found.iter().for_each(|found| keep(slot, Worst { setting, ..found.clone() }));
+        for (fault, Fault { worst, elements }) in pairs {
+            worst.iter().for_each(|worst| fault.add(Worst { setting, ..worst.clone() }, elements.iter().copied()));
         }
-        self.survey.concerned.drifted.extend(&self.lost.drifted);
-        self.survey.concerned.short_bone.extend(&self.lost.short_bone);
-        self.survey.concerned.flat_plane.extend(&self.lost.flat_plane);
     }
 
     fn strays(&self) -> impl Iterator<Item = (usize, Point)> {
@@ -191,8 +180,7 @@ impl<'s> Look<'s> {
         let bad = self.strays().filter(|(_, point)| !(point[0] + point[1] + point[2]).is_finite());
         let bad: Vec<usize> = bad.map(|(vertex, _)| vertex).collect();
         let (Some(element), count) = (bad.first().copied(), bad.len()) else { return false };
-        self.survey.concerned.non_finite.extend(bad);
-        keep(&mut self.survey.non_finite, Worst { value: count as f64, element, count, setting });
+        self.survey.non_finite.add(Worst { value: count as f64, element, count, setting }, bad);
         true
     }
 
@@ -214,19 +202,13 @@ impl<'s> Look<'s> {
         }
         if !far.is_empty() {
             let value = f64::from(worst.0 / surveyor.diagonal);
-            keep(&mut self.survey.exploded, Worst { value, element: worst.1, count: far.len(), setting });
-            self.survey.concerned.exploded.extend(far);
+            self.survey.exploded.add(Worst { value, element: worst.1, count: far.len(), setting }, far);
         }
     }
 }
 
-/// Faces of the mesh by their numbers among the visible ones.
-fn faces<'a>(surveyor: &'a Surveyor<'_>, numbers: &'a BTreeSet<u32>) -> impl Iterator<Item = usize> + 'a {
-    numbers.iter().filter_map(|number| Some(surveyor.faces.get(*number as usize)?.face as usize))
-}
-
-fn one(value: f64, element: usize) -> Worst {
-    Worst { value, element, count: 1, setting: 0 }
+fn add_one(fault: &mut Fault, value: f64, element: usize) {
+    fault.add(Worst { value, element, count: 1, setting: 0 }, [element]);
 }
 
 fn mark(set: &mut BTreeSet<u32>, number: u32, is_in: bool) {
@@ -257,7 +239,7 @@ fn state(surveyor: &Surveyor<'_>, positions: &[Point], face: &FaceAtRest) -> Sta
 }
 
 /// Faces of one kind at one setting: how many, their area at rest, and the largest.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Default)]
 struct Faces {
     count: u32,
     area: f64,
@@ -265,21 +247,31 @@ struct Faces {
 }
 
 impl Faces {
-    fn of(surveyor: &Surveyor<'_>, numbers: &BTreeSet<u32>) -> Self {
-        let mut faces = Self::default();
-        for face in numbers.iter().filter_map(|number| surveyor.faces.get(*number as usize)) {
-            faces.count += 1;
-            faces.area += f64::from(face.square.sqrt());
-            if face.square > faces.largest.0 {
-                faces.largest = (face.square, face.face);
+    fn of(surveyor: &Surveyor<'_>, places: &BTreeSet<u32>) -> Self {
+        let mut all = Self::default();
+        for face in faces(surveyor, places) {
+            all.count += 1;
+            all.area += f64::from(face.square.sqrt());
+            if face.square > all.largest.0 {
+                all.largest = (face.square, face.face);
             }
         }
-        faces
+        all
     }
 
     fn worst(&self, value: f64, setting: usize) -> Worst {
         Worst { value, element: self.largest.1 as usize, count: self.count as usize, setting }
     }
+}
+
+/// Faces by their places among the visible ones.
+fn faces<'a>(surveyor: &'a Surveyor<'_>, places: &'a BTreeSet<u32>) -> impl Iterator<Item = &'a FaceAtRest> {
+    places.iter().filter_map(|place| surveyor.faces.get(*place as usize))
+}
+
+/// Their numbers in the mesh.
+fn numbers<'a>(surveyor: &'a Surveyor<'_>, places: &'a BTreeSet<u32>) -> impl Iterator<Item = usize> + 'a {
+    faces(surveyor, places).map(|face| face.face as usize)
 }
 
 #[cfg(test)]
@@ -340,7 +332,7 @@ mod tests {
         let surveyor = Surveyor::new(&scene).unwrap();
         let settings: [&[f64]; 4] = [&[1.0, 0.0, 0.0], &[0.0, 1.0, 0.0], &[0.0, 0.0, 1.0], &[0.0, 0.0, 0.0]];
         let survey = look(&surveyor, &stops(&surveyor, &settings));
-        let seen = |worst: Option<Worst>| worst.map(|worst| (worst.setting, worst.element, worst.count));
+        let seen = |fault: Fault| fault.worst.map(|worst| (worst.setting, worst.element, worst.count));
         assert_eq!(seen(survey.collapsed), Some((0, 0, 1)));
         assert_eq!(seen(survey.exploded), Some((1, 55, 1)));
         assert_eq!(seen(survey.short_bone), Some((2, 0, 1)));
@@ -361,7 +353,7 @@ mod tests {
         for stop in stops(&surveyor, &settings) {
             alone.merge(look(&surveyor, &[stop]));
         }
-        assert!(alone.collapsed.is_some() && alone.exploded.is_some() && alone.short_bone.is_some());
+        assert!([&alone.collapsed, &alone.exploded, &alone.short_bone].iter().all(|fault| fault.worst.is_some()));
         assert_eq!(look(&surveyor, &in_order(stops(&surveyor, &settings))), alone);
     }
 
@@ -370,7 +362,7 @@ mod tests {
         let scene = scene(&[&[(1, [f32::INFINITY, 0.0, 0.0])], FAULTS[0]]);
         let surveyor = Surveyor::new(&scene).unwrap();
         let survey = look(&surveyor, &stops(&surveyor, &[&[1.0, 1.0]]));
-        assert_eq!(survey.non_finite.map(|worst| (worst.element, worst.count)), Some((1, 1)));
-        assert_eq!(survey.collapsed, None);
+        assert_eq!(survey.non_finite.worst.map(|worst| (worst.element, worst.count)), Some((1, 1)));
+        assert_eq!(survey.collapsed, Fault::default());
     }
 }

@@ -35,44 +35,32 @@ pub struct Worst {
     pub setting: usize,
 }
 
-/// Everything that a survey found at fault at some setting, by number.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Concerned {
-    /// Vertices that are not finite.
-    pub non_finite: BTreeSet<usize>,
-    /// Visible faces without area.
-    pub collapsed: BTreeSet<usize>,
-    /// Visible faces that look the other way where these are too many.
-    pub flipped: BTreeSet<usize>,
-    /// Vertices far outside the box.
-    pub exploded: BTreeSet<usize>,
-    /// Joints away from their skin.
-    pub drifted: BTreeSet<usize>,
-    /// Bones without length.
-    pub short_bone: BTreeSet<usize>,
-    /// Bones whose planes have no normal.
-    pub flat_plane: BTreeSet<usize>,
+/// What was seen of one thing that can go wrong.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Fault {
+    /// The worst; none where nothing was seen.
+    pub worst: Option<Worst>,
+    /// All vertices, faces, joints or bones at fault at some setting, by number.
+    pub elements: BTreeSet<usize>,
 }
 
 /// What a survey found.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Survey {
     /// Vertices that are not finite though no row is; the value is their number.
-    pub non_finite: Option<Worst>,
+    pub non_finite: Fault,
     /// Visible faces without area; the value is their number.
-    pub collapsed: Option<Worst>,
-    /// Visible faces that look the other way; the value is their part of the visible area.
-    pub flipped: Option<Worst>,
-    /// Vertex farthest outside the box, in diagonals.
-    pub exploded: Option<Worst>,
-    /// Joint farthest from its place in the skin, in stands.
-    pub drifted: Option<Worst>,
-    /// Shortest bone; the value is 1 / length.
-    pub short_bone: Option<Worst>,
-    /// Plane whose three joints are in line; the value is 1 / sine.
-    pub flat_plane: Option<Worst>,
-    /// Not only the worst of each.
-    pub concerned: Concerned,
+    pub collapsed: Fault,
+    /// Visible faces that look the other way where these are too many; the value is their part of the visible area.
+    pub flipped: Fault,
+    /// Vertices far outside the box; the value is in diagonals.
+    pub exploded: Fault,
+    /// Joints away from their place in the skin; the value is in stands.
+    pub drifted: Fault,
+    /// Bones without length; the value is 1 / length.
+    pub short_bone: Fault,
+    /// Bones whose planes have no normal; the value is 1 / sine.
+    pub flat_plane: Fault,
 }
 
 impl Survey {
@@ -87,30 +75,22 @@ impl Survey {
             (&mut self.short_bone, other.short_bone),
             (&mut self.flat_plane, other.flat_plane),
         ];
-        for (slot, found) in pairs {
-            found.into_iter().for_each(|found| keep(slot, found));
+        for (fault, Fault { worst, elements }) in pairs {
+            if let Some(worst) = worst {
+                fault.add(worst, elements);
+            }
         }
-        self.concerned.merge(other.concerned);
     }
 }
 
-impl Concerned {
-    fn merge(&mut self, other: Self) {
-        self.non_finite.extend(other.non_finite);
-        self.collapsed.extend(other.collapsed);
-        self.flipped.extend(other.flipped);
-        self.exploded.extend(other.exploded);
-        self.drifted.extend(other.drifted);
-        self.short_bone.extend(other.short_bone);
-        self.flat_plane.extend(other.flat_plane);
-    }
-}
-
-/// Keeps the worse; of equals that of the earlier setting, and at one setting the one seen first.
-pub(super) fn keep(slot: &mut Option<Worst>, found: Worst) {
-    let is_worse =
-        |known: &Worst| found.value > known.value || (found.value >= known.value && found.setting < known.setting);
-    if slot.as_ref().is_none_or(is_worse) {
-        *slot = Some(found);
+impl Fault {
+    /// Adds elements. Keeps the worse; of equals that of the earlier setting, and at one setting the one seen first.
+    pub(super) fn add(&mut self, found: Worst, elements: impl IntoIterator<Item = usize>) {
+        let is_worse =
+            |known: &Worst| found.value > known.value || (found.value >= known.value && found.setting < known.setting);
+        if self.worst.as_ref().is_none_or(is_worse) {
+            self.worst = Some(found);
+        }
+        self.elements.extend(elements);
     }
 }

@@ -2,7 +2,7 @@
 
 use super::surveyor::sub;
 use super::symmetry::{MirrorComparison, MirrorDifference};
-use super::vector::Point;
+use super::vector::{Point, length, widen};
 
 /// A row of a target.
 type Row = (u32, Point);
@@ -53,7 +53,7 @@ impl Parts {
         };
         let mut touched: Vec<(u32, u32, Point)> = Vec::new();
         for (vertex, delta) in rows.iter().filter(|(_, delta)| delta.iter().any(|part| *part != 0.0)) {
-            measure.longest = measure.longest.max(length(*delta));
+            measure.longest = measure.longest.max(length(widen(*delta)));
             let at = *vertex as usize;
             if self.body.get(at).is_some_and(|body| *body) {
                 measure.body += 1;
@@ -96,10 +96,10 @@ impl Parts {
     fn tear(&self, group: &[(u32, u32, Point)]) -> Option<(usize, f64)> {
         let (cube, _, first) = *group.first()?;
         let whole = self.cubes.get(cube as usize).map_or(0, Vec::len);
-        let apart = group.iter().map(|(_, _, delta)| length(sub(*delta, first)));
+        let apart = group.iter().map(|(_, _, delta)| length(widen(sub(*delta, first))));
         let mut difference = apart.fold(0.0, f64::max);
         if group.len() < whole {
-            difference = group.iter().map(|(_, _, delta)| length(*delta)).fold(difference, f64::max);
+            difference = group.iter().map(|(_, _, delta)| length(widen(*delta))).fold(difference, f64::max);
         }
         (difference > RIGID_TOLERANCE).then_some((cube as usize, difference))
     }
@@ -119,11 +119,6 @@ pub fn cubes_of<'f>(faces: impl IntoIterator<Item = (&'f str, &'f [u32])>) -> Ve
         (name.to_owned(), vertices)
     };
     cubes.into_iter().map(sorted).collect()
-}
-
-fn length(delta: Point) -> f64 {
-    let [x, y, z] = delta.map(f64::from);
-    (x * x + y * y + z * z).sqrt()
 }
 
 #[cfg(test)]

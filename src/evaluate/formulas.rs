@@ -13,6 +13,7 @@ use crate::eval::measures::Measures;
 use crate::eval::skeleton::Formulas;
 use crate::eval::vector::Point;
 use crate::repo::Layers;
+use crate::repo::makehuman2::Base;
 use crate::source::Limits;
 
 /// A body of layers that can be opened.
@@ -53,7 +54,7 @@ pub(crate) fn measure(
     options: &Config,
 ) -> Option<Measures> {
     let composed = match formulas(application)? {
-        Formulas::Makehuman2 => makehuman2::compose::compose(&makehuman2::base::base(name, layers), rows)?,
+        Formulas::Makehuman2 => makehuman2::compose::compose(&Base::resolve(name, layers), rows)?,
     };
     Some(gauge(&composed, options))
 }
@@ -71,7 +72,7 @@ impl Openable<'_> {
     /// Whether it has a macro system.
     pub(crate) fn has_macros(&self) -> bool {
         match self.formulas {
-            Formulas::Makehuman2 => makehuman2::base::base(self.name, self.layers).macro_file().is_some(),
+            Formulas::Makehuman2 => Base::resolve(self.name, self.layers).macro_file().is_some(),
         }
     }
 
@@ -81,7 +82,7 @@ impl Openable<'_> {
     /// An unusable mesh.
     pub(crate) fn open(&self, limits: Limits) -> Result<Evaluation, Error> {
         match self.formulas {
-            Formulas::Makehuman2 => makehuman2::base::open(&makehuman2::base::base(self.name, self.layers), limits),
+            Formulas::Makehuman2 => makehuman2::base::open(&Base::resolve(self.name, self.layers), limits),
         }
     }
 }

@@ -13,7 +13,7 @@ use crate::eval::rig_measure::{bone_pairs, bones, weights};
 use crate::eval::scene::{MorphTarget, Scene, Setting};
 use crate::eval::settings::{DEFAULT_SAMPLES, moved, plan};
 use crate::eval::skeleton::SceneSkeleton;
-use crate::eval::survey::{Survey, Worst};
+use crate::eval::survey::{Fault, Survey};
 use crate::eval::surveyor::Surveyor;
 use crate::eval::symmetry::{MirrorComparison, MirrorMap};
 use crate::eval::target_measure::{Parts, TargetMeasure, cubes_of};
@@ -95,19 +95,23 @@ fn survey(scene: &Scene, settings: &[Setting]) -> Option<SpaceMeasure> {
         let target = most_moving(scene, settings.get(setting)?, vertices)?;
         scene.targets.get(target).map(|target| target.path.clone())
     };
-    let seen = |worst: Option<Worst>,
-                (elements, all): (Vec<usize>, Vec<String>),
-                name: &dyn Fn(usize) -> String,
-                vertices: &dyn Fn(usize) -> Vec<u32>| {
+    let seen = |Fault { worst, elements }: Fault, vertices: &dyn Fn(usize) -> Vec<u32>| {
         worst.map(|worst| Seen {
-            elements,
-            all,
             value: worst.value,
             element: worst.element,
-            name: name(worst.element),
+            name: String::new(),
             count: worst.count,
+            elements: elements.into_iter().collect(),
+            all: Vec::new(),
             setting: told(worst.setting),
             target: blame(worst.setting, &vertices(worst.element)),
+        })
+    };
+    let named = |seen: Option<Seen>, name: &dyn Fn(usize) -> String, each: &dyn Fn(usize) -> String| {
+        seen.map(|seen| Seen {
+            name: name(seen.element),
+            all: seen.elements.iter().map(|element| each(*element)).collect(),
+            ..seen
         })
     };
     let group = |face: usize| {
@@ -127,20 +131,15 @@ fn survey(scene: &Scene, settings: &[Setting]) -> Option<SpaceMeasure> {
         let joints = bone.map(|bone| [bone.head, bone.tail].into_iter().chain(bone.plane.into_iter().flatten()));
         joints.into_iter().flatten().flat_map(of_joint).collect()
     };
-    let unnamed = |numbers: &BTreeSet<usize>| (numbers.iter().copied().collect(), Vec::new());
-    let all = |numbers: &BTreeSet<usize>, name: &dyn Fn(usize) -> String| {
-        (numbers.iter().copied().collect(), numbers.iter().map(|at| name(*at)).collect())
-    };
     let in_group = |face: usize| format!("{} {face}", group(face));
-    let concerned = &survey.concerned;
     Some(SpaceMeasure {
-        non_finite: seen(survey.non_finite, unnamed(&concerned.non_finite), &|_| String::new(), &vertex),
-        collapsed: seen(survey.collapsed, all(&concerned.collapsed, &in_group), &group, &face),
-        flipped: seen(survey.flipped, all(&concerned.flipped, &group), &group, &face),
-        exploded: seen(survey.exploded, unnamed(&concerned.exploded), &|_| String::new(), &vertex),
-        drifted: seen(survey.drifted, all(&concerned.drifted, &joint), &joint, &of_cube),
-        short_bone: seen(survey.short_bone, all(&concerned.short_bone, &bone), &bone, &of_bone),
-        flat_plane: seen(survey.flat_plane, all(&concerned.flat_plane, &bone), &bone, &of_bone),
+        non_finite: seen(survey.non_finite, &vertex),
+        collapsed: named(seen(survey.collapsed, &face), &group, &in_group),
+        flipped: named(seen(survey.flipped, &face), &group, &group),
+        exploded: seen(survey.exploded, &vertex),
+        drifted: named(seen(survey.drifted, &of_cube), &joint, &joint),
+        short_bone: named(seen(survey.short_bone, &of_bone), &bone, &bone),
+        flat_plane: named(seen(survey.flat_plane, &of_bone), &bone, &bone),
     })
 }
 

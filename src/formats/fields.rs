@@ -1,25 +1,4 @@
-//! Texts split as Python does it, without copying: into lines, and lines at white space, with the offset of each.
-
-use std::ops::Range;
-
-/// All lines of a text, and the bytes of each with its end.
-pub(super) fn lines(text: &[u8]) -> impl Iterator<Item = (Range<usize>, &[u8])> {
-    let mut start = 0;
-    std::iter::from_fn(move || {
-        let rest = text.get(start..).filter(|rest| !rest.is_empty())?;
-        let (line, length) = first_line(rest);
-        start += length;
-        Some((start - length..start, line))
-    })
-}
-
-/// The first line of a text, and its length with its end: `\n`, `\r\n` or a lone `\r`.
-pub(super) fn first_line(text: &[u8]) -> (&[u8], usize) {
-    let length = text.iter().position(|byte| matches!(byte, b'\n' | b'\r')).unwrap_or(text.len());
-    let is_pair = text.get(length..length + 2) == Some(b"\r\n");
-    let (line, tail) = text.split_at(length);
-    (line, length + if is_pair { 2 } else { tail.len().min(1) })
-}
+//! Lines split at white space as Python does it, without copying, with the offset of each field.
 
 /// White space separated fields with their offsets; white space as Python's `split()` has it.
 pub(super) fn fields(line: &[u8]) -> Vec<(usize, &[u8])> {

@@ -1,5 +1,7 @@
 //! Ignores in comments of text formats: `# mhlint: ignore RULE reason`.
 
+use crate::source::lines;
+
 /// Ignores of one file that are kept; a file with more has another problem.
 const MOST: usize = 64;
 
@@ -24,12 +26,9 @@ pub(crate) fn note(line: u32, comment: &[u8], ignores: &mut Vec<InlineIgnore>) {
 /// The ignores in a text whose comments are lines that begin with one of `marks`.
 pub(crate) fn of_lines(text: &[u8], marks: &[&str]) -> Vec<InlineIgnore> {
     let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
-    let end = if text.contains(&b'\n') { b'\n' } else { b'\r' };
-    let lines = (1..).zip(text.split(|byte| *byte == end));
-    let comments = lines.filter_map(|(line, text)| {
-        let text = text.trim_ascii();
-        let comment = marks.iter().find_map(|mark| text.strip_prefix(mark.as_bytes()))?;
-        parse(line, comment)
+    let comments = (1..).zip(lines(text)).filter_map(|(number, (_, line))| {
+        let comment = marks.iter().find_map(|mark| line.trim_ascii().strip_prefix(mark.as_bytes()))?;
+        parse(number, comment)
     });
     comments.take(MOST).collect()
 }

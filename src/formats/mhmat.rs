@@ -5,7 +5,8 @@
 
 use std::ops::Range;
 
-use super::fields::{fields, lines};
+use super::fields::fields;
+use crate::source::lines;
 
 /// The file, as far as rules ask about it.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]

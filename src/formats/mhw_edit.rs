@@ -7,6 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
 use super::mhw_facts::{SUM_TOLERANCE, THRESHOLD};
+use super::stored;
 use crate::diag::Edit;
 use crate::json::{self, Member, Node, Value};
 
@@ -36,9 +37,8 @@ struct Entry {
 }
 
 impl Entry {
-    #[expect(clippy::cast_possible_truncation, reason = "stored as float32, as the application does")]
     fn loaded(&self) -> f32 {
-        self.weight as f32
+        stored(self.weight)
     }
 }
 
@@ -82,8 +82,7 @@ pub(crate) fn merge_weights(text: &[u8]) -> Vec<Edit> {
             let merged = merged(&entries);
             let kept: BTreeSet<(usize, usize)> = merged.iter().map(|(first, ..)| (first.bone, first.at)).collect();
             gone.extend(entries.iter().map(|entry| (entry.bone, entry.at)).filter(|place| !kept.contains(place)));
-            #[expect(clippy::cast_possible_truncation, reason = "stored as float32, as the application does")]
-            let weights: Vec<f32> = merged.iter().map(|(_, weight, _)| *weight as f32).collect();
+            let weights: Vec<f32> = merged.iter().map(|(_, weight, _)| stored(*weight)).collect();
             // A weight that was too large before it was merged has a rule of its own, and stays for it.
             let was_too_large = entries.iter().any(|entry| entry.loaded() > 1.0 + SUM_TOLERANCE);
             if !was_too_large && (is_off(&weights) || weights.iter().any(|weight| *weight > 1.0)) {

@@ -39,6 +39,7 @@ mod target_repeats;
 mod target_row;
 
 pub(crate) use content::Content;
+use number::stored;
 pub(crate) use number::{python_float, python_int};
 pub(crate) use readers::{Input, Parsed};
 #[cfg(test)]

@@ -8,6 +8,7 @@ use std::io::{ErrorKind, Read};
 
 use super::content_hash::ContentHash;
 use super::npy_header::{Literal, parse_header};
+use super::stored;
 
 /// Why an array cannot be used as a target.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -143,9 +144,7 @@ impl Layout {
         let index = self.index.value(row, 0)?;
         let mut delta = [0.0; 3];
         for (at, part) in delta.iter_mut().enumerate() {
-            #[expect(clippy::cast_possible_truncation, reason = "stored as float32, as the application does")]
-            let value = self.vector.value(row, at)? as f32;
-            *part = value;
+            *part = stored(self.vector.value(row, at)?);
         }
         #[expect(clippy::cast_possible_truncation, reason = "saturates; indices fit 32 bits or are left out")]
         Some((index as i64, delta))

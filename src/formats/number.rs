@@ -7,6 +7,13 @@
 const OTHER_ZEROS: [char; 8] =
     ['\u{660}', '\u{6f0}', '\u{966}', '\u{9e6}', '\u{e50}', '\u{ff10}', '\u{17e0}', '\u{1040}'];
 
+/// A number as the applications store it: float32.
+#[expect(clippy::cast_possible_truncation, reason = "stored as float32, as the application does")]
+#[inline]
+pub(super) fn stored(number: f64) -> f32 {
+    number as f32
+}
+
 /// Python's `int(token)`. Beyond 64 bits the value saturates.
 pub(crate) fn python_int(token: &[u8]) -> Option<i64> {
     let text = plain_digits(token)?;

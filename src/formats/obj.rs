@@ -7,9 +7,11 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::faulty_rows::row_name;
-use super::fields::{fields, lines};
+use super::fields::fields;
 pub use super::obj_facts::{BadLine, MeshFacts, Reopened};
-use super::{python_float, python_int};
+use super::target::MeshSize;
+use super::{python_float, python_int, stored};
+use crate::source::lines;
 
 /// The group of faces before any `g`.
 pub const DEFAULT_GROUP: &str = "mh_default";
@@ -80,6 +82,12 @@ impl Mesh {
             && facts.face_out_of_range.count == 0
             && facts.vertices > 0
             && !self.faces.is_empty()
+    }
+
+    /// How many vertices there are to be moved.
+    pub fn size(&self) -> MeshSize {
+        let vertices = self.facts.vertices;
+        MeshSize { vertices, with_seams: vertices + self.facts.seam_duplicates }
     }
 }
 
@@ -266,10 +274,7 @@ fn floats<'a, const N: usize>(words: impl Iterator<Item = &'a [u8]>) -> Option<[
     let mut values = [0.0; N];
     let mut filled = 0;
     for (slot, word) in values.iter_mut().zip(words) {
-        #[expect(clippy::cast_possible_truncation, reason = "stored as float32, as the application does")]
-        {
-            *slot = python_float(word)? as f32;
-        }
+        *slot = stored(python_float(word)?);
         filled += 1;
     }
     (filled == N).then_some(values)

@@ -6,13 +6,13 @@
 
 use super::content_hash::ContentHash;
 use super::faulty_rows::row_name;
-use super::fields::{fields, first_line};
+use super::fields::fields;
 use super::inline_ignore::{self, InlineIgnore};
 pub use super::target_facts::{Largest, TargetFacts, UnreadableField};
 use super::target_repeats::{moves, repeats};
 use super::target_row::fast_row;
-use super::{python_float, python_int};
-use crate::source::Encoding;
+use super::{python_float, python_int, stored};
+use crate::source::{Encoding, first_line};
 
 /// A parsed target.
 #[derive(Debug, Clone, Default)]
@@ -136,8 +136,7 @@ impl Parser {
         let parsed = python_int(index).ok_or(0);
         let floats = [x, y, z].map(|(_, token)| python_float(token));
         match (parsed, floats) {
-            #[expect(clippy::cast_possible_truncation, reason = "stored as float32, as the application does")]
-            (Ok(index), [Some(x), Some(y), Some(z)]) => self.row(line, index, [x as f32, y as f32, z as f32]),
+            (Ok(index), [Some(x), Some(y), Some(z)]) => self.row(line, index, [x, y, z].map(stored)),
             (parsed, floats) => {
                 let bad = if parsed.is_err() {
                     fields.first()

@@ -3,9 +3,10 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
-use super::fields::{fields, lines};
-use super::{python_float, python_int};
+use super::fields::fields;
+use super::{python_float, python_int, stored};
 use crate::diag::Edit;
+use crate::source::lines;
 
 /// A row that the loader takes for data, and the bytes of its line.
 struct Row {
@@ -48,9 +49,7 @@ fn row(line: &[u8]) -> Option<(Option<u32>, bool)> {
     let index = python_int(index)?;
     let mut is_zero = true;
     for (_, delta) in deltas {
-        #[expect(clippy::cast_possible_truncation, reason = "stored as float32, as the application does")]
-        let delta = python_float(delta)? as f32;
-        is_zero &= delta == 0.0;
+        is_zero &= stored(python_float(delta)?) == 0.0;
     }
     Some((u32::try_from(index).ok(), is_zero))
 }

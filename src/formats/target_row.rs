@@ -3,6 +3,7 @@
 //! Gets bytes at the beginning of a line, returns the row and the bytes consumed, or nothing for any
 //! line that is written otherwise; then the slow path decides. Both must agree on every row.
 
+use super::stored;
 use super::target::Row;
 
 /// The plain row `INDEX X Y Z`, single blanks, at most nine digits a number: nearly every line of every
@@ -61,6 +62,5 @@ fn fast_decimal(text: &[u8]) -> Option<(f32, usize)> {
         return None;
     }
     let value = f64::from(mantissa) / POWERS.get(digits - point.unwrap_or(digits))?;
-    #[expect(clippy::cast_possible_truncation, reason = "stored as float32, as the application does")]
-    Some((if negative { -value } else { value } as f32, at))
+    Some((stored(if negative { -value } else { value }), at))
 }

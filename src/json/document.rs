@@ -206,11 +206,7 @@ impl Node {
     }
 
     fn step(&self, step: &str) -> Option<&Self> {
-        match &self.value {
-            Value::Object(_) => self.get(step),
-            Value::Array(elements) => elements.get(step.parse::<usize>().ok()?),
-            _ => None,
-        }
+        self.get(step).or_else(|| self.elements().get(step.parse::<usize>().ok()?))
     }
 }
 

@@ -1,10 +1,29 @@
-//! Byte offsets to lines, columns and excerpts, as late as possible: only for what is printed.
+//! Texts to lines; and byte offsets to lines, columns and excerpts, as late as possible: only for what is printed.
 //!
 //! Lines end as in the applications (Python's universal newlines): `\n`, `\r\n` or a lone `\r`.
 
 use std::ops::Range;
 
 use crate::diag::Excerpt;
+
+/// All lines of a text, and the bytes of each with its end.
+pub(crate) fn lines(text: &[u8]) -> impl Iterator<Item = (Range<usize>, &[u8])> {
+    let mut start = 0;
+    std::iter::from_fn(move || {
+        let rest = text.get(start..).filter(|rest| !rest.is_empty())?;
+        let (line, length) = first_line(rest);
+        start += length;
+        Some((start - length..start, line))
+    })
+}
+
+/// The first line of a text, and its length with its end: `\n`, `\r\n` or a lone `\r`.
+pub(crate) fn first_line(text: &[u8]) -> (&[u8], usize) {
+    let length = text.iter().position(|byte| matches!(byte, b'\n' | b'\r')).unwrap_or(text.len());
+    let is_pair = text.get(length..length + 2) == Some(b"\r\n");
+    let (line, tail) = text.split_at(length);
+    (line, length + if is_pair { 2 } else { tail.len().min(1) })
+}
 
 /// Longest line that is quoted; longer ones (minified or bulk data) say nothing to a reader.
 const LONGEST_QUOTED_LINE: usize = 400;
@@ -33,7 +52,8 @@ pub(crate) struct Lines<'t> {
 impl<'t> Lines<'t> {
     /// The lines of a text.
     pub(crate) fn of(bytes: &'t [u8]) -> Self {
-        let starts = std::iter::successors(Some(0), |start| next_line(bytes, *start)).collect();
+        let ended = lines(bytes).filter(|(range, line)| range.len() > line.len());
+        let starts = std::iter::once(0).chain(ended.map(|(range, _)| range.end)).collect();
         Self { bytes, starts, counted: counted(bytes) }
     }
 
@@ -115,15 +135,6 @@ fn counted(bytes: &[u8]) -> Vec<(usize, usize)> {
         characters += usize::from(!chunk.invalid().is_empty());
     }
     counted
-}
-
-fn next_line(bytes: &[u8], from: usize) -> Option<usize> {
-    let rest = bytes.get(from..)?;
-    let end = from + rest.iter().position(|byte| matches!(byte, b'\n' | b'\r'))?;
-    match (bytes.get(end)?, bytes.get(end + 1)) {
-        (b'\r', Some(b'\n')) => Some(end + 2),
-        _ => Some(end + 1),
-    }
 }
 
 #[cfg(test)]

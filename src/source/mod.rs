@@ -21,7 +21,7 @@ pub use tree::Tree;
 
 pub(crate) use folder::{Folder, holds, is_below};
 pub(crate) use gunzip::{GzipFault, gunzip, try_gunzip};
-pub(crate) use lines::Lines;
+pub(crate) use lines::{Lines, first_line, lines};
 pub(crate) use place::{canonical, folder_of, link_targets, own_place, resolved, slashed};
 pub(crate) use tree::{Entry, EntryKind, ReadFault, WalkFault, WalkFaultKind, read_file};
 pub(crate) use zip_size::zip_bomb;

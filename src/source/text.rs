@@ -1,5 +1,7 @@
 //! What a text file is before any format looks at it: encoding, byte order mark, stand-ins.
 
+use super::lines::lines;
+
 /// First bytes of the stand-in that Git LFS leaves when the content was not fetched.
 const LFS_POINTER: &[u8] = b"version https://git-lfs.github.com/spec/";
 const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
@@ -34,21 +36,17 @@ impl Encoding {
         let invalid_utf8_at = std::str::from_utf8(bytes).err().map(|error| error.valid_up_to());
         let content = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes);
         let blank = content.iter().all(u8::is_ascii_whitespace);
+        let says_nothing = |line: &[u8]| line.is_empty() || line.starts_with(b"#");
         Self {
             byte_order_mark,
             invalid_utf8_at,
             lfs_pointer: bytes.starts_with(LFS_POINTER),
             blank,
-            only_comments: !blank && lines(content).all(|line| line.is_empty() || line.starts_with(b"#")),
+            only_comments: !blank && lines(content).all(|(_, line)| says_nothing(line.trim_ascii())),
             guess: invalid_utf8_at.map(|_| guess(bytes)),
-            marked_words: if byte_order_mark { marked_words(bytes) } else { Vec::new() },
+            marked_words: if byte_order_mark { marked_words(content) } else { Vec::new() },
         }
     }
-}
-
-/// Lines without white space at their ends.
-fn lines(bytes: &[u8]) -> impl Iterator<Item = &[u8]> {
-    bytes.split(|byte| matches!(byte, b'\n' | b'\r')).map(<[u8]>::trim_ascii)
 }
 
 /// UTF-16 shows by its mark or by the zeros between Latin letters; the rest is some single-byte code.
@@ -63,10 +61,9 @@ fn guess(bytes: &[u8]) -> &'static str {
     }
 }
 
-fn marked_words(bytes: &[u8]) -> Vec<String> {
-    let first = bytes.get(BYTE_ORDER_MARK.len()..).and_then(|rest| lines(rest).next()).unwrap_or_default();
-    let text = String::from_utf8_lossy(first);
-    text.split_whitespace().take(MARKED_WORDS).map(str::to_owned).collect()
+fn marked_words(content: &[u8]) -> Vec<String> {
+    let first = lines(content).map(|(_, line)| String::from_utf8_lossy(line)).next().unwrap_or_default();
+    first.split_whitespace().take(MARKED_WORDS).map(str::to_owned).collect()
 }
 
 #[cfg(test)]

@@ -106,14 +106,7 @@ impl Tree {
     pub fn on_disk_to_depth(label: impl Into<String>, root: impl Into<PathBuf>, depth: usize, wanted: Wanted) -> Self {
         let root = root.into();
         let (entries, faults) = walk::walk(&root, depth, wanted);
-        Self {
-            label: label.into(),
-            backend: Backend::Disk(root),
-            entries,
-            faults,
-            changed: BTreeMap::new(),
-            seen: None,
-        }
+        Self::new(label.into(), Backend::Disk(root), entries, faults)
     }
 
     /// A tree of files held in memory: `Vec<u8>`, or `Arc<[u8]>` where several trees share their bytes. A path that ends
@@ -123,14 +116,12 @@ impl Tree {
         files: impl IntoIterator<Item = (String, B)>,
     ) -> Self {
         let files: BTreeMap<_, _> = files.into_iter().map(|(path, bytes)| (path, bytes.into())).collect();
-        Self {
-            label: label.into(),
-            entries: memory_entries(&files),
-            backend: Backend::Memory(files),
-            faults: Vec::new(),
-            changed: BTreeMap::new(),
-            seen: None,
-        }
+        let entries = memory_entries(&files);
+        Self::new(label.into(), Backend::Memory(files), entries, Vec::new())
+    }
+
+    fn new(label: String, backend: Backend, entries: Vec<Entry>, faults: Vec<WalkFault>) -> Self {
+        Self { label, backend, entries, faults, changed: BTreeMap::new(), seen: None }
     }
 
     /// What reports put before the paths; empty for the working directory.

@@ -1,12 +1,9 @@
 //! `mhlint eval`: numbers that the application would show, for anyone to check.
 
 mod args;
+mod base;
 mod cases;
 mod fit;
-mod macros;
-mod mesh;
-mod skeleton;
-mod skin;
 mod weights;
 mod write;
 
@@ -24,11 +21,11 @@ use args::{BaseArgs, SettingArgs};
 /// Runs one of the commands.
 pub(super) fn run(command: &EvalCommand, out: &mut dyn Write, err: &mut dyn Write) -> Result<Exit, Failure> {
     match command {
-        EvalCommand::Macros(args) => macros::run(args, out),
-        EvalCommand::Mesh(args) => mesh::run(args, out),
-        EvalCommand::Skeleton(args) => skeleton::run(args, out),
+        EvalCommand::Macros(args) => base::macros(args, out),
+        EvalCommand::Mesh(args) => base::mesh(args, out),
+        EvalCommand::Skeleton(args) => base::skeleton(args, out),
         EvalCommand::Weights(args) => weights::run(args, out),
-        EvalCommand::Skin(args) => skin::run(args, out),
+        EvalCommand::Skin(args) => base::skin(args, out),
         EvalCommand::Fit(args) => fit::run(args, out),
         EvalCommand::Cases(args) => return cases::run(args, out, err),
     }?;

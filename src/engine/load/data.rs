@@ -1,6 +1,6 @@
 //! The data roots of a run with their layers, and which lies over which.
 
-use super::layer::{MeshSizes, load, load_targets};
+use super::layer::{MeshSizes, load, read_all};
 use super::place::Place;
 use super::roots::Roots;
 use super::stack::{Roles, Stack, roles, stacks};
@@ -56,9 +56,12 @@ impl<'t> Loaded<'t> {
         self.narrow.is_empty() || self.narrow.iter().any(|narrow| is_below(path, narrow))
     }
 
-    /// Reads the bulk of one base, and gives its rows if they are to be kept.
+    /// Reads the bulk of one base (`None`: of no base): its targets. Gives their rows if they are to be kept.
     pub(in crate::engine) fn load_targets(&mut self, base: Option<&str>, limits: &Limits, keep_rows: bool) -> Rows {
-        load_targets(&self.place, &mut self.layer, base, &self.sizes, limits, keep_rows)
+        let bulk = self.place.bulk_of(base).collect();
+        let (files, rows) = read_all(self.place.tree, bulk, limits, &self.sizes, keep_rows);
+        self.layer.add(files);
+        rows
     }
 }
 

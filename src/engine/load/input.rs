@@ -51,19 +51,14 @@ pub(in crate::engine) fn open_system(path: &Path) -> Result<Tree, Error> {
 fn open_one(path: &Path, applications: &[Application]) -> Result<(PathBuf, Input), Error> {
     let place = canonical(path)?;
     let here = label(path);
-    if place.is_dir() {
-        let tree = Tree::on_disk(here.clone(), path, is_read_though_hidden);
-        if !roots_of(&tree, |_| true).is_empty() {
-            return Ok((place, Input::whole(tree)));
-        }
-    }
-    if let Some(above) = open_above(path, &place, &here, applications) {
-        return Ok(above);
-    }
     if place.is_file() {
-        return Ok(open_beside(path, &place, &here));
+        let above = open_above(path, &place, &here, applications);
+        return Ok(above.unwrap_or_else(|| open_beside(path, &place, &here)));
     }
-    Ok((place, Input::whole(Tree::on_disk(here, path, is_read_though_hidden))))
+    let tree = Tree::on_disk(here.clone(), path, is_read_though_hidden);
+    let is_no_root = roots_of(&tree, |_| true).is_empty();
+    let above = if is_no_root { open_above(path, &place, &here, applications) } else { None };
+    Ok(above.unwrap_or_else(|| (place, Input::whole(tree))))
 }
 
 /// A file that lies in no data root, with those beside it: they may belong together.

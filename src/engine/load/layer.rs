@@ -7,13 +7,14 @@ use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use rayon::prelude::*;
+use xxhash_rust::xxh3::xxh3_64;
 
 use super::place::Place;
 use super::read;
 use crate::discover::{Candidate, Kind};
 use crate::evaluate::Rows;
 use crate::formats::Needs;
-use crate::formats::target::MeshSize;
+use crate::formats::target::{MeshSize, Row};
 use crate::repo::{FileFacts, Layer};
 use crate::source::{Limits, Tree, WalkFault, WalkFaultKind};
 
@@ -32,29 +33,16 @@ pub(super) fn load(place: &Place<'_>, limits: &Limits, mut sizes: MeshSizes) -> 
     (layer, sizes)
 }
 
-/// Reads the bulk of one base (`None`: of no base) into `layer`: its targets. Gives their rows by printed path if they
-/// are to be kept.
-pub(super) fn load_targets(
-    place: &Place<'_>,
-    layer: &mut Layer,
-    base: Option<&str>,
-    sizes: &MeshSizes,
-    limits: &Limits,
-    keep_rows: bool,
-) -> Rows {
-    let (files, rows) = read_all(place.tree, place.bulk_of(base).collect(), limits, sizes, keep_rows);
-    layer.add(files);
-    rows
-}
-
 /// Enters the targets into `layer` without reading them.
 pub(in crate::engine) fn list_targets(place: &Place<'_>, layer: &mut Layer) {
     layer.add(place.bulk().map(|file| (file.rel.to_string(), read::unread(place.tree, file))).collect());
 }
 
+/// Files by their path relative to the root.
 type ByRel = BTreeMap<String, FileFacts>;
 
-fn read_all(
+/// Reads files; gives the rows of targets by printed path if they are to be kept.
+pub(super) fn read_all(
     tree: &Tree,
     mut files: Vec<&Candidate<'_>>,
     limits: &Limits,
@@ -63,28 +51,29 @@ fn read_all(
 ) -> (ByRel, Rows) {
     // The biggest first, so that no thread starts on a large file when the others are done.
     files.sort_by_key(|file| Reverse(file.entry.size));
-    let readings: Vec<read::Reading> = files
+    let readings: Vec<(FileFacts, Vec<Row>)> = files
         .into_par_iter()
         .with_max_len(1)
         .map(|file| {
             let read = || read::read(tree, file, limits, size_for(file, sizes));
-            let mut reading = catch_unwind(AssertUnwindSafe(read)).unwrap_or_else(|_| read::panicked(tree, file));
+            let read = catch_unwind(AssertUnwindSafe(read));
+            let (facts, mut rows) = read.unwrap_or_else(|_| (read::panicked(tree, file), Vec::new()));
             if !keep_rows {
-                reading.rows = Vec::new();
+                rows = Vec::new();
             }
-            reading.rows.shrink_to_fit();
-            reading
+            rows.shrink_to_fit();
+            (facts, rows)
         })
         .collect();
     let mut files = ByRel::new();
-    let mut rows = Rows::new();
-    for reading in readings {
-        if keep_rows && !reading.rows.is_empty() {
-            rows.insert(reading.facts.path.clone(), reading.rows);
+    let mut kept = Rows::new();
+    for (facts, rows) in readings {
+        if !rows.is_empty() {
+            kept.insert(facts.path.clone(), rows);
         }
-        files.insert(reading.facts.rel.clone(), reading.facts);
+        files.insert(facts.rel.clone(), facts);
     }
-    (files, rows)
+    (files, kept)
 }
 
 /// Size of the mesh that a file is measured against.
@@ -97,14 +86,7 @@ fn own_sizes(files: &ByRel) -> MeshSizes {
     let own = files.values().filter(|file| file.kind == Kind::BaseMesh);
     let meshes = own.filter_map(|file| Some((file.base()?.to_owned(), file.mesh()?)));
     // Against a damaged mesh every index would be wrong; the mesh itself is the fault then.
-    let meshes = meshes.filter(|(_, mesh)| mesh.is_sound());
-    meshes
-        .map(|(base, mesh)| {
-            let vertices = mesh.facts.vertices;
-            let size = MeshSize { vertices, with_seams: vertices + mesh.facts.seam_duplicates };
-            (base, size)
-        })
-        .collect()
+    meshes.filter(|(_, mesh)| mesh.is_sound()).map(|(base, mesh)| (base, mesh.size())).collect()
 }
 
 /// Pictures are compared by content only where their sizes are equal; others need no reading.
@@ -116,7 +98,8 @@ fn hash_equal_sizes(place: &Place<'_>, files: &mut ByRel, limits: &Limits) {
         }
     }
     let twins: Vec<_> = by_size.into_values().filter(|twins| twins.len() > 1).flatten().collect();
-    let hashes: Vec<_> = twins.into_par_iter().map(|file| (file, read::hash(place.tree, file, limits))).collect();
+    let hash = |file: &Candidate<'_>| place.tree.read(file.entry, limits).ok().map(|bytes| xxh3_64(&bytes));
+    let hashes: Vec<_> = twins.into_par_iter().map(|file| (file, hash(file))).collect();
     for (candidate, hash) in hashes {
         if let Some(file) = files.get_mut(&*candidate.rel) {
             file.content_hash = hash;

@@ -1,49 +1,53 @@
 //! One file: bytes to facts. A panic of ours in here is caught and becomes a finding of that file.
 
-use xxhash_rust::xxh3::xxh3_64;
-
 use crate::discover::Candidate;
-use crate::formats::json_file::{JsonFacts, JsonFault};
+use crate::formats::json_file::JsonFault;
 use crate::formats::target::{MeshSize, Row};
-use crate::formats::{Content, Input, Parsed};
-use crate::json::SchemaFaults;
+use crate::formats::{Input, Parsed};
 use crate::repo::FileFacts;
 use crate::source::{Encoding, Limits, ReadFault, Tree};
 
 /// Smaller files are read even when only their size would matter: they may be stand-ins for the content.
 const STAND_IN_BYTES: u64 = 512;
 
-/// A file read: its facts, and its rows if it is a target.
-pub(in crate::engine) struct Reading {
-    pub(in crate::engine) facts: FileFacts,
-    pub(in crate::engine) rows: Vec<Row>,
-}
-
-/// Reads one file; `mesh` is the size of the mesh it is for.
-pub(in crate::engine) fn read(tree: &Tree, file: &Candidate<'_>, limits: &Limits, mesh: Option<MeshSize>) -> Reading {
-    let mut reading = Reading { facts: unread(tree, file), rows: Vec::new() };
-    let format = reading.facts.kind.format();
-    if !format.is_read() && reading.facts.size >= STAND_IN_BYTES {
-        return reading;
+/// Reads one file, with its rows if it is a target; `mesh` is the size of the mesh it is for.
+pub(super) fn read(
+    tree: &Tree,
+    file: &Candidate<'_>,
+    limits: &Limits,
+    mesh: Option<MeshSize>,
+) -> (FileFacts, Vec<Row>) {
+    let format = file.kind().format();
+    if !format.is_read() && file.entry.size >= STAND_IN_BYTES {
+        return (unread(tree, file), Vec::new());
     }
-    match tree.read(file.entry, limits) {
-        Ok(bytes) => {
-            reading.facts.encoding = Encoding::of(&bytes);
-            let input = Input { bytes: &bytes, encoding: &reading.facts.encoding, limits, mesh };
-            reading.take(format.read(&input));
-        }
-        Err(fault) => reading.facts.unreadable = Some(fault),
-    }
-    reading
-}
-
-/// Hash of a file's bytes, for files that only their content matters of.
-pub(super) fn hash(tree: &Tree, file: &Candidate<'_>, limits: &Limits) -> Option<u64> {
-    tree.read(file.entry, limits).ok().map(|bytes| xxh3_64(&bytes))
+    let bytes = match tree.read(file.entry, limits) {
+        Ok(bytes) => bytes,
+        Err(fault) => return (FileFacts { unreadable: Some(fault), ..unread(tree, file) }, Vec::new()),
+    };
+    let encoding = Encoding::of(&bytes);
+    let mut parsed = format.read(&Input { bytes: &bytes, encoding: &encoding, limits, mesh });
+    let rows = std::mem::take(&mut parsed.rows);
+    (facts(tree, file, encoding, parsed), rows)
 }
 
 /// The facts of a file that is not read.
 pub(super) fn unread(tree: &Tree, file: &Candidate<'_>) -> FileFacts {
+    facts(tree, file, Encoding::default(), Parsed::default())
+}
+
+/// A stand-in for a file on which a parser of ours panicked.
+pub(super) fn panicked(tree: &Tree, file: &Candidate<'_>) -> FileFacts {
+    FileFacts {
+        // That it failed is the reason.
+        unreadable: Some(ReadFault::Unreadable(String::new())),
+        failed: true,
+        content: file.kind().format().without(JsonFault::Empty),
+        ..unread(tree, file)
+    }
+}
+
+fn facts(tree: &Tree, file: &Candidate<'_>, encoding: Encoding, parsed: Parsed) -> FileFacts {
     FileFacts {
         path: tree.shown(&file.entry.path),
         rel: file.rel.to_string(),
@@ -53,13 +57,13 @@ pub(super) fn unread(tree: &Tree, file: &Candidate<'_>) -> FileFacts {
         size: file.entry.size,
         unreadable: None,
         failed: false,
-        gzip_fault: None,
-        encoding: Encoding::default(),
-        json: JsonFacts::default(),
-        schema: SchemaFaults::default(),
-        ignores: Vec::new(),
-        content_hash: None,
-        content: Content::Unread,
+        gzip_fault: parsed.gzip_fault,
+        encoding,
+        json: parsed.json,
+        schema: parsed.schema,
+        ignores: parsed.ignores,
+        content_hash: parsed.content_hash,
+        content: parsed.content,
     }
 }
 
@@ -67,27 +71,4 @@ pub(super) fn unread(tree: &Tree, file: &Candidate<'_>) -> FileFacts {
 fn link_to(file: &Candidate<'_>) -> Option<String> {
     let root = file.entry.path.strip_suffix(&*file.rel)?;
     file.entry.link_to.as_ref()?.strip_prefix(root).map(str::to_owned)
-}
-
-impl Reading {
-    fn take(&mut self, parsed: Parsed) {
-        let facts = &mut self.facts;
-        facts.content = parsed.content;
-        facts.gzip_fault = parsed.gzip_fault;
-        facts.json = parsed.json;
-        facts.schema = parsed.schema;
-        facts.ignores = parsed.ignores;
-        facts.content_hash = parsed.content_hash;
-        self.rows = parsed.rows;
-    }
-}
-
-/// A stand-in for a file on which a parser of ours panicked.
-pub(super) fn panicked(tree: &Tree, file: &Candidate<'_>) -> Reading {
-    let mut facts = unread(tree, file);
-    // That it failed is the reason.
-    facts.unreadable = Some(ReadFault::Unreadable(String::new()));
-    facts.failed = true;
-    facts.content = facts.kind.format().without(JsonFault::Empty);
-    Reading { facts, rows: Vec::new() }
 }

@@ -40,7 +40,7 @@ pub fn read_asset(path: &Path) -> Result<Asset, Error> {
         let reason = format!("`{}`, line {}: {}", shown(path), fault.line, fault.kind);
         return Err(stops(exception, reason));
     }
-    let name = clothes.file("obj_file").ok_or_else(|| Error::file(shown(path), "it names no obj_file"))?;
+    let name = clothes.obj_file.as_ref().ok_or_else(|| Error::file(shown(path), "it names no obj_file"))?;
     let obj_path = path.parent().unwrap_or(Path::new("")).join(name);
     let mesh = obj::parse(&read_text(&obj_path)?);
     if let Some(bad) = mesh.facts.unreadable.first() {

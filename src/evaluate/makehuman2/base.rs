@@ -10,7 +10,6 @@ use crate::eval::vector::Point;
 use crate::evaluate::outputs::rounded;
 use crate::evaluate::{Error, Evaluation};
 use crate::formats::macro_json::MacroFile;
-use crate::formats::target::MeshSize;
 use crate::repo::makehuman2::{Base, BoundSlider};
 use crate::repo::{FileFacts, Layers};
 use crate::source::Limits;
@@ -19,11 +18,6 @@ use super::compose::compose;
 use super::stops;
 use crate::evaluate::Rows;
 use crate::evaluate::data::SkeletonFile;
-
-/// The base of a name as it is seen through layers.
-pub(in crate::evaluate) fn base<'a>(name: &'a str, layers: Layers<'a>) -> Base<'a> {
-    Base::resolve(name, layers.system, layers.user)
-}
 
 /// Names of the bases that have a mesh.
 pub(in crate::evaluate) fn with_mesh(layers: Layers<'_>) -> BTreeSet<&str> {
@@ -43,13 +37,12 @@ pub(in crate::evaluate) fn open(base: &Base<'_>, limits: Limits) -> Result<Evalu
         return Err(Error::file(&file.path, format!("line {}: {} (`{}`)", bad.line, bad.what, bad.text)));
     }
     let scene = compose(base, &mut Rows::new()).ok_or_else(no_mesh)?.scene;
-    let vertices = mesh.facts.vertices;
     Ok(Evaluation {
         formulas: Formulas::Makehuman2,
         trees: Vec::new(),
         limits,
         base: name.to_owned(),
-        size: MeshSize { vertices, with_seams: vertices + mesh.facts.seam_duplicates },
+        size: mesh.size(),
         keys: base.sliders.iter().map(key_and_patterns).collect(),
         macros: macros_of(base, &scene),
         mesh_path: file.path.clone(),

@@ -13,12 +13,8 @@ pub use reader::parse;
 /// The file.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Clothes {
-    /// Keywords with a text or a file name in file order, tags included: keyword, rest of the line, line.
-    pub texts: Vec<Text>,
-    /// The author that the asset library shows: of a line `# author …`.
-    pub comment_author: Option<Text>,
-    /// `z_depth`, as far as it is an integer.
-    pub z_depth: Option<i64>,
+    /// `obj_file`: the first word of the last such line.
+    pub obj_file: Option<String>,
     /// `x_scale`, `y_scale`, `z_scale`.
     pub scales: [Option<Scale>; 3],
     /// The vertex lines: one for each vertex of the asset.
@@ -27,21 +23,6 @@ pub struct Clothes {
     pub deleted: Vec<(i64, i64)>,
     /// What the loader stops at or drops.
     pub faults: Vec<Fault>,
-    /// Keywords that the loader does not know: the word and its line.
-    pub unknown: Vec<(String, u32)>,
-}
-
-/// A keyword with text.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Text {
-    /// The keyword without colon.
-    pub keyword: String,
-    /// Rest of the line, words joined by one blank.
-    pub text: String,
-    /// Line from 1.
-    pub line: u32,
-    /// Whether a colon follows the keyword, which the asset library does not accept.
-    pub colon: bool,
 }
 
 /// Two base vertices and the distance they had on an axis.
@@ -123,16 +104,6 @@ impl fmt::Display for FaultKind {
 }
 
 impl Clothes {
-    /// Text of a keyword; of several the last.
-    pub fn text(&self, keyword: &str) -> Option<&str> {
-        self.texts.iter().rev().find(|text| text.keyword == keyword).map(|text| text.text.as_str())
-    }
-
-    /// First word behind a keyword that names a file.
-    pub fn file(&self, keyword: &str) -> Option<&str> {
-        self.text(keyword)?.split(' ').next().filter(|word| !word.is_empty())
-    }
-
     /// The first line that stops the application.
     pub fn stops_at(&self) -> Option<(&Fault, &'static str)> {
         self.faults.iter().find_map(|fault| Some((fault, fault.kind.effect()?)))
@@ -152,9 +123,7 @@ mod tests {
         let text = "# author Ann Ex\nname: a shirt\nuuid 1\nobj_file shirt.obj\nx_scale 1 2 3.5\ny_scale 1\nverts 0\n\
             5\n0 1 2 .5 .25 .25\n0 1 2 1 0 0 .1 .2 .3\n-5\n1 2\n# note\ndelete_verts\n1 2 - 4\n- 6\nname x\n";
         let clothes = parse(text.as_bytes());
-        assert_eq!(clothes.text("name"), Some("a shirt"));
-        assert_eq!(clothes.file("obj_file"), Some("shirt.obj"));
-        assert_eq!(clothes.comment_author.unwrap().text, "Ann Ex");
+        assert_eq!(clothes.obj_file.as_deref(), Some("shirt.obj"));
         assert_eq!(clothes.scales[0].unwrap().vertices, [1, 2]);
         let lines: Vec<u32> = clothes.references.iter().map(|reference| reference.line).collect();
         assert_eq!(lines, [8, 9, 10]);

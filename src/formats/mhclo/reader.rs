@@ -1,8 +1,9 @@
 //! The lines of an asset in turn: which section they stand in decides what they are.
 
-use super::{Clothes, Fault, FaultKind, Reference, Scale, Text};
+use super::{Clothes, Fault, FaultKind, Reference, Scale};
 use crate::formats::fields::fields;
-use crate::formats::{python_float, python_int};
+use crate::formats::{python_float, python_int, stored};
+use crate::source::lines;
 
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Section {
@@ -20,26 +21,11 @@ struct Reader {
     range: bool,
 }
 
-const TEXTS: [&str; 11] = [
-    "name",
-    "uuid",
-    "description",
-    "author",
-    "license",
-    "homepage",
-    "tag",
-    "obj_file",
-    "material",
-    "vertexboneweights_file",
-    "version",
-];
-const IGNORED: [&str; 4] = ["basemesh", "max_pole", "shapekey", "z_depth"];
-
 /// Parses an asset.
 pub fn parse(text: &[u8]) -> Clothes {
     let mut reader =
         Reader { clothes: Clothes::default(), section: Section::Header, line: 0, last: None, range: false };
-    for line in text.split(|byte| *byte == b'\n') {
+    for (_, line) in lines(text) {
         reader.line = reader.line.saturating_add(1);
         let words: Vec<&[u8]> = fields(line).into_iter().map(|(_, word)| word).collect();
         reader.take(&words);
@@ -51,20 +37,15 @@ impl Reader {
     fn take(&mut self, words: &[&[u8]]) {
         let [first, rest @ ..] = words else { return };
         if first.starts_with(b"#") {
-            return self.comment(first, rest);
+            return;
         }
-        let colon = first.ends_with(b":");
-        let keyword =
-            String::from_utf8_lossy(if colon { first.get(..first.len() - 1).unwrap_or(first) } else { first });
+        let keyword = String::from_utf8_lossy(first.strip_suffix(b":").unwrap_or(first));
         match (self.section, keyword.as_ref()) {
             (_, "verts") => self.section = Section::Vertices,
             (Section::Deleted, _) => self.delete(words),
             (_, "delete_verts") => self.section = Section::Deleted,
             (Section::Vertices, word) if is_numeric(word) => self.vertex(words),
-            (_, word) => {
-                let word = word.to_owned();
-                self.keyword(&word, rest, colon);
-            }
+            (_, word) => self.keyword(word, rest),
         }
     }
 
@@ -72,45 +53,22 @@ impl Reader {
         self.clothes.faults.push(Fault { line: self.line, kind });
     }
 
-    fn comment(&mut self, first: &[u8], rest: &[&[u8]]) {
-        let inner = first.strip_prefix(b"#").filter(|inner| !inner.is_empty());
-        let words: Vec<&[u8]> = inner.into_iter().chain(rest.iter().copied()).collect();
-        if let [key, text @ ..] = words.as_slice()
-            && key.starts_with(b"author")
-        {
-            self.clothes.comment_author =
-                Some(Text { keyword: "author".to_owned(), text: joined(text), line: self.line, colon: false });
-        }
-    }
-
-    fn keyword(&mut self, word: &str, rest: &[&[u8]], colon: bool) {
+    fn keyword(&mut self, word: &str, rest: &[&[u8]]) {
         match word {
+            "obj_file" => self.clothes.obj_file = rest.first().map(|name| String::from_utf8_lossy(name).into_owned()),
             "x_scale" => self.scale(0, rest),
             "y_scale" => self.scale(1, rest),
             "z_scale" => self.scale(2, rest),
             "weights" => self.fault(FaultKind::OldFormat),
-            _ if TEXTS.contains(&word) || IGNORED.contains(&word) => {
-                let text = Text { keyword: word.to_owned(), text: joined(rest), line: self.line, colon };
-                self.clothes.texts.push(text);
-                if matches!(word, "z_depth" | "version") {
-                    self.integer(word, rest);
-                }
+            "z_depth" | "version" => match rest.first().map(|value| python_int(value)) {
+                Some(Some(_)) => {}
+                Some(None) => self.fault(FaultKind::NoNumber),
+                None => self.fault(FaultKind::MissingValue),
+            },
+            word if self.section == Section::Vertices && !word.starts_with(char::is_alphabetic) => {
+                self.fault(FaultKind::Dropped);
             }
-            _ => {
-                if self.section == Section::Vertices && !word.starts_with(char::is_alphabetic) {
-                    self.fault(FaultKind::Dropped);
-                }
-                self.clothes.unknown.push((word.to_owned(), self.line));
-            }
-        }
-    }
-
-    fn integer(&mut self, word: &str, rest: &[&[u8]]) {
-        match rest.first().map(|value| python_int(value)) {
-            Some(Some(depth)) if word == "z_depth" => self.clothes.z_depth = Some(depth),
-            Some(Some(_)) => {}
-            Some(None) => self.fault(FaultKind::NoNumber),
-            None => self.fault(FaultKind::MissingValue),
+            _ => {}
         }
     }
 
@@ -119,7 +77,7 @@ impl Reader {
         let read = python_int(a).zip(python_int(b)).zip(python_float(distance));
         let Some(((a, b), distance)) = read else { return self.fault(FaultKind::NoNumber) };
         if let Some(slot) = self.clothes.scales.get_mut(axis) {
-            *slot = Some(Scale { vertices: [a, b], distance: narrow(distance), line: self.line });
+            *slot = Some(Scale { vertices: [a, b], distance: stored(distance), line: self.line });
         }
     }
 
@@ -166,7 +124,7 @@ fn exact_vertex(words: &[&[u8]]) -> Option<Reference> {
 /// Three base vertices, their weights, and a displacement if there is one.
 fn triple(words: &[&[u8]], with_offset: bool) -> Option<Reference> {
     let vertex = |place: usize| python_int(words.get(place)?);
-    let number = |place: usize| Some(narrow(python_float(words.get(place)?)?));
+    let number = |place: usize| Some(stored(python_float(words.get(place)?)?));
     let numbers = |from: usize| Some([number(from)?, number(from + 1)?, number(from + 2)?]);
     Some(Reference {
         vertices: [vertex(0)?, vertex(1)?, vertex(2)?],
@@ -179,13 +137,4 @@ fn triple(words: &[&[u8]], with_offset: bool) -> Option<Reference> {
 /// Python's `isnumeric()`: no sign, no point.
 fn is_numeric(word: &str) -> bool {
     !word.is_empty() && word.chars().all(char::is_numeric)
-}
-
-fn joined(words: &[&[u8]]) -> String {
-    words.iter().map(|word| String::from_utf8_lossy(word)).collect::<Vec<_>>().join(" ")
-}
-
-#[expect(clippy::cast_possible_truncation, reason = "the application stores float32")]
-fn narrow(value: f64) -> f32 {
-    value as f32
 }

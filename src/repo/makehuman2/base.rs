@@ -13,7 +13,7 @@ use crate::formats::mhskel::Skeleton;
 use crate::formats::modelling::Modelling;
 use crate::formats::obj::Mesh;
 use crate::formats::target_cat::TargetCategories;
-use crate::repo::{FileFacts, Layer, Reference, Rig};
+use crate::repo::{FileFacts, Layers, Reference, Rig};
 
 /// A base mesh over all layers.
 #[derive(Debug)]
@@ -61,107 +61,24 @@ pub(crate) struct Base<'a> {
     pub weights: Vec<&'a FileFacts>,
 }
 
-/// The layers to resolve over. With one root playing both parts, `user` is that root and `user_target`
-/// is `None`: its `target/` folder is the system's.
-#[derive(Clone, Copy)]
-pub(super) struct Sources<'a> {
-    pub(super) system: Option<&'a Layer>,
-    pub(super) user: Option<&'a Layer>,
-    pub(super) user_target: Option<&'a Layer>,
-}
-
-impl<'a> Sources<'a> {
-    pub(super) fn new(system: Option<&'a Layer>, user: Option<&'a Layer>) -> Self {
-        let user_target = if is_same(system, user) { None } else { user };
-        Self { system, user, user_target }
-    }
-
-    /// A single root that does not hold a base is a user's folder as far as that base goes: the system's
-    /// part of it is elsewhere.
-    fn of_base(self, name: &str) -> Self {
-        let one_root = is_same(self.user, self.system) && self.user_target.is_none();
-        let elsewhere = self.user.is_some_and(|root| root.below(&format!("base/{name}")).next().is_none());
-        if one_root && elsewhere { Self { system: None, user_target: self.user, ..self } } else { self }
-    }
-
-    /// The layers, each once, strongest first.
-    pub(super) fn strongest_first(self) -> impl Iterator<Item = &'a Layer> {
-        let system = if is_same(self.system, self.user) { None } else { self.system };
-        self.user.into_iter().chain(system)
-    }
-}
-
 /// Names of all bases in the layers.
-pub(super) fn base_names(layers: Sources<'_>) -> BTreeSet<&str> {
-    let files = [layers.system, layers.user].into_iter().flatten().flat_map(|layer| layer.files.values());
+pub(super) fn base_names(layers: Layers<'_>) -> BTreeSet<&str> {
+    let files = layers.strongest_first().flat_map(|layer| layer.files.values());
     files
         .filter(|file| ["base/", "target/", "contarget/", "rigs/"].iter().any(|folder| file.rel.starts_with(folder)))
         .filter_map(|file| file.base_in(OWN))
         .collect()
 }
 
-/// Resolves one base.
-pub(super) fn resolve<'a>(name: &'a str, layers: Sources<'a>) -> Base<'a> {
-    let layers = layers.of_base(name);
-    let Sources { system, user, user_target } = layers;
-    let first = |rel: String| [user, system].into_iter().flatten().find_map(|layer| layer.file(&rel));
-    let own_json = first(format!("base/{name}/base.json")).map(|file| (file, model_of_base(file)));
-    let macros = overlaid(layers, name, "macro.json", |content| match content {
-        Content::Macro(model) => Some(model.as_ref()),
-        _ => None,
-    });
-    let modelling = overlaid(layers, name, "modelling.json", model_of_modelling);
-    let categories = overlaid(layers, name, "target_cat.json", model_of_categories);
-    let user_modelling = Candidate::find(user_target, &format!("target/{name}/modelling.json"), model_of_modelling);
-    let user_categories = Candidate::find(user_target, &format!("target/{name}/target_cat.json"), model_of_categories);
-    let system_folder = system.map(|layer| TargetFolder { layer, folder: "target", base: name });
-    let contarget = user.map(|layer| TargetFolder { layer, folder: "contarget", base: name });
-    let (targets, other_targets) = if macros.is_overridden() {
-        (contarget, system_folder.filter(TargetFolder::exists))
-    } else {
-        (system_folder, contarget.filter(TargetFolder::exists))
-    };
-    let opposites = own_json.and_then(|(_, model)| model).map(|model| model.opposites.as_slice());
-    let (sliders, by_key) = bind_sliders(&modelling, &user_modelling, opposites.unwrap_or_default());
-    let in_rigs = |kind: Kind| {
-        let below = layers.strongest_first().flat_map(|layer| layer.below(&format!("rigs/{name}")));
-        below.filter(move |file| file.kind_in(OWN) == kind)
-    };
-    let settings = own_json.and_then(|(file, model)| Some((file, model?)));
-    let named = settings.map(|settings| rigs::named_by_settings(name, layers, settings)).unwrap_or_default();
-    let rigs = rigs::rigs(name, layers, &named, in_rigs(Kind::Skeleton));
-    let mut base = Base {
-        name,
-        has_system: system.is_some(),
-        own_json,
-        mesh: first(format!("base/{name}/base.obj")).and_then(|file| Some((file, sound_mesh(file)?))),
-        macros,
-        modelling,
-        categories,
-        user_modelling,
-        user_categories,
-        targets,
-        user_targets: user_target.map(|layer| TargetFolder { layer, folder: "target", base: name }),
-        entry_targets: user.map(|layer| TargetFolder { layer, folder: "target", base: name }),
-        other_targets,
-        by_key,
-        by_pattern: by_pattern(&sliders),
-        intent: Intent::default(),
-        sliders,
-        named,
-        rigs,
-        weights: in_rigs(Kind::Weights).collect(),
-    };
-    base.intent = Intent::of(&base);
-    base
-}
-
-fn is_same(a: Option<&Layer>, b: Option<&Layer>) -> bool {
-    matches!((a, b), (Some(a), Some(b)) if std::ptr::eq(a, b))
+/// A single root that does not hold a base is a user's folder as far as that base goes: the system's part of it is
+/// elsewhere.
+fn layers_of<'a>(base: &str, layers: Layers<'a>) -> Layers<'a> {
+    let is_here = layers.checked.below(&format!("base/{base}")).next().is_some();
+    if layers.is_one_root() && !is_here { Layers { system: None, ..layers } } else { layers }
 }
 
 fn overlaid<'a, T>(
-    layers: Sources<'a>,
+    layers: Layers<'a>,
     base: &str,
     file: &str,
     model: impl Fn(&'a Content) -> Option<&'a T>,
@@ -228,9 +145,63 @@ fn by_pattern(sliders: &[BoundSlider<'_>]) -> BTreeMap<String, usize> {
 }
 
 impl<'a> Base<'a> {
-    /// Resolves one base over its layers.
-    pub(crate) fn resolve(name: &'a str, system: Option<&'a Layer>, user: Option<&'a Layer>) -> Self {
-        resolve(name, Sources::new(system, user))
+    /// Resolves one base over layers.
+    pub(crate) fn resolve(name: &'a str, layers: Layers<'a>) -> Self {
+        let layers = layers_of(name, layers);
+        let (system, user) = (layers.system, layers.user);
+        // The `target/` folder of one root that plays both parts is the system's.
+        let user_target = user.filter(|_| !layers.is_one_root());
+        let own_json = layers.first_existing(&format!("base/{name}/base.json")).map(|file| (file, model_of_base(file)));
+        let macros = overlaid(layers, name, "macro.json", |content| match content {
+            Content::Macro(model) => Some(model.as_ref()),
+            _ => None,
+        });
+        let modelling = overlaid(layers, name, "modelling.json", model_of_modelling);
+        let categories = overlaid(layers, name, "target_cat.json", model_of_categories);
+        let user_modelling = Candidate::find(user_target, &format!("target/{name}/modelling.json"), model_of_modelling);
+        let user_categories =
+            Candidate::find(user_target, &format!("target/{name}/target_cat.json"), model_of_categories);
+        let system_folder = system.map(|layer| TargetFolder { layer, folder: "target", base: name });
+        let contarget = user.map(|layer| TargetFolder { layer, folder: "contarget", base: name });
+        let (targets, other_targets) = if macros.is_overridden() {
+            (contarget, system_folder.filter(TargetFolder::exists))
+        } else {
+            (system_folder, contarget.filter(TargetFolder::exists))
+        };
+        let opposites = own_json.and_then(|(_, model)| model).map(|model| model.opposites.as_slice());
+        let (sliders, by_key) = bind_sliders(&modelling, &user_modelling, opposites.unwrap_or_default());
+        let in_rigs = |kind: Kind| {
+            let below = layers.strongest_first().flat_map(|layer| layer.below(&format!("rigs/{name}")));
+            below.filter(move |file| file.kind_in(OWN) == kind)
+        };
+        let settings = own_json.and_then(|(file, model)| Some((file, model?)));
+        let named = settings.map(|settings| rigs::named_by_settings(name, layers, settings)).unwrap_or_default();
+        let rigs = rigs::rigs(name, layers, &named, in_rigs(Kind::Skeleton));
+        let mesh = layers.first_existing(&format!("base/{name}/base.obj"));
+        let mut base = Base {
+            name,
+            has_system: system.is_some(),
+            own_json,
+            mesh: mesh.and_then(|file| Some((file, sound_mesh(file)?))),
+            macros,
+            modelling,
+            categories,
+            user_modelling,
+            user_categories,
+            targets,
+            user_targets: user_target.map(|layer| TargetFolder { layer, folder: "target", base: name }),
+            entry_targets: user.map(|layer| TargetFolder { layer, folder: "target", base: name }),
+            other_targets,
+            by_key,
+            by_pattern: by_pattern(&sliders),
+            intent: Intent::default(),
+            sliders,
+            named,
+            rigs,
+            weights: in_rigs(Kind::Weights).collect(),
+        };
+        base.intent = Intent::of(&base);
+        base
     }
 
     /// The slider of a key.

@@ -1,11 +1,10 @@
 //! Skeletons with their weights, and what `base.json` names. All are looked for as a path below the data root, user
 //! before system.
 
-use super::base::Sources;
 use crate::diag::Place;
 use crate::formats::base_json::BaseJson;
 use crate::repo::path::resolve;
-use crate::repo::{FileFacts, Layer, Reference, ReferenceKind, Resolution, Rig};
+use crate::repo::{FileFacts, Layer, Layers, Reference, ReferenceKind, Resolution, Rig};
 
 /// Weights of a skeleton that names none.
 const DEFAULT_WEIGHTS: &str = "default_weights.mhw";
@@ -15,7 +14,7 @@ const SCANNED_PARTS: usize = 4;
 /// What `base.json` names: the skeleton for poses, and the start model.
 pub(super) fn named_by_settings<'a>(
     base: &'a str,
-    layers: Sources<'a>,
+    layers: Layers<'a>,
     (from, settings): (&'a FileFacts, &'a BaseJson),
 ) -> Vec<Reference<'a>> {
     let named = [
@@ -32,7 +31,7 @@ pub(super) fn named_by_settings<'a>(
 /// The rigs of a base.
 pub(super) fn rigs<'a>(
     base: &'a str,
-    layers: Sources<'a>,
+    layers: Layers<'a>,
     named: &[Reference<'a>],
     skeletons: impl Iterator<Item = &'a FileFacts>,
 ) -> Vec<Rig<'a>> {
@@ -47,7 +46,7 @@ pub(super) fn rigs<'a>(
 }
 
 /// Weights are searched as `rigs/<base>/<weights_file>`, never beside the skeleton.
-fn weights<'a>(base: &'a str, layers: Sources<'a>, from: &'a FileFacts) -> Option<Reference<'a>> {
+fn weights<'a>(base: &'a str, layers: Layers<'a>, from: &'a FileFacts) -> Option<Reference<'a>> {
     // Anything but a text is refused by the schema; what it would lead to is not known.
     let skeleton = from.skeleton().filter(|skeleton| !skeleton.weights_file_misshapen)?;
     let text = skeleton.weights_file.as_deref().unwrap_or(DEFAULT_WEIGHTS);
@@ -74,7 +73,7 @@ fn unresolved<'a>(
     Reference { kind, base, from, place, text, owner: from.stem(), folder_at_fault: None, rel, resolution }
 }
 
-fn layered<'a>(layers: Sources<'a>, reference: Reference<'a>) -> Reference<'a> {
+fn layered<'a>(layers: Layers<'a>, reference: Reference<'a>) -> Reference<'a> {
     let all: Vec<&Layer> = layers.strongest_first().collect();
     let resolution = match resolve(&all, reference.text, &reference.rel) {
         Resolution::Missing if layers.system.is_none() => Resolution::NeedsSystem,

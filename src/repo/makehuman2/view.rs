@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::base::{Sources, base_names, resolve};
+use super::base::base_names;
 use super::references::collect;
 use super::usage::Usage;
 use super::{Base, OWN, rigs, target_folder, textures, unbound};
@@ -25,8 +25,7 @@ pub(crate) struct View<'a> {
 impl<'a> View<'a> {
     /// Connects layers.
     pub(crate) fn connect(layers: Layers<'a>) -> Self {
-        let sources = Sources::new(layers.system, layers.user);
-        let bases: Vec<Base<'a>> = base_names(sources).into_iter().map(|name| resolve(name, sources)).collect();
+        let bases: Vec<Base<'a>> = base_names(layers).into_iter().map(|name| Base::resolve(name, layers)).collect();
         let mut textures = textures::by_base(layers);
         let of_base = |base| collect(base).into_iter().chain(textures.remove(base.name).unwrap_or_default());
         let mut references: Vec<Reference<'a>> = bases.iter().flat_map(of_base).collect();

@@ -75,7 +75,7 @@ fn top(outcome: &Outcome, view: &View<'_>) -> Markup {
                 @for ((level, meaning), number) in LEVELS.iter().zip(numbers) {
                     li .(level.word()) .none[number == 0] {
                         span .number { (number) }
-                        " " span .noun { (plural(*level, number)) }
+                        " " span .noun { (level.word()) @if number != 1 { "s" } }
                         " " span .meaning { (meaning) }
                     }
                 }
@@ -94,17 +94,6 @@ fn top(outcome: &Outcome, view: &View<'_>) -> Markup {
                 }
             }
         }
-    }
-}
-
-fn plural(level: Level, number: usize) -> &'static str {
-    match (level, number) {
-        (Level::Error, 1) => "error",
-        (Level::Error, _) => "errors",
-        (Level::Warning, 1) => "warning",
-        (Level::Warning, _) => "warnings",
-        (Level::Info, 1) => "info",
-        (Level::Info, _) => "infos",
     }
 }
 
@@ -226,7 +215,7 @@ fn chips(findings: &[Finding]) -> Markup {
     html! {
         span .chips {
             @for (level, number) in LEVELS.map(|(level, _)| (level, number(level))) {
-                @if number > 0 { span .chip .(level.word()) { (number) " " (plural(level, number)) } " " }
+                @if number > 0 { span .chip .(level.word()) { (count(number, level.word())) } " " }
             }
         }
     }
