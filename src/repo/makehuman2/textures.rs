@@ -12,7 +12,7 @@ use crate::repo::{FileFacts, Layer, Layers, Reference, ReferenceKind, Resolution
 /// The pictures of all materials that the application opens, by base mesh.
 pub(super) fn by_base(layers: Layers<'_>) -> BTreeMap<&str, Vec<Reference<'_>>> {
     let mut by_base: BTreeMap<&str, Vec<Reference<'_>>> = BTreeMap::new();
-    let assets: Vec<_> = layers.strongest_first().map(|layer| (layer, folders_of_assets(layer))).collect();
+    let assets: Vec<_> = layers.strongest_first().map(Assets::of).collect();
     for layer in layers.strongest_first() {
         for file in layer.files.values().filter(|file| is_material(file)) {
             let search = file.base_in(OWN).and_then(|base| Search::of(layers, layer, file, base));
@@ -28,12 +28,22 @@ fn is_material(file: &FileFacts) -> bool {
     file.kind_in(OWN) == Kind::Material
 }
 
-/// Folders of a layer with what the asset scan finds in them (formats/makehuman2.md §19).
-type Assets<'a> = (&'a Layer, BTreeSet<&'a str>);
+/// What the asset scan finds in a layer (formats/makehuman2.md §19).
+struct Assets<'a> {
+    layer: &'a Layer,
+    /// Folders of assets.
+    folders: BTreeSet<&'a str>,
+    /// Folders with an asset in them that has no material of its own.
+    with_bare: BTreeSet<&'a str>,
+}
 
-fn folders_of_assets(layer: &Layer) -> BTreeSet<&str> {
-    let scans = Layout::of(OWN).scans;
-    layer.files.keys().filter(|rel| scans(rel)).map(|rel| parent(rel)).collect()
+impl<'a> Assets<'a> {
+    fn of(layer: &'a Layer) -> Self {
+        let scans = Layout::of(OWN).scans;
+        let folders: BTreeSet<&str> = layer.files.keys().filter(|rel| scans(rel)).map(|rel| parent(rel)).collect();
+        let bare = folders.iter().filter(|asset| !layer.below(asset).any(is_material));
+        Self { layer, with_bare: bare.map(|asset| parent(asset)).collect(), folders }
+    }
 }
 
 /// Whether system data that is not at hand could have a part of the base. Without an answer nobody has the base.
@@ -76,9 +86,9 @@ impl<'a> Search<'a> {
     /// it, eyes those of the system and of the user.
     fn is_opened(&self, assets: &[Assets<'_>]) -> bool {
         let is_eye = self.sort == "eyes";
-        let offers = |(layer, folders): &Assets<'_>| {
-            let is_own = std::ptr::eq(*layer, self.layer);
-            is_own && self.is_below(folders) || (is_own || is_eye) && self.is_beside(layer, folders)
+        let offers = |assets: &Assets<'_>| {
+            let is_own = std::ptr::eq(assets.layer, self.layer);
+            is_own && self.is_below(&assets.folders) || (is_own || is_eye) && self.is_beside(assets)
         };
         self.sort == "skins" || is_eye && self.is_open || assets.iter().any(offers)
     }
@@ -88,11 +98,9 @@ impl<'a> Search<'a> {
         above.take_while(|path| !path.is_empty()).any(|folder| folders.contains(folder))
     }
 
-    fn is_beside(&self, layer: &Layer, folders: &BTreeSet<&str>) -> bool {
+    fn is_beside(&self, assets: &Assets<'_>) -> bool {
         let all = format!("{}/{}", self.sort, self.base);
-        let has_none = |asset: &str| !layer.below(asset).any(is_material);
-        self.file.rel.starts_with(&format!("{all}/materials/"))
-            && folders.iter().any(|asset| parent(asset) == all && has_none(asset))
+        self.file.rel.starts_with(&format!("{all}/materials/")) && assets.with_bare.contains(all.as_str())
     }
 
     /// The last line of a keyword with a picture wins: what stands above it counts for nothing. A name that leads out of
