@@ -8,7 +8,7 @@ use crate::formats::target::{MeshSize, Row};
 use crate::formats::{Content, Input, Parsed};
 use crate::json::SchemaFaults;
 use crate::repo::FileFacts;
-use crate::source::{Encoding, Limits, ReadFault, Tree};
+use crate::source::{Encoding, Limits, Tree};
 
 /// Smaller files are read even when only their size would matter: they may be stand-ins for the content.
 const STAND_IN_BYTES: u64 = 512;
@@ -85,8 +85,6 @@ impl Reading {
 /// A stand-in for a file on which a parser of ours panicked.
 pub(super) fn panicked(tree: &Tree, file: &Candidate<'_>) -> Reading {
     let mut facts = unread(tree, file);
-    // That it failed is the reason.
-    facts.unreadable = Some(ReadFault::Unreadable(String::new()));
     facts.failed = true;
     facts.content = facts.kind.format().without(JsonFault::Empty);
     Reading { facts, rows: Vec::new() }
