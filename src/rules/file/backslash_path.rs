@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
-use super::named::{causes, effect, written};
+use super::named::{causes, written};
 use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Place, RuleInfo};
 use crate::repo::{Reference, Resolution, View};
 
@@ -30,8 +30,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             let also = if exists { "" } else { "; with `/` there is no such file either" };
             format!("`{text}` is separated by backslashes{also}")
         });
-        let (Some(finding), Some(first)) = (finding, cause.references.first()) else { continue };
-        let level = if exists { Level::Warning } else { finding.level };
+        let Some(finding) = finding else { continue };
         let slashed = cause.text().replace('\\', "/");
         let is_fixable =
             |reference: &Reference<'_>| exists && reference.text.contains('\\') && !view.is_known_by(reference);
@@ -51,12 +50,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         for ((path, pointer), text) in folders {
             fix = fix.step(path, Change::Value { pointer: pointer.clone(), text: Some(text) });
         }
-        out.push(
-            finding
-                .fix(fix)
-                .level(level)
-                .effect(format!("on Linux and macOS: {}", effect(first.kind)))
-                .help(format!("write `{slashed}`")),
-        );
+        let finding = cause.unfound(view, finding.fix(fix), "on Linux and macOS").help(format!("write `{slashed}`"));
+        out.push(if exists { finding.at_most(Level::Warning) } else { finding });
     }
 }

@@ -29,7 +29,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers().checked;
     let finding = |rel: &str, message: String| {
         let finding = RULE.in_layer(layer, rel, message);
-        consequence(view, rel, Damage::Closed).map(|loss| loss.of(finding))
+        consequence(view, rel, Damage::Closed).map(|loss| loss.of(view, finding))
     };
     for fault in &layer.walk_faults {
         if let WalkFaultKind::Unreadable { reason } = &fault.kind {

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
-use crate::diag::{Application, Evidence, Extent, Finding, Level, Place, RuleInfo, Suggestions};
+use crate::diag::{Application, Case, Evidence, Extent, Finding, Level, Place, RuleInfo, Suggestions};
 use crate::discover::extension;
 use crate::formats::mhmat::Texture;
 use crate::repo::{FileFacts, Reference, ReferenceKind, Resolution, View, parent};
@@ -24,6 +24,9 @@ pub(in crate::rules) static RULE: Rule = Rule {
     },
     check: Check::Repository(run),
 };
+
+const COLOUR: Case =
+    &[(Application::Makehuman2, Level::Warning, "drops the keyword without a message and shows the colour instead")];
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layers = view.layers();
@@ -57,8 +60,7 @@ fn finding(references: &[&Reference<'_>], folder: &str) -> Option<Finding> {
     let finding = RULE.at(first.from, first.place.clone(), message).key(first.text).asset(folder).parts_in(parts);
     let finding = finding.evidence(Evidence::of_cases(cases));
     let is_colour = references.iter().any(|reference| reference.owner == "diffuseTexture");
-    let effect = "drops the keyword without a message and shows the colour instead";
-    Some(if is_colour { finding.effect(effect) } else { finding })
+    Some(if is_colour { finding.case(COLOUR) } else { finding })
 }
 
 fn help(view: &View<'_>, reference: &Reference<'_>, suggestions: &Suggestions) -> String {
