@@ -314,18 +314,43 @@ fn names_one(line: &str) -> bool {
     NAMES.iter().any(|name| line.contains(name))
 }
 
-/// A rule over what all applications have takes it as the views offer it; who does what stands in its `breaks` alone.
+/// A rule on what all applications have.
+fn is_shared(source: &Source) -> bool {
+    const SHARED: [&str; 4] = ["Check::File(", "Check::Body(", "Check::Numeric(", "Check::Repository("];
+    source.is_rule() && SHARED.iter().any(|check| source.code.contains(check))
+}
+
+/// What stands behind a `const`, but for the constant itself if that is a case.
+fn without_case(item: &str) -> &str {
+    let is_case = item.lines().next().is_some_and(|line| line.contains(": Case ="));
+    if is_case { item.split_once(";\n").map_or("", |(_, rest)| rest) } else { item }
+}
+
+/// A rule over what all applications have takes it as the views offer it; who does what is data: its `breaks` and cases.
 #[test]
 fn rules_over_what_all_have_open_no_application() {
-    const SHARED: [&str; 4] = ["Check::File(", "Check::Body(", "Check::Numeric(", "Check::Repository("];
-    let shared = |source: &Source| source.is_rule() && SHARED.iter().any(|check| source.code.contains(check));
     let opens = |source: &Source| {
-        let (head, rest) = source.code.split_once("static RULE").unwrap();
-        let (_, body) = rest.split_once("check:").unwrap();
-        head.lines().chain(body.lines()).filter(|line| !line.trim_start().starts_with("//")).any(names_one)
+        let (head, rule) = source.code.split_once("static RULE").unwrap();
+        let (_, body) = rule.split_once("check:").unwrap();
+        let code = body.split("\nconst ").map(without_case);
+        let lines = head.lines().chain(code.flat_map(str::lines));
+        lines.filter(|line| !line.trim_start().starts_with("//")).any(names_one)
     };
-    let faults = sources().into_iter().filter(|source| shared(source) && opens(source)).map(|source| source.path);
+    let faults = sources().into_iter().filter(|source| is_shared(source) && opens(source)).map(|source| source.path);
     assert_eq!(faults.collect::<Vec<_>>(), Vec::<String>::new());
+}
+
+/// A level or words without an application would be told for every one that a rule is for.
+#[test]
+fn what_several_applications_have_is_told_by_application() {
+    let folder = |source: &Source| source.path.rsplit_once('/').unwrap_or_default().0.to_owned();
+    let sources = sources();
+    let mut folders: BTreeSet<String> = sources.iter().filter(|source| is_shared(source)).map(folder).collect();
+    folders.insert("rules/cause/consequence".to_owned());
+    let is_told = |source: &&Source| is_shared(source) || !source.is_rule() && folders.contains(&folder(source));
+    let speaks = |source: &&Source| [".level(", ".effect("].iter().any(|call| source.code.contains(call));
+    let faults = sources.iter().filter(is_told).filter(speaks).map(|source| source.path.as_str());
+    assert_eq!(faults.collect::<Vec<_>>(), Vec::<&str>::new());
 }
 
 /// Only the list of what is checked names applications there.

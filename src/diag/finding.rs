@@ -3,7 +3,8 @@
 use serde::Serialize;
 
 use super::{
-    Application, Because, Cases, Confidence, Evidence, Fix, Level, Location, Name, Parts, Place, RuleInfo, Subject,
+    Application, Because, Case, Cases, Confidence, Evidence, Fix, Level, Location, Name, Parts, Place, RuleInfo,
+    Subject,
 };
 
 /// Something wrong in an asset repository.
@@ -161,7 +162,7 @@ impl Finding {
         self.subject.asset.as_deref().unwrap_or(&self.path)
     }
 
-    /// Lowers or raises the level where the consequence differs from the rule's usual one.
+    /// Lowers or raises the level of a rule that one application alone has.
     #[must_use]
     pub fn level(mut self, level: Level) -> Self {
         self.level = level;
@@ -169,11 +170,25 @@ impl Finding {
         self
     }
 
-    /// The same for one application.
+    /// Lowers the level in every application to this one, where a case is less bad for all of them.
+    #[must_use]
+    pub fn at_most(mut self, level: Level) -> Self {
+        self.breaks.iter_mut().for_each(|one| one.level = one.level.min(level));
+        self.at_worst()
+    }
+
+    /// Another level in one application.
     #[must_use]
     pub fn level_in(mut self, application: Application, level: Level) -> Self {
         self.breaks.iter_mut().filter(|one| one.application == application).for_each(|one| one.level = level);
         self.at_worst()
+    }
+
+    /// What the applications of a case do with it; the others do the usual.
+    #[must_use]
+    pub fn case(self, case: Case) -> Self {
+        let told = |finding: Self, own: &(_, _, _)| finding.level_in(own.0, own.1).effect_in(own.0, own.2);
+        case.iter().fold(self, told)
     }
 
     /// Keeps the consequences in these applications.
@@ -219,7 +234,7 @@ impl Finding {
         self
     }
 
-    /// Replaces the usual consequence by the one of this case, in the application at hand.
+    /// Replaces the usual consequence of a rule that one application alone has.
     #[must_use]
     pub fn effect(mut self, effect: impl Into<String>) -> Self {
         let effect = effect.into();
@@ -227,13 +242,11 @@ impl Finding {
         self
     }
 
-    /// Replaces the usual consequence in one application.
+    /// Another consequence in one application.
     #[must_use]
-    pub fn breaks(mut self, application: Application, effect: impl Into<String>) -> Self {
-        let effect = effect.into();
-        match self.breaks.iter_mut().find(|one| one.application == application) {
-            Some(one) => one.effect = effect,
-            None => self.breaks.push(Break { application, level: self.level, effect }),
+    pub fn effect_in(mut self, application: Application, effect: impl Into<String>) -> Self {
+        if let Some(own) = self.breaks.iter_mut().find(|one| one.application == application) {
+            own.effect = effect.into();
         }
         self
     }

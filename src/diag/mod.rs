@@ -34,6 +34,6 @@ pub use outcome::{
 };
 pub use parts::{Name, Parts};
 pub use place::{Element, Excerpt, Location, Place, add_step, pointer, steps};
-pub use rule_info::{Extent, FixKind, OptionInfo, RuleInfo};
+pub use rule_info::{Case, Extent, FixKind, OptionInfo, RuleInfo};
 pub use subject::Subject;
 pub use upkeep::{BaselineUse, IdleGlob, IgnoreState, IgnoreUse, UnknownRule, Upkeep};

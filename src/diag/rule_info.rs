@@ -32,6 +32,10 @@ pub struct RuleInfo {
     pub docs: &'static str,
 }
 
+/// What a case of a rule comes to where that is not what the rule says in general: in these applications alone, so that no
+/// other one is told their words.
+pub type Case = &'static [(Application, Level, &'static str)];
+
 /// The files of its base mesh that a finding can come from, besides those that the file it stands at names. A run that is
 /// narrowed to a change shows no more.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

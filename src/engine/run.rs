@@ -15,6 +15,7 @@ use super::verdict::conclude;
 use crate::config::{Config, Selector};
 use crate::diag::{self, Application, IdleGlob, Level, Outcome, Phase, Timed, Timing, Upkeep};
 use crate::repo::{Layer, View};
+use crate::rules::RULES;
 use crate::source::Tree;
 
 /// Checks data roots found at `paths`.
@@ -142,7 +143,7 @@ fn check_all(
         views.iter().for_each(|view| summarise(view, outcome));
         let of_view = |view: &View<'_>| measures.get(number)?.get(&view.application());
         let with_measures: Vec<_> = views.iter().map(|view| (view, of_view(view))).collect();
-        let mut findings = check(&with_measures, selection, options, outcome);
+        let mut findings = check(RULES, &with_measures, selection, options, outcome);
         if let Some(change) = change {
             views.iter().for_each(|view| explain(view, &mut findings, change));
         }

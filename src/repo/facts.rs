@@ -32,7 +32,7 @@ pub struct FileFacts {
     pub size: u64,
     /// Why its bytes could not be had.
     pub unreadable: Option<ReadFault>,
-    /// Whether a reader of ours failed on it: a bug, for which the file counts as unreadable.
+    /// Whether a reader of ours failed on it: a bug, for which nothing is known of what is in it.
     pub failed: bool,
     /// Why it could not be unpacked.
     pub gzip_fault: Option<GzipFault>,

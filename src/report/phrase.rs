@@ -182,9 +182,9 @@ mod tests {
 
     #[test]
     fn a_finding_in_plain_words() {
-        let finding = Finding::new(&RuleInfo::new("a-rule", Level::Error, ""), "a", Place::File, "it is\nso")
+        let rule = RuleInfo { breaks: &[(Application::Mpfb, "stops")], ..RuleInfo::new("a-rule", Level::Error, "") };
+        let finding = Finding::new(&rule, "a", Place::File, "it is\nso")
             .confidence(Confidence::Low)
-            .breaks(Application::Mpfb, "stops")
             .related("b", Place::File, "the other")
             .help("mend it");
         assert_eq!(plain(&finding), "it is so (a guess)\nMPFB: stops\nsee: b: the other\nhelp: mend it");

@@ -56,12 +56,15 @@ mod tests {
     use super::*;
     use crate::diag::{Application, Evidence, Level, Place, RuleInfo};
 
-    const RULE: RuleInfo = RuleInfo::new("target-syntax", Level::Info, "made up");
+    const RULE: RuleInfo = RuleInfo {
+        breaks: &[(Application::Makehuman2, "stops"), (Application::Makehuman1, "stops")],
+        ..RuleInfo::new("target-syntax", Level::Info, "made up")
+    };
 
     fn finding(application: Application, level: Level, path: &str, count: u64) -> Finding {
         let evidence = Evidence { count, ..Evidence::default() };
-        let finding = Finding::new(&RULE, path, Place::File, format!("{count} rows")).level(level);
-        finding.evidence(evidence).breaks(application, "stops")
+        let finding = Finding::new(&RULE, path, Place::File, format!("{count} rows")).level_in(application, level);
+        finding.evidence(evidence).only_in(&[application])
     }
 
     #[test]

@@ -38,18 +38,21 @@ struct Done {
 /// Files that all rules on files look at before they go on: so many are still near when the next rule comes.
 const AT_ONCE: usize = 128;
 
-/// Runs all rules that are on over each view; what several views show is one finding.
+/// Runs those of the rules that are on over each view; what several views show is one finding.
 pub(super) fn check(
+    rules: &[&Rule],
     views: &[(&View<'_>, Option<&BTreeMap<String, Measures>>)],
     selection: &Selection<'_>,
     options: &Config,
     outcome: &mut Outcome,
 ) -> Vec<Finding> {
-    merged(views.iter().map(|(view, measures)| check_view(view, *measures, selection, options, outcome)).collect())
+    let found = |(view, measures): &(&View<'_>, _)| check_view(rules, view, *measures, selection, options, outcome);
+    merged(views.iter().map(found).collect())
 }
 
 /// Runs the rules that concern the application: those on files over some files in a thread, each other one in its own.
 fn check_view(
+    rules: &[&Rule],
     view: &View<'_>,
     measures: Option<&BTreeMap<String, Measures>>,
     selection: &Selection<'_>,
@@ -60,7 +63,7 @@ fn check_view(
     let application = view.application();
     let checked = Checked { view, files: view.files().collect(), bodies: view.bodies(), measures };
     let is_on = |rule: &Rule| selection.runs(rule.info.id) && rule.concerns(application);
-    let rules: Vec<&Rule> = RULES.iter().copied().filter(|rule| is_on(rule)).collect();
+    let rules: Vec<&Rule> = rules.iter().copied().filter(|rule| is_on(rule)).collect();
     let mut done = over_files(&checked, &rules, &cx);
     let others = rules.par_iter().map(|rule| run_caught(|out| run_rule(rule, &checked, &cx, options, out)));
     done.iter_mut().zip(others.collect::<Vec<_>>()).for_each(|(done, other)| done.join(other));
@@ -154,4 +157,65 @@ pub(super) fn check_upkeep(
         true
     });
     findings
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::load::{Data, Input, Roots};
+    use super::super::settle::Scope;
+    use super::*;
+    use crate::diag::Application::{Makehuman2, Mpfb};
+    use crate::diag::{Application, Case, Level, Place, RuleInfo};
+    use crate::source::Tree;
+
+    static RULE: Rule = Rule {
+        info: RuleInfo {
+            breaks: &[(Makehuman2, "stops"), (Mpfb, "ignores it")],
+            levels: &[(Mpfb, Level::Info)],
+            ..RuleInfo::new("made-up", Level::Error, "")
+        },
+        check: Check::File(|_, file, _, out| {
+            let finding = RULE.at(file, Place::File, "");
+            out.push(match file.stem() {
+                "loaded" => finding.case(LOADED),
+                "worse" => finding.case(LOADED).case(WORSE),
+                "harmless" => finding.at_most(Level::Info),
+                _ => finding,
+            });
+        }),
+    };
+
+    const LOADED: Case = &[(Makehuman2, Level::Warning, "loads it")];
+    const WORSE: Case = &[(Mpfb, Level::Error, "cannot be enabled")];
+
+    #[test]
+    fn each_application_has_its_own_level_and_words_and_the_finding_the_worst() {
+        let files = ["base/cube/base.json", "targets/target.json"].into_iter();
+        let clothes = ["usual", "loaded", "worse", "harmless"].map(|name| format!("clothes/hm08/a/{name}.mhclo"));
+        let files = files.map(str::to_owned).chain(clothes).map(|path| (path, b"#".to_vec()));
+        let (config, mut outcome) = (Config::default(), Outcome::default());
+        let inputs = [Input::whole(Tree::in_memory("", files))];
+        let scope = Scope::new(vec![String::new()], &config);
+        let roots = Roots::of(&inputs, None, &scope, &config, &[Makehuman2, Mpfb], &mut outcome).unwrap();
+        let data = Data::load(roots, &config.limits);
+        let seen = data.stacks().into_iter().flat_map(|stack| stack.seen);
+        let views: Vec<View<'_>> = seen.map(|(application, layers)| View::connect(application, layers)).collect();
+        let views: Vec<_> = views.iter().map(|view| (view, None)).collect();
+        let selection = Selection::new(&config).unwrap();
+        let mut found = check(&[&RULE], &views, &selection, &config, &mut outcome);
+        found.retain(|finding| finding.path.starts_with("clothes/"));
+        let row = |finding: &Finding, of: Application| {
+            let own = finding.breaks.iter().find(|own| own.application == of).unwrap();
+            (own.level, own.effect.clone())
+        };
+        let told = |finding: &Finding| (finding.level, row(finding, Makehuman2), row(finding, Mpfb));
+        let usual = (Level::Info, "ignores it".to_owned());
+        let expected = [
+            (Level::Info, (Level::Info, "stops".to_owned()), usual.clone()),
+            (Level::Warning, (Level::Warning, "loads it".to_owned()), usual.clone()),
+            (Level::Error, (Level::Error, "stops".to_owned()), usual),
+            (Level::Error, (Level::Warning, "loads it".to_owned()), (Level::Error, "cannot be enabled".to_owned())),
+        ];
+        assert_eq!(found.iter().map(told).collect::<Vec<_>>(), expected);
+    }
 }

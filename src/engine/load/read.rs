@@ -5,7 +5,7 @@ use crate::formats::json_file::JsonFault;
 use crate::formats::target::{MeshSize, Row};
 use crate::formats::{Input, Parsed};
 use crate::repo::FileFacts;
-use crate::source::{Encoding, Limits, ReadFault, Tree};
+use crate::source::{Encoding, Limits, Tree};
 
 /// Smaller files are read even when only their size would matter: they may be stand-ins for the content.
 const STAND_IN_BYTES: u64 = 512;
@@ -38,13 +38,7 @@ pub(super) fn unread(tree: &Tree, file: &Candidate<'_>) -> FileFacts {
 
 /// A stand-in for a file on which a parser of ours panicked.
 pub(super) fn panicked(tree: &Tree, file: &Candidate<'_>) -> FileFacts {
-    FileFacts {
-        // That it failed is the reason.
-        unreadable: Some(ReadFault::Unreadable(String::new())),
-        failed: true,
-        content: file.kind().format().without(JsonFault::Empty),
-        ..unread(tree, file)
-    }
+    FileFacts { failed: true, content: file.kind().format().without(JsonFault::Empty), ..unread(tree, file) }
 }
 
 fn facts(tree: &Tree, file: &Candidate<'_>, encoding: Encoding, parsed: Parsed) -> FileFacts {

@@ -187,8 +187,10 @@ mod tests {
 
     #[test]
     fn each_application_has_its_line_and_repetitions_have_none() {
-        let finding = finding().breaks(crate::diag::Application::Makehuman2, "stops");
-        let finding = finding.breaks(crate::diag::Application::Mpfb, "ignores it");
+        use crate::diag::Application::{Makehuman2, Mpfb};
+        let breaks = &[(Makehuman2, "stops"), (Mpfb, "ignores it")];
+        let rule = RuleInfo { breaks, ..RuleInfo::new("a-rule", Level::Warning, "") };
+        let finding = Finding::new(&rule, "data/a.target", Place::File, "it is so");
         let expected = "  warning[a-rule] it is so\n  |-> MakeHuman 2: stops\n  `-> MPFB: ignores it\n";
         assert_eq!(render(&finding, false, &View::PLAIN), expected);
         assert_eq!(render(&finding, true, &View::PLAIN), "  warning[a-rule] it is so\n");

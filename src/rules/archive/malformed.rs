@@ -1,7 +1,7 @@
 //! An archive of targets that MakeHuman 2 cannot load.
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::npz::{Archive, ArchiveFault, Member, NpyFault};
 use crate::repo::{FileFacts, View};
 
@@ -20,12 +20,17 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::File(run),
 };
 
+const EMPTY: Case = &[(
+    Application::Makehuman2,
+    Level::Error,
+    "stops at every start with an EOFError until the file is deleted by hand",
+)];
+
 fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(archive) = file.archive() else { return };
     match &archive.fault {
         Some(ArchiveFault::Empty) => {
-            let effect = "stops at every start with an EOFError until the file is deleted by hand";
-            out.push(at(file, "the archive is empty (0 bytes)".to_owned()).effect(effect));
+            out.push(at(file, "the archive is empty (0 bytes)".to_owned()).case(EMPTY));
         }
         Some(ArchiveFault::NotZip(reason)) => out.push(at(file, format!("no zip archive: {reason}"))),
         None => out.extend(members(file, archive)),

@@ -8,5 +8,5 @@ use crate::repo::Target;
 
 /// A finding on a text that stops the program: while nobody parses it, only a warning of what comes.
 pub(in crate::rules) fn weigh(target: &Target<'_>, finding: Finding) -> Finding {
-    if target.is_unread() { ARCHIVED.of(finding) } else { finding }
+    if target.is_unread() { finding.case(ARCHIVED) } else { finding }
 }

@@ -9,7 +9,7 @@ use crate::repo::{FileFacts, View};
 
 /// Whether the content of the file is not at hand: it was not read, or is a stand-in.
 fn is_unread(file: &FileFacts) -> bool {
-    file.unreadable.is_some() || file.encoding.lfs_pointer || file.gzip_fault.is_some()
+    file.failed || file.unreadable.is_some() || file.encoding.lfs_pointer || file.gzip_fault.is_some()
 }
 
 /// Whether nobody meets what is in the file: it is unread, or no loader opens its name. A `macro.json` in the target
@@ -33,7 +33,7 @@ pub(in crate::rules) fn is_override(file: &FileFacts) -> bool {
 pub(in crate::rules) fn is_ignored_override(file: &FileFacts) -> bool {
     is_override(file)
         && match &file.content {
-            Content::Broken(JsonFault::Empty | JsonFault::ByteOrderMark) => file.unreadable.is_none(),
+            Content::Broken(JsonFault::Empty | JsonFault::ByteOrderMark) => !file.failed && file.unreadable.is_none(),
             Content::Broken(JsonFault::Syntax(fault)) => fault.kind != SyntaxKind::TooDeep,
             Content::Broken(JsonFault::NotUtf8 | JsonFault::LfsPointer) => false,
             _ => file.json.falsy,

@@ -1,7 +1,7 @@
 //! References must be relative.
 
 use super::super::{Check, Rule, RuleCx};
-use super::named::{causes, effect};
+use super::named::causes;
 use crate::diag::{Application, Finding, Level, RuleInfo};
 use crate::repo::{Resolution, View};
 
@@ -23,11 +23,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             "" => "`folder` is empty, which makes an absolute path of every name behind it".to_owned(),
             text => format!("`{text}` is an absolute path"),
         });
-        let (Some(finding), Some(first)) = (finding, cause.references.first()) else { continue };
-        out.push(
-            finding
-                .effect(format!("on other computers: {}", effect(first.kind)))
-                .help("write the name relative to its folder in the data"),
-        );
+        let finding = finding.map(|finding| cause.unfound(view, finding, "on other computers"));
+        out.extend(finding.map(|finding| finding.help("write the name relative to its folder in the data")));
     }
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
-use super::named::{causes, effect, written};
+use super::named::{causes, written};
 use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Place, RuleInfo};
 use crate::repo::{Reference, Resolution, View};
 
@@ -30,8 +30,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             let also = if exists { "" } else { "; with `/` there is no such file either" };
             format!("`{text}` is separated by backslashes{also}")
         });
-        let (Some(finding), Some(first)) = (finding, cause.references.first()) else { continue };
-        let level = if exists { Level::Warning } else { finding.level };
+        let Some(finding) = finding else { continue };
         let slashed = cause.text().replace('\\', "/");
         let is_fixable =
             |reference: &Reference<'_>| exists && reference.text.contains('\\') && !view.is_known_by(reference);
@@ -52,13 +51,9 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             fix = fix.step(path, Change::Value { pointer: pointer.clone(), text: Some(text) });
         }
         // A picture may be found with `/` where no system looks for it with a backslash.
-        let systems = if first.rel.contains('\\') { "on Linux and macOS: " } else { "" };
-        out.push(
-            finding
-                .fix(fix)
-                .level(level)
-                .effect(format!("{systems}{}", effect(first.kind)))
-                .help(format!("write `{slashed}`")),
-        );
+        let has_backslash = cause.references.first().is_some_and(|first| first.rel.contains('\\'));
+        let systems = if has_backslash { "on Linux and macOS" } else { "" };
+        let finding = cause.unfound(view, finding.fix(fix), systems).help(format!("write `{slashed}`"));
+        out.push(if exists { finding.at_most(Level::Warning) } else { finding });
     }
 }

@@ -40,7 +40,7 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
         .at(file, Place::Span(0..3), message)
         .fix(fix.step(&file.path, Change::Rewrite(Rewrite::DropByteOrderMark)))
         .help("save the file as UTF-8 without byte order mark");
-    let finding = loss.of(finding);
+    let finding = loss.of(view, finding);
     out.push(if damage == Damage::MarkedRow { weigh(&view.target(file), finding) } else { finding });
 }
 

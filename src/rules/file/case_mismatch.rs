@@ -2,11 +2,11 @@
 
 use std::collections::BTreeMap;
 
+use super::super::cause::consequence::{Damage, consequence};
 use super::super::{Check, Rule, RuleCx};
-use super::named::{Cause, causes, differs_in_form, effect, written};
+use super::named::{Cause, causes, differs_in_form, written};
 use super::spelling::{as_on_disk, differing, folder_on_disk, found, plain, respelled};
 use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Place, RuleInfo};
-use crate::discover::Kind;
 use crate::repo::{Reference, ReferenceKind, Resolution, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -40,7 +40,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         });
         let Some(finding) = finding else { continue };
         let systems = if in_form { "on Linux and Windows" } else { "on Linux" };
-        let mut finding = finding.effect(format!("{systems}: {}", effect(first.kind)));
+        let mut finding = cause.unfound(view, finding, systems);
         if matches!(first.resolution, Resolution::Backslash(_)) && folder_on_disk(first).is_none() {
             // The folder in front is at fault for its backslashes only.
             finding.place = first.place.clone();
@@ -119,12 +119,9 @@ fn fixed_names(view: &View<'_>, out: &mut Vec<Finding>) {
         let Some(right) = (view.layout().misnamed)(&file.rel, &|rel| layer.file(rel).is_some()) else { continue };
         let (name, wanted) = (file.file_name(), right.rsplit('/').next().unwrap_or_default());
         let message = format!("`{name}` is looked for as `{wanted}`");
-        let effect = if matches!(view.kind_at(&right), Kind::BaseJson | Kind::BaseMesh) {
-            "on Linux: does not load the base mesh".to_owned()
-        } else {
-            format!("on Linux: takes `{wanted}` as missing, without a word")
-        };
+        let effect = consequence(view, &right, Damage::Absent).and_then(|loss| loss.effect);
+        let effect = effect.map_or_else(|| format!("takes `{wanted}` as missing, without a word"), str::to_owned);
         let finding = RULE.at(file, Place::File, message).key("name").help(format!("rename it to `{wanted}`"));
-        out.push(finding.effect(effect));
+        out.push(finding.effect_in(view.application(), format!("on Linux: {effect}")));
     }
 }

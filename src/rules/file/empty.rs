@@ -37,7 +37,7 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
         Kind::TargetArchive => "delete it: MakeHuman 2 makes a new one from the targets",
         _ => "restore the content, or remove the file and what refers to it",
     };
-    out.push(loss.of(RULE.at(file, Place::File, message)).help(help));
+    out.push(loss.of(view, RULE.at(file, Place::File, message)).help(help));
 }
 
 /// An empty value counts as no file, too. In a generated modelling.json it is usual.

@@ -32,10 +32,11 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
         Some(GzipFault::Bomb { .. }) | None => return,
     };
     let help = if moment(view, &file.rel) == Moment::Never {
-        "MakeHuman 2 reads plain targets only: put the unpacked target here, or remove the file"
+        let application = view.application().title();
+        format!("{application} reads plain targets only: put the unpacked target here, or remove the file")
     } else {
-        "pack the file again from its source"
+        "pack the file again from its source".to_owned()
     };
     let finding = RULE.at(file, Place::File, message).help(help);
-    out.extend(consequence(view, &file.rel, Damage::Packed).map(|loss| loss.of(finding)));
+    out.extend(consequence(view, &file.rel, Damage::Packed).map(|loss| loss.of(view, finding)));
 }

@@ -42,7 +42,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         };
         let evidence = Evidence::of_cases(files.iter().map(|file| file.file_name()));
         out.push(
-            loss.of(finding)
+            loss.of(view, finding)
                 .asset(layer.display(folder))
                 .key(if parsed { "parsed" } else { "" })
                 .parts_in(files.iter().map(|file| (file.file_name(), &file.path)))

@@ -3,8 +3,9 @@
 use std::collections::BTreeMap;
 
 use super::super::Rule;
-use crate::diag::{Change, Evidence, Finding, Fix, Level, Place};
-use crate::repo::{Reference, ReferenceKind, Resolution, View, composed};
+use super::super::cause::consequence::unfound;
+use crate::diag::{Change, Evidence, Finding, Fix, Place};
+use crate::repo::{Reference, Resolution, View, composed};
 
 /// References of one cause in one file, in the order of the file.
 pub(super) struct Cause<'r, 'a> {
@@ -37,7 +38,7 @@ impl Cause<'_, '_> {
         first.map_or("", |first| first.folder_at_fault.as_ref().map_or(first.text, |(_, folder)| folder))
     }
 
-    /// A finding at the first reference, or at its folder; the others are counted, the worst sets the level.
+    /// A finding at the first reference, or at its folder; the others are counted.
     pub(super) fn finding(&self, rule: &Rule, message: impl FnOnce(&str) -> String) -> Option<Finding> {
         let first = self.references.first()?;
         let mut message = message(self.text());
@@ -46,9 +47,18 @@ impl Cause<'_, '_> {
             message = format!("{message} ({} references like it)", self.references.len());
         }
         let names = self.references.iter().map(|reference| reference.text);
-        let worst = self.references.iter().map(|reference| level(reference.kind)).max().unwrap_or(Level::Error);
-        let finding = rule.at(first.from, place, message).key(&self.key).level(worst);
-        Some(finding.evidence(Evidence::of_cases(names)))
+        Some(rule.at(first.from, place, message).key(&self.key).evidence(Evidence::of_cases(names)))
+    }
+
+    /// The finding with what the application of the view does where it finds nothing, `on` these systems or on all; the
+    /// worst sets the level.
+    pub(super) fn unfound(&self, view: &View<'_>, finding: Finding, on: &str) -> Finding {
+        let losses: Vec<_> = self.references.iter().filter_map(|reference| unfound(view, reference.kind)).collect();
+        let worst = losses.iter().map(|loss| loss.level).max();
+        let on = if on.is_empty() { String::new() } else { format!("{on}: ") };
+        let effect = losses.first().and_then(|loss| loss.effect).map(|effect| format!("{on}{effect}"));
+        let (Some(worst), Some(effect)) = (worst, effect) else { return finding };
+        finding.level_in(view.application(), worst).effect_in(view.application(), effect)
     }
 }
 
@@ -58,29 +68,6 @@ pub(super) fn written(fix: Fix, reference: &Reference<'_>, text: Option<String>)
         Place::Pointer(pointer) => fix.step(&reference.from.path, Change::Value { pointer: pointer.clone(), text }),
         // A name that is not written, such as that of a default.
         _ => fix,
-    }
-}
-
-/// How bad it is if the application finds nothing.
-fn level(kind: ReferenceKind) -> Level {
-    if matches!(kind, ReferenceKind::Icon | ReferenceKind::Texture) { Level::Warning } else { Level::Error }
-}
-
-/// What the application that has such names does if it finds nothing (formats/makehuman2.md §3.6, §4.3, §7, §10, §17;
-/// formats/mpfb.md §2.3).
-pub(super) fn effect(kind: ReferenceKind) -> &'static str {
-    match kind {
-        ReferenceKind::MacroTarget | ReferenceKind::Incr | ReferenceKind::Decr => {
-            "does not find the target: an exception when its slider moves, or at start if the start character uses it"
-        }
-        ReferenceKind::Slot | ReferenceKind::SliderName => {
-            "does not find the target: an exception when its slider moves"
-        }
-        ReferenceKind::Icon => "shows a button without a picture",
-        ReferenceKind::WeightsFile => "refuses the skeleton",
-        ReferenceKind::PoseSkeleton => "has no poses and no bone weights for assets, without a word",
-        ReferenceKind::Model => "stops at start with a TypeError",
-        ReferenceKind::Texture => "goes without the texture, without a message",
     }
 }
 

@@ -30,6 +30,6 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     let guess = file.encoding.guess.unwrap_or("another encoding");
     let message = format!("`{}` is not UTF-8 (probably {guess})", file.file_name());
     let finding = RULE.at(file, Place::Span(at..at + 1), message);
-    let finding = loss.of(finding).help("save the file as UTF-8 without byte order mark");
+    let finding = loss.of(view, finding).help("save the file as UTF-8 without byte order mark");
     out.push(if file.kind == Kind::Target { weigh(&view.target(file), finding) } else { finding });
 }

@@ -22,14 +22,14 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Repository(run),
 };
 
-/// Why a file was not read on which a reader of ours panicked.
-const FAILED: &str = "mhlint itself failed on this file; please report it with the file";
+/// What is said of a file on which a reader of ours panicked.
+const FAILED: &str = "cannot be read: mhlint itself failed on this file; please report it with the file";
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers().checked;
     let finding = |rel: &str, message: String| {
         let finding = RULE.in_layer(layer, rel, message);
-        consequence(view, rel, Damage::Closed).map(|loss| loss.of(finding))
+        consequence(view, rel, Damage::Closed).map(|loss| loss.of(view, finding))
     };
     for fault in &layer.walk_faults {
         if let WalkFaultKind::Unreadable { reason } = &fault.kind {
@@ -40,9 +40,9 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for file in view.files() {
         match &file.unreadable {
             Some(ReadFault::Unreadable(reason)) => {
-                let reason = if file.failed { FAILED } else { reason };
                 out.extend(finding(&file.rel, format!("cannot be read: {reason}")));
             }
+            _ if file.failed => out.extend(finding(&file.rel, FAILED.to_owned())),
             _ if (view.layout().is_folder)(&file.rel, &is_base) => {
                 let message = format!("`{}` is a file, but a folder belongs here", file.file_name());
                 out.extend(finding(&file.rel, message).map(|it| it.help("remove the file or give it another name")));

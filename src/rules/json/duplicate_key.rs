@@ -36,10 +36,10 @@ fn finding(file: &FileFacts, pointer: &str, all: &[&Duplicate]) -> Option<Findin
     let loss = if equal { "with the same value" } else { "only the last value counts" };
     let finding = RULE.at(file, Place::Span(first.lost.clone()), format!("key `{key}` occurs {times}; {loss}"));
     let related = Place::Span(last.kept.clone());
+    let finding = if equal { finding.at_most(Level::Info) } else { finding };
     Some(
         finding
             .key(structural(pointer))
-            .level(if equal { Level::Info } else { Level::Warning })
             .help(if equal { "remove one of them" } else { "give one of them another key, or remove it" })
             .related(file.path.clone(), related, format!("this `{key}` wins")),
     )

@@ -54,9 +54,10 @@ fn finding(
     let mut finding = RULE.at(file, Place::Pointer(first.pointer.clone()), message);
     finding = finding.key(format!("{keyword}{}", lack.unwrap_or_default())).help(help(file, first));
     // Of values that fail in the same way the worst counts.
+    let usual = RULE.info.level_in(view.application());
     let each = all.iter().map(|fault| of_value(view, file.kind, fault));
-    if let Some(Some(loss)) = each.max_by_key(|loss| loss.map_or(RULE.info.level, |loss| loss.level)) {
-        finding = loss.of(finding);
+    if let Some(Some(loss)) = each.max_by_key(|loss| loss.map_or(usual, |loss| loss.level)) {
+        finding = loss.of(view, finding);
     }
     for other in all.iter().skip(1).take(EXAMPLES - 1) {
         finding = finding.related(file.path.clone(), Place::Pointer(other.pointer.clone()), sentence(other));

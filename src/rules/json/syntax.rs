@@ -36,12 +36,9 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
                 .at(file, Place::Span(fault.span.clone()), format!("no JSON: {fault}"))
                 .parts([format!("{} {}", sort(&fault.kind), fault.within)])
                 .help(help(fault));
-            out.extend(consequence(view, &file.rel, Damage::Syntax).map(|loss| loss.of(finding)));
+            out.extend(consequence(view, &file.rel, Damage::Syntax).map(|loss| loss.of(view, finding)));
         }
-        // What NaN does to weights is worse, and another rule's business.
-        _ if !matches!(file.kind, Kind::Weights | Kind::AssetWeights) && !is_stray(view, file) => {
-            out.extend(special_numbers(file));
-        }
+        _ if !is_stray(view, file) => out.extend(special_numbers(view, file)),
         _ => {}
     }
 }
@@ -94,20 +91,19 @@ fn help(fault: &SyntaxFault) -> &'static str {
     }
 }
 
-fn special_numbers(file: &FileFacts) -> Option<Finding> {
+fn special_numbers(view: &View<'_>, file: &FileFacts) -> Option<Finding> {
     let specials = &file.json.specials;
     let first = specials.first()?;
+    let consequence = consequence(view, &file.rel, Damage::Special)?;
     let message = match specials.len() {
         1 => "a number that JSON does not have (`NaN` or `Infinity`)".to_owned(),
         count => format!("{count} numbers that JSON does not have (`NaN` or `Infinity`)"),
     };
     let evidence = Evidence::of_unnamed(specials.iter().map(|span| format!("byte {}", span.start)));
-    Some(
-        RULE.at(file, Place::Span(first.clone()), message)
-            .key("special numbers")
-            .level(Level::Warning)
-            .help("write a finite number; Python accepts this one, JSON does not")
-            .effect("reads it and calculates with it")
-            .evidence(evidence),
-    )
+    let finding = RULE
+        .at(file, Place::Span(first.clone()), message)
+        .key("special numbers")
+        .help("write a finite number; Python accepts this one, JSON does not")
+        .evidence(evidence);
+    Some(consequence.of(view, finding))
 }

@@ -28,6 +28,6 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     if fault.kind == SyntaxKind::TooDeep {
         let finding = RULE.at(file, Place::Span(fault.span.clone()), fault.to_string());
         let finding = finding.help("no format needs more than ten levels; replace the file");
-        out.extend(consequence(view, &file.rel, Damage::TooDeep).map(|loss| loss.of(finding)));
+        out.extend(consequence(view, &file.rel, Damage::TooDeep).map(|loss| loss.of(view, finding)));
     }
 }

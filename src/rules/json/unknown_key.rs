@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::cause::is_ignored_override;
 use super::super::{Check, Rule, RuleCx, did_you_mean};
-use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo, pointer};
+use crate::diag::{Application, Case, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo, pointer};
 use crate::discover::Kind;
 use crate::formats::Content;
 use crate::formats::mhskel::{Bone, RotationPlane, Section};
@@ -24,6 +24,9 @@ pub(in crate::rules) static RULE: Rule = Rule {
     },
     check: Check::File(run),
 };
+
+/// Another key is meant, in a file of which each is used.
+const MEANT: Case = &[(Application::Makehuman2, Level::Warning, "ignores the key without a word")];
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if file.schema.unknown.is_empty() || is_ignored_override(file) {
@@ -99,7 +102,7 @@ fn finding(file: &FileFacts, all: &[&UnknownKey]) -> Option<Finding> {
         .evidence(Evidence::of_cases(all.iter().map(|unknown| &unknown.pointer)));
     let matters = matches!(file.kind, Kind::ModellingJson | Kind::TargetCategories | Kind::BaseJson);
     if matters && first.nearest.is_some() {
-        finding = finding.level(Level::Warning);
+        finding = finding.case(MEANT);
     }
     for other in all.iter().skip(1).take(EXAMPLES - 1) {
         finding = finding.related(file.path.clone(), Place::Key(other.pointer.clone()), "here, too");

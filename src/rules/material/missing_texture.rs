@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx};
 use super::advice::{Advice, file_name};
-use crate::diag::{Application, Evidence, Extent, Finding, Level, RuleInfo};
+use crate::diag::{Application, Case, Evidence, Extent, Finding, Level, RuleInfo};
 use crate::repo::{Layer, Reference, ReferenceKind, Resolution, View, parent};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -25,6 +25,14 @@ pub(in crate::rules) static RULE: Rule = Rule {
     },
     check: Check::Repository(run),
 };
+
+const KEPT: Case = &[(
+    Application::Makehuman2,
+    Level::Warning,
+    "drops the line without a message and keeps the texture of a line above",
+)];
+const COLOUR: Case =
+    &[(Application::Makehuman2, Level::Warning, "drops the keyword without a message and shows the colour instead")];
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layers = view.layers();
@@ -67,9 +75,9 @@ fn finding(view: &View<'_>, cause: &str, references: &[&Reference<'_>]) -> Optio
         lines.any(|other| other.owner == reference.owner && other.found().is_some())
     };
     Some(if references.iter().all(is_kept) {
-        finding.effect("drops the line without a message and keeps the texture of a line above")
+        finding.case(KEPT)
     } else if references.iter().any(|reference| reference.owner == "diffuseTexture") {
-        finding.effect("drops the keyword without a message and shows the colour instead")
+        finding.case(COLOUR)
     } else {
         finding
     })

@@ -1,7 +1,7 @@
 //! A face group must be opened once.
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::obj::Reopened;
 use crate::repo::{Body, FileFacts};
 
@@ -21,6 +21,9 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Body(run),
 };
 
+const VANISHING: Case =
+    &[(Application::Makehuman2, Level::Error, "loses visible faces: they end up in a group that is not shown")];
+
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, mesh)) = body.mesh else { return };
     let visible = body.visible_groups.unwrap_or_default();
@@ -28,8 +31,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let vanishes = |group: &&Reopened| is_visible(&group.name) && !group.lands_in.iter().all(|name| is_visible(name));
     let (vanishing, others): (Vec<&Reopened>, Vec<&Reopened>) = mesh.facts.reopened.iter().partition(vanishes);
     if let Some(finding) = finding(file, &vanishing, mesh.faces.len()) {
-        let effect = "loses visible faces: they end up in a group that is not shown";
-        out.push(finding.key("visible").level(Level::Error).effect(effect));
+        out.push(finding.key("visible").case(VANISHING));
     }
     out.extend(finding(file, &others, mesh.faces.len()));
 }

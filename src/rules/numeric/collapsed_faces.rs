@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::{at_setting, percent, untold};
-use crate::diag::{Application, Confidence, Evidence, Finding, Level, RuleInfo};
+use crate::diag::{Application, Case, Confidence, Evidence, Finding, Level, RuleInfo};
 use crate::eval::measures::{Measures, Seen};
 use crate::repo::Body;
 
@@ -24,6 +24,12 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Numeric(run),
 };
 
+const FLIPPED: Case = &[(
+    Application::Makehuman2,
+    Level::Warning,
+    "shows the inside of the skin, or holes where back faces are not drawn",
+)];
+
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(space) = &measures.space else { return };
     if let Some(seen) = untold(body, space, space.collapsed.as_ref()) {
@@ -39,7 +45,7 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
         out.push(
             finding(body, seen, &message, "flipped")
                 .evidence(Evidence::counted(seen.count).with_worst(seen.value, format!("face {}", seen.element)))
-                .effect("shows the inside of the skin, or holes where back faces are not drawn"),
+                .case(FLIPPED),
         );
     }
 }

@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::{component, has_sound_steps, title};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::measures::{DeadRange, Measures};
 use crate::formats::macro_json::{Component, MacroFile, Macrodef};
 use crate::repo::Body;
@@ -26,6 +26,12 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Numeric(run),
 };
 
+const NARROW: Case = &[(
+    Application::Makehuman2,
+    Level::Info,
+    "fades the shape out towards this position and applies nothing of the macrodef there",
+)];
+
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = body.macros else { return };
     for (number, macrodef) in macros.macrodefs.iter().enumerate() {
@@ -43,9 +49,7 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
         out.push(if is_wide {
             finding.help("list the combinations, or write `null` where no shape is meant")
         } else {
-            let effect = "fades the shape out towards this position and applies nothing of the macrodef there";
-            let finding = finding.level(Level::Info).effect(effect);
-            finding.help("nothing needs to be done if no shape is meant there")
+            finding.case(NARROW).help("nothing needs to be done if no shape is meant there")
         });
     }
 }

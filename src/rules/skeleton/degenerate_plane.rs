@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
 use super::measured::{Measured, measured, named, plane_of};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::eval::skeleton::PARALLEL_SINE;
 use crate::repo::Body;
@@ -24,6 +24,9 @@ pub(in crate::rules) static RULE: Rule = Rule {
     },
     check: Check::Numeric(run),
 };
+
+const NOISE: Case =
+    &[(Application::Makehuman2, Level::Warning, "rolls the bones by rounding errors, differently for every character")];
 
 /// Sine of the angle between the edges below which rounding of joints decides the normal.
 const NOISE_SINE: f64 = 1e-4;
@@ -61,7 +64,6 @@ fn finding(rig: &Measured<'_>, plane: &str, sine: f64, bones: &[&str]) -> Option
         .key(plane)
         .help("take three joints that make a triangle")
         .evidence(evidence);
-    let effect = "rolls the bones by rounding errors, differently for every character";
     let is_noise = sine.is_finite() && sine >= PARALLEL_SINE;
-    Some(if is_noise { finding.level(Level::Warning).effect(effect) } else { finding })
+    Some(if is_noise { finding.case(NOISE) } else { finding })
 }

@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::rigs;
-use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Case, Finding, Level, Place, RuleInfo};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -21,6 +21,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Body(run),
 };
 
+const NOT_NEEDED: Case = &[(Application::Makehuman2, Level::Info, "drops the joint without a word; no bone needs it")];
+
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for rig in rigs(body) {
         let asked = rig.asked_joints();
@@ -32,9 +34,9 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 .key(&joint.name)
                 .help("list the vertices of the base mesh whose mean is the joint, or remove it");
             out.push(if asked.contains(joint.name.as_str()) {
-                finding.effect(rig.stops_with("a KeyError at the first bone that needs the joint"))
+                rig.stops_with("a KeyError at the first bone that needs the joint", finding)
             } else {
-                finding.level(Level::Info).effect("drops the joint without a word; no bone needs it")
+                finding.case(NOT_NEEDED)
             });
         }
     }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
 use super::{Rig, rigs};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -23,6 +23,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
     },
     check: Check::Body(run),
 };
+
+const SEAM: Case =
+    &[(Application::Makehuman2, Level::Warning, "takes the position of a duplicate along a texture seam")];
+const NEGATIVE: Case = &[(Application::Makehuman2, Level::Warning, "takes a vertex counted from the end of the mesh")];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((_, mesh)) = body.mesh.filter(|(_, mesh)| mesh.facts.vertices > 0) else { return };
@@ -65,38 +69,25 @@ fn fault(vertex: i64, (vertices, with_seams): (usize, usize)) -> Option<Fault> {
 fn finding(rig: &Rig<'_>, fault: Fault, cases: &[(&str, usize, i64)], vertices: usize) -> Option<Finding> {
     let (joint, at, vertex) = cases.first()?;
     let more = if cases.len() > 1 { format!(" ({} entries like it)", cases.len()) } else { String::new() };
-    let (key, what, effect) = match fault {
-        Fault::Beyond => {
-            ("beyond", format!("vertex {vertex}, but the base mesh has {vertices}"), rig.stops_with("an IndexError"))
-        }
-        Fault::Float => ("float", "a vertex number with a point".to_owned(), rig.stops_with("an IndexError")),
-        Fault::Seam => (
-            "seam",
-            format!("vertex {vertex}, a seam duplicate: the base mesh has {vertices}"),
-            "takes the position of a duplicate along a texture seam".to_owned(),
-        ),
-        Fault::Negative => (
-            "negative",
-            format!("the negative vertex {vertex}"),
-            "takes a vertex counted from the end of the mesh".to_owned(),
-        ),
+    let (key, what) = match fault {
+        Fault::Beyond => ("beyond", format!("vertex {vertex}, but the base mesh has {vertices}")),
+        Fault::Float => ("float", "a vertex number with a point".to_owned()),
+        Fault::Seam => ("seam", format!("vertex {vertex}, a seam duplicate: the base mesh has {vertices}")),
+        Fault::Negative => ("negative", format!("the negative vertex {vertex}")),
     };
-    let wrong_only = matches!(fault, Fault::Seam | Fault::Negative);
     let names = cases.iter().map(|(joint, at, _)| format!("{joint}[{at}]"));
-    Some(
-        RULE.at(
-            rig.file,
-            Place::pointer(["joints", joint, &at.to_string()]),
-            format!("joint `{joint}` lists {what}{more}"),
-        )
+    let help =
+        format!("list vertices from 0 to {}; was the skeleton made for another mesh?", vertices.saturating_sub(1));
+    let place = Place::pointer(["joints", joint, &at.to_string()]);
+    let finding = RULE
+        .at(rig.file, place, format!("joint `{joint}` lists {what}{more}"))
         .key(key)
         .parts(cases.iter().map(|(joint, _, vertex)| format!("{joint}: {vertex}")))
-        .level(if wrong_only { Level::Warning } else { Level::Error })
-        .help(format!(
-            "list vertices from 0 to {}; was the skeleton made for another mesh?",
-            vertices.saturating_sub(1)
-        ))
-        .evidence(Evidence::of_cases(names))
-        .effect(effect),
-    )
+        .help(help)
+        .evidence(Evidence::of_cases(names));
+    Some(match fault {
+        Fault::Beyond | Fault::Float => rig.stops_with("an IndexError", finding),
+        Fault::Seam => finding.case(SEAM),
+        Fault::Negative => finding.case(NEGATIVE),
+    })
 }

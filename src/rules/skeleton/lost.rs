@@ -4,7 +4,7 @@
 use super::super::Rule;
 use super::hierarchy::{Ring, hierarchy};
 use super::rigs;
-use crate::diag::{Application, Evidence, Finding, Level, Place};
+use crate::diag::{Application, Case, Evidence, Finding, Level, Place};
 use crate::repo::Body;
 
 /// What becomes of bones that are never reached, where the weights mention one.
@@ -12,6 +12,8 @@ pub(super) const LOST_AND_WEIGHTED: &[(Application, &str)] = &[(
     Application::Makehuman2,
     "drops these bones without a word; entering pose mode then stops with a KeyError, because the weights mention them",
 )];
+
+const LOST: Case = &[(Application::Makehuman2, Level::Warning, "drops these bones without a word")];
 
 /// One finding of `rule` for every circle that it is for.
 pub(super) fn lost_bones(rule: &Rule, body: &Body<'_>, is_for: impl Fn(&Ring<'_>) -> bool) -> Vec<Finding> {
@@ -32,11 +34,7 @@ pub(super) fn lost_bones(rule: &Rule, body: &Body<'_>, is_for: impl Fn(&Ring<'_>
                 .key(*key)
                 .help("give one bone of the circle a parent outside of it")
                 .evidence(Evidence::of_cases(told).out_of(rig.skeleton.bones.len()));
-            found.push(if lost.iter().any(|bone| weighted.contains(bone)) {
-                finding
-            } else {
-                finding.level(Level::Warning).effect("drops these bones without a word")
-            });
+            found.push(if lost.iter().any(|bone| weighted.contains(bone)) { finding } else { finding.case(LOST) });
         }
     }
     found

@@ -1,8 +1,8 @@
 //! A plane is three joints.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{Rig, rigs};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use super::rigs;
+use crate::diag::{Application, Case, Finding, Level, Place, RuleInfo};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -21,37 +21,38 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Body(run),
 };
 
+const REFUSED: Case = &[(Application::Makehuman2, Level::Error, "refuses the skeleton with a line in its log")];
+const NOT_USED: Case = &[(Application::Makehuman2, Level::Info, "never looks at the plane: no bone uses it")];
+
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for rig in rigs(body) {
         let asked = rig.asked_planes();
         for plane in &rig.skeleton.planes {
-            let Some((what, effect)) = fault(&rig, plane.joints.as_deref()) else { continue };
+            let Some((what, error)) = fault(plane.joints.as_deref()) else { continue };
             let finding = RULE
                 .at(rig.file, Place::pointer(["planes", &plane.name]), format!("plane `{}` {what}", plane.name))
                 .key(&plane.name)
                 .help("name three joints that are not in one line, or remove the plane and let the bones use the vertical");
-            out.push(if asked.contains(plane.name.as_str()) {
-                finding.effect(effect)
-            } else {
-                finding.level(Level::Info).effect("never looks at the plane: no bone uses it")
+            out.push(match error {
+                _ if !asked.contains(plane.name.as_str()) => finding.case(NOT_USED),
+                Some(error) => rig.stops_with(error, finding),
+                None => finding.case(REFUSED),
             });
         }
     }
 }
 
-/// What is wrong with a plane, and what becomes of it.
-fn fault(rig: &Rig<'_>, joints: Option<&[Option<String>]>) -> Option<(String, String)> {
+/// What is wrong with a plane, and the exception that follows, if one does.
+fn fault(joints: Option<&[Option<String>]>) -> Option<(String, Option<&'static str>)> {
     let Some(joints) = joints else {
-        return Some(("is no list of joints".to_owned(), rig.stops_with("an exception")));
+        return Some(("is no list of joints".to_owned(), Some("an exception")));
     };
     if joints.len() == 3 && joints.iter().all(Option::is_none) {
-        return Some(("is `[null, null, null]`".to_owned(), RULE_REFUSES.to_owned()));
+        return Some(("is `[null, null, null]`".to_owned(), None));
     }
     if joints.len() < 3 {
-        return Some((format!("has {} of three joints", joints.len()), rig.stops_with("a TypeError")));
+        return Some((format!("has {} of three joints", joints.len()), Some("a TypeError")));
     }
     let unnamed = joints.iter().take(3).position(Option::is_none)?;
-    Some((format!("has no joint name at position {unnamed}"), rig.stops_with("a KeyError")))
+    Some((format!("has no joint name at position {unnamed}"), Some("a KeyError")))
 }
-
-const RULE_REFUSES: &str = "refuses the skeleton with a line in its log";

@@ -3,7 +3,7 @@
 use super::super::cause::schema::misspelt;
 use super::super::{Check, Rule, RuleCx};
 use super::{Rig, rigs};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::mhskel::Section;
 use crate::repo::{Body, FileFacts};
 
@@ -25,6 +25,12 @@ pub(in crate::rules) static RULE: Rule = Rule {
     },
     check: Check::Body(run),
 };
+
+const EMPTY: Case = &[(
+    Application::Makehuman2,
+    Level::Error,
+    "stops at start with an AttributeError while it scans the assets; afterwards all assets are missing",
+)];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for rig in rigs(body) {
@@ -53,9 +59,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 fn missing_sections(rig: &Rig<'_>, out: &mut Vec<Finding>) {
     if rig.file.json.falsy {
         let finding = RULE.at(rig.file, Place::File, "the skeleton is empty: neither `bones` nor `joints`");
-        let effect =
-            "stops at start with an AttributeError while it scans the assets; afterwards all assets are missing";
-        out.push(finding.effect(effect).help("remove the file or write the skeleton"));
+        out.push(finding.case(EMPTY).help("remove the file or write the skeleton"));
         return;
     }
     for (name, section) in [("bones", rig.skeleton.bones_section), ("joints", rig.skeleton.joints_section)] {

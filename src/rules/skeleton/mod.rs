@@ -25,6 +25,7 @@ pub(super) mod zero_length_bone;
 
 use std::collections::BTreeSet;
 
+use crate::diag::{Application, Finding};
 use crate::formats::mhskel::{RotationPlane, Skeleton};
 use crate::repo::{self, Body, FileFacts};
 
@@ -45,13 +46,10 @@ fn rigs<'v>(body: &Body<'v>) -> impl Iterator<Item = Rig<'v>> + use<'v> {
 }
 
 impl<'a> Rig<'a> {
-    /// When an exception in this skeleton reaches the user.
-    fn stops_with(&self, error: &str) -> String {
-        if self.own.is_default {
-            format!("stops with {error} while the base is loaded")
-        } else {
-            format!("stops with {error} when the skeleton is chosen")
-        }
+    /// The finding with the time at which an exception in this skeleton reaches the user of MakeHuman 2.
+    fn stops_with(&self, error: &str, finding: Finding) -> Finding {
+        let when = if self.own.is_default { "while the base is loaded" } else { "when the skeleton is chosen" };
+        finding.effect_in(Application::Makehuman2, format!("stops with {error} {when}"))
     }
 
     /// Joints that a bone, or a plane that a bone names, asks for.

@@ -41,13 +41,9 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 suggestions.nearest(joint, known.iter().copied()),
                 "add it to `joints`, or name one of the joints there",
             );
-            out.push(
-                RULE.at(rig.file, place.clone(), message)
-                    .key(joint)
-                    .help(help)
-                    .evidence(Evidence::of_cases(uses.iter().map(|(_, owner)| owner)))
-                    .effect(rig.stops_with("a KeyError")),
-            );
+            let finding = RULE.at(rig.file, place.clone(), message).key(joint).help(help);
+            let finding = finding.evidence(Evidence::of_cases(uses.iter().map(|(_, owner)| owner)));
+            out.push(rig.stops_with("a KeyError", finding));
         }
     }
 }
@@ -59,7 +55,7 @@ fn without_joints(rig: &Rig<'_>) -> Option<Finding> {
     let message = format!("bones and planes name {} joints, but `joints` is empty", uses.len());
     let finding = RULE.at(rig.file, place.clone(), message).key("joints").help("add the joints to `joints`");
     let finding = finding.evidence(Evidence::of_cases(uses.keys()));
-    Some(finding.effect(rig.stops_with("a KeyError")))
+    Some(rig.stops_with("a KeyError", finding))
 }
 
 /// Joints that are looked up, with the places that name them.

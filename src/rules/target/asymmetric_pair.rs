@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::shown::shown_by;
-use crate::diag::{Application, Element, Evidence, Extent, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Case, Element, Evidence, Extent, Finding, Level, Place, RuleInfo};
 use crate::eval::measures::{Measures, PairMeasure};
 use crate::repo::Body;
 
@@ -21,6 +21,12 @@ pub(in crate::rules) static RULE: Rule = Rule {
     },
     check: Check::Numeric(run),
 };
+
+const ON_HELPERS: Case = &[(
+    Application::Makehuman2,
+    Level::Info,
+    "fits clothes and hair unevenly at the helpers that differ; the body is even",
+)];
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     out.extend(measures.pairs.iter().filter_map(|pair| finding(body, pair)));
@@ -53,6 +59,5 @@ fn finding(body: &Body<'_>, pair: &PairMeasure) -> Option<Finding> {
         .related(&right.path, Place::File, "its partner")
         .help("mirror one of the two and save it over the other")
         .evidence(evidence.out_of(difference.compared).with_worst(worst, format!("vertex {vertex}")));
-    let effect = "fits clothes and hair unevenly at the helpers that differ; the body is even";
-    Some(if on_body { finding } else { finding.level(Level::Info).effect(effect) })
+    Some(if on_body { finding } else { finding.case(ON_HELPERS) })
 }

@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use super::shown::shown_by;
 use super::{first_row, targets};
-use crate::diag::{Application, Finding, Level, RuleInfo};
+use crate::diag::{Application, Case, Finding, Level, RuleInfo};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -20,6 +20,12 @@ pub(in crate::rules) static RULE: Rule = Rule {
     },
     check: Check::Body(run),
 };
+
+const OUTDATED: Case = &[(
+    Application::Makehuman2,
+    Level::Warning,
+    "applies the numbers of the archive; the vertex is nowhere once that is deleted to be made anew",
+)];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (target, file, facts) in targets(body) {
@@ -38,9 +44,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             .help("write finite numbers or remove the rows")
             .evidence(facts.non_finite.evidence(facts.rows));
         if is_outdated {
-            let effect =
-                "applies the numbers of the archive; the vertex is nowhere once that is deleted to be made anew";
-            finding = finding.level(Level::Warning).effect(effect);
+            finding = finding.case(OUTDATED);
         }
         out.push(finding);
     }

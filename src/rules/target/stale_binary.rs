@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx, counted};
 use super::decoded;
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
 use crate::formats::npz::Archive;
 use crate::repo::{FileFacts, Layer, View, parent};
@@ -23,6 +23,15 @@ pub(in crate::rules) static RULE: Rule = Rule {
     },
     check: Check::Repository(run),
 };
+
+/// The usual.
+const DIFFERING: Case = &[];
+const WITHOUT_TEXT: Case = &[(
+    Application::Makehuman2,
+    Level::Warning,
+    "takes the target from the archive; it is gone when the archive is made anew",
+)];
+const WITHOUT_MEMBER: Case = &[(Application::Makehuman2, Level::Info, "reads these targets from their text files")];
 
 /// Names of targets, sorted by what is wrong with them.
 #[derive(Default)]
@@ -70,25 +79,19 @@ fn differs(text: &FileFacts, content: u64) -> bool {
 
 fn finding(file: &FileFacts, archive: &Archive, stale: &Stale<'_>) -> Option<Finding> {
     let groups = [
-        (&stale.differing, "with other numbers than the text file", Level::Error),
-        (&stale.without_text, "without a text file", Level::Warning),
-        (&stale.without_member, "missing from the archive", Level::Info),
+        (&stale.differing, "with other numbers than the text file", DIFFERING),
+        (&stale.without_text, "without a text file", WITHOUT_TEXT),
+        (&stale.without_member, "missing from the archive", WITHOUT_MEMBER),
     ];
     let found = groups.iter().filter(|(names, _, _)| !names.is_empty());
     let parts: Vec<String> =
         found.clone().map(|(names, what, _)| format!("{} {what}", counted(names.len(), "target"))).collect();
-    let (first, _, level) = found.clone().next()?;
-    let effect = match level {
-        Level::Error => RULE.info.breaks.first()?.1,
-        Level::Warning => "takes the target from the archive; it is gone when the archive is made anew",
-        Level::Info => "reads these targets from their text files",
-    };
+    let (first, _, case) = found.clone().next()?;
     let names: Vec<&str> = found.flat_map(|(names, _, _)| names.iter().copied()).collect();
     let message = format!("the archive is out of date: {} (first `{}`)", parts.join(", "), first.first()?);
     Some(
         RULE.at(file, Place::File, message)
-            .level(*level)
-            .effect(effect)
+            .case(case)
             .help("delete the archive; MakeHuman 2 makes it anew at the next start")
             .evidence(Evidence::of_cases(names).out_of(archive.members.len() + stale.without_member.len())),
     )

@@ -3,7 +3,7 @@
 use super::super::cause::archived::weigh;
 use super::super::{Check, Rule, RuleCx};
 use super::{first_row, targets};
-use crate::diag::{Application, Finding, Level, RuleInfo, Tally};
+use crate::diag::{Application, Case, Finding, Level, RuleInfo, Tally};
 use crate::formats::target::TargetFacts;
 use crate::repo::{Body, FileFacts, ReferenceKind, Target};
 
@@ -21,6 +21,29 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Body(run),
 };
 
+const OVERFLOW: Case = &[(
+    Application::Makehuman2,
+    Level::Error,
+    "stops at start with an OverflowError and leaves an empty compressedtargets.npz behind, which stops every \
+     later start",
+)];
+const OUTDATED: Case = &[(
+    Application::Makehuman2,
+    Level::Warning,
+    "applies the archive; it stops with an IndexError once that is deleted to be made anew",
+)];
+const UNUSED: Case = &[(
+    Application::Makehuman2,
+    Level::Warning,
+    "loads it; it stops with an IndexError once something uses the target",
+)];
+const WRAPPED: Case = &[(Application::Makehuman2, Level::Error, "moves another vertex or stops with an IndexError")];
+const OF_A_MACRO: Case =
+    &[(Application::Makehuman2, Level::Error, "stops with an IndexError when the macro applies it, at start already")];
+const OF_A_SLIDER: Case = &[(Application::Makehuman2, Level::Error, "stops with an IndexError when the slider moves")];
+const SEAM: Case =
+    &[(Application::Makehuman2, Level::Warning, "overwrites the double with its original: the row does nothing")];
+
 /// First index whose triple no longer fits 32 bits: coordinate 3·index wraps (formats/makehuman2.md §6.1).
 const FIRST_WRAPPED: i64 = (1 << 32) / 3 + 1;
 
@@ -32,8 +55,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         } else if facts.out_of_range.count > 0 {
             let finding = beyond(file, facts, vertices);
             out.push(if target.is_outdated() {
-                let effect = "applies the archive; it stops with an IndexError once that is deleted to be made anew";
-                finding.level(Level::Warning).effect(effect)
+                finding.case(OUTDATED)
             } else {
                 with_consequence(finding, target, facts)
             });
@@ -49,10 +71,7 @@ fn overflow(file: &FileFacts, facts: &TargetFacts) -> Finding {
         .key("overflow")
         .help("write the index that the base mesh has, or remove the row")
         .evidence(facts.overflow.evidence(facts.rows))
-        .effect(
-            "stops at start with an OverflowError and leaves an empty compressedtargets.npz behind, which stops every \
-             later start",
-        )
+        .case(OVERFLOW)
 }
 
 fn beyond(file: &FileFacts, facts: &TargetFacts, vertices: Option<usize>) -> Finding {
@@ -71,16 +90,12 @@ fn beyond(file: &FileFacts, facts: &TargetFacts, vertices: Option<usize>) -> Fin
 }
 
 fn with_consequence(finding: Finding, target: &Target<'_>, facts: &TargetFacts) -> Finding {
-    let effect = match target.used_as {
-        _ if target.is_unused => {
-            let effect = "loads it; it stops with an IndexError once something uses the target";
-            return finding.level(Level::Warning).effect(effect);
-        }
-        _ if facts.max_index >= Some(FIRST_WRAPPED) => "moves another vertex or stops with an IndexError",
-        Some(ReferenceKind::MacroTarget) => "stops with an IndexError when the macro applies it, at start already",
-        _ => "stops with an IndexError when the slider moves",
-    };
-    finding.effect(effect)
+    finding.case(match target.used_as {
+        _ if target.is_unused => UNUSED,
+        _ if facts.max_index >= Some(FIRST_WRAPPED) => WRAPPED,
+        Some(ReferenceKind::MacroTarget) => OF_A_MACRO,
+        _ => OF_A_SLIDER,
+    })
 }
 
 fn seam(file: &FileFacts, facts: &TargetFacts, vertices: Option<usize>) -> Finding {
@@ -91,10 +106,9 @@ fn seam(file: &FileFacts, facts: &TargetFacts, vertices: Option<usize>) -> Findi
     };
     RULE.at(file, first_row(tally), message)
         .key("seam")
-        .level(Level::Warning)
+        .case(SEAM)
         .help("name the original vertices, or remove the rows")
         .evidence(tally.evidence(facts.rows))
-        .effect("overwrites the double with its original: the row does nothing")
 }
 
 fn first(tally: &Tally) -> i64 {

@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::{bones_of, pair_place, worst};
-use crate::diag::{Application, Finding, Level, RuleInfo};
+use crate::diag::{Application, Case, Finding, Level, RuleInfo};
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -22,6 +22,9 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::File(run),
 };
 
+const ALONE: Case =
+    &[(Application::Makehuman2, Level::Info, "divides the only weight of the vertex by itself: nothing happens")];
+
 fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(weights) = bones_of(file) else { return };
     let tally = &weights.facts.above_one;
@@ -35,8 +38,7 @@ fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let evidence = worst(tally.evidence(weights.facts.pairs), tally);
     let mut finding = RULE.at(file, place, message).help("write the share as a number from 0 to 1").evidence(evidence);
     if weights.facts.above_one_alone == tally.count {
-        let effect = "divides the only weight of the vertex by itself: nothing happens";
-        finding = finding.level(Level::Info).effect(effect);
+        finding = finding.case(ALONE);
     }
     out.push(finding);
 }

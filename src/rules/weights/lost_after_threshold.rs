@@ -32,12 +32,10 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let vertices = body.mesh.map_or(0, |(_, mesh)| mesh.positions.len());
     let evidence = Evidence::counted(losing).out_of(vertices);
     let place = Place::Element(Element { kind: "vertex", index: u64::from(vertex) });
-    let level = if loss.pull < cx.option_of(ID, &DISTANCE) { Level::Info } else { Level::Warning };
-    out.push(
-        RULE.at(loss.file, place, message)
-            .level(level)
-            .parts(&loss.vertices)
-            .help("remove the tiny weights and normalise the rest")
-            .evidence(evidence.with_worst(loss.pull, format!("vertex {vertex}"))),
-    );
+    let finding = RULE
+        .at(loss.file, place, message)
+        .parts(&loss.vertices)
+        .help("remove the tiny weights and normalise the rest")
+        .evidence(evidence.with_worst(loss.pull, format!("vertex {vertex}")));
+    out.push(if loss.pull < cx.option_of(ID, &DISTANCE) { finding.at_most(Level::Info) } else { finding });
 }

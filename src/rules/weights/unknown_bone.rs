@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, nearest};
+use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo, nearest};
 use crate::repo::{Body, BodyWeights, FileFacts, Rig};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -19,10 +19,13 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Body(run),
 };
 
+const NEVER_APPLIED: Case =
+    &[(Application::Makehuman2, Level::Warning, "never applies these weights: the base is posed by another skeleton")];
+
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for BodyWeights { file, .. } in &body.weights {
         let Some(weights) = file.weights() else { continue };
-        let Some(Binding { known, level }) = binding(body, file) else { continue };
+        let Some(Binding { known, is_posed }) = binding(body, file) else { continue };
         let unknown = weights.bones.iter().filter(|bone| bone.listed > 0 && !known.contains(bone.name.as_str()));
         let unknown: Vec<&str> = unknown.map(|bone| bone.name.as_str()).collect();
         let Some(first) = unknown.first() else { continue };
@@ -34,31 +37,27 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         };
         let help =
             did_you_mean(nearest(first, known.iter().copied()), "name bones of the skeleton that uses these weights");
-        let mut finding = RULE
+        let finding = RULE
             .at(file, Place::key(["weights", first]), message)
-            .level(level)
             .help(help)
             .evidence(Evidence::of_cases(&unknown).out_of(weights.bones.len()));
-        if level == Level::Warning {
-            finding = finding.effect("never applies these weights: the base is posed by another skeleton");
-        }
-        out.push(finding);
+        out.push(if is_posed { finding } else { finding.case(NEVER_APPLIED) });
     }
 }
 
-/// Bones that the weights may be for, and how bad another one is.
+/// Bones that the weights may be for, and whether the body is posed with them.
 struct Binding<'a> {
     known: BTreeSet<&'a str>,
-    level: Level,
+    is_posed: bool,
 }
 
 /// The rigs that use a weights file; of these the one for poses alone, if it is among them.
 fn binding<'v>(body: &Body<'v>, file: &FileFacts) -> Option<Binding<'v>> {
     let binds = |rig: &&Rig<'_>| rig.weights_file().is_some_and(|found| std::ptr::eq(found, file));
     let users: Vec<&Rig<'v>> = body.rigs.iter().filter(binds).collect();
-    let (chosen, level) = match users.iter().find(|rig| rig.is_default) {
-        Some(default) => (vec![*default], Level::Error),
-        None => (users, Level::Warning),
+    let (chosen, is_posed) = match users.iter().find(|rig| rig.is_default) {
+        Some(default) => (vec![*default], true),
+        None => (users, false),
     };
     let mut known = BTreeSet::new();
     for user in chosen {
@@ -68,5 +67,5 @@ fn binding<'v>(body: &Body<'v>, file: &FileFacts) -> Option<Binding<'v>> {
         // A bone that is missing as a parent is reported as such (`skeleton-unknown-parent`).
         known.extend(skeleton.bones.iter().filter_map(|bone| bone.parent.as_deref()));
     }
-    (!known.is_empty()).then_some(Binding { known, level })
+    (!known.is_empty()).then_some(Binding { known, is_posed })
 }

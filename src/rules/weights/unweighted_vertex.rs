@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx};
 use super::{has_unusable_entries, is_empty};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::mhw::Weights;
 use crate::repo::{Body, FileFacts};
 
@@ -22,6 +22,9 @@ pub(in crate::rules) static RULE: Rule = Rule {
     },
     check: Check::Body(run),
 };
+
+const WITHOUT_ANY: Case =
+    &[(Application::Makehuman2, Level::Warning, "gives the whole mesh to the root bone: no other bone moves anything")];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     // Of a file that is never read that is all there is to say.
@@ -52,13 +55,12 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             }
             count => format!("{count} of {} vertices have no weight ({named})", weights.facts.sums.len()),
         };
-        let level = if groups.keys().any(|group| is_visible(group)) { Level::Warning } else { Level::Info };
-        out.push(
-            RULE.at(file, Place::pointer(["weights"]), message)
-                .level(level)
-                .help("paint the vertices for the bones that should move them")
-                .evidence(Evidence::of_cases(&vertices).out_of(weights.facts.sums.len())),
-        );
+        let finding = RULE
+            .at(file, Place::pointer(["weights"]), message)
+            .help("paint the vertices for the bones that should move them")
+            .evidence(Evidence::of_cases(&vertices).out_of(weights.facts.sums.len()));
+        let is_seen = groups.keys().any(|group| is_visible(group));
+        out.push(if is_seen { finding } else { finding.at_most(Level::Info) });
     }
 }
 
@@ -68,7 +70,7 @@ fn without_any(file: &FileFacts, weights: &Weights) -> Finding {
     let mut finding = RULE
         .at(file, Place::pointer(["weights"]), "no vertex has a weight: the file has no entry at all")
         .help("paint the weights and export them again, or name another file in the skeleton")
-        .effect("gives the whole mesh to the root bone: no other bone moves anything");
+        .case(WITHOUT_ANY);
     if vertices > 0 {
         let evidence = Evidence::counted(vertices);
         finding = finding.evidence(evidence.out_of(vertices));

@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::{bones_of, pair_place};
-use crate::diag::{Application, Finding, Level, RuleInfo};
+use crate::diag::{Application, Case, Finding, Level, RuleInfo};
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -16,6 +16,9 @@ pub(in crate::rules) static RULE: Rule = Rule {
     },
     check: Check::File(run),
 };
+
+const NEGATIVE: Case =
+    &[(Application::Makehuman2, Level::Error, "stops with an OverflowError while the weights are loaded")];
 
 fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(weights) = bones_of(file) else { return };
@@ -34,7 +37,7 @@ fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         .help("use vertices of the base mesh, counted from 0; were the weights made for another mesh?")
         .evidence(tally.evidence(weights.facts.pairs));
     if weights.facts.negative_index == tally.count {
-        finding = finding.effect("stops with an OverflowError while the weights are loaded");
+        finding = finding.case(NEGATIVE);
     }
     out.push(finding);
 }

@@ -1,26 +1,34 @@
-//! What MakeHuman 2 does with a file that it cannot read (formats/makehuman2.md §1, §2, §5.2, §7, §9, §10, §11, §12, §19, §20,
-//! §21).
+//! What MakeHuman 2 does with a file that it cannot read or find (formats/makehuman2.md §1, §2, §3.6, §4.3, §5.2, §7, §9, §10,
+//! §11, §12, §17, §19, §20, §21).
 
 use super::super::overlay::{SystemFolder, system_folder};
 use super::table::At::{Below, Generated, Named, Path};
-use super::table::{Cell, Row, Table, anywhere, cell, level, row};
+use super::table::{Cell, Row, Table, anywhere, cell, level, nothing, row};
 use super::{Consequence, Damage, Moment};
 use crate::diag::Level::{Error, Info, Warning};
+use crate::diag::{Application, Case};
 use crate::discover::Kind;
+use crate::repo::ReferenceKind;
 use crate::repo::makehuman2::{Base, View};
 use Damage::{
-    Closed, Empty, MarkedComment, MarkedRow, MarkedWord, Needless, NotUtf8, Packed, Pointer, Refused, Syntax, TooDeep,
+    Absent, Closed, Empty, MarkedComment, MarkedRow, MarkedWord, Needless, NotUtf8, Packed, Pointer, Refused, Special,
+    Syntax, TooDeep,
 };
 use Moment::{Never, Scan, Start, Tools, Use};
+use ReferenceKind::{Decr, Icon, Incr, MacroTarget, Model, PoseSkeleton, Texture, WeightsFile};
 
-pub(super) static TABLE: Table = Table { rows: ROWS, at_moment: AT_MOMENT, in_general: IN_GENERAL };
+pub(super) static TABLE: Table = Table { rows: ROWS, at_moment: AT_MOMENT, in_general: IN_GENERAL, unfound: UNFOUND };
 
 /// What a text that stops the program does while an archive stands for it.
-pub(super) const ARCHIVED: Consequence =
-    Consequence::new(Warning, "stops at start as soon as the archive of the folder is deleted to be made anew");
+pub(super) const ARCHIVED: Case = &[(
+    Application::Makehuman2,
+    Warning,
+    "stops at start as soon as the archive of the folder is deleted to be made anew",
+)];
 
 pub(super) const NOT_READ: &str = "never reads this file; the scripts that align joint cubes stop";
 pub(super) const NO_WEIGHTS_LOADED: &str = "loads no weights at all: in pose mode the mesh collapses to the origin";
+const NO_BASE: &str = "does not load the base mesh";
 const SCAN: &str = "stops at start while it scans the assets";
 const SCAN_SYNTAX: Cell = cell(Syntax, Error, "stops at start, while it scans the assets (AttributeError)");
 const TOOLS: &str = "does not read it; tools that do stop";
@@ -30,68 +38,44 @@ const NO_POSES: &str = "offers no pose editor for the base";
 const NO_WEIGHTS: &[Cell] = &[
     cell(Refused, Error, "has no weights: the mesh collapses as soon as it is posed"),
     cell(Syntax, Error, NO_WEIGHTS_LOADED),
+    // What `NaN` does to weights is worse, and the business of `weights-non-finite`.
+    nothing(Special),
 ];
 const NO_ATTACHMENT: Cell = cell(Empty, Error, "cannot attach the asset");
 const NO_PICTURE: &[Cell] =
     &[level(Closed, Warning), level(Pointer, Warning), cell(Empty, Warning, "shows no picture")];
 const BINARY: Cell = level(Pointer, Warning);
 
+#[rustfmt::skip]
 const ROWS: &[Row] = &[
-    anywhere(
-        Kind::BaseJson,
-        Start,
-        &[
-            cell(Refused, Error, "does not load the base mesh"),
-            cell(Syntax, Error, "does not load the base mesh; the window opens without one"),
-        ],
-    ),
-    anywhere(Kind::BaseMesh, Start, &[cell(Empty, Error, "stops at start: there is no base mesh")]),
+    anywhere(Kind::BaseJson, Start, &[
+        cell(Absent, Error, NO_BASE),
+        cell(Refused, Error, NO_BASE),
+        cell(Syntax, Error, "does not load the base mesh; the window opens without one"),
+    ]),
+    anywhere(Kind::BaseMesh, Start,
+        &[cell(Absent, Error, NO_BASE), cell(Empty, Error, "stops at start: there is no base mesh")]),
     anywhere(Kind::Geometry, Tools, &[cell(Syntax, Warning, NOT_READ)]),
     row(Kind::MacroJson, Generated, Never, &[cell(Syntax, Info, "never reads this file")]),
-    anywhere(
-        Kind::MacroJson,
-        Start,
-        &[
-            cell(Refused, Error, "logs a line and takes it as missing: the base has no macros"),
-            cell(Syntax, Error, "logs a line and treats the file as absent: the base has no macros"),
-            cell(Needless, Info, "takes it as missing, as it may be: no slider needs macros"),
-        ],
-    ),
-    row(
-        Kind::ModellingJson,
-        Generated,
-        Start,
-        &[
-            cell(Refused, Error, "logs a line and takes it as missing: its sliders are gone"),
-            cell(
-                Syntax,
-                Error,
-                "logs a line and treats the file as absent: the sliders of the user's targets are gone",
-            ),
-        ],
-    ),
-    anywhere(
-        Kind::ModellingJson,
-        Start,
-        &[
-            cell(Refused, Error, "logs a line and takes it as missing: its sliders are gone"),
-            cell(Syntax, Error, "logs a line and treats the file as absent: the base has no sliders"),
-        ],
-    ),
-    row(
-        Kind::TargetCategories,
-        Generated,
-        Start,
-        &[cell(Refused, Error, "stops at start with a TypeError"), cell(Syntax, Error, "stops at start (TypeError)")],
-    ),
-    anywhere(
-        Kind::TargetCategories,
-        Start,
-        &[
-            cell(Refused, Error, "logs a line and takes it as missing: no slider can be reached"),
-            cell(Syntax, Error, "logs a line and treats the file as absent: no slider can be reached in the window"),
-        ],
-    ),
+    anywhere(Kind::MacroJson, Start, &[
+        cell(Refused, Error, "logs a line and takes it as missing: the base has no macros"),
+        cell(Syntax, Error, "logs a line and treats the file as absent: the base has no macros"),
+        cell(Needless, Info, "takes it as missing, as it may be: no slider needs macros"),
+    ]),
+    row(Kind::ModellingJson, Generated, Start, &[
+        cell(Refused, Error, "logs a line and takes it as missing: its sliders are gone"),
+        cell(Syntax, Error, "logs a line and treats the file as absent: the sliders of the user's targets are gone"),
+    ]),
+    anywhere(Kind::ModellingJson, Start, &[
+        cell(Refused, Error, "logs a line and takes it as missing: its sliders are gone"),
+        cell(Syntax, Error, "logs a line and treats the file as absent: the base has no sliders"),
+    ]),
+    row(Kind::TargetCategories, Generated, Start,
+        &[cell(Refused, Error, "stops at start with a TypeError"), cell(Syntax, Error, "stops at start (TypeError)")]),
+    anywhere(Kind::TargetCategories, Start, &[
+        cell(Refused, Error, "logs a line and takes it as missing: no slider can be reached"),
+        cell(Syntax, Error, "logs a line and treats the file as absent: no slider can be reached in the window"),
+    ]),
     anywhere(Kind::Target, Start, &[cell(Empty, Warning, "loads it; nothing moves")]),
     anywhere(Kind::PackedTarget, Never, &[BINARY]),
     anywhere(Kind::TargetArchive, Start, &[BINARY]),
@@ -102,53 +86,31 @@ const ROWS: &[Row] = &[
     row(Kind::Pose, Below(&["expressions", "poses"], &[]), Scan, &[SCAN_SYNTAX]),
     row(Kind::Pose, Below(&["base"], &[]), Start, &[]),
     anywhere(Kind::Pose, Use, &[]),
-    row(
-        Kind::Json,
-        Path(&["base", "*", "face-poses.json"]),
-        Start,
-        &[cell(Refused, Error, NO_EXPRESSIONS), cell(Syntax, Error, NO_EXPRESSIONS)],
-    ),
-    row(
-        Kind::Json,
-        Path(&["base", "*", "body-poses.json"]),
-        Start,
-        &[cell(Refused, Error, NO_POSES), cell(Syntax, Error, NO_POSES)],
-    ),
-    row(
-        Kind::Json,
-        Path(&["makehuman2_version.json"]),
-        Use,
-        &[cell(Refused, Error, "does not start"), cell(Syntax, Error, "does not start (exit code 20)")],
-    ),
-    row(
-        Kind::Json,
-        Path(&["shaders", "shader.json"]),
-        Use,
-        &[cell(Refused, Error, "does not start"), cell(Syntax, Error, "does not start (exit code 21)")],
-    ),
+    row(Kind::Json, Path(&["base", "*", "face-poses.json"]), Start,
+        &[cell(Refused, Error, NO_EXPRESSIONS), cell(Syntax, Error, NO_EXPRESSIONS)]),
+    row(Kind::Json, Path(&["base", "*", "body-poses.json"]), Start,
+        &[cell(Refused, Error, NO_POSES), cell(Syntax, Error, NO_POSES)]),
+    row(Kind::Json, Path(&["makehuman2_version.json"]), Use,
+        &[cell(Refused, Error, "does not start"), cell(Syntax, Error, "does not start (exit code 20)")]),
+    row(Kind::Json, Path(&["shaders", "shader.json"]), Use,
+        &[cell(Refused, Error, "does not start"), cell(Syntax, Error, "does not start (exit code 21)")]),
     row(Kind::Json, Below(&["base"], &[]), Start, &[]),
     row(Kind::Json, Named("selection_filter.json"), Use, &[cell(Syntax, Warning, "goes on with an empty filter")]),
     anywhere(Kind::Json, Use, &[]),
     anywhere(Kind::Clothes, Scan, &[DROPS, NO_ATTACHMENT]),
     anywhere(Kind::Material, Use, &[DROPS, cell(Empty, Warning, "shows the default white material")]),
     anywhere(Kind::Model, Scan, &[DROPS, cell(Empty, Warning, "loads a model without a setting")]),
-    anywhere(
-        Kind::Motion,
-        Use,
-        &[
-            cell(Empty, Error, "stops with an IndexError when the pose is used"),
-            cell(MarkedWord, Error, "refuses the file: it must begin with HIERARCHY"),
-            cell(MarkedComment, Error, "refuses the file: it must begin with HIERARCHY"),
-        ],
-    ),
+    anywhere(Kind::Motion, Use, &[
+        cell(Empty, Error, "stops with an IndexError when the pose is used"),
+        cell(MarkedWord, Error, "refuses the file: it must begin with HIERARCHY"),
+        cell(MarkedComment, Error, "refuses the file: it must begin with HIERARCHY"),
+    ]),
     anywhere(Kind::MotionMeta, Scan, &[DROPS, cell(Empty, Warning, "names the pose after its file")]),
     anywhere(Kind::AssetMesh, Use, &[NO_ATTACHMENT]),
-    row(
-        Kind::Packed,
-        Below(&["base"], &["mhbin"]),
-        Start,
-        &[BINARY, cell(Empty, Error, "stops with an EOFError when it loads the base")],
-    ),
+    row(Kind::Packed, Below(&["base"], &["mhbin"]), Start, &[
+        BINARY,
+        cell(Empty, Error, "stops with an EOFError when it loads the base"),
+    ]),
     row(Kind::Packed, Below(&[], &["mhbin"]), Scan, &[BINARY, cell(Empty, Error, SCAN)]),
     anywhere(Kind::Packed, Use, &[BINARY]),
     anywhere(Kind::Image, Use, NO_PICTURE),
@@ -172,8 +134,20 @@ const IN_GENERAL: &[Cell] = &[
     cell(MarkedComment, Info, "loses the first line, which is a comment"),
     cell(NotUtf8, Error, "stops with a UnicodeDecodeError when the file is used"),
     cell(Syntax, Warning, "treats the file as absent, if it reads it at all"),
+    cell(Special, Warning, "reads it and calculates with it"),
     level(TooDeep, Error),
     cell(Packed, Info, "never opens it"),
+];
+
+#[rustfmt::skip]
+const UNFOUND: &[(&[ReferenceKind], Consequence)] = &[
+    (&[MacroTarget, Incr, Decr], Consequence::new(Error,
+        "does not find the target: an exception when its slider moves, or at start if the start character uses it")),
+    (&[Icon], Consequence::new(Warning, "shows a button without a picture")),
+    (&[WeightsFile], Consequence::new(Error, "refuses the skeleton")),
+    (&[PoseSkeleton], Consequence::new(Error, "has no poses and no bone weights for assets, without a word")),
+    (&[Model], Consequence::new(Error, "stops at start with a TypeError")),
+    (&[Texture], Consequence::new(Warning, "goes without the texture, without a message")),
 ];
 
 /// What becomes of a base whose override of this name is ignored, with or without a file of the system's behind it.

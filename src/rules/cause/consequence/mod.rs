@@ -10,10 +10,10 @@ mod table;
 pub(in crate::rules) use makehuman2::ignored_override;
 use table::{Row, Table};
 
-use crate::diag::{Application, Finding, Level};
+use crate::diag::{Application, Case, Finding, Level};
 use crate::discover::Kind;
 use crate::json::SchemaFault;
-use crate::repo::View;
+use crate::repo::{ReferenceKind, View};
 
 /// When an application opens a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -33,6 +33,8 @@ pub(in crate::rules) enum Moment {
 /// What is wrong with a file as a whole.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::rules) enum Damage {
+    /// It is not there, as far as a system tells capitals apart.
+    Absent,
     /// It cannot be opened.
     Closed,
     /// A Git LFS pointer stands for it.
@@ -53,6 +55,8 @@ pub(in crate::rules) enum Damage {
     NotUtf8,
     /// It is not valid JSON.
     Syntax,
+    /// A number that JSON does not have.
+    Special,
     /// It is nested beyond every limit.
     TooDeep,
     /// It cannot be unpacked.
@@ -63,24 +67,21 @@ pub(in crate::rules) enum Damage {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::rules) struct Consequence {
     pub(in crate::rules) level: Level,
-    effect: Option<&'static str>,
+    pub(in crate::rules) effect: Option<&'static str>,
 }
 
 /// What a text that cannot be parsed does while an archive stands for it.
-pub(in crate::rules) const ARCHIVED: Consequence = makehuman2::ARCHIVED;
+pub(in crate::rules) const ARCHIVED: Case = makehuman2::ARCHIVED;
 
 impl Consequence {
     const fn new(level: Level, effect: &'static str) -> Self {
         Self { level, effect: Some(effect) }
     }
 
-    /// The finding with this level and effect.
-    pub(in crate::rules) fn of(self, finding: Finding) -> Finding {
-        let finding = finding.level(self.level);
-        match self.effect {
-            Some(effect) => finding.effect(effect),
-            None => finding,
-        }
+    /// The finding with this level and effect in the application of the view.
+    pub(in crate::rules) fn of(self, view: &View<'_>, finding: Finding) -> Finding {
+        let finding = finding.level_in(view.application(), self.level);
+        if let Some(effect) = self.effect { finding.effect_in(view.application(), effect) } else { finding }
     }
 }
 
@@ -104,10 +105,16 @@ pub(in crate::rules) fn moment(view: &View<'_>, rel: &str) -> Moment {
     asked(view, rel).1.moment(view.layout(), rel)
 }
 
-/// What a damage of the file at a path comes to; `None` where nobody needs what is lost.
+/// What a damage of the file at a path comes to; `None` where nothing happens, or nobody needs what is lost.
 pub(in crate::rules) fn consequence(view: &View<'_>, rel: &str, damage: Damage) -> Option<Consequence> {
     let (table, row) = asked(view, rel);
     table.consequence(row, row.moment(view.layout(), rel), damage)
+}
+
+/// What the application does if a name leads to no file; `None` for a name that it does not have.
+pub(in crate::rules) fn unfound(view: &View<'_>, kind: ReferenceKind) -> Option<Consequence> {
+    let names = table(view.application()).unfound;
+    names.iter().find(|(kinds, _)| kinds.contains(&kind)).map(|(_, consequence)| *consequence)
 }
 
 /// What a value comes to that does not fit the schema, where it is not what `json-schema` says in general.
@@ -137,6 +144,19 @@ mod tests {
             }
         }
     }
+
+    #[test]
+    fn a_cell_can_say_that_nothing_happens() {
+        let own = table::anywhere(Kind::Json, Moment::Use, NOT_MINDED);
+        let unknown = &table::UNKNOWN;
+        assert_eq!(unknown.consequence(&own, Moment::Use, Damage::Syntax), None);
+        assert!(unknown.consequence(&own, Moment::Use, Damage::NotUtf8).is_some());
+        let special =
+            |kind| makehuman2::TABLE.consequence(makehuman2::TABLE.row(kind, "x", false), Moment::Use, Damage::Special);
+        assert!(special(Kind::AssetWeights).is_none() && special(Kind::Skeleton).is_some());
+    }
+
+    const NOT_MINDED: &[table::Cell] = &[table::nothing(Damage::Syntax)];
 
     #[test]
     fn no_row_stands_behind_the_one_for_all_files_of_its_kind() {

@@ -1,12 +1,20 @@
-//! What MPFB does with a file that it cannot read (formats/mpfb.md §2.3). So far for `targets/target.json` alone.
+//! What MPFB does with a file that it cannot read or find (formats/mpfb.md §2.3). So far for `targets/target.json` alone.
 
 use super::table::{Cell, LOST, Table, anywhere, cell};
-use super::{Damage, Moment};
+use super::{Consequence, Damage, Moment};
 use crate::diag::Level::Error;
 use crate::discover::Kind;
+use crate::repo::ReferenceKind::{SliderName, Slot};
 
-pub(super) static TABLE: Table =
-    Table { rows: &[anywhere(Kind::TargetCatalog, Moment::Start, REFUSED)], at_moment: &[], in_general: LOST };
+pub(super) static TABLE: Table = Table {
+    rows: &[anywhere(Kind::TargetCatalog, Moment::Start, REFUSED)],
+    at_moment: &[],
+    in_general: LOST,
+    unfound: &[(
+        &[Slot, SliderName],
+        Consequence::new(Error, "does not find the target: an exception when its slider moves"),
+    )],
+};
 
 /// Blender imports the add-on, which reads the file at once and catches nothing.
 const STOPS: &str = "stops while the add-on is imported: MPFB cannot be enabled at all";

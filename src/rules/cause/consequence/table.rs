@@ -3,6 +3,7 @@
 use super::{Consequence, Damage, Moment};
 use crate::diag::Level;
 use crate::discover::{Kind, Layout, extension};
+use crate::repo::ReferenceKind;
 
 /// What becomes of damaged files in one application.
 pub(super) struct Table {
@@ -12,6 +13,8 @@ pub(super) struct Table {
     pub(super) at_moment: &'static [(Moment, Cell)],
     /// What it comes to where neither moment nor row says.
     pub(super) in_general: &'static [Cell],
+    /// What a name of a file comes to that leads nowhere.
+    pub(super) unfound: &'static [(&'static [ReferenceKind], Consequence)],
 }
 
 /// Files of one role.
@@ -37,10 +40,10 @@ pub(super) enum At {
     Below(&'static [&'static str], &'static [&'static str]),
 }
 
-/// What one damage comes to.
+/// What one damage comes to; without a consequence nothing happens.
 pub(super) struct Cell {
     damage: Damage,
-    consequence: Consequence,
+    consequence: Option<Consequence>,
 }
 
 /// A row of files that lie anywhere.
@@ -55,16 +58,21 @@ pub(super) const fn row(kind: Kind, at: At, opened: Moment, cells: &'static [Cel
 
 /// A cell with a level and an effect of its own.
 pub(super) const fn cell(damage: Damage, level: Level, effect: &'static str) -> Cell {
-    Cell { damage, consequence: Consequence::new(level, effect) }
+    Cell { damage, consequence: Some(Consequence::new(level, effect)) }
 }
 
 /// A cell with a level of its own; the effect is what the rule says in general.
 pub(super) const fn level(damage: Damage, level: Level) -> Cell {
-    Cell { damage, consequence: Consequence { level, effect: None } }
+    Cell { damage, consequence: Some(Consequence { level, effect: None }) }
+}
+
+/// A cell for a damage that does nothing, whatever is said of it in general.
+pub(super) const fn nothing(damage: Damage) -> Cell {
+    Cell { damage, consequence: None }
 }
 
 /// An application of which nothing more is known: what cannot be read is missing where it is used.
-pub(super) static UNKNOWN: Table = Table { rows: &[], at_moment: &[], in_general: LOST };
+pub(super) static UNKNOWN: Table = Table { rows: &[], at_moment: &[], in_general: LOST, unfound: &[] };
 
 /// What is lost with a file that cannot be read, where the application says no more.
 pub(super) const LOST: &[Cell] = &[
@@ -91,8 +99,7 @@ impl Table {
 
     pub(super) fn consequence(&self, row: &Row, moment: Moment, damage: Damage) -> Option<Consequence> {
         let at_moment = self.at_moment.iter().filter(|(at, _)| *at == moment).map(|(_, cell)| cell);
-        let cell = at_moment.chain(row.cells).chain(self.in_general).find(|cell| cell.damage == damage);
-        cell.map(|cell| cell.consequence)
+        at_moment.chain(row.cells).chain(self.in_general).find(|cell| cell.damage == damage)?.consequence
     }
 }
 
