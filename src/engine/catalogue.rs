@@ -26,3 +26,19 @@ pub fn rule_infos() -> Vec<&'static RuleInfo> {
 pub(super) fn is_upkeep(rule: &str) -> bool {
     named(rule).is_some_and(|known| matches!(known.check, Check::Upkeep(_)))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Sound and broken data of an application without rules would pass alike.
+    #[test]
+    fn what_is_checked_has_rules_on_its_files_and_on_its_data() {
+        for application in CHECKED {
+            let own = || RULES.iter().filter(|rule| rule.concerns(application));
+            assert!(own().any(|rule| matches!(rule.check, Check::File(_))), "{application:?}");
+            assert!(own().any(|rule| matches!(rule.check, Check::Body(_) | Check::Repository(_))), "{application:?}");
+            assert!(own().count() > 20, "{application:?}");
+        }
+    }
+}

@@ -7,7 +7,8 @@ use serde_json::Value;
 use super::args::{MacrosArgs, MeshArgs, SkeletonArgs, SkinArgs};
 use super::{document, open, write};
 use crate::cli::exit::Failure;
-use crate::evaluate::{macros_json, mesh_json, read_poses, read_skeleton, skeleton_json, skin_json, with_positions};
+use crate::evaluate::makehuman2::{macros_json, read_skeleton};
+use crate::evaluate::{mesh_json, read_poses, skeleton_json, skin_json, with_positions};
 
 /// `mhlint eval macros`.
 pub(super) fn macros(args: &MacrosArgs, out: &mut dyn Write) -> Result<(), Failure> {

@@ -8,7 +8,8 @@ use serde_json::{Map, Value};
 use super::args::{Attached, FitArgs, SettingArgs};
 use super::{document, open_root, write};
 use crate::cli::exit::Failure;
-use crate::evaluate::{Error, Point, fit_json, object, read_asset, read_positions, read_text, with_positions};
+use crate::evaluate::makehuman2::read_asset;
+use crate::evaluate::{Error, Point, fit_json, object, read_positions, read_text, with_positions};
 
 pub(super) fn run(args: &FitArgs, out: &mut dyn Write) -> Result<(), Failure> {
     let asset = read_asset(&args.file)?;

@@ -7,9 +7,8 @@ use serde_json::Value;
 use super::args::WeightsArgs;
 use super::{document, write};
 use crate::cli::exit::Failure;
-use crate::evaluate::{
-    load_json, object, read_skeleton, read_weights, reduction_json, to_mhw, transferred, weights_json,
-};
+use crate::evaluate::makehuman2::{read_skeleton, read_weights, to_mhw, transferred};
+use crate::evaluate::{load_json, object, reduction_json, weights_json};
 
 /// Root bone of weights without a skeleton, as the shipped skeletons call it.
 const ROOT: &str = "root";

@@ -12,7 +12,7 @@ use crate::evaluate::Error;
 use crate::evaluate::Evaluation;
 use crate::evaluate::data::{Fitted, NamedWeights};
 use crate::evaluate::files::{read_text, shown};
-use crate::formats::mhclo::{self, Clothes};
+use crate::formats::mhclo::{self, Clothes, FaultKind};
 use crate::formats::obj;
 
 /// An asset with its mesh.
@@ -36,7 +36,8 @@ pub struct Asset {
 /// Files that cannot be read, and lines that stop the application.
 pub fn read_asset(path: &Path) -> Result<Asset, Error> {
     let clothes = mhclo::parse(&read_text(path)?);
-    if let Some((fault, exception)) = clothes.stops_at() {
+    let stops_at = clothes.faults.iter().find_map(|fault| Some((fault, exception(fault.kind)?)));
+    if let Some((fault, exception)) = stops_at {
         let reason = format!("`{}`, line {}: {}", shown(path), fault.line, fault.kind);
         return Err(stops(exception, reason));
     }
@@ -56,6 +57,16 @@ pub fn read_asset(path: &Path) -> Result<Asset, Error> {
     };
     asset.resolve()?;
     Ok(asset)
+}
+
+/// The exception at such a line; `None` where the loader goes on without it.
+const fn exception(kind: FaultKind) -> Option<&'static str> {
+    match kind {
+        FaultKind::FieldCount(_) | FaultKind::MissingValue => Some("IndexError"),
+        FaultKind::NoNumber | FaultKind::KeywordInDelete | FaultKind::OldFormat => Some("ValueError"),
+        FaultKind::OpenRange => Some("UnboundLocalError"),
+        FaultKind::Dropped => None,
+    }
 }
 
 impl Asset {

@@ -10,19 +10,24 @@ use crate::eval::vector::Point;
 use crate::evaluate::outputs::rounded;
 use crate::evaluate::{Error, Evaluation};
 use crate::formats::macro_json::MacroFile;
+use crate::repo::Layers;
 use crate::repo::makehuman2::{Base, BoundSlider};
-use crate::repo::{FileFacts, Layers};
 use crate::source::Limits;
 
 use super::compose::compose;
 use super::stops;
+use crate::diag::Application;
+use crate::discover::Kind;
 use crate::evaluate::Rows;
 use crate::evaluate::data::SkeletonFile;
+
+const OWN: Application = Application::Makehuman2;
 
 /// Names of the bases that have a mesh.
 pub(in crate::evaluate) fn with_mesh(layers: Layers<'_>) -> BTreeSet<&str> {
     let files = layers.strongest_first().flat_map(|layer| layer.files.values());
-    files.filter(|file| file.mesh().is_some()).filter_map(FileFacts::base).collect()
+    let own = files.filter(|file| file.kind_in(OWN) == Kind::BaseMesh && file.mesh().is_some());
+    own.filter_map(|file| file.base_in(OWN)).collect()
 }
 
 /// Takes what the files of a base hold, but for the rows of its targets.

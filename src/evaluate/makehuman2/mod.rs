@@ -9,6 +9,11 @@ mod references;
 pub(super) mod skeleton;
 pub(super) mod weights;
 
+pub use asset::{Asset, read_asset};
+pub use macros::macros_json;
+pub use skeleton::read_skeleton;
+pub use weights::{WeightLists, read_weights, to_mhw, transferred};
+
 use super::Error;
 use crate::diag::Application;
 use crate::eval::error::EvalError;

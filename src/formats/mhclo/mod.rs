@@ -77,18 +77,6 @@ pub enum FaultKind {
     OldFormat,
 }
 
-impl FaultKind {
-    /// The exception that stops the application; `None` if it goes on without the line.
-    pub const fn effect(self) -> Option<&'static str> {
-        match self {
-            Self::FieldCount(_) | Self::MissingValue => Some("IndexError"),
-            Self::NoNumber | Self::KeywordInDelete | Self::OldFormat => Some("ValueError"),
-            Self::OpenRange => Some("UnboundLocalError"),
-            Self::Dropped => None,
-        }
-    }
-}
-
 impl fmt::Display for FaultKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -100,13 +88,6 @@ impl fmt::Display for FaultKind {
             Self::Dropped => f.write_str("the line begins with no vertex number and is dropped"),
             Self::OldFormat => f.write_str("`weights` is a format that is no longer read"),
         }
-    }
-}
-
-impl Clothes {
-    /// The first line that stops the application.
-    pub fn stops_at(&self) -> Option<(&Fault, &'static str)> {
-        self.faults.iter().find_map(|fault| Some((fault, fault.kind.effect()?)))
     }
 }
 
