@@ -42,7 +42,7 @@ const LIBRARIES: [(&str, &[&str]); 8] = [
     ("percent_encoding", &["report/sarif.rs"]),
     ("quick_xml", &["report/junit.rs"]),
     ("rayon", &["engine/", "evaluate/gauge"]),
-    ("tempfile", &["fix/"]),
+    ("tempfile", &["cli/git.rs", "fix/"]),
     ("textwrap", &["report/human/block.rs"]),
 ];
 

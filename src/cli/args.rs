@@ -143,7 +143,7 @@ pub(super) struct CheckArgs {
     #[arg(long, value_name = "FILE")]
     pub(super) baseline: Option<PathBuf>,
     /// Write what is found now to the baseline, without what is found no more.
-    #[arg(long, conflicts_with = "fixing")]
+    #[arg(long, conflicts_with_all = ["fixing", "staged", "since", "against"])]
     pub(super) write_baseline: bool,
     /// Configuration; the nearest mhlint.toml at or above the first PATH if none is given.
     #[arg(long, value_name = "FILE")]
@@ -152,16 +152,16 @@ pub(super) struct CheckArgs {
     /// standard output; repeatable.
     #[arg(long = "report", value_name = "FORMAT[=FILE]", value_parser = Target::parse)]
     pub(super) reports: Vec<Target>,
-    /// Report only what the files staged for the commit can affect, or everything if nothing is staged. They are judged
-    /// as they lie in the folder. Gives way to a --since or --changed-files after it.
-    #[arg(long, overrides_with_all = ["since", "changed_files"])]
+    /// Check what is staged for the commit, and report only what is new or worse than at HEAD; everything where nothing
+    /// is staged. Gives way to a --since or --against after it.
+    #[arg(long, overrides_with_all = ["since", "against"])]
     pub(super) staged: bool,
-    /// Report only what the changes since a git revision can affect; everything is judged all the same.
-    #[arg(long, value_name = "REV", conflicts_with = "changed_files")]
+    /// Report only what is new or worse than where the folder left this git revision.
+    #[arg(long, value_name = "REV", conflicts_with = "against", overrides_with = "since")]
     pub(super) since: Option<String>,
-    /// The same for the files listed in FILE (`-` for standard input), a path a line.
-    #[arg(long, value_name = "FILE")]
-    pub(super) changed_files: Option<PathBuf>,
+    /// Report only what is new or worse than in another folder.
+    #[arg(long, value_name = "FOLDER")]
+    pub(super) against: Option<PathBuf>,
     #[command(flatten)]
     pub(super) fixes: FixArgs,
     /// Print time per phase and rule to standard error.
@@ -178,10 +178,10 @@ impl CheckArgs {
         if self.paths.is_empty() { vec![PathBuf::from(".")] } else { self.paths.clone() }
     }
 
-    /// The option that narrows the report to a change.
-    pub(super) const fn narrowing(&self) -> Option<&'static str> {
-        match (&self.changed_files, &self.since, self.staged) {
-            (Some(_), ..) => Some("--changed-files"),
+    /// The option that compares.
+    pub(super) const fn comparing(&self) -> Option<&'static str> {
+        match (&self.against, &self.since, self.staged) {
+            (Some(_), ..) => Some("--against"),
             (None, Some(_), _) => Some("--since"),
             (None, None, true) => Some("--staged"),
             (None, None, false) => None,

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use super::args::{CheckArgs, Command};
-use super::changed::{astray, listed, setting_among, since, staged};
+use super::compare::compared;
 use super::config::settings;
 use super::exit::{Exit, Failure};
 use super::fix;
@@ -32,7 +32,7 @@ pub(super) fn run(
     let paths = &args.paths_or_here();
     let mut config = settings(args)?;
     let targets = targets(&args.reports, &config)?;
-    config.changed = changed(args, paths, &config, err)?;
+    config.compare = compared(args, paths, err)?;
     let new_baseline = new_baseline(&config)?;
     let progress = Progress::start("reading and evaluating");
     let checked = fix::check(paths, &config, args.fixes);
@@ -64,35 +64,6 @@ pub(super) fn run(
         print_timings(outcome, err)?;
     }
     Ok(exit)
-}
-
-/// The files to narrow the report to, if it is to be narrowed.
-fn changed(
-    args: &CheckArgs,
-    paths: &[PathBuf],
-    config: &Config,
-    err: &mut dyn Write,
-) -> Result<Option<Vec<PathBuf>>, Failure> {
-    let first = paths.first().map_or(Path::new("."), PathBuf::as_path);
-    let files = match (&args.changed_files, &args.since) {
-        (Some(file), _) => listed(file)?,
-        (None, Some(revision)) => since(revision, first)?,
-        (None, None) if args.staged => staged(first)?,
-        (None, None) => return Ok(None),
-    };
-    let no_list = || args.changed_files.as_ref().and_then(|_| astray(&files));
-    let whole = if args.staged && files.is_empty() {
-        Some("nothing is staged".to_owned())
-    } else {
-        let found = args.config.is_none().then_some(first);
-        let setting = || setting_among(&files, config, found).map(|setting| format!("the change touches {setting}"));
-        no_list().or_else(setting)
-    };
-    let Some(reason) = whole else { return Ok(Some(files)) };
-    if !args.quiet {
-        writeln!(err, "mhlint: {}: the whole report", report::printable(&reason))?;
-    }
-    Ok(None)
 }
 
 /// The baseline to write; refuses before the run what could not be written after it.

@@ -78,8 +78,12 @@ pub(super) fn tell(all: &Fixed, asked: &CheckArgs, err: &mut dyn Write) -> Resul
     }
     if all.outside > 0 {
         let more = count(all.outside, "finding");
-        let whole = asked.narrowing().map_or_else(String::new, |option| format!("; run without {option} to mend them"));
+        let whole = asked.comparing().map_or_else(String::new, |option| format!("; run without {option} to mend them"));
         writeln!(err, "mhlint: {more} would be mended in files that have not changed; those stay as they are{whole}")?;
+    }
+    if !all.unstaged.is_empty() {
+        let files = printable(&all.unstaged.join("`, `"));
+        writeln!(err, "mhlint: not fixed, because they lie in the folder otherwise than they are staged: `{files}`")?;
     }
     if all.left_out > 0 {
         let more = count(all.left_out, "finding");

@@ -1,14 +1,18 @@
 //! What git says about the folder that is checked. The only place that starts another program.
 
 use std::ffi::OsString;
-use std::io;
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, Stdio};
 
 /// By these git hands its own repository and the index of the commit to a hook. They are relative to where the hook
 /// runs, and the folder to check may lie in another repository.
 const HANDED_DOWN: [&str; 6] =
     ["GIT_DIR", "GIT_WORK_TREE", "GIT_IMPLICIT_WORK_TREE", "GIT_COMMON_DIR", "GIT_INDEX_FILE", "GIT_PREFIX"];
+
+/// Contents that are not at hand stay away: a gate waits for no network.
+const NO_DOWNLOADS: [(&str, &str); 3] =
+    [("GIT_LFS_SKIP_SMUDGE", "1"), ("GIT_NO_LAZY_FETCH", "1"), ("GIT_TERMINAL_PROMPT", "0")];
 
 /// A working tree of git.
 pub(super) struct Repository {
@@ -18,6 +22,21 @@ pub(super) struct Repository {
     index: Option<OsString>,
 }
 
+/// Where git keeps contents.
+#[derive(Clone, Copy)]
+pub(super) enum Record<'r> {
+    /// In a commit.
+    Commit(&'r str),
+    /// In the index: what is about to be committed.
+    Index,
+}
+
+impl<'r> Record<'r> {
+    pub(super) const fn commit(self) -> Option<&'r str> {
+        if let Self::Commit(commit) = self { Some(commit) } else { None }
+    }
+}
+
 /// Why git gives no answer.
 #[derive(Debug)]
 pub(super) enum Refusal {
@@ -25,6 +44,8 @@ pub(super) enum Refusal {
     NotStarted(io::Error),
     /// It ended with an error and these words.
     Said(String),
+    /// There is no folder for what it writes.
+    NoFolder(io::Error),
 }
 
 impl Repository {
@@ -55,12 +76,61 @@ impl Repository {
 
     /// What git prints. It runs at the top of the tree, so that paths mean the same whatever folder was asked about.
     pub(super) fn ask(&self, arguments: &[&str]) -> Result<Vec<u8>, Refusal> {
+        output(self.command().args(arguments))
+    }
+
+    fn command(&self) -> Command {
         let mut git = undirected();
         git.arg("-C").arg(&self.top).env("GIT_DIR", &self.folder).env("GIT_WORK_TREE", &self.top);
         if let Some(index) = &self.index {
             git.env("GIT_INDEX_FILE", index);
         }
-        output(git.args(arguments))
+        git
+    }
+
+    /// The top of the working tree.
+    pub(super) fn top(&self) -> &Path {
+        &self.top
+    }
+
+    /// Recorded files in a folder of their own, as git writes them to the working tree. What git cannot write there
+    /// without a download is missing.
+    pub(super) fn check_out<'n>(
+        &self,
+        record: Record<'_>,
+        names: impl Iterator<Item = &'n [u8]>,
+    ) -> Result<tempfile::TempDir, Refusal> {
+        let folder = tempfile::tempdir().map_err(Refusal::NoFolder)?;
+        let mut names = names.peekable();
+        if names.peek().is_none() {
+            return Ok(folder);
+        }
+        let mut git = self.command();
+        if let Record::Commit(commit) = record {
+            let index = folder.path().join(".git-index");
+            output(self.command().env("GIT_INDEX_FILE", &index).args(["read-tree", commit]))?;
+            git.env("GIT_INDEX_FILE", index);
+        }
+        let mut prefix = OsString::from("--prefix=");
+        prefix.push(folder.path());
+        prefix.push("/");
+        git.args(["checkout-index", "-z", "--stdin", "--quiet"]).arg(prefix);
+        git.stdin(Stdio::piped()).stdout(Stdio::null()).stderr(Stdio::null());
+        let mut running = git.spawn().map_err(Refusal::NotStarted)?;
+        if let Some(mut list) = running.stdin.take() {
+            names
+                .try_for_each(|name| list.write_all(name).and_then(|()| list.write_all(&[0])))
+                .map_err(Refusal::NotStarted)?;
+        }
+        // Which files it could not write shows by their absence.
+        running.wait().map_err(Refusal::NotStarted)?;
+        Ok(folder)
+    }
+
+    /// Where Git LFS keeps what it has fetched.
+    pub(super) fn lfs_objects(&self) -> Option<PathBuf> {
+        let common = self.ask(&["rev-parse", "--git-common-dir"]).ok()?;
+        Some(self.top.join(path(common.strip_suffix(b"\n")?)).join("lfs/objects"))
     }
 
     /// The files that git lists, separated by NUL.
@@ -89,6 +159,7 @@ impl Refusal {
         match self {
             Self::NotStarted(error) => format!("git cannot be started: {error}"),
             Self::Said(said) => said.clone(),
+            Self::NoFolder(error) => format!("no folder can be made for what git writes: {error}"),
         }
     }
 }
@@ -99,6 +170,7 @@ fn undirected() -> Command {
     for name in HANDED_DOWN {
         git.env_remove(name);
     }
+    git.envs(NO_DOWNLOADS);
     git
 }
 
@@ -122,12 +194,12 @@ fn real(path: &Path) -> PathBuf {
 }
 
 #[cfg(unix)]
-fn path(bytes: &[u8]) -> PathBuf {
+pub(super) fn path(bytes: &[u8]) -> PathBuf {
     use std::os::unix::ffi::OsStrExt;
     PathBuf::from(std::ffi::OsStr::from_bytes(bytes))
 }
 
 #[cfg(not(unix))]
-fn path(bytes: &[u8]) -> PathBuf {
+pub(super) fn path(bytes: &[u8]) -> PathBuf {
     PathBuf::from(String::from_utf8_lossy(bytes).into_owned())
 }

@@ -3,8 +3,8 @@
 #![expect(clippy::disallowed_methods, reason = "a command has files of its own, streams, and surroundings")]
 
 mod args;
-mod changed;
 mod check;
+mod compare;
 mod config;
 mod eval;
 mod exit;
@@ -19,6 +19,7 @@ mod output;
 mod panics;
 mod patch;
 mod progress;
+mod recorded;
 mod schema;
 mod shell;
 mod step_summary;

@@ -76,8 +76,31 @@ pub struct Config {
     pub file: Option<ConfigFile>,
     /// Bounds on what is read.
     pub limits: Limits,
-    /// Report only what a change of these files can affect: paths relative to the working directory.
-    pub changed: Option<Vec<PathBuf>>,
+    /// Report only what is new or worse than something else.
+    pub compare: Option<Compare>,
+}
+
+/// What the data are compared with.
+#[derive(Debug, Clone)]
+pub struct Compare {
+    /// What reports call it: a revision, a folder.
+    pub with: String,
+    /// The data as they were.
+    pub before: Before,
+    /// Contents that are checked in place of those that lie in the folders, by absolute path without links; `None` for
+    /// no such file.
+    pub now: BTreeMap<PathBuf, Option<Vec<u8>>>,
+    /// Files that are not compared, because their contents are not at hand.
+    pub missing: Vec<PathBuf>,
+}
+
+/// Data as they were.
+#[derive(Debug, Clone)]
+pub enum Before {
+    /// They lie in another folder.
+    Folder(PathBuf),
+    /// They lie where they are checked, but for these contents, by absolute path without links; `None` for no such file.
+    Contents(BTreeMap<PathBuf, Option<Vec<u8>>>),
 }
 
 /// What `mhlint.toml` says on rules and paths.
@@ -169,7 +192,7 @@ impl Default for Config {
             write_baseline: false,
             file: None,
             limits: Limits::default(),
-            changed: None,
+            compare: None,
         }
     }
 }

@@ -1,9 +1,11 @@
 //! The finding itself and the small builder that rules use.
 
+use std::collections::BTreeMap;
+
 use serde::Serialize;
 
 use super::{
-    Application, Because, Case, Cases, Confidence, Evidence, Fix, Level, Location, Name, Parts, Place, RuleInfo,
+    Application, Case, Cases, Confidence, EXAMPLES, Evidence, Fix, Level, Location, Name, Parts, Place, RuleInfo,
     Subject,
 };
 
@@ -40,19 +42,30 @@ pub struct Finding {
     pub between: Vec<String>,
     /// Where only some of [`Finding::files`] are ignored; filled by the engine.
     pub ignored: Option<IgnoredFiles>,
+    /// How many of its parts are new, where it is told of new ones only.
+    pub new_parts: Option<NewParts>,
     /// Stable identity, filled by the engine.
     pub fingerprint: String,
-    /// Why a change can affect it, where the run is narrowed to a change; filled by the engine.
-    pub because: Option<Because>,
+    /// Where its parts stand in their files, as far as that is known.
+    pub places: BTreeMap<String, Place>,
 }
 
 /// How many of the files that a finding speaks for are ignored.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct IgnoredFiles {
-    /// So many.
-    pub count: usize,
+    /// These, by path.
+    pub files: Vec<String>,
     /// Of so many.
     pub of: usize,
+}
+
+/// How many of the parts of a finding are new.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct NewParts {
+    /// So many.
+    pub count: u64,
+    /// Of so many.
+    pub of: u64,
 }
 
 /// The consequence in one application.
@@ -104,7 +117,8 @@ impl Finding {
             between: Vec::new(),
             ignored: None,
             fingerprint: String::new(),
-            because: None,
+            new_parts: None,
+            places: BTreeMap::new(),
         };
         finding.at_worst()
     }
@@ -264,6 +278,47 @@ impl Finding {
         self.related.push(Related { path: path.into(), place, location: Location::default(), message: message.into() });
         self
     }
+
+    /// Where parts of it stand in their files.
+    #[must_use]
+    pub fn places(mut self, places: impl IntoIterator<Item = (String, Place)>) -> Self {
+        self.places = places.into_iter().collect();
+        self
+    }
+
+    /// Leaves these of its parts, at the file of the first of them; all of it where these are none. Gives whether
+    /// anything is left: files in which it is ignored are no place for it.
+    pub fn narrow(&mut self, new: &Parts) -> bool {
+        if new.count() == self.subject.parts.count() {
+            return true;
+        }
+        let ignored = self.ignored.take().map(|ignored| ignored.files).unwrap_or_default();
+        let parts = new.in_kept(|file| !ignored.iter().any(|other| other == file));
+        if parts.is_empty() {
+            return new.is_empty();
+        }
+        let all = self.files().to_vec();
+        self.related.retain(|one| !all.contains(&one.path) || parts.files().contains(&one.path));
+        self.stand_in(parts.files());
+        if let Some(evidence) = &mut self.evidence {
+            let examples = parts.iter().take(EXAMPLES).map(|(name, _)| name.to_string()).collect();
+            // What it was counted out of belongs to a count of parts only: not to one of rows or targets.
+            let of = evidence.of.filter(|_| evidence.count == self.subject.parts.count());
+            *evidence = Evidence { count: parts.count(), examples, of, groups: None, worst: None };
+        }
+        self.new_parts = Some(NewParts { count: parts.count(), of: self.subject.parts.count() });
+        self.subject.parts = parts;
+        true
+    }
+
+    /// Moves it into the first of these files, unless it stands in one of them.
+    fn stand_in(&mut self, files: &[String]) {
+        let Some(first) = files.first().filter(|_| !files.contains(&self.path)) else { return };
+        let related = self.related.iter().find(|one| one.path == *first).map(|one| one.place.clone());
+        self.place = self.places.get(first).cloned().or(related).unwrap_or(Place::File);
+        let old = std::mem::replace(&mut self.path, first.clone());
+        self.subject.asset.get_or_insert(old);
+    }
 }
 
 #[cfg(test)]
@@ -284,5 +339,40 @@ mod tests {
         let each = counted(finding().parts_in([("p", "x"), ("q", "y"), ("r", "y")]));
         assert_eq!((names(&each).len(), each.files()), (3, &["x".to_owned(), "y".to_owned()][..]));
         assert_eq!(names(&finding().evidence(Evidence::of_unnamed(["line 3"]))), [""; 0]);
+    }
+
+    #[test]
+    fn a_narrowed_finding_stands_where_its_first_new_part_is() {
+        let rule = RuleInfo::new("a-b", Level::Info, "");
+        let parts = [("p", "x"), ("q", "y"), ("r", "z")];
+        let all = Finding::new(&rule, "x", Place::Line(3), "").parts_in(parts);
+        let all =
+            all.places([("y".to_owned(), Place::Line(7))]).related("x", Place::File, "").related("z", Place::File, "");
+        let narrowed = |names: &[&str], ignored: &[&str]| {
+            let ignored = ignored.iter().map(|file| (*file).to_owned()).collect();
+            let mut finding = Finding { ignored: Some(IgnoredFiles { files: ignored, of: 3 }), ..all.clone() };
+            let new = Parts::in_files(parts.into_iter().filter(|(name, _)| names.contains(name)));
+            finding.narrow(&new).then_some(finding)
+        };
+        let one = narrowed(&["q", "r"], &[]).unwrap();
+        assert_eq!((one.path.as_str(), &one.place, one.asset_path()), ("y", &Place::Line(7), "x"));
+        assert_eq!((one.related.len(), one.new_parts), (1, Some(NewParts { count: 2, of: 3 })));
+        assert_eq!(narrowed(&["q", "r"], &["y"]).unwrap().path, "z");
+        assert_eq!(narrowed(&["p", "q"], &[]).unwrap().place, Place::Line(3));
+        assert_eq!(narrowed(&["q"], &["y"]), None);
+        assert_eq!(narrowed(&["p", "q", "r"], &[]).unwrap().new_parts, None);
+    }
+
+    #[test]
+    fn what_is_left_is_counted_out_of_as_many_only_where_its_parts_were() {
+        let rule = RuleInfo::new("a-b", Level::Info, "");
+        let new: Parts = ["q"].into_iter().collect();
+        let left = |evidence: Evidence| {
+            let mut finding = Finding::new(&rule, "x", Place::File, "").parts(["p", "q"]).evidence(evidence);
+            assert!(finding.narrow(&new));
+            finding.evidence.map(|evidence| (evidence.count, evidence.of))
+        };
+        assert_eq!(left(Evidence { of: Some(9), ..Evidence::counted(2) }), Some((1, Some(9))));
+        assert_eq!(left(Evidence { of: Some(9), ..Evidence::counted(5) }), Some((1, None)), "rows of these parts");
     }
 }

@@ -4,7 +4,6 @@
 //! [`Finding`]s, the engine places and sorts them, reports only say them.
 
 mod baseline;
-mod because;
 mod evidence;
 mod finding;
 mod fix;
@@ -20,20 +19,19 @@ mod subject;
 mod upkeep;
 
 pub use baseline::{Baseline, Entry};
-pub use because::Because;
 pub use evidence::{Cases, EXAMPLES, Evidence, Few, Tally, Worst};
-pub use finding::{Break, Finding, IgnoredFiles, Related};
+pub use finding::{Break, Finding, IgnoredFiles, NewParts, Related};
 pub use fix::{Change, Edit, Fix, Rewrite, Step};
 pub use key::{fingerprint, structural};
 pub use level::{Application, Confidence, Level};
 pub use nearest::{Sought, Suggestions, nearest};
 pub use note::Note;
 pub use outcome::{
-    ApplicationVerdict, FailedStep, NotChecked, Outcome, Phase, RootSummary, Scope, Summary, TakenOver, Timed, Timing,
-    Unchecked, Verdict,
+    ApplicationVerdict, Compared, FailedStep, NotChecked, Outcome, Phase, RootSummary, Scope, Summary, TakenOver,
+    Timed, Timing, Unchecked, Verdict,
 };
 pub use parts::{Name, Parts};
 pub use place::{Element, Excerpt, Location, Place, add_step, pointer, steps};
-pub use rule_info::{Case, Extent, FixKind, OptionInfo, RuleInfo};
+pub use rule_info::{Case, FixKind, OptionInfo, RuleInfo};
 pub use subject::Subject;
 pub use upkeep::{BaselineUse, IdleGlob, IgnoreState, IgnoreUse, UnknownRule, Upkeep};

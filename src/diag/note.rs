@@ -22,12 +22,17 @@ pub enum Note {
         /// Whose they are.
         application: Application,
     },
-    /// The run was narrowed to what a change can affect.
-    Narrowed {
-        /// Files of the change.
-        changed: usize,
-        /// Findings that are not shown.
-        left_out: usize,
+    /// Only what is new or worse is told.
+    Compared {
+        /// What the data were compared with.
+        with: String,
+        /// Findings that are there no more.
+        gone: usize,
+    },
+    /// Both sides of a comparison are checked by the settings of now, and those have changed.
+    SettingsChanged {
+        /// Path of the configuration as printed.
+        path: String,
     },
     /// Fixes gave rise to fixes until the run gave up.
     Unfinished {

@@ -31,8 +31,10 @@ pub struct Outcome {
     pub taken_over: Option<TakenOver>,
     /// Findings that the baseline hides; [`Summary::suppressed`] counts them with the ignored ones.
     pub in_baseline: usize,
-    /// Findings that are not shown because the change cannot affect them.
-    pub left_out: usize,
+    /// What the data were compared with: findings are what is new or worse.
+    pub compared: Option<Compared>,
+    /// The same for the baseline.
+    pub compared_with_baseline: Option<Compared>,
     /// What alone was reported on.
     pub scope: Scope,
     /// Rules that panicked: bugs of ours, whose findings are missing.
@@ -41,6 +43,15 @@ pub struct Outcome {
     pub failed_files: Vec<String>,
     /// Other work that panicked: bugs of ours.
     pub failed_steps: Vec<FailedStep>,
+}
+
+/// What the data were compared with.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Compared {
+    /// A revision, a folder, a baseline.
+    pub with: String,
+    /// How many findings were there and are no more.
+    pub gone: usize,
 }
 
 /// A data root.
@@ -101,6 +112,8 @@ pub enum Unchecked {
     NoBaseMesh,
     /// References: no system data were given.
     NoSystem,
+    /// Whether what is found is new: contents to compare with are not at hand.
+    NotCompared,
 }
 
 /// What alone was reported on, where that is not all of the data. Empty lists narrow nothing.
@@ -198,6 +211,13 @@ impl Outcome {
     /// Whether all of the work was done: no bug of ours took a file, a rule or a step away.
     pub fn is_whole(&self) -> bool {
         self.failed_rules.is_empty() && self.failed_files.is_empty() && self.failed_steps.is_empty()
+    }
+
+    /// Takes over what failed in another run.
+    pub(crate) fn take_failures(&mut self, other: Self) {
+        self.failed_rules.extend(other.failed_rules);
+        self.failed_files.extend(other.failed_files);
+        self.failed_steps.extend(other.failed_steps);
     }
 
     /// Whether any root was checked.

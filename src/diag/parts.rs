@@ -61,6 +61,24 @@ impl Parts {
     }
 
     /// The same, or no names where they are too many; the files stay.
+    /// Those that lie in no file, or in one that is to be kept; with no other files.
+    pub(super) fn in_kept(&self, is_kept: impl Fn(&str) -> bool) -> Self {
+        let mut kept = Self::default();
+        let mut numbers: BTreeMap<usize, usize> = BTreeMap::new();
+        for (name, number) in &self.named {
+            let number = match number.and_then(|number| Some((number, self.files.get(number)?))) {
+                Some((_, file)) if !is_kept(file) => continue,
+                Some((number, file)) => Some(*numbers.entry(number).or_insert_with(|| {
+                    kept.files.push(file.clone());
+                    kept.files.len() - 1
+                })),
+                None => None,
+            };
+            kept.named.push((name.clone(), number));
+        }
+        kept
+    }
+
     #[must_use]
     pub(super) fn if_few(mut self) -> Self {
         if self.count() > MOST {

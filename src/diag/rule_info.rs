@@ -24,8 +24,6 @@ pub struct RuleInfo {
     pub told_apart: bool,
     /// What each application does with it.
     pub breaks: &'static [(Application, &'static str)],
-    /// How far it sees; `None` for what is usual with the kind of its check.
-    pub extent: Option<Extent>,
     /// Typed options with their defaults.
     pub options: &'static [OptionInfo],
     /// What it means, why it matters, what to do: plain paragraphs for `mhlint explain`.
@@ -35,22 +33,6 @@ pub struct RuleInfo {
 /// What a case of a rule comes to where that is not what the rule says in general: in these applications alone, so that no
 /// other one is told their words.
 pub type Case = &'static [(Application, Level, &'static str)];
-
-/// The files of its base mesh that a finding can come from, besides those that the file it stands at names. A run that is
-/// narrowed to a change shows no more.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Extent {
-    /// The one that it stands at.
-    File,
-    /// Those in the same folder and below.
-    Folder,
-    /// Skeletons and weights.
-    Rigs,
-    /// Skeletons and weights, and files in the same folder.
-    FolderAndRigs,
-    /// All: the rule looks for files that nothing names, or for what is not there.
-    Base,
-}
 
 /// Whether a rule can repair what it finds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -90,7 +72,7 @@ impl RuleInfo {
     pub const fn new(id: &'static str, level: Level, summary: &'static str) -> Self {
         let (fix, cannot_be_ignored, told_apart) = (FixKind::None, false, false);
         let (levels, breaks, options) = (&[], &[], &[]);
-        Self { id, summary, level, levels, fix, cannot_be_ignored, told_apart, breaks, extent: None, options, docs: "" }
+        Self { id, summary, level, levels, fix, cannot_be_ignored, told_apart, breaks, options, docs: "" }
     }
 
     /// The usual level in an application.

@@ -4,10 +4,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 
 use super::catalogue::CHECKED;
-use super::changed;
 use super::error::Error;
-use super::load::{Input, open, open_system};
-use super::run::lint_inputs;
+use super::load::{Input, Side, sides};
+use super::run::lint_sides;
 use crate::config::Config;
 use crate::diag::{Change, Edit, Finding, Fix, FixKind, Note, Outcome, Rewrite, Step};
 use crate::fix::{FileChange, Patch, Plan, apply, is_packed, pack, unpack};
@@ -26,35 +25,37 @@ pub struct Fixed {
     /// What is fixed: rules in the order of the work, one entry for each finding.
     pub fixed: Vec<&'static str>,
     /// Findings that were not fixed, or not all of what they speak of, because files outside of the change
-    /// ([`Config::changed`]) would have to be written.
+    /// ([`Config::compare`]) would have to be written.
     pub outside: usize,
     /// The same because of files for which the rule is ignored, or which the PATHs leave out.
     pub left_out: usize,
+    /// Files that were not fixed because they lie in the folder otherwise than git has staged them.
+    pub unstaged: Vec<String>,
     /// Files that differ from what is on disk, by path; nothing was written.
     pub changes: Vec<FileChange>,
 }
 
 /// Checks data roots found at `paths` and fixes in memory what can be: unsafe fixes too, if `with_unsafe`.
 /// Only what would be reported is fixed, never a file of the system data, one for which the rule is ignored or one that
-/// the PATHs leave out, and in a run that is narrowed to a change only files of the change.
+/// the PATHs leave out, and in a run that compares only files that differ.
 ///
 /// # Errors
 /// As [`super::lint`].
 pub fn lint_and_fix(paths: &[PathBuf], options: &Config, with_unsafe: bool) -> Result<Fixed, Error> {
-    let mut inputs = open(paths, &CHECKED)?;
-    inputs.iter_mut().for_each(|input| input.tree.watch());
-    let system = options.system.as_deref().map(open_system).transpose()?;
+    let (mut now, before) = sides(paths, options, &CHECKED)?;
+    now.inputs.iter_mut().for_each(|input| input.tree.watch());
     let mut work = Work {
         limits: options.limits,
         with_unsafe,
         system: options.system.clone(),
-        change: options.changed.as_deref().map(changed::Change::new),
+        changed: before.as_ref().map(|before| changed(&now, before, &options.limits)),
+        unstaged: options.compare.as_ref().map(|compare| now.shown(compare.now.keys())).unwrap_or_default(),
         checked: BTreeMap::new(),
     };
     let mut all = Fixed::default();
     for turn in 0.. {
-        all.outcome = lint_inputs(&inputs, system.as_ref(), options, &CHECKED)?;
-        let (plan, fixed) = work.plan(&inputs, &all.outcome);
+        all.outcome = lint_sides(&now, before.as_ref(), options, &CHECKED)?;
+        let (plan, fixed) = work.plan(&now, &all.outcome);
         if plan.is_empty() {
             break;
         }
@@ -64,11 +65,12 @@ pub fn lint_and_fix(paths: &[PathBuf], options: &Config, with_unsafe: bool) -> R
         }
         all.fixed.extend(fixed);
         for (path, patch) in plan.into_files() {
-            work.change(&mut inputs, &path, &patch);
+            work.change(&mut now, &path, &patch);
         }
     }
     (all.outside, all.left_out) = work.not_fixed(&all.outcome.findings);
-    all.changes = work.changes(&inputs);
+    all.unstaged = work.unstaged(&all.outcome.findings);
+    all.changes = work.changes(&now);
     Ok(all)
 }
 
@@ -77,8 +79,10 @@ struct Work {
     limits: Limits,
     with_unsafe: bool,
     system: Option<PathBuf>,
-    /// The files that may be written, if not all.
-    change: Option<changed::Change>,
+    /// The files that may be written, by printed path, if not all.
+    changed: Option<BTreeSet<String>>,
+    /// Files that git has staged otherwise than they lie in the folder, by printed path.
+    unstaged: BTreeSet<String>,
     /// What was checked first of the files that change, by printed path.
     checked: BTreeMap<String, Checked>,
 }
@@ -94,12 +98,12 @@ struct Checked {
 
 impl Work {
     /// The fixes that can be done together, with the rules of their findings.
-    fn plan(&self, inputs: &[Input], outcome: &Outcome) -> (Plan, Vec<&'static str>) {
+    fn plan(&self, now: &Side, outcome: &Outcome) -> (Plan, Vec<&'static str>) {
         let mut plan = Plan::default();
         let mut fixed = Vec::new();
         for finding in &outcome.findings {
             if let Some(fix) = finding.fix.as_ref().filter(|fix| self.may(fix))
-                && let Some(patches) = self.patches(inputs, fix)
+                && let Some(patches) = self.patches(now, fix)
                 && plan.accept(patches)
             {
                 fixed.push(finding.rule);
@@ -121,7 +125,16 @@ impl Work {
     }
 
     fn is_changed(&self, path: &str) -> bool {
-        self.change.as_ref().is_none_or(|change| change.holds(path))
+        self.changed.as_ref().is_none_or(|changed| changed.contains(path)) && !self.unstaged.contains(path)
+    }
+
+    /// Files that would be fixed if they lay in the folder as git has staged them.
+    fn unstaged(&self, findings: &[Finding]) -> Vec<String> {
+        let fixes = findings.iter().filter_map(|finding| finding.fix.as_ref()).filter(|fix| self.may(fix));
+        let steps = fixes.flat_map(|fix| &fix.steps);
+        let named: BTreeSet<&String> =
+            steps.map(|step| &step.path).filter(|path| self.unstaged.contains(*path)).collect();
+        named.into_iter().cloned().collect()
     }
 
     /// How many findings could be fixed by writing files outside of the change, and how many of the others by
@@ -134,13 +147,13 @@ impl Work {
     }
 
     /// Byte edits of all steps; nothing if one of them cannot be done.
-    fn patches(&self, inputs: &[Input], fix: &Fix) -> Option<Vec<(String, Patch)>> {
+    fn patches(&self, now: &Side, fix: &Fix) -> Option<Vec<(String, Patch)>> {
         let mut changes: BTreeMap<&str, Vec<&Change>> = BTreeMap::new();
         for step in self.steps(fix) {
             changes.entry(&step.path).or_default().push(&step.change);
         }
         let patch = |(path, changes): (&str, Vec<&Change>)| {
-            let (tree, rel) = find(inputs, path).filter(|(tree, rel)| !self.is_system(tree, rel))?;
+            let (tree, rel) = now.find(path).filter(|(tree, rel)| !self.is_system(tree, rel))?;
             if changes.iter().any(|change| matches!(change, Change::Remove)) {
                 return Some((path.to_owned(), Patch::Remove));
             }
@@ -160,8 +173,8 @@ impl Work {
         !is_inside && disk_path(tree, rel).is_some_and(|file| resolved(&file).starts_with(system))
     }
 
-    fn change(&mut self, inputs: &mut [Input], path: &str, by: &Patch) {
-        let Some((tree, rel)) = find(inputs, path) else { return };
+    fn change(&mut self, now: &mut Side, path: &str, by: &Patch) {
+        let Some((tree, rel)) = now.find(path) else { return };
         let Some(stored) = tree.entry(rel).and_then(|entry| tree.read(entry, &self.limits).ok()) else { return };
         let after = match by {
             Patch::Remove => None,
@@ -176,7 +189,7 @@ impl Work {
             let checked = || Checked { hash, bytes: stored, file, root: root.to_owned() };
             self.checked.entry(path.to_owned()).or_insert_with(checked);
         }
-        for input in inputs {
+        for input in &mut now.inputs {
             if let Some(rel) = input.tree.below(path).map(str::to_owned) {
                 input.tree.change(&rel, after.clone());
             }
@@ -184,11 +197,11 @@ impl Work {
     }
 
     /// The files that differ in the end. A file that links lead to from two places changes once.
-    fn changes(self, inputs: &[Input]) -> Vec<FileChange> {
+    fn changes(self, now: &Side) -> Vec<FileChange> {
         let mut changes: Vec<FileChange> = Vec::new();
         let mut known = BTreeSet::new();
         for (path, checked) in self.checked {
-            let after = find(inputs, &path).and_then(|(tree, rel)| tree.read(tree.entry(rel)?, &self.limits).ok());
+            let after = now.find(&path).and_then(|(tree, rel)| tree.read(tree.entry(rel)?, &self.limits).ok());
             if after.as_ref() == Some(&checked.bytes) || !known.insert(resolved(&checked.file)) {
                 continue;
             }
@@ -199,10 +212,10 @@ impl Work {
     }
 }
 
-/// The tree that holds a file, and its path there.
-fn find<'i, 'p>(inputs: &'i [Input], path: &'p str) -> Option<(&'i Tree, &'p str)> {
-    let mut found = inputs.iter().filter_map(|input| Some((&input.tree, input.tree.below(path)?)));
-    found.find(|(tree, rel)| tree.entry(rel).is_some())
+/// The files that differ, by printed path.
+fn changed(now: &Side, before: &Side, limits: &Limits) -> BTreeSet<String> {
+    let files = now.inputs.iter().flat_map(|Input { tree, .. }| tree.entries().iter().map(|one| tree.shown(&one.path)));
+    files.filter(|path| !now.shares(path, before, limits)).collect()
 }
 
 fn disk_path(tree: &Tree, rel: &str) -> Option<PathBuf> {

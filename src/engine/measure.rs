@@ -1,6 +1,7 @@
 //! Targets and evaluation, one base at a time: rows are read, measured and dropped before the next base.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 
 use super::caught::caught;
 use super::load::{Data, Loaded};
@@ -11,24 +12,83 @@ use crate::eval::measures::Measures;
 use crate::evaluate::{self, Rows, is_evaluated};
 
 /// Measures by name of the base, as each application shows it.
-pub(super) type Measured = BTreeMap<Application, BTreeMap<String, Measures>>;
+pub(super) type Measured = BTreeMap<Application, BTreeMap<String, Arc<Measures>>>;
 
-/// Reads the targets of all bases and measures each base of each repository: one entry a repository. What could not be
-/// measured for a bug of ours is noted in `failed`.
-pub(super) fn measure_bases(data: &mut Data<'_>, options: &Config, failed: &mut Vec<FailedStep>) -> Vec<Measured> {
-    let mut measures: Vec<Measured> = data.roots.iter().map(|_| Measured::new()).collect();
-    let bases: Vec<BTreeSet<String>> = data.roots.iter().map(bases_of).collect();
-    for name in names(data) {
+/// Reads the targets of all bases and measures each base of each repository: one entry a repository. The same for the
+/// data as they were; a base of which nothing that is evaluated has changed is measured once. What could not be measured
+/// for a bug of ours is noted in `failed`.
+pub(super) fn measure_bases(
+    data: &mut Data<'_>,
+    mut before: Option<&mut Data<'_>>,
+    options: &Config,
+    failed: &mut Vec<FailedStep>,
+) -> [Vec<Measured>; 2] {
+    let none = |data: &Data<'_>| data.roots.iter().map(|_| Measured::new()).collect::<Vec<_>>();
+    let mut measures = none(data);
+    let mut measures_before = before.as_ref().map(|before| none(before)).unwrap_or_default();
+    let mut all = names(data);
+    all.extend(before.iter().flat_map(|before| names(before)));
+    for name in all {
         let evaluated = name.as_deref().filter(|name| !options.no_eval && options.asks_for_base(name));
-        let mut rows = Rows::new();
-        for root in data.all_mut() {
-            rows.append(&mut root.load_targets(name.as_deref(), &options.limits, evaluated.is_some()));
+        let nothing = Rows::new();
+        let mut rows = load_targets(data, name.as_deref(), options, None, evaluated.map(|_| &nothing));
+        let Some(before) = &mut before else {
+            if let Some(name) = evaluated {
+                measure_base(data, name, &mut rows, options, &mut measures, failed);
+            }
+            continue;
+        };
+        let mut rows_before = load_targets(before, name.as_deref(), options, Some(data), evaluated.map(|_| &rows));
+        let Some(name) = evaluated else { continue };
+        let is_same = is_same(data, before, name);
+        if is_same {
+            rows_before = Rows::new();
         }
-        if let Some(name) = evaluated {
-            measure_base(data, name, rows, &bases, options, &mut measures, failed);
+        measure_base(data, name, &mut rows, options, &mut measures, failed);
+        if is_same {
+            take_over([data, before], &measures, &mut measures_before, name);
+        } else {
+            measure_base(before, name, &mut rows_before, options, &mut measures_before, failed);
         }
     }
-    measures
+    [measures, measures_before]
+}
+
+fn load_targets(
+    data: &mut Data<'_>,
+    base: Option<&str>,
+    options: &Config,
+    other: Option<&Data<'_>>,
+    keep_rows: Option<&Rows>,
+) -> Rows {
+    let mut rows = Rows::new();
+    for root in data.all_mut() {
+        rows.append(&mut root.load_targets(base, &options.limits, other, keep_rows));
+    }
+    rows
+}
+
+/// Whether all files of a base mesh that are evaluated are the same on both sides.
+fn is_same(now: &Data<'_>, before: &Data<'_>, base: &str) -> bool {
+    let files = |data: &'_ Data<'_>| {
+        let files = data.all().flat_map(|root| root.layer.files.values());
+        let own = files.filter(|file| file.kind.format().is_read() && file.base().is_none_or(|owner| owner == base));
+        own.map(|file| Arc::clone(&file.content)).collect::<Vec<_>>()
+    };
+    let (now, before) = (files(now), files(before));
+    now.len() == before.len() && now.iter().zip(&before).all(|(now, before)| Arc::ptr_eq(now, before))
+}
+
+/// Gives the data as they were the measures of now.
+fn take_over(data: [&Data<'_>; 2], now: &[Measured], before: &mut [Measured], base: &str) {
+    let [data, data_before] = data;
+    for (root, before) in data_before.roots.iter().zip(before) {
+        let same = data.roots.iter().zip(now).filter(|(other, _)| other.is_counterpart(root));
+        for (application, measures) in same.flat_map(|(_, now)| now) {
+            let own = measures.get(base).map(|measures| (base.to_owned(), Arc::clone(measures)));
+            before.entry(*application).or_default().extend(own);
+        }
+    }
 }
 
 /// Names of the bases with targets or a mesh, in order; `None` for targets that belong to no base.
@@ -42,32 +102,30 @@ fn names(data: &Data<'_>) -> BTreeSet<Option<String>> {
     names
 }
 
-/// Names of the bases that files of a root belong to, its targets included.
-fn bases_of(root: &Loaded<'_>) -> BTreeSet<String> {
+/// Whether files of a root belong to a base mesh, targets included.
+fn has_base(root: &Loaded<'_>, name: &str) -> bool {
     let files = root.layer.files.values().filter_map(|file| file.base());
-    files.chain(root.place.target_bases().into_iter().flatten()).map(str::to_owned).collect()
+    files.chain(root.place.target_bases().into_iter().flatten()).any(|base| base == name)
 }
 
 fn measure_base(
     data: &Data<'_>,
     name: &str,
-    mut rows: Rows,
-    bases: &[BTreeSet<String>],
+    rows: &mut Rows,
     options: &Config,
     measures: &mut [Measured],
     failed: &mut Vec<FailedStep>,
 ) {
-    let is_concerned = |number: usize| bases.get(number).is_some_and(|bases| bases.contains(name));
-    let stacks = data.stacks().into_iter().enumerate().filter(|(number, _)| is_concerned(*number));
+    let stacks = data.stacks().into_iter().enumerate().filter(|(_, stack)| has_base(stack.root, name));
     let seen = stacks.flat_map(|(number, stack)| stack.seen.into_iter().map(move |(of, layers)| (number, of, layers)));
     let mut seen = seen.filter(|(_, application, _)| is_evaluated(*application)).peekable();
     while let Some((number, application, layers)) = seen.next() {
         // Repositories over the same system data share its rows; the last one takes them.
-        let own = if seen.peek().is_none() { &mut rows } else { &mut rows.clone() };
+        let own = if seen.peek().is_none() { &mut *rows } else { &mut rows.clone() };
         let evaluate = || evaluate::measure(application, layers, name, own, options);
         let step = FailedStep::Evaluation { base: name.to_owned() };
         if let (Some(Some(found)), Some(root)) = (caught(step, failed, evaluate), measures.get_mut(number)) {
-            root.entry(application).or_default().insert(name.to_owned(), found);
+            root.entry(application).or_default().insert(name.to_owned(), Arc::new(found));
         }
     }
 }

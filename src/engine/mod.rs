@@ -4,10 +4,8 @@
 
 mod catalogue;
 mod caught;
-mod changed;
 mod check;
 mod error;
-mod extent;
 mod fix;
 mod load;
 mod measure;

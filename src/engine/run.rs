@@ -1,31 +1,32 @@
 //! A run: inputs to data roots, roots to repositories, repositories through the rules to an outcome.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use super::catalogue::CHECKED;
-use super::changed::{Change, explain, narrow};
 use super::check::{check, check_upkeep};
 use super::error::Error;
-use super::load::{Data, Input, Loaded, Roots, Stack, open};
+use super::load::{Data, Input, Loaded, Roots, Side, Stack, sides};
 use super::measure::{Measured, measure_bases};
-use super::settle::{Ignores, Keeper, Known, Placed, Root, Scope, Selection, idle, place_and_sort};
+use super::settle::{Ignores, Keeper, Known, Placed, Root, Scope, Selection, gone, idle, new_or_worse, place_and_sort};
 use super::summary::{check_bases, summarise};
 use super::verdict::conclude;
-use crate::config::{Config, Selector};
-use crate::diag::{self, Application, IdleGlob, Level, Outcome, Phase, Timed, Timing, Upkeep};
+use crate::config::{Before, Compare, Config, Selector};
+use crate::diag::{
+    self, Application, BaselineUse, Compared, EXAMPLES, Finding, IdleGlob, Level, NotChecked, Note, Outcome, Phase,
+    Timed, Timing, Unchecked, Upkeep,
+};
 use crate::repo::{Layer, View};
 use crate::rules::RULES;
-use crate::source::Tree;
+use crate::source::{Tree, is_below, resolved};
 
 /// Checks data roots found at `paths`.
 ///
 /// # Errors
 /// When a path cannot be read, or an option names nothing that exists.
 pub fn lint(paths: &[PathBuf], options: &Config) -> Result<Outcome, Error> {
-    let inputs = open(paths, &CHECKED)?;
-    let system = options.system.as_deref().map(super::load::open_system).transpose()?;
-    lint_inputs(&inputs, system.as_ref(), options, &CHECKED)
+    let (now, before) = sides(paths, options, &CHECKED)?;
+    lint_sides(&now, before.as_ref(), options, &CHECKED)
 }
 
 /// Checks data roots in trees, from disk or memory; `system` is read and not reported.
@@ -33,8 +34,7 @@ pub fn lint(paths: &[PathBuf], options: &Config) -> Result<Outcome, Error> {
 /// # Errors
 /// As [`lint`].
 pub fn lint_trees(trees: Vec<Tree>, system: Option<Tree>, options: &Config) -> Result<Outcome, Error> {
-    let inputs: Vec<Input> = trees.into_iter().map(Input::whole).collect();
-    lint_inputs(&inputs, system.as_ref(), options, &CHECKED)
+    lint_sides(&Side::of(trees, system), None, options, &CHECKED)
 }
 
 /// What is asked for, made ready.
@@ -42,46 +42,58 @@ struct Asked<'c> {
     options: &'c Config,
     selection: Selection<'c>,
     scope: Scope<'c>,
-    change: Option<Change>,
-    idle: Vec<IdleGlob>,
+    known: Option<Known>,
+    applications: &'c [Application],
 }
 
-/// Checks what the inputs hold for these applications.
-pub(super) fn lint_inputs(
-    inputs: &[Input],
-    system: Option<&Tree>,
+/// The findings on one side: those to report, and those that were there before settings on known ones.
+struct Found {
+    shown: Vec<Finding>,
+    all: Vec<Finding>,
+}
+
+/// Checks what one side holds for these applications; beside another one only what is new or worse is reported.
+pub(super) fn lint_sides(
+    now: &Side,
+    before: Option<&Side>,
     options: &Config,
     applications: &[Application],
 ) -> Result<Outcome, Error> {
-    let scope = Scope::new(inputs.iter().flat_map(Input::paths).collect(), options);
-    let asked = Asked {
-        options,
-        selection: Selection::new(options)?,
-        idle: idle(options, inputs.iter().map(|input| &input.tree).chain(system), &scope),
-        scope,
-        change: options.changed.as_deref().map(Change::new),
-    };
-    let known = Known::open(options)?;
-    let mut ignores = Ignores::new(options);
+    let scope = Scope::new(now.inputs.iter().flat_map(Input::paths).collect(), options);
+    let (selection, known) = (Selection::new(options)?, Known::open(options)?);
+    let asked = Asked { options, selection, scope, known, applications };
     let mut outcome = Outcome { looked_for: applications.to_vec(), ..Outcome::default() };
+    // What is told of the data as they were but for findings.
+    let mut told = Outcome::default();
     let started = Instant::now();
-    let roots = Roots::of(inputs, system, &asked.scope, options, applications, &mut outcome)?;
-    let mut data = Data::load(roots, &options.limits);
+    let mut data = asked.load(now, None, &mut outcome)?;
+    let mut data_before = before.map(|side| asked.load(side, Some(&data), &mut told)).transpose()?;
     outcome.scope = asked_for(&data, options);
     outcome.timings.push(timing(Phase::Read, started));
     let started = Instant::now();
-    let measures = measure_bases(&mut data, options, &mut outcome.failed_steps);
-    outcome.failed_files = data.failed_files();
+    let [measures, measures_before] =
+        measure_bases(&mut data, data_before.as_mut(), options, &mut outcome.failed_steps);
     outcome.timings.push(timing(Phase::Evaluation, started));
     let started = Instant::now();
-    let found = check_all(&data, &measures, &asked, &mut ignores, &mut outcome);
+    let found_before = match (before, &data_before) {
+        (Some(side), Some(data)) => Some(asked.check(side, data, &measures_before, &mut told)?),
+        _ => None,
+    };
+    let found = asked.check(now, &data, &measures, &mut outcome)?;
     check_bases(options, &outcome)?;
-    settle(found, known, &data, &asked, &ignores, &mut outcome)?;
+    match found_before.zip(options.compare.as_ref()) {
+        Some((before, compare)) => {
+            settle_comparison(before, found, compare, now, &mut outcome);
+            outcome.notes.extend(settings_changed(options, compare));
+        }
+        None => outcome.findings = found.shown,
+    }
+    outcome.take_failures(told);
     outcome.timings.push(timing(Phase::Rules, started));
     let started = Instant::now();
     let settings = options.file.as_ref().map(|file| (file.path.clone(), file.text.clone().into_bytes()));
     let settings = Tree::in_memory("", settings);
-    let trees: Vec<&Tree> = inputs.iter().map(|input| &input.tree).chain(system).chain([&settings]).collect();
+    let trees: Vec<&Tree> = now.trees().chain([&settings]).collect();
     outcome.roots.sort_by(|a, b| (&a.path, a.application).cmp(&(&b.path, b.application)));
     place_and_sort(&mut outcome.findings, &trees, &options.limits, &mut outcome.failed_steps);
     conclude(&mut outcome, options);
@@ -125,68 +137,121 @@ fn timing(phase: Phase, started: Instant) -> Timing {
     Timing { what: Timed::Phase(phase), time: started.elapsed() }
 }
 
-/// What is to be reported of every repository. `measures` has those of each.
-fn check_all(
-    data: &Data<'_>,
-    measures: &[Measured],
-    asked: &Asked<'_>,
-    ignores: &mut Ignores<'_>,
-    outcome: &mut Outcome,
-) -> Vec<Placed> {
-    let Asked { options, selection, scope, change, .. } = asked;
-    let mut found = Vec::new();
-    for (number, Stack { root: checked, seen }) in data.stacks().into_iter().enumerate() {
-        outcome.summary.files += checked.layer.files.len();
-        outcome.summary.bytes += checked.layer.files.values().map(|file| file.size).sum::<u64>();
-        let views: Vec<View<'_>> =
-            seen.iter().map(|(application, layers)| View::connect(*application, *layers)).collect();
-        views.iter().for_each(|view| summarise(view, outcome));
-        let of_view = |view: &View<'_>| measures.get(number)?.get(&view.application());
-        let with_measures: Vec<_> = views.iter().map(|view| (view, of_view(view))).collect();
-        let mut findings = check(RULES, &with_measures, selection, options, outcome);
-        if let Some(change) = change {
-            views.iter().for_each(|view| explain(view, &mut findings, change));
-        }
-        let is_asked_for = |path: &str| checked.is_asked_for(path);
-        let below: Vec<&Layer> = seen.iter().filter_map(|(_, layers)| layers.system).collect();
-        let root = Root { layer: &checked.layer, below: &below };
-        let keeper = Keeper { root, is_asked_for: &is_asked_for, selection, scope, options };
-        let (kept, hidden) = keeper.keep(findings, ignores);
-        outcome.summary.suppressed += hidden;
-        found.extend(kept);
+impl Asked<'_> {
+    /// Reads the data of one side but for their bulk. What it has in common with another one is taken from there.
+    fn load<'t>(&self, side: &'t Side, other: Option<&Data<'_>>, outcome: &mut Outcome) -> Result<Data<'t>, Error> {
+        let Self { options, scope, applications, .. } = self;
+        let roots = Roots::of(&side.inputs, side.system.as_ref(), scope, options, applications, outcome)?;
+        Ok(Data::load(roots, &options.limits, other))
     }
-    found
+
+    /// Runs the rules on one side and settles what they find.
+    fn check(
+        &self,
+        side: &Side,
+        data: &Data<'_>,
+        measures: &[Measured],
+        outcome: &mut Outcome,
+    ) -> Result<Found, Error> {
+        outcome.failed_files = data.failed_files();
+        let mut ignores = Ignores::new(self.options);
+        let placed = self.check_all(data, measures, &mut ignores, outcome);
+        let idle = idle(self.options, side.trees(), &self.scope);
+        self.settle(placed, data, &ignores, idle, outcome)
+    }
+
+    /// What is to be reported of every repository. `measures` has those of each.
+    fn check_all(
+        &self,
+        data: &Data<'_>,
+        measures: &[Measured],
+        ignores: &mut Ignores<'_>,
+        outcome: &mut Outcome,
+    ) -> Vec<Placed> {
+        let Self { options, selection, scope, .. } = self;
+        let mut found = Vec::new();
+        for (number, Stack { root: checked, seen }) in data.stacks().into_iter().enumerate() {
+            outcome.summary.files += checked.layer.files.len();
+            outcome.summary.bytes += checked.layer.files.values().map(|file| file.size).sum::<u64>();
+            let views: Vec<View<'_>> =
+                seen.iter().map(|(application, layers)| View::connect(*application, *layers)).collect();
+            views.iter().for_each(|view| summarise(view, outcome));
+            let of_view = |view: &View<'_>| measures.get(number)?.get(&view.application());
+            let with_measures: Vec<_> = views.iter().map(|view| (view, of_view(view))).collect();
+            let findings = check(RULES, &with_measures, selection, options, outcome);
+            let is_asked_for = |path: &str| checked.is_asked_for(path);
+            let below: Vec<&Layer> = seen.iter().filter_map(|(_, layers)| layers.system).collect();
+            let root = Root { layer: &checked.layer, below: &below };
+            let keeper = Keeper { root, is_asked_for: &is_asked_for, selection, scope, options };
+            let (kept, hidden) = keeper.keep(findings, ignores);
+            outcome.summary.suppressed += hidden;
+            found.extend(kept);
+        }
+        found
+    }
+
+    /// Hides what the baseline knows, and adds what is to be said of ignores and baseline.
+    fn settle(
+        &self,
+        found: Vec<Placed>,
+        data: &Data<'_>,
+        ignores: &Ignores<'_>,
+        idle: Vec<IdleGlob>,
+        outcome: &mut Outcome,
+    ) -> Result<Found, Error> {
+        let Self { options, selection, scope, .. } = self;
+        let uses = ignores.uses(selection, scope);
+        let mut upkeep = Upkeep { ignores: uses, unknown: ignores.unknown(), idle, ..Upkeep::default() };
+        let mut all: Vec<Finding> = Vec::new();
+        if options.compare.is_some() {
+            all.extend(found.iter().map(|placed| placed.finding.clone()));
+        }
+        let mut shown = if let Some(known) = &self.known {
+            let roots = data.roots.iter().map(|root| root.layer.path.as_str());
+            let compared = known.compare(found, roots, selection, scope)?;
+            outcome.summary.suppressed += compared.hidden;
+            outcome.in_baseline = compared.hidden;
+            (outcome.baseline, outcome.taken_over) = (compared.new, compared.taken_over);
+            let BaselineUse { path, stale, .. } = &compared.used;
+            outcome.compared_with_baseline = Some(Compared { with: path.clone(), gone: stale.len() });
+            upkeep.baseline = Some(compared.used);
+            compared.kept
+        } else {
+            found.into_iter().map(|placed| placed.finding).collect()
+        };
+        // Known and ignored errors hid what they hide when the baseline and the ignores were written, too.
+        let taken_over = outcome.taken_over.is_some_and(|taken_over| taken_over.errors > 0);
+        upkeep.errors = taken_over || shown.iter().any(|finding| finding.level >= Level::Error);
+        let on_settings = check_upkeep(&upkeep, selection, ignores, options, &mut outcome.failed_rules);
+        all.extend(on_settings.iter().filter(|_| options.compare.is_some()).cloned());
+        shown.extend(on_settings);
+        Ok(Found { shown, all })
+    }
 }
 
-/// Hides what the baseline knows, adds what is to be said of ignores and baseline, and narrows all to the change.
-fn settle(
-    found: Vec<Placed>,
-    known: Option<Known>,
-    data: &Data<'_>,
-    asked: &Asked<'_>,
-    ignores: &Ignores<'_>,
-    outcome: &mut Outcome,
-) -> Result<(), Error> {
-    let Asked { options, selection, scope, change, idle } = asked;
-    let uses = ignores.uses(selection, scope);
-    let mut upkeep = Upkeep { ignores: uses, unknown: ignores.unknown(), idle: idle.clone(), ..Upkeep::default() };
-    if let Some(known) = known {
-        let roots = data.roots.iter().map(|root| root.layer.path.as_str());
-        let compared = known.compare(found, roots, selection, scope)?;
-        outcome.findings = compared.kept;
-        outcome.summary.suppressed += compared.hidden;
-        outcome.in_baseline = compared.hidden;
-        (outcome.baseline, outcome.taken_over) = (compared.new, compared.taken_over);
-        upkeep.baseline = Some(compared.used);
-    } else {
-        outcome.findings = found.into_iter().map(|placed| placed.finding).collect();
-    }
-    // Known and ignored errors hid what they hide when the baseline and the ignores were written, too.
-    let taken_over = outcome.taken_over.is_some_and(|taken_over| taken_over.errors > 0);
-    upkeep.errors = taken_over || outcome.has_at_least(Level::Error);
-    outcome.findings.extend(check_upkeep(&upkeep, selection, ignores, options, &mut outcome.failed_rules));
-    if let Some(change) = change {
-        narrow(outcome, change);
-    }
-    Ok(())
+/// Leaves what is new or worse, and counts what is gone.
+fn settle_comparison(before: Found, found: Found, compare: &Compare, now: &Side, outcome: &mut Outcome) {
+    let gone = gone(&before.all, &found.all);
+    let missing = now.shown(compare.missing.iter());
+    let is_compared = |path: &String| !missing.iter().any(|missing| is_below(path, missing));
+    outcome.findings = new_or_worse(&before.all, found.shown, |finding| {
+        std::iter::once(&finding.path).chain(finding.files()).all(is_compared)
+    });
+    outcome.notes.push(Note::Compared { with: compare.with.clone(), gone });
+    outcome.compared = Some(Compared { with: compare.with.clone(), gone });
+    outcome.not_checked.extend((!missing.is_empty()).then(|| NotChecked {
+        application: None,
+        what: Unchecked::NotCompared,
+        count: missing.len(),
+        examples: missing.into_iter().take(EXAMPLES).collect(),
+    }));
+}
+
+/// Settings have no sides; that they were others before is said.
+fn settings_changed(options: &Config, compare: &Compare) -> Option<Note> {
+    let path = &options.file.as_ref()?.path;
+    let place = resolved(Path::new(path));
+    let Before::Contents(contents) = &compare.before else { return None };
+    let is_changed = contents.contains_key(&place) || compare.now.contains_key(&place);
+    is_changed.then(|| Note::SettingsChanged { path: path.clone() })
 }

@@ -3,8 +3,8 @@
 //! For the tests of this crate alone; it may change with any version.
 
 use super::error::Error;
-use super::load::Input;
-use super::run::lint_inputs;
+use super::load::Side;
+use super::run::lint_sides;
 use crate::config::Config;
 use crate::diag::{Application, Outcome, RuleInfo};
 use crate::rules::RULES;
@@ -20,8 +20,7 @@ pub fn lint_trees(
     system: Option<Tree>,
     options: &Config,
 ) -> Result<Outcome, Error> {
-    let inputs: Vec<Input> = trees.into_iter().map(Input::whole).collect();
-    lint_inputs(&inputs, system.as_ref(), options, applications)
+    lint_sides(&Side::of(trees, system), None, options, applications)
 }
 
 /// As [`super::rule_infos`], for all applications.

@@ -44,8 +44,9 @@ pub use settings::{parse_setting, read_settings};
 pub(crate) use formulas::{Openable, evaluated, is_evaluated, measure, openable};
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use crate::formats::target::Row;
 
 /// Rows of targets by printed path.
-pub(crate) type Rows = BTreeMap<String, Vec<Row>>;
+pub(crate) type Rows = BTreeMap<String, Arc<Vec<Row>>>;

@@ -1,5 +1,7 @@
 //! What is kept of a file when its bytes are gone.
 
+use std::sync::Arc;
+
 use crate::diag::Application;
 use crate::discover::{Kind, Use, kind_in, owner_of};
 use crate::formats::Content;
@@ -47,7 +49,7 @@ pub struct FileFacts {
     /// Hash of the decoded content where equal content matters.
     pub content_hash: Option<u64>,
     /// What was in it.
-    pub content: Content,
+    pub content: Arc<Content>,
 }
 
 impl FileFacts {
@@ -105,36 +107,36 @@ impl FileFacts {
 
     /// The target facts, if it is a target that could be read.
     pub fn target(&self) -> Option<&TargetFacts> {
-        if let Content::Target(facts) = &self.content { Some(facts) } else { None }
+        if let Content::Target(facts) = &*self.content { Some(facts) } else { None }
     }
 
     /// The catalogue of sliders, if it is one that could be read.
     pub fn catalog(&self) -> Option<&TargetCatalog> {
-        if let Content::Catalog(catalog) = &self.content { Some(catalog) } else { None }
+        if let Content::Catalog(catalog) = &*self.content { Some(catalog) } else { None }
     }
 
     /// The archive, if it is one that was read.
     pub fn archive(&self) -> Option<&Archive> {
-        if let Content::Archive(archive) = &self.content { Some(archive) } else { None }
+        if let Content::Archive(archive) = &*self.content { Some(archive) } else { None }
     }
 
     /// The weights, if it is a weights file that could be read.
     pub fn weights(&self) -> Option<&Weights> {
-        if let Content::Weights(weights) = &self.content { Some(weights) } else { None }
+        if let Content::Weights(weights) = &*self.content { Some(weights) } else { None }
     }
 
     /// The skeleton, if it is one that could be read.
     pub fn skeleton(&self) -> Option<&Skeleton> {
-        if let Content::Skeleton(skeleton) = &self.content { Some(skeleton) } else { None }
+        if let Content::Skeleton(skeleton) = &*self.content { Some(skeleton) } else { None }
     }
 
     /// The material, if it is one that could be read.
     pub fn material(&self) -> Option<&Material> {
-        if let Content::Material(material) = &self.content { Some(material) } else { None }
+        if let Content::Material(material) = &*self.content { Some(material) } else { None }
     }
 
     /// The mesh, if it is one that could be read.
     pub fn mesh(&self) -> Option<&Mesh> {
-        if let Content::Mesh(mesh) = &self.content { Some(mesh) } else { None }
+        if let Content::Mesh(mesh) = &*self.content { Some(mesh) } else { None }
     }
 }

@@ -6,11 +6,10 @@ use std::io::{self, Write};
 use serde::Serialize;
 
 use super::View;
-use super::because::because;
 use super::phrase::message;
 use crate::diag::{
-    ApplicationVerdict, Break, Confidence, Evidence, Finding, Level, Location, NotChecked, Outcome, RootSummary,
-    Summary, Verdict,
+    ApplicationVerdict, Break, Compared, Confidence, Evidence, Finding, Level, Location, NotChecked, Outcome,
+    RootSummary, Summary, Verdict,
 };
 
 #[derive(Serialize)]
@@ -22,6 +21,7 @@ struct Report<'a> {
     summary: &'a Summary,
     applications: &'a [ApplicationVerdict],
     not_checked: &'a [NotChecked],
+    compared: Option<&'a Compared>,
     findings: Vec<Item<'a>>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     notes: Vec<String>,
@@ -47,8 +47,6 @@ struct Item<'a> {
     related: Vec<RelatedItem<'a>>,
     fix: Option<FixItem<'a>>,
     fingerprint: &'a str,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    because: Option<String>,
 }
 
 #[derive(Serialize)]
@@ -74,6 +72,7 @@ pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> 
         summary: &outcome.summary,
         applications: &outcome.applications,
         not_checked: &outcome.not_checked,
+        compared: outcome.compared.as_ref().or(outcome.compared_with_baseline.as_ref()),
         findings: outcome.findings.iter().map(item).collect(),
         notes: outcome.notes.iter().map(super::note).collect(),
     };
@@ -99,7 +98,6 @@ fn item(finding: &Finding) -> Item<'_> {
             .collect(),
         fix: finding.fix.as_ref().map(|fix| FixItem { kind: fix.kind.word(), title: &fix.title }),
         fingerprint: &finding.fingerprint,
-        because: finding.because.as_ref().map(because),
     }
 }
 

@@ -1,6 +1,5 @@
 //! An outcome as text. One file a format; no writer computes, sorts or reads anything.
 
-mod because;
 mod concise;
 mod github;
 mod gitlab;

@@ -1,6 +1,5 @@
 //! Notes, phases and steps of a run in words.
 
-use super::count;
 use crate::diag::{FailedStep, Note, Phase};
 
 /// A phase, as `--timings` lists it.
@@ -35,13 +34,16 @@ pub fn note(note: &Note) -> String {
         Note::NotYet { path, application } => {
             format!("{path}: {application} data, which this version does not judge yet")
         }
-        Note::Narrowed { changed, left_out } => {
-            let others = match left_out {
+        Note::Compared { with, gone } => {
+            let gone = match gone {
                 0 => String::new(),
-                1 => "; 1 other finding is not shown".to_owned(),
-                more => format!("; {more} other findings are not shown"),
+                1 => "; 1 finding is gone".to_owned(),
+                more => format!("; {more} findings are gone"),
             };
-            format!("narrowed to what {} can affect{others}", count(*changed, "changed file"))
+            format!("compared with `{with}`: only what is new or worse is told{gone}")
+        }
+        Note::SettingsChanged { path } => {
+            format!("`{path}` changed; both sides were checked with it as it is now")
         }
         Note::Unfinished { turns } => {
             format!("fixes did not come to an end in {turns} turns; run mhlint again for the rest")

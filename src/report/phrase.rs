@@ -2,9 +2,8 @@
 
 use std::borrow::Cow;
 
-use super::because::because;
 use super::{count, printable};
-use crate::diag::{Confidence, Evidence, Finding, Fix, FixKind, IgnoredFiles, Location};
+use crate::diag::{Confidence, Evidence, Finding, Fix, FixKind, IgnoredFiles, Location, NewParts};
 
 /// Related places that a text names; formats with room for more have their own bound.
 pub(super) const RELATED: usize = 5;
@@ -37,9 +36,6 @@ pub(super) fn lines(finding: &Finding) -> Vec<Line> {
     if let Some(fix) = &finding.fix {
         lines.push(line("fix", &fixed_by(fix)));
     }
-    if let Some(reason) = &finding.because {
-        lines.push(line("shown because", &because(reason)));
-    }
     lines
 }
 
@@ -49,14 +45,19 @@ pub(super) fn fixed_by(fix: &Fix) -> String {
     format!("{option} mends it: {}", fix.title)
 }
 
-/// What is wrong, and how many of the files that have it are ignored.
+/// What is wrong; how much of it is new, or how many of the files that have it are ignored.
 pub(super) fn message(finding: &Finding) -> Cow<'_, str> {
-    match finding.ignored {
-        None => Cow::Borrowed(&finding.message),
-        Some(IgnoredFiles { count, of }) => {
-            let verb = if count == 1 { "is" } else { "are" };
-            Cow::Owned(format!("{}; {count} of these {of} files {verb} muted", finding.message))
+    let be = |count: u64| if count == 1 { "is" } else { "are" };
+    let message = &finding.message;
+    match (&finding.new_parts, &finding.ignored) {
+        (Some(NewParts { count, of }), _) if count < of => {
+            Cow::Owned(format!("{message}; {count} of these {of} {} new", be(*count)))
         }
+        (_, Some(IgnoredFiles { files, of })) => {
+            let count = files.len();
+            Cow::Owned(format!("{message}; {count} of these {of} files {} muted", be(count as u64)))
+        }
+        _ => Cow::Borrowed(message),
     }
 }
 

@@ -86,8 +86,9 @@ pub(super) fn words(outcome: &Outcome, view: &View<'_>) -> String {
         return format!("Nothing to check: {}.", nothing(outcome));
     }
     let only = only(outcome);
-    if outcome.findings.is_empty() && outcome.left_out > 0 {
-        return format!("Nothing found{only} that the change can affect; what else there is was left out.");
+    let gone = gone(outcome);
+    if let (true, Some(compared)) = (outcome.findings.is_empty(), &outcome.compared) {
+        return format!("Nothing new found{only}, compared with `{}`.{gone}", printable(&compared.with));
     }
     if outcome.findings.is_empty() && summary.suppressed > 0 {
         return format!("Nothing found{only} beside {}.", beside(outcome));
@@ -100,12 +101,22 @@ pub(super) fn words(outcome: &Outcome, view: &View<'_>) -> String {
         return format!("Nothing found: as far as the rules reach, {who} loads all of it as it was written.");
     }
     let harm = harm(outcome);
+    let new = if outcome.compared.is_some() { " new" } else { "" };
     if !view.pass {
-        return format!("Failed. {harm}{}", too_many(outcome, view));
+        return format!("Failed. {harm}{}{gone}", too_many(outcome, view));
     }
     match view.fail_on {
-        Some(limit) => format!("Passed: nothing at or above {limit}. {harm}"),
-        None => format!("Passed, whatever was found (`fail-on` is never). {harm}"),
+        Some(limit) => format!("Passed: nothing{new} at or above {limit}. {harm}{gone}"),
+        None => format!("Passed, whatever was found (`fail-on` is never). {harm}{gone}"),
+    }
+}
+
+/// ` 3 findings are gone.`
+fn gone(outcome: &Outcome) -> String {
+    match outcome.compared.as_ref().map_or(0, |compared| compared.gone) {
+        0 => String::new(),
+        1 => " 1 finding is gone.".to_owned(),
+        more => format!(" {more} findings are gone."),
     }
 }
 
@@ -145,10 +156,10 @@ fn harm(outcome: &Outcome) -> String {
     let Some(worst) = assets.iter().map(|finding| finding.level).max() else {
         let (found, only) = (about_settings(&settings), only(outcome));
         let data = if only.is_empty() { " in the data" } else { &only };
-        return match (outcome.left_out, outcome.summary.suppressed) {
-            (0, 0) => format!("{found}; nothing found{data}."),
-            (0, _) => format!("{found}; nothing found{data} beside {}.", beside(outcome)),
-            _ => format!("{found}; nothing found{data} that the change can affect."),
+        return match (&outcome.compared, outcome.summary.suppressed) {
+            (Some(_), _) => format!("{found}; nothing new found{data}."),
+            (None, 0) => format!("{found}; nothing found{data}."),
+            (None, _) => format!("{found}; nothing found{data} beside {}.", beside(outcome)),
         };
     };
     let gravest: Vec<&Finding> = assets.into_iter().filter(|finding| finding.level == worst).collect();

@@ -23,5 +23,5 @@ pub(crate) use folder::{Folder, holds, is_below};
 pub(crate) use gunzip::{GzipFault, gunzip, try_gunzip};
 pub(crate) use lines::{Lines, first_line, lines};
 pub(crate) use place::{canonical, folder_of, link_targets, own_place, resolved, slashed};
-pub(crate) use tree::{Entry, EntryKind, ReadFault, WalkFault, WalkFaultKind, read_file};
+pub(crate) use tree::{Contents, Entry, EntryKind, ReadFault, WalkFault, WalkFaultKind, read_file};
 pub(crate) use zip_size::zip_bomb;

@@ -11,11 +11,16 @@ use xxhash_rust::xxh3::xxh3_64;
 use super::Limits;
 use super::walk::{self, Wanted};
 
+/// Contents of files by path, where they are not those that lie there; `None`: there is no such file.
+pub(crate) type Contents<P> = BTreeMap<P, Option<Vec<u8>>>;
+
 /// A listed tree. Paths are relative to its top, with forward slashes.
 #[derive(Debug)]
 pub struct Tree {
     label: String,
     backend: Backend,
+    /// Levels that are listed.
+    depth: usize,
     entries: Vec<Entry>,
     faults: Vec<WalkFault>,
     /// Contents that stand in for those of files, until they are written.
@@ -24,7 +29,7 @@ pub struct Tree {
     seen: Option<Mutex<BTreeMap<String, u64>>>,
 }
 
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 enum Backend {
     Disk(PathBuf),
     Memory(BTreeMap<String, Arc<[u8]>>),
@@ -106,7 +111,7 @@ impl Tree {
     pub fn on_disk_to_depth(label: impl Into<String>, root: impl Into<PathBuf>, depth: usize, wanted: Wanted) -> Self {
         let root = root.into();
         let (entries, faults) = walk::walk(&root, depth, wanted);
-        Self::new(label.into(), Backend::Disk(root), entries, faults)
+        Self { depth, ..Self::new(label.into(), Backend::Disk(root), entries, faults) }
     }
 
     /// A tree of files held in memory: `Vec<u8>`, or `Arc<[u8]>` where several trees share their bytes. A path that ends
@@ -121,7 +126,7 @@ impl Tree {
     }
 
     fn new(label: String, backend: Backend, entries: Vec<Entry>, faults: Vec<WalkFault>) -> Self {
-        Self { label, backend, entries, faults, changed: BTreeMap::new(), seen: None }
+        Self { label, backend, depth: usize::MAX, entries, faults, changed: BTreeMap::new(), seen: None }
     }
 
     /// What reports put before the paths; empty for the working directory.
@@ -155,8 +160,7 @@ impl Tree {
 
     /// The listed entry at `path`.
     pub fn entry(&self, path: &str) -> Option<&Entry> {
-        let at = self.entries.binary_search_by(|entry| entry.path.as_str().cmp(path)).ok()?;
-        self.entries.get(at)
+        self.entries.get(self.place(path).ok()?)
     }
 
     /// The bytes of a listed file, as they are.
@@ -201,7 +205,7 @@ impl Tree {
 
     /// From now on `bytes` are what is read at `path`, or nothing is there; the file itself stays as it is.
     pub fn change(&mut self, path: &str, bytes: Option<Vec<u8>>) {
-        let Ok(at) = self.entries.binary_search_by(|entry| entry.path.as_str().cmp(path)) else { return };
+        let Ok(at) = self.place(path) else { return };
         match bytes {
             Some(bytes) => {
                 if let Some(entry) = self.entries.get_mut(at) {
@@ -211,6 +215,60 @@ impl Tree {
             }
             None => drop(self.entries.remove(at)),
         }
+    }
+
+    /// The same tree with other contents, as a commit has it: a folder without a file is gone. What links lead to is
+    /// changed where they stand, too.
+    #[must_use]
+    pub fn with(&self, contents: &Contents<String>) -> Self {
+        let mut links: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
+        for entry in &self.entries {
+            entry.link_to.iter().for_each(|meant| links.entry(meant).or_default().push(&entry.path));
+        }
+        let mut entries: BTreeMap<String, Entry> =
+            self.entries.iter().map(|entry| (entry.path.clone(), entry.clone())).collect();
+        let mut changed = self.changed.clone();
+        for (path, bytes) in contents {
+            let links = links.get(path.as_str()).into_iter().flatten().copied();
+            for path in std::iter::once(path.as_str()).chain(links) {
+                if let Some(bytes) = bytes {
+                    add_folders(&mut entries, path);
+                    add_file(&mut entries, path, bytes.len() as u64);
+                    changed.insert(path.to_owned(), bytes.clone());
+                } else {
+                    remove(&mut entries, path);
+                    changed.remove(path);
+                }
+            }
+        }
+        let faults = self.faults.iter().filter(|fault| !contents.contains_key(&fault.path)).cloned().collect();
+        let entries = entries.into_values().collect();
+        let (label, backend) = (self.label.clone(), self.backend.clone());
+        Self { label, backend, depth: self.depth, entries, faults, changed, seen: None }
+    }
+
+    /// Whether what is read at `path` is the same in both trees.
+    pub fn shares(&self, path: &str, other: &Self, limits: &Limits) -> bool {
+        if self.backend == other.backend && self.changed.get(path) == other.changed.get(path) {
+            return true;
+        }
+        let both = [self, other].map(|tree| tree.entry(path));
+        let [Some(own), Some(others)] = both else { return false };
+        own.size == others.size && self.read(own, limits).is_ok_and(|own| other.read(others, limits) == Ok(own))
+    }
+
+    /// Gives it another label.
+    pub fn relabel(&mut self, label: &str) {
+        label.clone_into(&mut self.label);
+    }
+
+    /// How many levels it is listed to.
+    pub(crate) const fn depth(&self) -> usize {
+        self.depth
+    }
+
+    fn place(&self, path: &str) -> Result<usize, usize> {
+        self.entries.binary_search_by(|entry| entry.path.as_str().cmp(path))
     }
 
     /// The folder on disk that was listed.
@@ -253,15 +311,44 @@ fn too_large(size: u64, limits: &Limits) -> ReadFault {
     ReadFault::TooLarge { size, limit: limits.file_bytes }
 }
 
+/// Enters the folders on the way to a path.
+fn add_folders(entries: &mut BTreeMap<String, Entry>, path: &str) {
+    for folder in folders_above(path) {
+        entries.entry(folder.to_owned()).or_insert_with(|| memory_entry(folder, EntryKind::Folder, 0));
+    }
+}
+
+fn add_file(entries: &mut BTreeMap<String, Entry>, path: &str, size: u64) {
+    let entry = entries.entry(path.to_owned()).or_insert_with(|| memory_entry(path, EntryKind::File, 0));
+    (entry.kind, entry.size) = (EntryKind::File, size);
+}
+
+/// Removes a file, and the folders above it that held nothing else.
+fn remove(entries: &mut BTreeMap<String, Entry>, path: &str) {
+    if entries.get(path).is_none_or(|entry| entry.kind == EntryKind::Folder) {
+        return;
+    }
+    entries.remove(path);
+    for folder in folders_above(path).rev() {
+        let below = format!("{folder}/");
+        if entries.range(below.clone()..).next().is_some_and(|(path, _)| path.starts_with(&below)) {
+            return;
+        }
+        entries.remove(folder);
+    }
+}
+
+/// The folders on the way to a path, outermost first.
+fn folders_above(path: &str) -> impl DoubleEndedIterator<Item = &str> {
+    path.match_indices('/').filter_map(|(at, _)| path.get(..at))
+}
+
 fn memory_entries(files: &BTreeMap<String, Arc<[u8]>>) -> Vec<Entry> {
     let mut entries: BTreeMap<String, Entry> = BTreeMap::new();
     for (path, bytes) in files {
-        for (at, _) in path.match_indices('/') {
-            let folder = path.get(..at).unwrap_or_default();
-            entries.entry(folder.to_owned()).or_insert_with(|| memory_entry(folder, EntryKind::Folder, 0));
-        }
+        add_folders(&mut entries, path);
         if !path.ends_with('/') {
-            entries.insert(path.clone(), memory_entry(path, EntryKind::File, bytes.len() as u64));
+            add_file(&mut entries, path, bytes.len() as u64);
         }
     }
     entries.into_values().collect()
@@ -303,6 +390,25 @@ mod tests {
         tree.change("b", None);
         assert_eq!((read(&tree, "a"), read(&tree, "b")), (Some(b"newer".to_vec()), None));
         assert_eq!((tree.seen("a"), tree.entry("a").unwrap().size), (Some(xxh3_64(b"old")), 5));
+    }
+
+    #[test]
+    fn a_tree_with_other_contents_is_as_a_commit_has_it() {
+        let tree = Tree::in_memory("", ["a/b/c", "a/d", "e"].map(|path| (path.to_owned(), b"old".to_vec())));
+        let other = tree.with(&Contents::from([
+            ("a/b/c".to_owned(), None),
+            ("e".to_owned(), Some(b"other".to_vec())),
+            ("f/g/h".to_owned(), Some(b"new".to_vec())),
+            ("gone".to_owned(), None),
+        ]));
+        let paths: Vec<&str> = other.entries().iter().map(|entry| entry.path.as_str()).collect();
+        assert_eq!(paths, ["a", "a/d", "e", "f", "f/g", "f/g/h"]);
+        let limits = Limits::default();
+        assert_eq!(other.read(other.entry("f/g/h").unwrap(), &limits), Ok(b"new".to_vec()));
+        let shared = ["a/d", "e", "f/g/h"].map(|path| tree.shares(path, &other, &limits));
+        assert_eq!(shared, [true, false, false]);
+        let elsewhere = Tree::in_memory("x", [("e".to_owned(), b"other".to_vec())]);
+        assert!(other.shares("e", &elsewhere, &limits));
     }
 
     #[test]

@@ -4,6 +4,7 @@ mod merge;
 
 use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use rayon::prelude::*;
@@ -24,7 +25,7 @@ struct Checked<'v> {
     files: Vec<&'v FileFacts>,
     bodies: Vec<Body<'v>>,
     /// By name of the body.
-    measures: Option<&'v BTreeMap<String, Measures>>,
+    measures: Option<&'v ByBase>,
 }
 
 /// What a rule did, or a part of it.
@@ -35,13 +36,16 @@ struct Done {
     failed: bool,
 }
 
+/// Measures by name of the base.
+type ByBase = BTreeMap<String, Arc<Measures>>;
+
 /// Files that all rules on files look at before they go on: so many are still near when the next rule comes.
 const AT_ONCE: usize = 128;
 
 /// Runs those of the rules that are on over each view; what several views show is one finding.
 pub(super) fn check(
     rules: &[&Rule],
-    views: &[(&View<'_>, Option<&BTreeMap<String, Measures>>)],
+    views: &[(&View<'_>, Option<&ByBase>)],
     selection: &Selection<'_>,
     options: &Config,
     outcome: &mut Outcome,
@@ -54,7 +58,7 @@ pub(super) fn check(
 fn check_view(
     rules: &[&Rule],
     view: &View<'_>,
-    measures: Option<&BTreeMap<String, Measures>>,
+    measures: Option<&ByBase>,
     selection: &Selection<'_>,
     options: &Config,
     outcome: &mut Outcome,
@@ -197,7 +201,7 @@ mod tests {
         let inputs = [Input::whole(Tree::in_memory("", files))];
         let scope = Scope::new(vec![String::new()], &config);
         let roots = Roots::of(&inputs, None, &scope, &config, &[Makehuman2, Mpfb], &mut outcome).unwrap();
-        let data = Data::load(roots, &config.limits);
+        let data = Data::load(roots, &config.limits, None);
         let seen = data.stacks().into_iter().flat_map(|stack| stack.seen);
         let views: Vec<View<'_>> = seen.map(|(application, layers)| View::connect(application, layers)).collect();
         let views: Vec<_> = views.iter().map(|view| (view, None)).collect();

@@ -1,14 +1,15 @@
 //! The data roots of a run with their layers, and which lies over which.
 
-use super::layer::{MeshSizes, load, read_all};
+use super::layer::{MeshSizes, Reader, load, read_all, size_for};
 use super::place::Place;
 use super::roots::Roots;
 use super::stack::{Roles, Stack, roles, stacks};
 use crate::diag::Application;
-use crate::discover::Role;
+use crate::discover::{Candidate, Role};
 use crate::evaluate::Rows;
-use crate::repo::Layer;
-use crate::source::{Limits, is_below};
+use crate::formats::target::MeshSize;
+use crate::repo::{FileFacts, Layer};
+use crate::source::{Limits, Tree, is_below};
 
 /// A data root with its facts.
 pub(in crate::engine) struct Loaded<'t> {
@@ -31,8 +32,8 @@ pub(in crate::engine) struct Data<'t> {
 
 impl<'t> Loaded<'t> {
     /// Reads a data root; `below` are the meshes of those that may lie below it.
-    fn load(place: Place<'t>, roles: Roles, narrow: Vec<String>, below: MeshSizes, limits: &Limits) -> Self {
-        let (layer, sizes) = load(&place, limits, below);
+    fn load(place: Place<'t>, roles: Roles, narrow: Vec<String>, below: MeshSizes, reader: Reader<'_>) -> Self {
+        let (layer, sizes) = load(&place, reader, below);
         Self { place, layer, roles, sizes, narrow }
     }
 
@@ -51,27 +52,60 @@ impl<'t> Loaded<'t> {
         narrow.iter().map(String::as_str)
     }
 
+    /// Whether it is the same data root as one on the other side of a comparison.
+    pub(in crate::engine) fn is_counterpart(&self, other: &Loaded<'_>) -> bool {
+        self.place.is_counterpart(&other.place)
+    }
+
     /// Whether a path is one that the PATHs ask for.
     pub(in crate::engine) fn is_asked_for(&self, path: &str) -> bool {
         self.narrow.is_empty() || self.narrow.iter().any(|narrow| is_below(path, narrow))
     }
 
     /// Reads the bulk of one base (`None`: of no base): its targets. Gives their rows if they are to be kept.
-    pub(in crate::engine) fn load_targets(&mut self, base: Option<&str>, limits: &Limits, keep_rows: bool) -> Rows {
+    /// What is the same in `other` is taken from there, with rows from `keep_rows`.
+    pub(in crate::engine) fn load_targets(
+        &mut self,
+        base: Option<&str>,
+        limits: &Limits,
+        other: Option<&Data<'_>>,
+        keep_rows: Option<&Rows>,
+    ) -> Rows {
+        let other = other.and_then(|other| other.counterpart(&self.place));
         let bulk = self.place.bulk_of(base).collect();
-        let (files, rows) = read_all(self.place.tree, bulk, limits, &self.sizes, keep_rows);
+        let (files, rows) = read_all(self.place.tree, bulk, Reader { limits, other }, &self.sizes, keep_rows);
         self.layer.add(files);
         rows
+    }
+
+    /// The facts of a file that is the same in another tree, where it is for a mesh of this size.
+    pub(super) fn shared(
+        &self,
+        tree: &Tree,
+        file: &Candidate<'_>,
+        size: Option<MeshSize>,
+        limits: &Limits,
+    ) -> Option<FileFacts> {
+        let at = self.place.below.binary_search_by(|own| own.rel.as_ref().cmp(file.rel.as_ref())).ok()?;
+        let own = self.place.below.get(at)?;
+        let is_same = size_for(own, &self.sizes) == size
+            && own.uses == file.uses
+            && own.entry.path == file.entry.path
+            && own.entry.link_to == file.entry.link_to
+            && self.place.tree.shares(&file.entry.path, tree, limits);
+        if is_same { self.layer.file(&file.rel).cloned() } else { None }
     }
 }
 
 impl<'t> Data<'t> {
-    /// Reads everything but targets.
-    pub(in crate::engine) fn load(roots: Roots<'t>, limits: &Limits) -> Self {
+    /// Reads everything but targets. What is the same in `other` is taken from there.
+    pub(in crate::engine) fn load(roots: Roots<'t>, limits: &Limits, other: Option<&Data<'_>>) -> Self {
+        let reader = |place: &Place<'_>| Reader { limits, other: other.and_then(|other| other.counterpart(place)) };
         let Roots { checked: places, systems } = roots;
         let as_system = |place: Place<'t>| {
             let roles = place.layouts.iter().map(|layout| (layout.application, Role::System)).collect();
-            Loaded::load(place, roles, Vec::new(), MeshSizes::new(), limits)
+            let reader = reader(&place);
+            Loaded::load(place, roles, Vec::new(), MeshSizes::new(), reader)
         };
         let systems: Vec<Loaded<'t>> = systems.into_iter().map(as_system).collect();
         let roles = roles(places.iter().map(|(place, _)| place));
@@ -81,7 +115,8 @@ impl<'t> Data<'t> {
         let mut data = Self { systems, roots: Vec::new() };
         for ((place, narrow), roles) in places {
             let below = data.meshes_below(&roles);
-            data.roots.push(Loaded::load(place, roles, narrow, below, limits));
+            let reader = reader(&place);
+            data.roots.push(Loaded::load(place, roles, narrow, below, reader));
         }
         data
     }
@@ -115,6 +150,11 @@ impl<'t> Data<'t> {
         files.filter(|file| file.failed).map(|file| file.path.clone()).collect()
     }
 
+    /// The root at the same place as one on the other side of a comparison.
+    fn counterpart(&self, place: &Place<'_>) -> Option<&Loaded<'t>> {
+        self.all().find(|own| own.place.is_counterpart(place))
+    }
+
     /// Every root, those of systems first.
     pub(in crate::engine) fn all(&self) -> impl Iterator<Item = &Loaded<'t>> {
         self.systems.iter().chain(&self.roots)
@@ -138,8 +178,8 @@ mod tests {
         let tree = Tree::in_memory("mine", files.map(|(path, text)| (path.to_owned(), text.as_bytes().to_vec())));
         let layouts = [Application::Mpfb, Application::Makehuman1].map(Layout::of);
         let checked = vec![(Place::new(&tree, "", &layouts), Vec::new())];
-        let mut data = Data::load(Roots { checked, systems: Vec::new() }, &Limits::default());
-        data.all_mut().for_each(|root| drop(root.load_targets(Some("hm08"), &Limits::default(), false)));
+        let mut data = Data::load(Roots { checked, systems: Vec::new() }, &Limits::default(), None);
+        data.all_mut().for_each(|root| drop(root.load_targets(Some("hm08"), &Limits::default(), None, None)));
         let root = data.roots.first().unwrap();
         let roles = [(Application::Makehuman1, Role::System), (Application::Mpfb, Role::System)];
         assert_eq!((root.roles.as_slice(), root.layer.files.len()), (&roles[..], files.len()));
@@ -162,7 +202,7 @@ mod tests {
         let systems = vec![place(&system, "", Application::Makehuman2)];
         let checked = [("a", Application::Makehuman2), ("c", Application::Mpfb), ("d", Application::Mpfb)];
         let checked = checked.map(|(root, application)| (place(&own, root, application), Vec::new())).into();
-        let data = Data::load(Roots { checked, systems }, &Limits::default());
+        let data = Data::load(Roots { checked, systems }, &Limits::default(), None);
         let seen = |stack: &Stack<'_, '_>| {
             let path = |layer: Option<&Layer>| layer.map(|layer| layer.path.clone()).unwrap_or_default();
             let [(_, layers)] = stack.seen.as_slice() else { return Default::default() };
@@ -188,7 +228,7 @@ mod tests {
         let systems = vec![Place::new(&given, "", &[of_given])];
         let checked =
             vec![(Place::new(&both, "", &layouts), Vec::new()), (Place::new(&found, "", &[of_found]), Vec::new())];
-        let data = Data::load(Roots { checked, systems }, &Limits::default());
+        let data = Data::load(Roots { checked, systems }, &Limits::default(), None);
         let root = data.roots.iter().find(|root| root.layer.path == "both").unwrap();
         assert_eq!(root.sizes.keys().map(String::as_str).collect::<Vec<_>>(), ["b", "hm08"]);
     }

@@ -5,10 +5,12 @@
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Arc;
 
 use rayon::prelude::*;
 use xxhash_rust::xxh3::xxh3_64;
 
+use super::data::Loaded;
 use super::place::Place;
 use super::read;
 use crate::discover::{Candidate, Kind};
@@ -21,13 +23,21 @@ use crate::source::{Limits, Tree, WalkFault, WalkFaultKind};
 /// Sizes of base meshes by name.
 pub(in crate::engine) type MeshSizes = BTreeMap<String, MeshSize>;
 
+/// What reads the files of a data root.
+#[derive(Clone, Copy)]
+pub(super) struct Reader<'r> {
+    pub(super) limits: &'r Limits,
+    /// The same data root on the other side of a comparison: what is the same there is not read again.
+    pub(super) other: Option<&'r Loaded<'r>>,
+}
+
 /// Reads everything in a data root but the bulk. `sizes` are those of meshes below; its own take their place.
-pub(super) fn load(place: &Place<'_>, limits: &Limits, mut sizes: MeshSizes) -> (Layer, MeshSizes) {
+pub(super) fn load(place: &Place<'_>, reader: Reader<'_>, mut sizes: MeshSizes) -> (Layer, MeshSizes) {
     let of = |needs: Needs| place.files().filter(|file| file.kind().format().needs == needs).collect();
-    let (mut files, _) = read_all(place.tree, of(Needs::Nothing), limits, &sizes, false);
+    let (mut files, _) = read_all(place.tree, of(Needs::Nothing), reader, &sizes, None);
     sizes.extend(own_sizes(&files));
-    files.append(&mut read_all(place.tree, of(Needs::Mesh), limits, &sizes, false).0);
-    hash_equal_sizes(place, &mut files, limits);
+    files.append(&mut read_all(place.tree, of(Needs::Mesh), reader, &sizes, None).0);
+    hash_equal_sizes(place, &mut files, reader.limits);
     let folders = place.below.iter().filter(|one| !one.is_file()).map(|folder| folder.rel.to_string()).collect();
     let layer = Layer::new(place.path(), place.layouts.clone(), files, folders, faults_below(place));
     (layer, sizes)
@@ -41,34 +51,36 @@ pub(in crate::engine) fn list_targets(place: &Place<'_>, layer: &mut Layer) {
 /// Files by their path relative to the root.
 type ByRel = BTreeMap<String, FileFacts>;
 
-/// Reads files; gives the rows of targets by printed path if they are to be kept.
+/// Reads files; gives the rows of targets by printed path if they are to be kept, beside those of the other side.
 pub(super) fn read_all(
     tree: &Tree,
     mut files: Vec<&Candidate<'_>>,
-    limits: &Limits,
+    reader: Reader<'_>,
     sizes: &MeshSizes,
-    keep_rows: bool,
+    keep_rows: Option<&Rows>,
 ) -> (ByRel, Rows) {
     // The biggest first, so that no thread starts on a large file when the others are done.
     files.sort_by_key(|file| Reverse(file.entry.size));
-    let readings: Vec<(FileFacts, Vec<Row>)> = files
+    let readings: Vec<(FileFacts, Option<Arc<Vec<Row>>>)> = files
         .into_par_iter()
         .with_max_len(1)
         .map(|file| {
-            let read = || read::read(tree, file, limits, size_for(file, sizes));
+            let size = size_for(file, sizes);
+            if let Some(facts) = reader.other.and_then(|other| other.shared(tree, file, size, reader.limits)) {
+                let rows = keep_rows.and_then(|others| others.get(&facts.path)).cloned();
+                return (facts, rows);
+            }
+            let read = || read::read(tree, file, reader.limits, size);
             let read = catch_unwind(AssertUnwindSafe(read));
             let (facts, mut rows) = read.unwrap_or_else(|_| (read::panicked(tree, file), Vec::new()));
-            if !keep_rows {
-                rows = Vec::new();
-            }
             rows.shrink_to_fit();
-            (facts, rows)
+            (facts, keep_rows.filter(|_| !rows.is_empty()).map(|_| Arc::new(rows)))
         })
         .collect();
     let mut files = ByRel::new();
     let mut kept = Rows::new();
     for (facts, rows) in readings {
-        if !rows.is_empty() {
+        if let Some(rows) = rows {
             kept.insert(facts.path.clone(), rows);
         }
         files.insert(facts.rel.clone(), facts);
@@ -77,7 +89,7 @@ pub(super) fn read_all(
 }
 
 /// Size of the mesh that a file is measured against.
-fn size_for(file: &Candidate<'_>, sizes: &MeshSizes) -> Option<MeshSize> {
+pub(super) fn size_for(file: &Candidate<'_>, sizes: &MeshSizes) -> Option<MeshSize> {
     let is_measured = file.kind().format().needs != Needs::Nothing;
     sizes.get(file.owner().filter(|_| is_measured)?).copied()
 }

@@ -9,10 +9,12 @@ mod open;
 mod place;
 mod read;
 mod roots;
+mod side;
 mod stack;
 
 pub(super) use data::{Data, Loaded};
-pub(super) use input::{Input, open, open_system};
+pub(super) use input::Input;
 pub use open::open_base;
 pub(super) use roots::{Roots, shown};
+pub(super) use side::{Side, sides};
 pub(super) use stack::Stack;

@@ -34,7 +34,7 @@ pub fn open_base(root: &Path, system: Option<&Path>, base: Option<&str>) -> Resu
     }
     let systems = below.iter().map(|tree| system_places(tree, &applications)).collect::<Result<Vec<_>, _>>();
     let systems = systems.map_err(|_| no_data(system.unwrap_or(root)))?.into_iter().flatten().collect();
-    let mut data = Data::load(Roots { checked, systems }, &limits);
+    let mut data = Data::load(Roots { checked, systems }, &limits, None);
     for loaded in data.all_mut() {
         list_targets(&loaded.place, &mut loaded.layer);
     }

@@ -58,8 +58,13 @@ impl<'t> Place<'t> {
     }
 
     /// Whether it is a data root of the same applications as another place.
-    pub(super) fn has_layouts_of(&self, other: &Self) -> bool {
+    fn has_layouts_of(&self, other: &Place<'_>) -> bool {
         self.layouts.iter().map(|layout| layout.application).eq(other.layouts.iter().map(|layout| layout.application))
+    }
+
+    /// Whether it is where another data root of the same applications is.
+    pub(super) fn is_counterpart(&self, other: &Place<'_>) -> bool {
+        self.path() == other.path() && self.has_layouts_of(other)
     }
 
     /// Whether nothing lies in it.

@@ -1,5 +1,7 @@
 //! One file: bytes to facts. A panic of ours in here is caught and becomes a finding of that file.
 
+use std::sync::Arc;
+
 use crate::discover::Candidate;
 use crate::formats::json_file::JsonFault;
 use crate::formats::target::{MeshSize, Row};
@@ -38,7 +40,8 @@ pub(super) fn unread(tree: &Tree, file: &Candidate<'_>) -> FileFacts {
 
 /// A stand-in for a file on which a parser of ours panicked.
 pub(super) fn panicked(tree: &Tree, file: &Candidate<'_>) -> FileFacts {
-    FileFacts { failed: true, content: file.kind().format().without(JsonFault::Empty), ..unread(tree, file) }
+    let content = Arc::new(file.kind().format().without(JsonFault::Empty));
+    FileFacts { failed: true, content, ..unread(tree, file) }
 }
 
 fn facts(tree: &Tree, file: &Candidate<'_>, encoding: Encoding, parsed: Parsed) -> FileFacts {
@@ -57,7 +60,7 @@ fn facts(tree: &Tree, file: &Candidate<'_>, encoding: Encoding, parsed: Parsed) 
         schema: parsed.schema,
         ignores: parsed.ignores,
         content_hash: parsed.content_hash,
-        content: parsed.content,
+        content: Arc::new(parsed.content),
     }
 }
 

@@ -90,8 +90,7 @@ impl<'t> Roots<'t> {
 
     /// A root that two PATHs lead to is checked once, for everything that either asks for.
     fn want(&mut self, place: Place<'t>, narrow: &[String]) {
-        let is_it = |known: &Place<'_>| known.path() == place.path() && known.has_layouts_of(&place);
-        match self.checked.iter_mut().find(|(known, _)| is_it(known)) {
+        match self.checked.iter_mut().find(|(known, _)| known.is_counterpart(&place)) {
             Some((_, known)) if known.is_empty() || narrow.is_empty() => known.clear(),
             Some((_, known)) => known.extend_from_slice(narrow),
             None => self.checked.push((place, narrow.to_vec())),

@@ -3,7 +3,7 @@
 use std::cell::Cell;
 use std::collections::BTreeMap;
 
-use crate::diag::{Level, Parts};
+use crate::diag::{Finding, Level, Parts};
 
 /// A finding as it is compared.
 #[derive(Debug, Clone, Copy)]
@@ -27,6 +27,17 @@ pub(in crate::engine) enum Standing {
     Same,
 }
 
+impl Standing {
+    /// What is to be told of a finding: of one that is worse what is worse.
+    pub(in crate::engine) fn of(self, mut finding: Finding) -> Option<Finding> {
+        match self {
+            Self::New => Some(finding),
+            Self::Worse(parts) => finding.narrow(&parts).then_some(finding),
+            Self::Same => None,
+        }
+    }
+}
+
 /// What compares two sets.
 #[derive(Debug, PartialEq, Eq)]
 pub(in crate::engine) struct Comparison {
@@ -46,6 +57,30 @@ pub(in crate::engine) fn compare(before: &[Claim<'_>], now: &[Claim<'_>]) -> Com
     }
     let now = now.iter().map(|claim| alike.get(&claim.subject()).map_or(Standing::New, |known| standing(claim, known)));
     Comparison { now: now.collect(), gone: (0..).zip(&met).filter(|(_, met)| !met.get()).map(|(at, _)| at).collect() }
+}
+
+/// Those that are new, and those that are worse with what is worse of them. Of files that are not `compared` all is told:
+/// what they were is not known.
+pub(in crate::engine) fn new_or_worse(
+    before: &[Finding],
+    found: Vec<Finding>,
+    is_compared: impl Fn(&Finding) -> bool,
+) -> Vec<Finding> {
+    let standings = compare(&claims(before), &claims(&found)).now;
+    let told = found
+        .into_iter()
+        .zip(standings)
+        .filter_map(|(finding, standing)| if is_compared(&finding) { standing.of(finding) } else { Some(finding) });
+    told.collect()
+}
+
+/// How many of those before are there no more.
+pub(in crate::engine) fn gone(before: &[Finding], now: &[Finding]) -> usize {
+    compare(&claims(before), &claims(now)).gone.len()
+}
+
+fn claims(findings: &[Finding]) -> Vec<Claim<'_>> {
+    findings.iter().map(Claim::of).collect()
 }
 
 /// One of those before.
@@ -76,7 +111,12 @@ fn standing(claim: &Claim<'_>, known: &[Known<'_>]) -> Standing {
     }
 }
 
-impl Claim<'_> {
+impl<'f> Claim<'f> {
+    fn of(finding: &'f Finding) -> Self {
+        let Finding { rule, level, subject, .. } = finding;
+        Self { rule, asset: finding.asset_path(), key: &subject.key, parts: &subject.parts, level: *level }
+    }
+
     /// What it is about, without its parts.
     const fn subject(&self) -> (&str, &str, &str) {
         (self.rule, self.asset, self.key)

@@ -21,7 +21,7 @@ pub(in crate::engine) fn idle<'t>(
     trees: impl Iterator<Item = &'t Tree>,
     scope: &Scope<'_>,
 ) -> Vec<IdleGlob> {
-    let Some(file) = config.file.as_ref().filter(|_| config.changed.is_none()) else { return Vec::new() };
+    let Some(file) = &config.file else { return Vec::new() };
     let blocks = file.blocks.iter().map(|block| ("[[path]]", &block.glob));
     let globs = file.exclude.iter().map(|glob| ("exclude", glob)).chain(blocks);
     let checked = globs.filter(|(_, glob)| scope.covers(&file.folder, glob.folder()) && !is_hidden(&glob.text));

@@ -59,10 +59,12 @@ impl Keeper<'_> {
         }
         let all: Vec<Verdict> = files.iter().map(|file| self.at(finding, file, ignores)).collect();
         let reported: Vec<Verdict> = all.iter().copied().filter(|verdict| matches!(verdict, Verdict::At(_))).collect();
-        let silent = all.len() - reported.len();
+        let is_silent =
+            |(file, verdict): (&String, &Verdict)| (!matches!(verdict, Verdict::At(_))).then(|| file.clone());
+        let silent: Vec<String> = files.iter().zip(&all).filter_map(is_silent).collect();
         match reported.first() {
             Some(first) if reported.len() >= fewest => {
-                finding.ignored = (silent > 0).then_some(IgnoredFiles { count: silent, of: all.len() });
+                finding.ignored = (!silent.is_empty()).then_some(IgnoredFiles { files: silent, of: all.len() });
                 if matches!(own, Verdict::At(_)) { own } else { *first }
             }
             _ if all.contains(&Verdict::Hidden) => Verdict::Hidden,

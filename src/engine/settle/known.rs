@@ -77,7 +77,7 @@ impl Known {
             stale: stale.iter().map(|entry| describe(entry)).collect(),
         };
         let (mut new, mut taken_over) = (None, None);
-        let hides = if self.write {
+        if self.write {
             let added = || rest.iter().zip(&known).filter(|(_, known)| !**known).map(|(placed, _)| placed);
             let errors = added().filter(|placed| placed.finding.level == Level::Error).count();
             taken_over = (!self.is_first).then(|| TakenOver { new: added().count(), errors, gone: used.stale.len() });
@@ -87,13 +87,12 @@ impl Known {
             all.extend(entries.into_iter().map(|found| found.entry));
             new = Some(Baseline { entries: all });
             used.stale.clear();
-            vec![true; known.len()]
-        } else {
-            known
-        };
-        let hidden = hides.iter().filter(|hides| **hides).count();
-        let rest = rest.into_iter().zip(hides).filter(|(_, hides)| !hides).map(|(placed, _)| placed);
-        let kept = safe.into_iter().chain(rest).map(|placed| placed.finding).collect();
+        }
+        let all = rest.len();
+        let told = rest.into_iter().zip(now).filter(|_| !self.write);
+        let told: Vec<Finding> = told.filter_map(|(placed, standing)| standing.of(placed.finding)).collect();
+        let hidden = all - told.len();
+        let kept = safe.into_iter().map(|placed| placed.finding).chain(told).collect();
         Ok(Compared { kept, hidden, used, new, taken_over })
     }
 

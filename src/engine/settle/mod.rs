@@ -13,6 +13,7 @@ mod locate;
 mod scope;
 mod select;
 
+pub(super) use compare::{gone, new_or_worse};
 pub(super) use identify::{Placed, Root};
 pub(super) use idle::idle;
 pub(super) use ignore::Ignores;

@@ -156,7 +156,7 @@ impl Composer<'_, '_> {
         let vertices = self.mesh.positions.len();
         // Rows for seam duplicates are accepted and overwritten by the application.
         let in_mesh = |row: &Row| (row.index as usize) < vertices;
-        let rows = rows.map(|rows| rows.into_iter().filter(in_mesh).map(|row| (row.index, row.delta)).collect());
+        let rows = rows.map(|rows| rows.iter().filter(|row| in_mesh(row)).map(|row| (row.index, row.delta)).collect());
         let place = self.scene.targets.len();
         self.by_path.insert(path.clone(), place);
         let suspect = file.is_some_and(|file| is_suspect(file, self.extent));

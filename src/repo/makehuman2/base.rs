@@ -98,7 +98,7 @@ fn sound_mesh(file: &FileFacts) -> Option<&Mesh> {
 }
 
 fn model_of_base(file: &FileFacts) -> Option<&BaseJson> {
-    match &file.content {
+    match &*file.content {
         Content::BaseJson(model) if !file.json.falsy && !file.is_misshapen() => Some(model),
         _ => None,
     }

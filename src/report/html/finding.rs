@@ -4,7 +4,6 @@ use maud::{Markup, html};
 
 use super::inline;
 use crate::diag::{Finding, Location, Related};
-use crate::report::because::because;
 use crate::report::phrase::{self, bare_place, colons, doubt, evidence_line, fixed_by};
 use crate::report::printable;
 use crate::report::snippet::snippet;
@@ -39,9 +38,6 @@ pub(super) fn article(finding: &Finding, id: &str, open: bool) -> Markup {
                     }
                     @if let Some(fix) = &finding.fix {
                         div .help { dt { "Fix" } dd { (inline(&printable(&fixed_by(fix)))) } }
-                    }
-                    @if let Some(reason) = &finding.because {
-                        div { dt { "Shown because" } dd { (inline(&printable(&because(reason)))) } }
                     }
                     (evidence(finding))
                     (related(&finding.related))

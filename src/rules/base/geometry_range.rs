@@ -27,7 +27,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(file) = view.layers.first_existing(&format!("base/{}/geometry.json", base.name)) else { return };
-    let (Content::Geometry(geometry), Some((_, mesh))) = (&file.content, base.mesh) else { return };
+    let (Content::Geometry(geometry), Some((_, mesh))) = (&*file.content, base.mesh) else { return };
     if mesh.facts.unreadable_lines > 0 {
         return;
     }

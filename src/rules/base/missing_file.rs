@@ -3,13 +3,12 @@
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::absent_keys;
 use super::sliders::{self, Gap};
-use crate::diag::{Application, Extent, Finding, Level, RuleInfo, nearest};
+use crate::diag::{Application, Finding, Level, RuleInfo, nearest};
 use crate::repo::makehuman2::{Base, View};
 use crate::repo::{FileFacts, Layer, Reference, ReferenceKind, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        extent: Some(Extent::Base),
         breaks: &[(Application::Makehuman2, "stops with a traceback when the base is loaded")],
         docs: "A base mesh consists of `base/<base>/base.json` and `base.obj` (or `base.mhbin`) beside it; `base.json` names a start model (`mhm`) in \
             the same folder and a skeleton (`pose-skeleton`) in `rigs/<base>/`.\n\nWithout `base.json`, without the mesh, or with a start model \

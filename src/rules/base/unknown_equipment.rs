@@ -1,7 +1,7 @@
 //! `visible groups` and `equipment` must name what exists.
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
-use crate::diag::{Application, Evidence, Extent, Finding, Level, Place, RuleInfo, nearest};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, nearest};
 use crate::formats::base_json::BaseJson;
 use crate::formats::obj::Mesh;
 use crate::repo::FileFacts;
@@ -13,7 +13,6 @@ const MEMBER: &str = "visible groups";
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        extent: Some(Extent::Base),
         breaks: &[(Application::Makehuman2, "stops with a KeyError at start without `visible groups`")],
         docs: "`visible groups` lists the groups of the OBJ that are drawn and measured; `equipment` lists the kinds of assets the base can \
             wear.\n\nWithout `visible groups` MakeHuman 2 stops at start. If none of the groups exists the character is invisible and has the \

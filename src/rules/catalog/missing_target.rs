@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx};
 use super::neighbours::Neighbours;
-use crate::diag::{Application, Evidence, Extent, Finding, Level, Place, RuleInfo, pointer};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, pointer};
 use crate::formats::target_catalog::Section;
 use crate::repo::mpfb::{Catalog, View};
 use crate::repo::{Reference, Resolution, parent};
@@ -15,7 +15,6 @@ pub(in crate::rules) static RULE: Rule = Rule {
             Application::Mpfb,
             "raises an exception when the slider moves: it jumps back, nothing changes, and only the console tells why",
         )],
-        extent: Some(Extent::Base),
         docs: "A slider with `opposites` loads `<slot>.target.gz` from the folder of its section, which is called as the \
             section. It looks in no other folder, not for a plain `.target`, and not into the user's data. Only the slots of \
             the sides in use are asked for. A slider without `opposites` loads `<name>.target.gz` or `<name>.target`, with \

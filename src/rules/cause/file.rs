@@ -32,7 +32,7 @@ pub(in crate::rules) fn is_override(file: &FileFacts) -> bool {
 /// the application instead, and nesting beyond all measure does, too.
 pub(in crate::rules) fn is_ignored_override(file: &FileFacts) -> bool {
     is_override(file)
-        && match &file.content {
+        && match &*file.content {
             Content::Broken(JsonFault::Empty | JsonFault::ByteOrderMark) => !file.failed && file.unreadable.is_none(),
             Content::Broken(JsonFault::Syntax(fault)) => fault.kind != SyntaxKind::TooDeep,
             Content::Broken(JsonFault::NotUtf8 | JsonFault::LfsPointer) => false,

@@ -9,7 +9,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
                `[[path]]` are then without effect: the files were moved, or the glob never was right. Globs are relative to the \
                folder of mhlint.toml, and `*` stays within one folder name. An `exclude` of what is not there is an info: what it \
                was meant for may be made by a build.\n\nCorrect the glob, or remove it. It is reported only where the run looked at \
-               everything that it could be for: not with `--base`, `--staged`, `--since` or `--changed-files`, and not when PATH is \
+               everything that it could be for: not with `--base`, and not when PATH is \
                narrower. Globs of hidden files and folders are not judged, because those are not looked at.",
         ..RuleInfo::new("config-unused-glob", Level::Warning, "a path glob that fits no file")
     },

@@ -4,14 +4,13 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx};
 use super::icons;
-use crate::diag::{Application, Evidence, Extent, Finding, Level, RuleInfo};
+use crate::diag::{Application, Evidence, Finding, Level, RuleInfo};
 use crate::discover::{Kind, Layout, extension};
 use crate::repo::makehuman2::{Base, View};
 use crate::repo::{FileFacts, Reference, ReferenceKind, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        extent: Some(Extent::Base),
         breaks: &[(Application::Makehuman2, "never opens it")],
         docs: "Nothing in the repository refers to the file, and no loader looks for its name. It does no harm, but it is often the sign of a \
             slip: an icon whose slider is called differently, a target packed as `.target.gz` (MakeHuman 2 reads plain targets only), an \

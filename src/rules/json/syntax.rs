@@ -30,7 +30,7 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     if is_ignored_override(file) {
         return;
     }
-    match &file.content {
+    match &*file.content {
         Content::Broken(JsonFault::Syntax(fault)) if fault.kind != SyntaxKind::TooDeep && !is_stray(view, file) => {
             let finding = RULE
                 .at(file, Place::Span(fault.span.clone()), format!("no JSON: {fault}"))

@@ -24,7 +24,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Content::Broken(JsonFault::Syntax(fault)) = &file.content else { return };
+    let Content::Broken(JsonFault::Syntax(fault)) = &*file.content else { return };
     if fault.kind == SyntaxKind::TooDeep {
         let finding = RULE.at(file, Place::Span(fault.span.clone()), fault.to_string());
         let finding = finding.help("no format needs more than ten levels; replace the file");

@@ -48,7 +48,7 @@ type Told<'f> = BTreeSet<(String, &'f str)>;
 /// The misspelt keys for which entries of `modelling.json` are said to have no effect.
 fn told_sliders<'f>(view: &View<'_>, file: &'f FileFacts) -> Told<'f> {
     // Generated entries are not checked for their effect.
-    match &file.content {
+    match &*file.content {
         Content::Modelling(model) if !view.is_generated(&file.rel) => {
             let sliders = model.sliders.iter();
             sliders.filter_map(|slider| Some((pointer(&[&slider.key]), slider.misspelt_effect()?.0))).collect()
@@ -72,7 +72,7 @@ fn lacks(lacking: &BTreeSet<(&str, &str)>, unknown: &UnknownKey) -> bool {
 fn is_told(file: &FileFacts, sliders: &Told<'_>, unknown: &UnknownKey) -> bool {
     let Some(nearest) = unknown.nearest.as_deref() else { return false };
     let (owner, _) = unknown.pointer.rsplit_once('/').unwrap_or_default();
-    match &file.content {
+    match &*file.content {
         Content::Skeleton(skeleton) if owner.is_empty() => match nearest {
             "bones" => skeleton.bones_section == Section::Absent,
             "joints" => skeleton.joints_section == Section::Absent,

@@ -4,12 +4,11 @@ use super::super::cause::schema::is_sound;
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::links::{MacroLink, links};
 use super::lost_folder::{holds_files, is_lost};
-use crate::diag::{Application, Extent, Finding, Level, Place, RuleInfo, nearest};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo, nearest};
 use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        extent: Some(Extent::Base),
         breaks: &[(
             Application::Makehuman2,
             "uses the folder of the previous macrodef, or stops if there is none; a folder that does not exist leaves every combination without its file, which stops it as soon as one has weight",

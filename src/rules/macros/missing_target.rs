@@ -2,14 +2,13 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::links::{MacroLink, has_suffix, links, nearest_file};
-use crate::diag::{Application, Evidence, Extent, Finding, Level, RuleInfo, Suggestions};
+use crate::diag::{Application, Evidence, Finding, Level, RuleInfo, Suggestions};
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, View};
 use std::collections::{BTreeMap, BTreeSet};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        extent: Some(Extent::Base),
         breaks: &[(
             Application::Makehuman2,
             "writes a line to the log and stops with an AttributeError as soon as the combination has weight: at start if the default character uses it",

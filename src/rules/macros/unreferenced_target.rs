@@ -5,7 +5,7 @@ use super::fit::{fitting_names, values_of};
 use super::links::{is_in_folder, unreferenced};
 use super::survey::survey;
 use super::suspects::suspects;
-use crate::diag::{Application, Evidence, Extent, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::macro_json::Macrodef;
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, View};
@@ -13,7 +13,6 @@ use std::collections::BTreeSet;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        extent: Some(Extent::Base),
         breaks: &[(Application::Makehuman2, "reads the file at start and never applies it")],
         docs: "A target in the folder of a macrodef has an effect only if an entry names it in `t`, or a slider \
             uses it.\n\nSuch a file is often the one that a nearby combination should name: an entry was copied \

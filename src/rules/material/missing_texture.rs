@@ -4,12 +4,11 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx};
 use super::advice::{Advice, file_name};
-use crate::diag::{Application, Case, Evidence, Extent, Finding, Level, RuleInfo};
+use crate::diag::{Application, Case, Evidence, Finding, Level, RuleInfo};
 use crate::repo::{Layer, Reference, ReferenceKind, Resolution, View, parent};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        extent: Some(Extent::Base),
         breaks: &[(Application::Makehuman2, "drops the keyword without a message and goes without this texture")],
         docs: "`diffuseTexture`, `normalmapTexture`, `aomapTexture`, `metallicRoughnessTexture` and `emissiveTexture` name a \
             picture. MakeHuman 2 drops a keyword whose picture it does not find, without a message: the surface has the colour \

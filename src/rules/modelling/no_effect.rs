@@ -4,14 +4,13 @@ use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
 use super::groups;
-use crate::diag::{Application, Extent, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::formats::modelling::EFFECTS;
 use crate::repo::makehuman2::{Base, BoundSlider, Pattern, View};
 use crate::repo::{Reference, ReferenceKind, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        extent: Some(Extent::Base),
         breaks: &[(Application::Makehuman2, "shows a slider that does nothing and is never saved")],
         docs: "A slider does something through `incr` and `decr` (targets), `macro` or `barycentric`.\n\nAn entry with none of them gets \
             a slider without a pattern: nothing moves, nothing is saved, no model can set it. Beside `macro` or `barycentric`, `incr` and `decr` do nothing: their \

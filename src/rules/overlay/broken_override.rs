@@ -4,7 +4,7 @@ use super::super::cause::consequence::ignored_override;
 use super::super::cause::is_ignored_override;
 use super::super::{Check, Rule, RuleCx};
 use super::overrides;
-use crate::diag::{Application, Change, Extent, Finding, Fix, FixKind, Level, Place, Rewrite, RuleInfo};
+use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Place, Rewrite, RuleInfo};
 use crate::formats::Content;
 use crate::formats::json_file::JsonFault;
 use crate::repo::FileFacts;
@@ -12,7 +12,6 @@ use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        extent: Some(Extent::Base),
         fix: FixKind::Safe,
         breaks: &[(
             Application::Makehuman2,
@@ -37,7 +36,7 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
         let message = format!("the override `{}` is ignored: {fault}", file.rel);
         let finding = RULE.at(file, place, message).key(each.name).help(help);
         let finding = finding.effect(ignored_override(view, base, each.name, each.system.is_some()));
-        let finding = match &file.content {
+        let finding = match &*file.content {
             Content::Broken(JsonFault::ByteOrderMark) => {
                 let change = Change::Rewrite(Rewrite::DropByteOrderMark);
                 finding.fix(Fix::new(RULE.info.fix, "remove the mark").step(&file.path, change))
@@ -52,7 +51,7 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
 }
 
 fn fault(file: &FileFacts) -> (Place, String, &'static str) {
-    match &file.content {
+    match &*file.content {
         Content::Broken(JsonFault::ByteOrderMark) => (
             Place::Span(0..3),
             "it starts with a byte order mark, which Python refuses".to_owned(),

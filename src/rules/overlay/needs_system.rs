@@ -3,14 +3,13 @@
 use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx, counted};
-use crate::diag::{Application, Evidence, Extent, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::Content;
 use crate::repo::makehuman2::{Base, View};
 use crate::repo::{FileFacts, Reference, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        extent: Some(Extent::Base),
         breaks: &[(Application::Makehuman2, "finds the files if its system data has them, otherwise not")],
         docs: "User data lies over the data that comes with MakeHuman 2. Names in it may lead to files there, which \
             `mhlint` cannot know when it is given the user's folder alone. The same goes for vertices: whether the base mesh \
@@ -57,7 +56,7 @@ fn unmeasured<'a>(view: &View<'a>, base: &Base<'a>) -> Vec<&'a FileFacts> {
     if base.has_system || meshes.iter().any(|mesh| checked.file(mesh).is_some() || checked.has_unusable(mesh)) {
         return Vec::new();
     }
-    let names_vertices = |file: &&FileFacts| match &file.content {
+    let names_vertices = |file: &&FileFacts| match &*file.content {
         Content::Target(facts) => facts.rows > 0,
         Content::Skeleton(skeleton) => skeleton.joints.iter().any(|joint| joint.vertices.is_some()),
         Content::Weights(weights) => weights.bones.iter().any(|bone| bone.listed > 0),

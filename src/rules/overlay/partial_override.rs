@@ -4,13 +4,12 @@ use super::super::{Check, Rule, RuleCx, counted};
 use super::{
     SystemFolder, has_broken_override, has_misnamed_override, in_other_layer, overrides, system_folder, user_sliders,
 };
-use crate::diag::{Application, Extent, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        extent: Some(Extent::Base),
         breaks: &[(Application::Makehuman2, "mixes the override with files of the system that were not made for it")],
         docs: "The files of a base in `contarget/<base>/` belong together, but MakeHuman 2 chooses each JSON for itself and \
             takes the target files and icons from the folder whose macro.json won.\n\nWithout macro.json the override's \

@@ -2,12 +2,11 @@
 
 use super::super::{Check, Rule, RuleCx, counted};
 use super::{Override, is_complete, overrides};
-use crate::diag::{Application, Evidence, Extent, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        extent: Some(Extent::Base),
         breaks: &[(Application::Makehuman2, "reads the file in contarget and not the system's")],
         docs: "macro.json, modelling.json and target_cat.json in `contarget/<base>/` replace the system's files of the same \
             names as a whole; nothing is merged. With macro.json the target files change as well: all of the system's \

@@ -4,13 +4,12 @@ use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx, counted};
 use super::{SystemFolder, has_misnamed_override, in_other_layer, system_folder};
-use crate::diag::{Application, EXAMPLES, Evidence, Extent, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 use crate::repo::{Reference, ReferenceKind};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        extent: Some(Extent::Base),
         breaks: &[(
             Application::Makehuman2,
             "cannot load the targets: stops at start if the start character uses one (AttributeError), otherwise as soon as \

@@ -1,12 +1,11 @@
 //! User sliders that replace others of the same key.
 
 use super::super::{Check, Rule, RuleCx, counted};
-use crate::diag::{Application, EXAMPLES, Evidence, Extent, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        extent: Some(Extent::Base),
         breaks: &[(Application::Makehuman2, "shows the user's slider in place of the other one, which is gone")],
         docs: "The generated modelling.json of the user's targets is merged over the sliders of the base, key by key, and the \
             user's entry wins. Its keys are made from folder and file: `head/size.target` becomes `Head Size`. If the base \

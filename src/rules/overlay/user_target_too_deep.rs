@@ -3,13 +3,12 @@
 use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx, counted};
-use crate::diag::{Application, Evidence, Extent, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 use crate::repo::{FileFacts, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        extent: Some(Extent::Base),
         breaks: &[(Application::Makehuman2, "packs the targets into its archive but offers no slider for them")],
         docs: "For the user's own targets MakeHuman 2 makes sliders from the files in `target/<base>/` and in the folders \
             directly below it. It does not look deeper. Files further down are still read and packed at every start, and a \

@@ -2,14 +2,13 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::shown::shown_by;
-use crate::diag::{Application, Evidence, Extent, Finding, Level, OptionInfo, Place, RuleInfo};
+use crate::diag::{Application, Evidence, Finding, Level, OptionInfo, Place, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::eval::target_measure::TargetMeasure;
 use crate::repo::{Body, FileFacts};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        extent: Some(Extent::FolderAndRigs),
         breaks: &[(Application::Makehuman2, "makes the figure uneven; symmetry cannot even it out")],
         docs: "A target whose name says no side (no `l`, `r`, `left`, `right`) moves one side otherwise than the other.\n\n\
             Targets whose names end as `nonsym` under `random` of base.json says are meant to be so and left alone. A target \

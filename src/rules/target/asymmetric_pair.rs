@@ -2,13 +2,12 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::shown::shown_by;
-use crate::diag::{Application, Case, Element, Evidence, Extent, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Case, Element, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::measures::{Measures, PairMeasure};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        extent: Some(Extent::FolderAndRigs),
         breaks: &[(
             Application::Makehuman2,
             "gives the two sides different shapes for the same setting of their sliders",

@@ -4,14 +4,13 @@ use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
 use super::{asked_for, parent};
-use crate::diag::{Application, Extent, Finding, Level, Place, RuleInfo, nearest};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo, nearest};
 use crate::discover::Kind;
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, TargetFolder, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        extent: Some(Extent::Folder),
         breaks: &[(
             Application::Makehuman2,
             "makes a slider of one side; of a single `-decr` target it makes one that grows where it should shrink",

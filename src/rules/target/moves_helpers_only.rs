@@ -1,13 +1,12 @@
 //! A target changes something that is seen.
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Evidence, Extent, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        extent: Some(Extent::FolderAndRigs),
         breaks: &[(
             Application::Makehuman2,
             "changes nothing to be seen: helpers are hidden and only carry clothes and joints",

@@ -2,14 +2,13 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::shown::shown_by;
-use crate::diag::{Application, Evidence, Extent, Finding, Level, OptionInfo, Place, RuleInfo};
+use crate::diag::{Application, Evidence, Finding, Level, OptionInfo, Place, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::eval::target_measure::TargetMeasure;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        extent: Some(Extent::FolderAndRigs),
         breaks: &[(
             Application::Makehuman2,
             "takes the middle of a torn cube for the joint: the bone ends beside its limb",

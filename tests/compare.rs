@@ -1,5 +1,4 @@
-//! `--staged`, `--since` and `--changed-files`: the report is narrowed to what a change can affect. On the real binary,
-//! with real git.
+//! `--since`, `--staged` and `--against`: what a change brings, and nothing else. On the real binary, with real git.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may stop where it fails")]
 
 mod scratch;
@@ -47,21 +46,60 @@ fn check(root: &Path, more: &[&str]) -> Output {
     mhlint(root, &[&["check", ".", "--no-eval", "--report", "concise"], more].concat())
 }
 
+/// Gives a target a row that makes it useless.
+fn ruin(root: &Path, target: &str) {
+    let path = root.join(target);
+    let sound = fs::read_to_string(&path).unwrap_or_default();
+    fs::write(path, format!("{sound}1 nan 0 0\n")).unwrap();
+}
+
+#[track_caller]
+fn assert_shown(output: &Output, code: i32, shown: &[&str], silent: &[&str]) {
+    let text = stdout(output);
+    assert_eq!(output.status.code(), Some(code), "{text}{}", stderr(output));
+    for words in shown {
+        assert!(text.contains(words), "no `{words}` in: {text}");
+    }
+    for words in silent {
+        assert!(!text.contains(words), "`{words}` in: {text}");
+    }
+}
+
+const OLD: &str = "macro-steps-length";
+const OVAL: &str = "data/target/figure/head/head-oval.target";
+const SIDE: &str = "data/target/figure/head/head-side-in.target";
+
+/// The JSON report.
+fn report(root: &Path, more: &[&str]) -> serde_json::Value {
+    let output = mhlint(root, &[&["check", ".", "--no-eval", "--report", "json"], more].concat());
+    serde_json::from_slice(&output.stdout).unwrap_or_else(|error| panic!("{error}: {}", stderr(&output)))
+}
+
 #[test]
-fn a_change_is_not_blamed_for_what_it_cannot_affect() {
+fn what_was_there_before_is_not_shown() {
     let repository = repository();
     let root = repository.path();
-    assert_eq!(check(root, &[]).status.code(), Some(1));
+    assert_shown(&check(root, &[]), 1, &[OLD], &[]);
     fs::write(root.join("notes.txt"), "nothing to do with the data").unwrap();
-    let output = check(root, &["--since", "HEAD"]);
-    assert_eq!(output.status.code(), Some(0), "{}", stdout(&output));
-    assert!(
-        stderr(&output).contains("narrowed to what 1 changed file can affect; 1 other finding"),
-        "{}",
-        stderr(&output)
-    );
+    assert_shown(&check(root, &["--since", "HEAD"]), 0, &[], &[OLD]);
     let human = mhlint(root, &["check", ".", "--no-eval", "--since", "HEAD"]);
-    assert!(stdout(&human).contains("Nothing found that the change can affect"), "{}", stdout(&human));
+    assert!(stdout(&human).contains("Nothing new found, compared with `HEAD`."), "{}", stdout(&human));
+    assert_eq!(report(root, &["--since", "HEAD"])["compared"], serde_json::json!({"with": "HEAD", "gone": 0}));
+    assert_eq!(report(root, &[])["compared"], serde_json::Value::Null);
+}
+
+#[test]
+fn what_is_gone_is_counted() {
+    let repository = repository();
+    let root = repository.path();
+    git(root, &["checkout", "-q", "-b", "mine"]);
+    let sound = example();
+    fs::copy(sound.path().join(MACROS), root.join(MACROS)).unwrap();
+    let compared = &report(root, &["--since", "main"])["compared"];
+    assert_eq!(*compared, serde_json::json!({"with": "main", "gone": 1}));
+    let human = mhlint(root, &["check", ".", "--no-eval", "--since", "main"]);
+    let said = "Nothing new found, compared with `main`. 1 finding is gone.";
+    assert!(stdout(&human).contains(said), "{}", stdout(&human));
 }
 
 #[test]
@@ -79,17 +117,11 @@ fn a_change_is_seen_from_inside_the_data_folder() {
 }
 
 #[test]
-fn a_changed_file_is_reported_with_the_reason() {
+fn a_fault_in_a_changed_file_is_new() {
     let repository = repository();
     let root = repository.path();
-    let target = named_target(root);
-    fs::write(root.join(&target), "1 nan 0 0\n").unwrap();
-    let output = check(root, &["--since", "HEAD"]);
-    let text = stdout(&output);
-    assert!(text.contains(&format!("{target}:1:")) && text.contains("[target-non-finite]"), "{text}");
-    assert!(!text.contains("macro-steps-length"), "{text}");
-    let human = mhlint(root, &["check", ".", "--no-eval", "--since", "HEAD"]);
-    assert!(stdout(&human).contains("shown because: the file changed"), "{}", stdout(&human));
+    ruin(root, OVAL);
+    assert_shown(&check(root, &["--since", "HEAD"]), 1, &[OVAL, "[target-non-finite]"], &[OLD]);
 }
 
 #[test]
@@ -102,16 +134,6 @@ fn a_deleted_or_renamed_file_is_missed_where_it_was_named() {
     let text = stdout(&output);
     assert!(text.contains("modelling.json") && text.contains("[modelling-missing-target]"), "{text}");
     assert!(!text.contains("macro-steps-length"), "{text}");
-}
-
-#[test]
-fn a_file_that_decides_over_a_base_affects_all_of_it() {
-    let repository = repository();
-    let root = repository.path();
-    let listed = root.join("changed.txt");
-    fs::write(&listed, "data/base/figure/base.json\n").unwrap();
-    let output = check(root, &["--changed-files", "changed.txt"]);
-    assert!(stdout(&output).contains("macro-steps-length"), "{}", stdout(&output));
 }
 
 #[test]
@@ -136,15 +158,18 @@ fn what_git_cannot_tell_is_refused_with_the_remedy() {
     let repository = repository();
     let root = repository.path();
     assert_refused(&check(root, &["--since", "nowhere"]), &["git knows no revision `nowhere`", "name a commit"]);
-    assert_refused(&check(root, &["--changed-files", "nowhere.txt"]), &["nowhere.txt", "a path a line"]);
-    let both = check(root, &["--since", "HEAD", "--changed-files", "x"]);
+    assert_refused(&check(root, &["--against", "nowhere"]), &["there is no folder `nowhere`", "give the one"]);
+    let both = check(root, &["--since", "HEAD", "--against", "data"]);
     assert_eq!(both.status.code(), Some(2));
+    let several = mhlint(root, &["check", "data", "user", "--against", "data"]);
+    assert_refused(&several, &["--against compares one folder with one other", "give one PATH"]);
+    assert_eq!(check(root, &["--since", "HEAD", "--write-baseline", "--baseline", "b.json"]).status.code(), Some(2));
     let outside = example();
     for option in [&["--since", "HEAD"][..], &["--staged"]] {
-        assert_refused(&check(outside.path(), option), &[option[0], "in no git repository", "--changed-files"]);
+        assert_refused(&check(outside.path(), option), &[option[0], "in no git repository", "--against"]);
         let mut lonely = Command::new(env!("CARGO_BIN_EXE_mhlint"));
         let output = lonely.current_dir(root).arg("check").args(option).env("PATH", "").output().unwrap();
-        assert_refused(&output, &[option[0], "git cannot be started", "install git", "--changed-files"]);
+        assert_refused(&output, &[option[0], "git cannot be started", "install git", "--against"]);
     }
 }
 
@@ -160,29 +185,6 @@ fn a_shallow_clone_is_named_as_the_reason() {
     assert_refused(&output, &["name a commit, a tag or a branch", "shallow clone", "fetch-depth: 0"]);
 }
 
-/// Gives a target a row that makes it useless.
-fn ruin(root: &Path, target: &str) {
-    let path = root.join(target);
-    let sound = fs::read_to_string(&path).unwrap_or_default();
-    fs::write(path, format!("{sound}1 nan 0 0\n")).unwrap();
-}
-
-#[track_caller]
-fn assert_shown(output: &Output, code: i32, shown: &[&str], silent: &[&str]) {
-    let text = stdout(output);
-    assert_eq!(output.status.code(), Some(code), "{text}{}", stderr(output));
-    for words in shown {
-        assert!(text.contains(words), "no `{words}` in: {text}");
-    }
-    for words in silent {
-        assert!(!text.contains(words), "`{words}` in: {text}");
-    }
-}
-
-const OLD: &str = "macro-steps-length";
-const OVAL: &str = "data/target/figure/head/head-oval.target";
-const SIDE: &str = "data/target/figure/head/head-side-in.target";
-
 #[test]
 fn only_what_is_staged_counts() {
     let repository = repository();
@@ -192,11 +194,24 @@ fn only_what_is_staged_counts() {
     git(root, &["add", OVAL]);
     let output = check(root, &["--staged"]);
     assert_shown(&output, 1, &[OVAL, "target-non-finite"], &[OLD, SIDE]);
-    assert!(stderr(&output).contains("narrowed to what 1 changed file can affect; 2 other findings"));
     // From inside of the repository, and of a part of the data.
     let folder = root.join("data/target/figure");
     let part = mhlint(&folder, &["check", "head", "--staged", "--no-eval", "--report", "concise"]);
     assert_shown(&part, 1, &["head/head-oval.target"], &[OLD, "head-side-in.target:"]);
+}
+
+/// The index is what is committed, whatever lies in the folder by now.
+#[test]
+fn the_staged_content_is_checked_and_not_that_of_the_folder() {
+    let repository = repository();
+    let root = repository.path();
+    let sound = fs::read(root.join(OVAL)).unwrap();
+    ruin(root, OVAL);
+    git(root, &["add", OVAL]);
+    fs::write(root.join(OVAL), sound).unwrap();
+    fs::write(root.join("data/target/figure/head/untracked.target"), "1 nan 0 0\n").unwrap();
+    assert_shown(&check(root, &["--staged"]), 1, &[OVAL, "target-non-finite"], &[OLD, "untracked"]);
+    assert_shown(&check(root, &["--since", "HEAD"]), 1, &["untracked"], &[OLD, OVAL]);
 }
 
 #[test]
@@ -211,15 +226,16 @@ fn with_nothing_staged_everything_is_shown_and_that_is_said() {
 }
 
 #[test]
-fn before_the_first_commit_everything_staged_is_new() {
+fn before_the_first_commit_everything_is_shown() {
     let repository = example();
     let root = repository.path();
     ruin(root, OVAL);
-    ruin(root, SIDE);
     git(root, &["init", "-q", "-b", "main"]);
-    assert_shown(&check(root, &["--staged"]), 1, &[OVAL, SIDE], &[]);
     git(root, &["add", OVAL]);
-    assert_shown(&check(root, &["--staged"]), 1, &[OVAL], &[SIDE]);
+    let output = check(root, &["--staged"]);
+    assert_shown(&output, 1, &[OVAL], &[]);
+    assert_eq!(stderr(&output), "mhlint: there is no commit yet: the whole report\n");
+    assert_refused(&check(root, &["--since", "HEAD"]), &["git knows no revision `HEAD`"]);
 }
 
 #[test]
@@ -245,6 +261,22 @@ fn a_merge_counts_with_all_that_it_brings() {
     git(root, &["commit", "-q", "-a", "-m", "mine"]);
     git(root, &["merge", "-q", "--no-commit", "theirs"]);
     assert_shown(&check(root, &["--staged"]), 1, &[OVAL], &[OLD, SIDE]);
+}
+
+#[test]
+fn conflicts_are_refused_until_they_are_resolved() {
+    let repository = repository();
+    let root = repository.path();
+    for (branch, name) in [("theirs", "\"name\" "), ("mine", "\"name\"  ")] {
+        git(root, &["checkout", "-q", "-b", branch, "main"]);
+        edit(root, MACROS, "\"name\"", name);
+        git(root, &["commit", "-q", "-a", "-m", branch]);
+    }
+    assert!(!try_git(root, &["merge", "-q", "theirs"]).status.success());
+    assert_refused(&check(root, &["--staged"]), &["left conflicts in", "macro.json", "git add"]);
+    git(root, &["checkout", "-q", "--theirs", MACROS]);
+    git(root, &["add", MACROS]);
+    assert_shown(&check(root, &["--staged"]), 0, &[], &[OLD]);
 }
 
 /// Git hands its hooks the index of the commit by variables, which may be relative.
@@ -329,22 +361,19 @@ fn the_later_of_staged_and_another_option_wins() {
     ruin(root, OVAL);
     ruin(root, SIDE);
     git(root, &["add", OVAL]);
-    fs::write(root.join("changed.txt"), format!("{SIDE}\n")).unwrap();
     assert_shown(&check(root, &["--staged", "--since", "HEAD"]), 1, &[OVAL, SIDE], &[OLD]);
     assert_shown(&check(root, &["--since", "HEAD", "--staged"]), 1, &[OVAL], &[OLD, SIDE]);
-    assert_shown(&check(root, &["--staged", "--changed-files", "changed.txt"]), 1, &[SIDE], &[OLD, OVAL]);
 }
 
-/// Three targets with zero rows, one finding at the first of them, and a macro target that moves nothing.
-fn fixable(root: &Path) {
-    for target in [OVAL, SIDE, "data/target/figure/legs/l-foot-trans-forward.target"] {
+/// Gives targets a row that says nothing.
+fn add_zero_row(root: &Path, targets: &[&str]) {
+    for target in targets {
         let sound = fs::read_to_string(root.join(target)).unwrap();
         fs::write(root.join(target), format!("{sound}5 0 0 0\n")).unwrap();
     }
-    fs::write(root.join(EMPTY), "0 0 0 0\n").unwrap();
-    git(root, &["commit", "-q", "-a", "-m", "what can be mended"]);
 }
 
+const MACROS: &str = "data/target/figure/macro.json";
 const EMPTY: &str = "data/target/figure/macro_build/teen-maxmuscle.target";
 
 /// What git says has changed in the working tree.
@@ -354,17 +383,15 @@ fn written(root: &Path) -> Vec<String> {
 }
 
 #[test]
-fn a_narrowed_fix_writes_changed_files_only() {
+fn a_fix_writes_changed_files_only() {
     let repository = repository();
     let root = repository.path();
-    fixable(root);
-    let sound = fs::read_to_string(root.join(SIDE)).unwrap();
-    fs::write(root.join(SIDE), sound.replacen("5 0 0 0", "5 0 0 0.0", 1)).unwrap();
+    add_zero_row(root, &[OVAL, "data/target/figure/legs/l-foot-trans-forward.target"]);
+    git(root, &["commit", "-q", "-a", "-m", "what can be fixed"]);
+    add_zero_row(root, &[SIDE]);
     let output = check(root, &["--since", "HEAD", "--fix"]);
-    assert_eq!(written(root), [SIDE]);
-    assert!(!fs::read_to_string(root.join(SIDE)).unwrap().contains("5 0 0 0"));
+    assert_eq!(written(root), [""; 0], "{}", stderr(&output));
     assert!(stderr(&output).contains("1 fixed in 1 file: target-zero-delta (1)"), "{}", stderr(&output));
-    // The rest of the finding is a matter of the other files, and shown no more.
     assert_shown(&output, 0, &[], &["target-zero-delta"]);
 }
 
@@ -372,8 +399,7 @@ fn a_narrowed_fix_writes_changed_files_only() {
 fn what_belongs_together_is_not_fixed_by_halves() {
     let repository = repository();
     let root = repository.path();
-    fixable(root);
-    fs::write(root.join(EMPTY), "0 0 0 0\n1 0 0 0\n").unwrap();
+    fs::write(root.join(EMPTY), "0 0 0 0\n").unwrap();
     let fix = ["--since", "HEAD", "--fix", "--unsafe-fixes", "--only", "macro-empty-target"];
     let output = check(root, &fix);
     assert_eq!(written(root), [EMPTY]);
@@ -382,89 +408,40 @@ fn what_belongs_together_is_not_fixed_by_halves() {
         run without --since to mend them";
     assert!(stderr(&output).contains(said), "{}", stderr(&output));
     // With macro.json in the change the fix is whole.
-    edit(root, "data/target/figure/macro.json", "\"name\"", "\"name\" ");
+    edit(root, MACROS, "\"name\"", "\"name\" ");
     assert_shown(&check(root, &fix), 0, &[], &["macro-empty-target"]);
     assert!(!root.join(EMPTY).exists());
 }
 
 #[test]
-fn a_list_that_cannot_be_meant_is_no_pass() {
+fn a_fix_leaves_alone_what_is_staged_otherwise() {
     let repository = repository();
     let root = repository.path();
-    let shown = |folder: &Path, list: &str, said: &str| {
-        fs::write(root.join("list"), list).unwrap();
-        let list = root.join("list");
-        let output = check(folder, &["--changed-files", list.to_str().unwrap()]);
-        assert_shown(&output, 1, &[OLD], &[]);
-        assert!(
-            stderr(&output).contains(said) && stderr(&output).contains(": the whole report"),
-            "{}",
-            stderr(&output)
-        );
-        assert_eq!(stderr(&check(folder, &["--quiet", "--changed-files", list.to_str().unwrap()])), "");
-    };
-    shown(root, "", "--changed-files lists no file");
-    shown(root, "elsewhere/a\nelsewhere/b\n", "`elsewhere/a` is not here, nor is any other of the 2 listed files");
-    // What git lists from the top of the repository, whatever folder it is asked in.
-    let data = root.join("data");
-    let inside = format!("`{OVAL}` is not here, but in `..`; list paths relative to where mhlint runs");
-    shown(&data, &format!("README.md\n{OVAL}\n"), &inside);
-    fs::remove_file(root.join(OVAL)).unwrap();
-    shown(&data, &format!("{OVAL}\n"), &inside);
+    add_zero_row(root, &[OVAL, SIDE]);
+    git(root, &["add", OVAL, SIDE]);
+    let later = fs::read_to_string(root.join(SIDE)).unwrap() + "# later\n";
+    fs::write(root.join(SIDE), &later).unwrap();
+    let output = check(root, &["--staged", "--fix"]);
+    assert!(!fs::read_to_string(root.join(OVAL)).unwrap().contains("5 0 0 0"), "{}", stderr(&output));
+    assert_eq!(fs::read_to_string(root.join(SIDE)).unwrap(), later);
+    let said = stderr(&output);
+    assert!(said.contains("otherwise than they are staged: ") && said.contains("head-side-in.target"), "{said}");
 }
 
+/// A finding that speaks for several files shows what is new of it, where that is.
 #[test]
-fn a_list_of_deleted_files_and_files_beside_the_data_narrows() {
+fn of_a_group_only_the_new_part_is_shown_at_its_file() {
     let repository = repository();
     let root = repository.path();
-    fs::remove_dir_all(root.join("data/target/figure/head")).unwrap();
-    fs::write(root.join("notes.txt"), "").unwrap();
-    for list in [format!("{OVAL}\nnotes.txt\n"), "notes.txt\ndocs/gone.md\n".to_owned(), "gone.txt\n".to_owned()] {
-        fs::write(root.join("list"), &list).unwrap();
-        let output = check(root, &["--changed-files", "list"]);
-        assert!(
-            stderr(&output).contains("narrowed to what") && !stdout(&output).contains(OLD),
-            "{list}: {}",
-            stdout(&output)
-        );
-    }
-    fs::write(root.join("list"), format!("../{OVAL}\n")).unwrap();
-    let output = check(&root.join("user"), &["--changed-files", "../list"]);
-    assert!(stderr(&output).contains("narrowed to what"), "{}", stderr(&output));
-}
-
-#[cfg(target_os = "linux")]
-#[test]
-fn a_backslash_in_the_name_of_a_folder_is_no_separator() {
-    let repository = example();
-    let root = repository.path();
-    fs::create_dir(root.join("k\\b")).unwrap();
-    fs::rename(root.join("data"), root.join("k\\b/data")).unwrap();
-    let target = format!("k\\b/{OVAL}");
-    fs::write(root.join(&target), "1 nan 0 0\n").unwrap();
-    fs::write(root.join("list"), format!("{target}\n")).unwrap();
-    let report = ["--no-eval", "--report", "concise"];
-    let narrowed = mhlint(root, &[&["k\\b/data", "--changed-files", "list"], &report[..]].concat());
-    assert_shown(&narrowed, 1, &[&format!("{target}:1:1: error[target-non-finite]")], &[]);
-    let part = mhlint(root, &[&[target.as_str()], &report[..]].concat());
-    assert_shown(&part, 1, &["target-non-finite", "in 86 files"], &["(loose)"]);
-    fs::write(root.join("k\\b/mhlint.toml"), "[[path]]\nglob = \"data\"\nskip = [\"target-*\"]\n").unwrap();
-    let skipped = mhlint(root, &[&["k\\b/data"], &report[..]].concat());
-    assert_shown(&skipped, 0, &[], &["target-non-finite"]);
-}
-
-/// Of a submodule or a link git lists the folder alone.
-#[test]
-fn a_folder_that_changed_as_a_whole_counts_with_all_that_is_in_it() {
-    let repository = repository();
-    let root = repository.path();
-    for listed in ["data", ".", "data/", "data/target", "data/target/figure"] {
-        fs::write(root.join("list"), listed).unwrap();
-        let output = check(root, &["--changed-files", "list"]);
-        assert_shown(&output, 1, &["[macro-steps-length]"], &[]);
-    }
-    fs::write(root.join("list"), "data/target/figure/head").unwrap();
-    assert_shown(&check(root, &["--changed-files", "list"]), 0, &[], &["[macro-steps-length]"]);
+    add_zero_row(root, &[OVAL]);
+    git(root, &["commit", "-q", "-a", "-m", "a row that says nothing"]);
+    add_zero_row(root, &[SIDE]);
+    let only = ["--since", "HEAD", "--only", "target-zero-delta"];
+    assert_shown(&check(root, &only), 0, &[&format!("{SIDE}:"), "1 of these 2 is new"], &[OVAL]);
+    let row = fs::read_to_string(root.join(SIDE)).unwrap();
+    let ignored = format!("# mhlint: ignore target-zero-delta on purpose\n{row}");
+    fs::write(root.join(SIDE), ignored).unwrap();
+    assert_shown(&check(root, &only), 0, &["0 infos"], &["target-zero-delta"]);
 }
 
 #[test]
@@ -486,9 +463,10 @@ fn a_submodule_counts_with_all_that_is_in_it() {
     assert_shown(&output, 1, &["[macro-steps-length]"], &[]);
 }
 
+/// Of data behind a link that led elsewhere nothing is known as it was: all of it is shown, and that is said.
 #[cfg(unix)]
 #[test]
-fn a_link_that_leads_elsewhere_counts_with_all_that_is_there() {
+fn what_a_changed_link_to_a_folder_brings_is_not_compared() {
     let repository = example();
     let root = repository.path();
     let lead = |to: &str| {
@@ -505,41 +483,9 @@ fn a_link_that_leads_elsewhere_counts_with_all_that_is_there() {
     lead("v1");
     commit_all(root);
     lead("v2");
-    let output = mhlint(root, &["check", "data", "--no-eval", "--report", "concise", "--since", "HEAD"]);
-    assert_shown(&output, 1, &["[macro-steps-length]"], &[]);
-}
-
-#[test]
-fn settings_in_a_folder_that_changed_as_a_whole_count() {
-    let repository = repository();
-    let root = repository.path();
-    fs::create_dir(root.join("shared")).unwrap();
-    fs::write(root.join("shared/mhlint.toml"), "").unwrap();
-    fs::write(root.join("list"), "shared").unwrap();
-    let output = check(root, &["--config", "shared/mhlint.toml", "--changed-files", "list"]);
-    assert_shown(&output, 1, &["[macro-steps-length]"], &[]);
-    assert!(stderr(&output).contains("the change touches the configuration"), "{}", stderr(&output));
-}
-
-#[test]
-fn what_decides_which_data_lie_over_which_affects_all() {
-    let repository = example();
-    let root = repository.path();
-    commit_all(root);
-    let all = || mhlint(root, &["check", ".", "--no-eval", "--report", "concise"]);
-    git(root, &["rm", "-rq", "user/contarget"]);
-    assert_eq!(stdout(&check(root, &["--staged"])), stdout(&all()));
-}
-
-#[test]
-fn a_list_in_utf_16_is_refused() {
-    let repository = repository();
-    let root = repository.path();
-    let wide = |text: &str| text.encode_utf16().flat_map(u16::to_le_bytes).collect::<Vec<u8>>();
-    fs::write(root.join("list"), [&[0xff, 0xfe][..], &wide("data/target/figure/macro.json\n")].concat()).unwrap();
-    assert_refused(&check(root, &["--changed-files", "list"]), &["is UTF-16; write it as UTF-8"]);
-    fs::write(root.join("list"), "\u{feff}data/target/figure/macro.json\n").unwrap();
-    assert_shown(&check(root, &["--changed-files", "list"]), 1, &["[macro-steps-length]"], &[]);
+    let not_checked = &report(root, &["--since", "HEAD"])["not_checked"];
+    assert!(not_checked.to_string().contains("not-compared"), "{not_checked}");
+    assert_shown(&check(root, &["--since", "HEAD"]), 1, &["[macro-steps-length]"], &[]);
 }
 
 #[test]
@@ -559,4 +505,68 @@ fn a_loose_target_that_is_gone_is_missed_by_its_partner() {
     };
     assert_shown(&check(&[]), 0, &["[target-missing-side]", "[target-missing-opposite]"], &[]);
     assert_shown(&check(&["--staged"]), 0, &["[target-missing-side]", "[target-missing-opposite]"], &[]);
+}
+
+#[test]
+fn line_ends_that_git_makes_are_no_change() {
+    let repository = repository();
+    let root = repository.path();
+    git(root, &["config", "core.autocrlf", "true"]);
+    git(root, &["rm", "-q", "-r", "--cached", "."]);
+    git(root, &["reset", "-q", "--hard"]);
+    assert!(fs::read_to_string(root.join(OVAL)).unwrap().contains("\r\n"));
+    ruin(root, OVAL);
+    assert_shown(&check(root, &["--since", "HEAD"]), 1, &[OVAL], &[OLD]);
+    assert_eq!(report(root, &["--since", "HEAD"])["findings"].as_array().unwrap().len(), 1);
+}
+
+/// Of a content that was not fetched nothing is known: it is no old finding, and what is there now is shown.
+#[test]
+fn a_pointer_in_the_object_is_not_compared() {
+    let repository = repository();
+    let root = repository.path();
+    let content = fs::read_to_string(root.join(OVAL)).unwrap();
+    let pointer = format!("version https://git-lfs.github.com/spec/v1\noid sha256:{}\nsize 9\n", "ab".repeat(32));
+    fs::write(root.join(OVAL), &pointer).unwrap();
+    git(root, &["commit", "-q", "-a", "-m", "a pointer"]);
+    fs::write(root.join(OVAL), format!("{content}1 nan 0 0\n")).unwrap();
+    let report_of = report(root, &["--since", "HEAD"]);
+    assert_eq!(report_of["findings"].as_array().unwrap().len(), 1, "{report_of}");
+    assert_eq!(report_of["not_checked"][0]["what"], "not-compared");
+    assert_eq!(report_of["not_checked"][0]["examples"][0], OVAL);
+    // What was fetched once lies beside the objects.
+    let objects = root.join(format!(".git/lfs/objects/ab/ab/{}", "ab".repeat(32)));
+    fs::create_dir_all(objects.parent().unwrap()).unwrap();
+    fs::write(objects, content).unwrap();
+    assert_shown(&check(root, &["--since", "HEAD"]), 1, &[OVAL, "target-non-finite"], &["lfs"]);
+}
+
+#[test]
+fn changed_settings_are_said_and_count_for_both_sides() {
+    let repository = repository();
+    let root = repository.path();
+    fs::write(root.join("mhlint.toml"), "[level]\n\"macro-*\" = \"warning\"\n").unwrap();
+    git(root, &["add", "-A"]);
+    let output = mhlint(root, &["check", ".", "--no-eval", "--since", "HEAD"]);
+    let text = stdout(&output);
+    assert!(text.contains("`mhlint.toml` changed; both sides were checked with it") && !text.contains(OLD), "{text}");
+}
+
+#[test]
+fn two_folders_are_compared() {
+    let repository = repository();
+    let root = repository.path();
+    let other = example();
+    let before = other.path().to_str().unwrap();
+    assert_shown(&check(root, &["--against", before]), 1, &[OLD], &[]);
+    assert_shown(
+        &mhlint(root, &["check", "data", "--no-eval", "--report", "concise", "--against", &format!("{before}/data")]),
+        1,
+        &[OLD],
+        &[],
+    );
+    ruin(other.path(), OVAL);
+    lose_a_step(other.path());
+    assert_shown(&check(root, &["--against", before]), 0, &[], &[OLD, OVAL]);
+    assert_eq!(report(root, &["--against", before])["compared"]["gone"], 1);
 }

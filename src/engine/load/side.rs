@@ -1,0 +1,99 @@
+//! What a run reads: the data to check, and the data that they are compared with.
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+use super::input::{Input, open, open_system};
+use crate::config::{Before, Config};
+use crate::diag::Application;
+use crate::discover::is_read_though_hidden;
+use crate::engine::error::Error;
+use crate::source::{Contents, Limits, Tree, resolved, slashed};
+
+/// One side of a comparison, or the only one.
+pub(in crate::engine) struct Side {
+    pub(in crate::engine) inputs: Vec<Input>,
+    /// `--system`.
+    pub(in crate::engine) system: Option<Tree>,
+}
+
+/// Opens the paths as they are to be checked, and as they were if they are to be compared.
+pub(in crate::engine) fn sides(
+    paths: &[PathBuf],
+    options: &Config,
+    applications: &[Application],
+) -> Result<(Side, Option<Side>), Error> {
+    let open_system = || options.system.as_deref().map(open_system).transpose();
+    let folder = Side { inputs: open(paths, applications)?, system: open_system()? };
+    let Some(compare) = &options.compare else { return Ok((folder, None)) };
+    let before = match &compare.before {
+        Before::Contents(contents) => folder.with(contents),
+        Before::Folder(other) => {
+            let mut inputs = open(std::slice::from_ref(other), applications)?;
+            // What is the same on both sides has the same path.
+            for (input, now) in inputs.iter_mut().zip(&folder.inputs) {
+                input.tree.relabel(now.tree.label());
+                input.narrow.clone_from(&now.narrow);
+            }
+            Side { inputs, system: open_system()? }
+        }
+    };
+    let now = if compare.now.is_empty() { folder } else { folder.with(&compare.now) };
+    Ok((now, Some(before)))
+}
+
+impl Side {
+    /// Trees to check whole.
+    pub(in crate::engine) fn of(trees: Vec<Tree>, system: Option<Tree>) -> Self {
+        Self { inputs: trees.into_iter().map(Input::whole).collect(), system }
+    }
+
+    /// Every tree, that of the system data last.
+    pub(in crate::engine) fn trees(&self) -> impl Iterator<Item = &Tree> {
+        self.inputs.iter().map(|input| &input.tree).chain(&self.system)
+    }
+
+    /// Those of these files that are in the data, as printed.
+    pub(in crate::engine) fn shown<'p>(&self, paths: impl Iterator<Item = &'p PathBuf>) -> BTreeSet<String> {
+        let shown = |tree: &Tree, path: &PathBuf| {
+            let rel = path.strip_prefix(tree.root().map(resolved)?).ok().filter(|rel| is_listed(tree, rel))?;
+            Some(tree.shown(&slashed(rel)))
+        };
+        paths.filter_map(|path| self.trees().find_map(|tree| shown(tree, path))).collect()
+    }
+
+    /// The same with other contents.
+    fn with(&self, contents: &Contents<PathBuf>) -> Self {
+        let with = |tree: &Tree| tree.with(&below(tree, contents));
+        let inputs = self.inputs.iter().map(|input| Input { tree: with(&input.tree), narrow: input.narrow.clone() });
+        Self { inputs: inputs.collect(), system: self.system.as_ref().map(with) }
+    }
+
+    /// The tree that holds a file or folder, with its path there.
+    pub(in crate::engine) fn find<'s, 'p>(&'s self, path: &'p str) -> Option<(&'s Tree, &'p str)> {
+        let mut found = self.inputs.iter().filter_map(|input| Some((&input.tree, input.tree.below(path)?)));
+        found.find(|(tree, rel)| tree.entry(rel).is_some())
+    }
+
+    /// Whether a file has the same content on another side.
+    pub(in crate::engine) fn shares(&self, path: &str, other: &Self, limits: &Limits) -> bool {
+        match (self.find(path), other.find(path)) {
+            (Some((tree, rel)), Some((others, _))) => tree.shares(rel, others, limits),
+            (None, None) => true,
+            _ => false,
+        }
+    }
+}
+
+/// Those of the contents that a tree lists, by path from its top.
+fn below(tree: &Tree, contents: &Contents<PathBuf>) -> Contents<String> {
+    let Some(root) = tree.root().map(resolved) else { return Contents::new() };
+    let inside =
+        contents.range(root.clone()..).map_while(|(path, bytes)| Some((path.strip_prefix(&root).ok()?, bytes)));
+    inside.filter(|(rel, _)| is_listed(tree, rel)).map(|(rel, bytes)| (slashed(rel), bytes.clone())).collect()
+}
+
+fn is_listed(tree: &Tree, rel: &Path) -> bool {
+    let is_hidden = slashed(rel).split('/').any(|part| part.starts_with('.'));
+    rel.components().count() <= tree.depth() && (!is_hidden || is_read_though_hidden(&slashed(rel), false))
+}

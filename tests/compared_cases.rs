@@ -1,0 +1,59 @@
+//! A change is never hidden: every fixture case taken as a change to the example, which is clean, must show all of its
+//! findings beside the example.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may stop where it fails")]
+
+mod scratch;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use rayon::prelude::*;
+use scratch::{Case, example, findings, folders, mhlint, project};
+
+#[test]
+fn every_fixture_case_beside_the_example_shows_all_its_findings() {
+    let only = std::env::var("CASE").unwrap_or_default();
+    let cases: Vec<PathBuf> = folders(&project("fixtures/rules")).iter().flat_map(|rule| folders(rule)).collect();
+    let chosen: Vec<&PathBuf> = cases
+        .iter()
+        .filter(|case| case.join("expected.txt").exists() && case.to_str().unwrap().contains(&only))
+        .collect();
+    assert!(!chosen.is_empty(), "no case fits CASE={only}");
+    let faults: Vec<String> = chosen.par_iter().filter_map(|case| hidden(case)).collect();
+    assert!(faults.is_empty(), "\n{}", faults.join("\n"));
+}
+
+/// Runs a case beside the example; gives what is not shown of its findings.
+fn hidden(folder: &Path) -> Option<String> {
+    let case = Case::read(folder);
+    let is_one_path = case.args.iter().filter(|arg| !arg.starts_with('-')).count() <= 2;
+    // The binary does not check it, or it compares for itself.
+    if case.application.is_some() || !is_one_path {
+        return None;
+    }
+    let (before, repository) = (example(), example());
+    case.apply(repository.path());
+    let mut args: Vec<&str> = case.args.iter().map(String::as_str).collect();
+    if args.is_empty() {
+        args.extend(["check", "."]);
+    }
+    let path = args.iter().skip(1).find(|arg| !arg.starts_with('-')).copied().unwrap_or(".");
+    let other = before.path().join(path);
+    if !other.exists() {
+        return None;
+    }
+    args.extend(["--report", "concise"]);
+    // Both sides have the settings of the case.
+    let settings = repository.path().join("mhlint.toml");
+    if settings.exists() {
+        fs::copy(settings, before.path().join("mhlint.toml")).unwrap();
+    }
+    let mut shown = findings(&mhlint(before.path(), &args));
+    args.extend(["--against", other.to_str().unwrap()]);
+    shown.extend(findings(&mhlint(repository.path(), &args)));
+    let expected = fs::read_to_string(folder.join("expected.txt")).unwrap();
+    // What cannot be judged without system data is one remark a base mesh, however much it is.
+    let is_there = |line: &&str| line.contains("[overlay-needs-system]") || shown.iter().any(|found| found == line);
+    let missed: Vec<&str> = expected.lines().filter(|line| !is_there(line)).collect();
+    (!missed.is_empty()).then(|| format!("{} hides\n  {}", folder.display(), missed.join("\n  ")))
+}
