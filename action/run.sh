@@ -3,18 +3,27 @@
 # the verdict is a later step of action.yml, so that SARIF is uploaded before it.
 #
 # MHLINT_PATHS, MHLINT_ARGS  separated by blanks or line ends
+# MHLINT_BASE  commit that a pull request is to be merged into; empty elsewhere: what is new beside it is told
 # RUNNER_TEMP, GITHUB_OUTPUT, GITHUB_STEP_SUMMARY  as GitHub sets them
 set -euo pipefail
 
 # Blanks and line ends separate, but nothing is expanded: `--skip macro-*` reaches mhlint as it is.
 read -r -d '' -a paths <<<"${MHLINT_PATHS:-.}" || true # no delimiter comes: all is read
 read -r -d '' -a args <<<"${MHLINT_ARGS:-}" || true
+since=()
+if [ -n "${MHLINT_BASE:-}" ]; then
+    if git cat-file -e "$MHLINT_BASE^{commit}" 2>/dev/null; then
+        since=(--since "$MHLINT_BASE")
+    else
+        echo "::notice::mhlint: the base of the pull request was not fetched (fetch-depth: 0): the whole report"
+    fi
+fi
 human=$RUNNER_TEMP/mhlint.txt
 sarif=$RUNNER_TEMP/mhlint.sarif
 rm -f "$human" "$sarif"
 
 code=0
-mhlint check "${paths[@]}" ${args[@]+"${args[@]}"} \
+mhlint check "${paths[@]}" ${since[@]+"${since[@]}"} ${args[@]+"${args[@]}"} \
     --report github --report "human=$human" --report "sarif=$sarif" || code=$?
 
 if [ -f "$human" ]; then
