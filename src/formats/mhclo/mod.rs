@@ -2,7 +2,7 @@
 //! (formats/makehuman2.md §15.1).
 //!
 //! Words split at white space; a keyword may have a colon behind it. Faults are kept with their lines and
-//! never end the reading: what the application would do at a fault is in [`FaultKind::effect`].
+//! never end the reading: what an application would do at a fault is a matter of its evaluation.
 
 mod reader;
 
