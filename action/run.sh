@@ -11,7 +11,7 @@ set -euo pipefail
 read -r -d '' -a paths <<<"${MHLINT_PATHS:-.}" || true # no delimiter comes: all is read
 read -r -d '' -a args <<<"${MHLINT_ARGS:-}" || true
 since=()
-if [ -n "${MHLINT_BASE:-}" ]; then
+if [ -n "${MHLINT_BASE:-}" ] && [[ ! " ${args[*]-} " =~ \ --(since|staged|against|write-baseline) ]]; then
     if git cat-file -e "$MHLINT_BASE^{commit}" 2>/dev/null; then
         since=(--since "$MHLINT_BASE")
     else

@@ -570,3 +570,39 @@ fn two_folders_are_compared() {
     assert_shown(&check(root, &["--against", before]), 0, &[], &[OLD, OVAL]);
     assert_eq!(report(root, &["--against", before])["compared"]["gone"], 1);
 }
+
+#[test]
+fn paths_of_two_repositories_are_refused() {
+    let (one, other) = (repository(), repository());
+    let args = ["check", "data", other.path().to_str().unwrap(), "--no-eval"];
+    for option in [&["--since", "HEAD"][..], &["--staged"]] {
+        let output = mhlint(one.path(), &[&args[..], option].concat());
+        assert_refused(&output, &["is not in the repository of `data`", "run mhlint for each"]);
+    }
+}
+
+/// Git lists a repository that lies in another one without being a part of it as one folder.
+#[test]
+fn a_repository_inside_of_another_one_is_new_as_a_whole() {
+    let repository = example();
+    let root = repository.path();
+    commit_all(root);
+    let inner = example();
+    lose_a_step(inner.path());
+    scratch::copy_folder(inner.path(), &root.join("nested"));
+    commit_all(&root.join("nested"));
+    assert_shown(&check(root, &["--since", "HEAD"]), 1, &["nested/data/", OLD], &[]);
+}
+
+#[test]
+fn a_file_that_git_ignores_is_no_part_of_a_commit() {
+    let repository = repository();
+    let root = repository.path();
+    fs::write(root.join(".gitignore"), "build-*\n").unwrap();
+    let built = "data/target/figure/head/build-oval.target";
+    fs::rename(root.join(OVAL), root.join(built)).unwrap();
+    edit(root, "data/target/figure/modelling.json", "head/head-oval", "head/build-oval");
+    git(root, &["add", "-A"]);
+    assert_shown(&check(root, &["--staged"]), 1, &["[modelling-missing-target]"], &[OLD]);
+    assert_shown(&check(root, &["--since", "HEAD"]), 0, &[], &["[modelling-missing-target]"]);
+}

@@ -13,17 +13,16 @@ use crate::source::{Contents, folder_of, resolved};
 
 /// What to compare with, if anything. Says on standard error why there is nothing although it was asked for.
 pub(super) fn compared(args: &CheckArgs, paths: &[PathBuf], err: &mut dyn Write) -> Result<Option<Compare>, Failure> {
-    let first = paths.first().map_or(Path::new("."), PathBuf::as_path);
     if let Some(folder) = &args.against {
         return against(folder, paths).map(Some);
     }
     if let Some(revision) = &args.since {
-        return since(revision, &around(first, "--since")?).map(Some);
+        return since(revision, &around_all(paths, "--since")?).map(Some);
     }
     if !args.staged {
         return Ok(None);
     }
-    let found = staged(&around(first, "--staged")?)?;
+    let found = staged(&around_all(paths, "--staged")?)?;
     if let (Err(reason), false) = (&found, args.quiet) {
         writeln!(err, "mhlint: {}: the whole report", printable(reason))?;
     }
@@ -58,7 +57,7 @@ fn since(revision: &str, repository: &Repository) -> Result<Compare, Failure> {
     let start = repository.ask(&["merge-base", revision, "HEAD"]);
     let start = start.map_err(|refusal| unrelated(repository, revision, &refusal.words()))?;
     let start = String::from_utf8_lossy(&start).trim().to_owned();
-    let before = Recorded::of(repository, Record::Commit(&start));
+    let before = Recorded::of(repository, Record::Commit(&start), false);
     let before = before.map_err(|refusal| failed(&format!("--since {revision}"), &refusal))?;
     let missing = before.missing.into_iter().collect();
     Ok(Compare { with: revision.to_owned(), before: Before::Contents(before.contents), now: Contents::new(), missing })
@@ -79,13 +78,27 @@ fn staged(repository: &Repository) -> Result<Result<Compare, &'static str>, Fail
     if repository.ask(&["diff", "--cached", "--name-only", "-z"]).map_err(failed)?.is_empty() {
         return Ok(Err("nothing is staged"));
     }
-    let before = Recorded::of(repository, Record::Commit("HEAD")).map_err(failed)?;
-    let now = Recorded::of(repository, Record::Index).map_err(failed)?;
+    let before = Recorded::of(repository, Record::Commit("HEAD"), true).map_err(failed)?;
+    let now = Recorded::of(repository, Record::Index, true).map_err(failed)?;
     let missing = before.missing.union(&now.missing).cloned().collect();
     Ok(Ok(Compare { with: "HEAD".to_owned(), before: Before::Contents(before.contents), now: now.contents, missing }))
 }
 
-/// The repository that the first PATH lies in; of a submodule the one around it, unless the run begins inside of it.
+/// The one repository that all PATHs lie in.
+fn around_all(paths: &[PathBuf], option: &str) -> Result<Repository, Failure> {
+    let first = paths.first().map_or(Path::new("."), PathBuf::as_path);
+    let repository = around(first, option)?;
+    for path in paths.iter().skip(1) {
+        if around(path, option)?.top() != repository.top() {
+            let (first, path) = (first.display(), path.display());
+            let text = format!("{option}: `{path}` is not in the repository of `{first}`; run mhlint for each");
+            return Err(Failure::Usage(text));
+        }
+    }
+    Ok(repository)
+}
+
+/// The repository that a PATH lies in; of a submodule the one around it, unless the run begins inside of it.
 fn around(first: &Path, option: &str) -> Result<Repository, Failure> {
     let folder = if first.is_dir() { first } else { folder_of(first) };
     let here = resolved(Path::new("."));

@@ -5,6 +5,8 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
+use crate::source::resolved;
+
 /// By these git hands its own repository and the index of the commit to a hook. They are relative to where the hook
 /// runs, and the folder to check may lie in another repository.
 const HANDED_DOWN: [&str; 6] =
@@ -93,6 +95,11 @@ impl Repository {
         &self.top
     }
 
+    /// Where a file of the working tree lies, by the name that git has for it.
+    pub(super) fn place(&self, name: &[u8]) -> PathBuf {
+        resolved(&self.top).join(path(name))
+    }
+
     /// Recorded files in a folder of their own, as git writes them to the working tree. What git cannot write there
     /// without a download is missing.
     pub(super) fn check_out<'n>(
@@ -137,7 +144,7 @@ impl Repository {
     pub(super) fn files(&self, arguments: &[&str]) -> Result<Vec<PathBuf>, Refusal> {
         let listed = self.ask(arguments)?;
         let names = listed.split(|byte| *byte == 0).filter(|name| !name.is_empty());
-        Ok(names.map(|name| self.top.join(path(name))).collect())
+        Ok(names.map(|name| self.place(name)).collect())
     }
 
     /// The one that holds this one as a submodule.

@@ -18,7 +18,12 @@ pub(super) struct Recorded {
     pub(super) missing: BTreeSet<PathBuf>,
     /// Links, and what they lead to.
     links: Vec<(PathBuf, PathBuf)>,
+    with_ignored: bool,
 }
+
+/// Files that git has not recorded, and those that it is not to record.
+const NEW: &[&str] = &["ls-files", "--others", "--exclude-standard", "-z"];
+const NEW_AND_IGNORED: &[&str] = &["ls-files", "--others", "-z"];
 
 /// A file that differs: what is recorded in its place.
 struct Difference {
@@ -37,9 +42,10 @@ enum Kind {
 }
 
 impl Recorded {
-    /// Everything in which a record differs from the working tree.
-    pub(super) fn of(repository: &Repository, record: Record<'_>) -> Result<Self, Refusal> {
-        let mut recorded = Self::default();
+    /// Everything in which a record differs from the working tree. Files that git ignores are in both, unless these count
+    /// as well.
+    pub(super) fn of(repository: &Repository, record: Record<'_>, with_ignored: bool) -> Result<Self, Refusal> {
+        let mut recorded = Self { with_ignored, ..Self::default() };
         recorded.add(repository, record)?;
         for (link, target) in std::mem::take(&mut recorded.links) {
             match recorded.behind(repository, &target) {
@@ -53,7 +59,7 @@ impl Recorded {
     fn add(&mut self, repository: &Repository, record: Record<'_>) -> Result<(), Refusal> {
         let mut written = Vec::new();
         for one in differences(repository, record)? {
-            let place = repository.top().join(path(&one.name));
+            let place = repository.place(&one.name);
             match one.kind {
                 Kind::Nothing if place.is_dir() => self.add_submodule(&place, None),
                 Kind::Nothing => drop(self.contents.insert(place, None)),
@@ -61,17 +67,24 @@ impl Recorded {
                 Kind::File | Kind::Link => written.push((one, place)),
             }
         }
-        let new = repository.files(&["ls-files", "--others", "--exclude-standard", "-z"])?;
+        let new = repository.files(if self.with_ignored { NEW_AND_IGNORED } else { NEW })?;
         self.contents.extend(new.into_iter().map(|file| (file, None)));
         let folder = repository.check_out(record, written.iter().map(|(one, _)| one.name.as_slice()))?;
         for (one, place) in written {
             let copy = folder.path().join(path(&one.name));
             if let (Kind::Link, Ok(target)) = (one.kind, fs::read_link(&copy)) {
                 self.links.push((place.clone(), folder_of(&place).join(target)));
-            } else if let Some(bytes) = content(&copy, &place, repository) {
+                continue;
+            }
+            let bytes = content(&copy);
+            let is_at_hand = |bytes: &[u8]| !is_pointer(bytes) || fs::read(&place).is_ok_and(|now| is_pointer(&now));
+            let found = bytes.clone().filter(|bytes| is_at_hand(bytes)).or_else(|| object(bytes.as_ref()?, repository));
+            if found.is_none() {
+                self.missing.insert(place.clone());
+            }
+            // That there was a file is known all the same.
+            if let Some(bytes) = found.or(bytes) {
                 self.contents.insert(place, Some(bytes));
-            } else {
-                self.missing.insert(place);
             }
         }
         Ok(())
@@ -131,18 +144,19 @@ fn differences(repository: &Repository, record: Record<'_>) -> Result<Vec<Differ
     Ok(differences)
 }
 
-/// What git has written to `copy`; in place of a pointer of Git LFS its object, if that was fetched. A pointer is the
-/// content where the working tree has a pointer, too.
-fn content(copy: &Path, place: &Path, repository: &Repository) -> Option<Vec<u8>> {
-    if fs::metadata(copy).ok()?.len() > Limits::default().file_bytes {
-        return None;
-    }
-    let bytes = fs::read(copy).ok()?;
-    let is_pointer = |bytes: &[u8]| Encoding::of(bytes).lfs_pointer;
-    if !is_pointer(&bytes) || fs::read(place).is_ok_and(|now| is_pointer(&now)) {
-        return Some(bytes);
-    }
-    let text = String::from_utf8_lossy(&bytes);
+/// What git has written to `copy`.
+fn content(copy: &Path) -> Option<Vec<u8>> {
+    let size = fs::metadata(copy).ok()?.len();
+    if size > Limits::default().file_bytes { None } else { fs::read(copy).ok() }
+}
+
+fn is_pointer(bytes: &[u8]) -> bool {
+    Encoding::of(bytes).lfs_pointer
+}
+
+/// The object that a pointer of Git LFS stands for, if it was fetched.
+fn object(pointer: &[u8], repository: &Repository) -> Option<Vec<u8>> {
+    let text = String::from_utf8_lossy(pointer);
     let object = text.lines().find_map(|line| line.strip_prefix("oid sha256:"))?.trim();
     let folders = [object.get(..2)?, object.get(2..4)?, object];
     fs::read(repository.lfs_objects()?.join(folders.join("/"))).ok()

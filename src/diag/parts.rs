@@ -60,7 +60,6 @@ impl Parts {
         Self { named: merged(named), files }
     }
 
-    /// The same, or no names where they are too many; the files stay.
     /// Those that lie in no file, or in one that is to be kept; with no other files.
     pub(super) fn in_kept(&self, is_kept: impl Fn(&str) -> bool) -> Self {
         let mut kept = Self::default();
@@ -79,6 +78,7 @@ impl Parts {
         kept
     }
 
+    /// The same, or no names where they are too many; the files stay.
     #[must_use]
     pub(super) fn if_few(mut self) -> Self {
         if self.count() > MOST {
@@ -107,13 +107,31 @@ impl Parts {
         &self.files
     }
 
-    /// Those whose names are in none of the `known`.
+    /// Those whose names are in none of the `known`. Where both lie in files, it is the name in that file.
     #[must_use]
     pub fn without<'p>(&self, known: impl IntoIterator<Item = &'p Self>) -> Self {
-        let known: Self = known.into_iter().flat_map(Self::iter).map(|(name, _)| name.clone()).collect();
-        let rest = |(name, file): &(Name, Option<usize>)| {
-            let (name, file) = (name.clone(), *file);
-            known.rest_of(name).into_iter().map(move |name| (name, file)).collect::<Vec<_>>()
+        let (mut anywhere, mut free, mut inside) = (Vec::new(), Vec::new(), BTreeMap::<&str, Vec<Name>>::new());
+        for (name, file) in known.into_iter().flat_map(Self::iter) {
+            anywhere.push(name.clone());
+            match file {
+                Some(file) => inside.entry(file).or_default().push(name.clone()),
+                None => free.push(name.clone()),
+            }
+        }
+        let (anywhere, free): (Self, Self) = (anywhere.into_iter().collect(), free.into_iter().collect());
+        let inside: BTreeMap<&str, Self> =
+            inside.into_iter().map(|(file, names)| (file, names.into_iter().collect())).collect();
+        let rest = |(name, number): &(Name, Option<usize>)| {
+            let (name, number) = (name.clone(), *number);
+            let left = match number.and_then(|number| self.files.get(number)) {
+                None => anywhere.rest_of(name),
+                Some(file) => {
+                    let left =
+                        inside.get(file.as_str()).map_or_else(|| vec![name.clone()], |own| own.rest_of(name.clone()));
+                    left.into_iter().flat_map(|name| free.rest_of(name)).collect()
+                }
+            };
+            left.into_iter().map(move |name| (name, number)).collect::<Vec<_>>()
         };
         Self { named: self.named.iter().flat_map(rest).collect(), files: self.files.clone() }
     }
@@ -276,6 +294,9 @@ mod tests {
         let left = parts.without([&read(&["x"])]);
         let left: Vec<(String, Option<&str>)> = left.iter().map(|(name, file)| (name.to_string(), file)).collect();
         assert_eq!(left, [("y".to_owned(), Some("b")), ("z".to_owned(), Some("b"))]);
+        let elsewhere = parts.without([&Parts::in_files([("y", "a"), ("x", "a"), ("z", "b")])]);
+        let left: Vec<(String, Option<&str>)> = elsewhere.iter().map(|(name, file)| (name.to_string(), file)).collect();
+        assert_eq!(left, [("x".to_owned(), Some("b")), ("y".to_owned(), Some("b"))]);
     }
 
     #[test]

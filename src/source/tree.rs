@@ -228,7 +228,9 @@ impl Tree {
         let mut entries: BTreeMap<String, Entry> =
             self.entries.iter().map(|entry| (entry.path.clone(), entry.clone())).collect();
         let mut changed = self.changed.clone();
-        for (path, bytes) in contents {
+        // Where a folder takes the place of a file, or the reverse, the old one goes first.
+        let (added, removed): (Vec<_>, Vec<_>) = contents.iter().partition(|(_, bytes)| bytes.is_some());
+        for (path, bytes) in removed.into_iter().chain(added) {
             let links = links.get(path.as_str()).into_iter().flatten().copied();
             for path in std::iter::once(path.as_str()).chain(links) {
                 if let Some(bytes) = bytes {
@@ -323,12 +325,17 @@ fn add_file(entries: &mut BTreeMap<String, Entry>, path: &str, size: u64) {
     (entry.kind, entry.size) = (EntryKind::File, size);
 }
 
-/// Removes a file, and the folders above it that held nothing else.
+/// Removes a file, or a folder with all that is in it, and the folders above that held nothing else.
 fn remove(entries: &mut BTreeMap<String, Entry>, path: &str) {
-    if entries.get(path).is_none_or(|entry| entry.kind == EntryKind::Folder) {
-        return;
+    let Some(entry) = entries.remove(path) else { return };
+    if entry.kind == EntryKind::Folder {
+        let below = format!("{path}/");
+        let inside =
+            entries.range(below.clone()..).map_while(|(path, _)| path.starts_with(&below).then(|| path.clone()));
+        for path in inside.collect::<Vec<_>>() {
+            entries.remove(&path);
+        }
     }
-    entries.remove(path);
     for folder in folders_above(path).rev() {
         let below = format!("{folder}/");
         if entries.range(below.clone()..).next().is_some_and(|(path, _)| path.starts_with(&below)) {
@@ -394,12 +401,16 @@ mod tests {
 
     #[test]
     fn a_tree_with_other_contents_is_as_a_commit_has_it() {
-        let tree = Tree::in_memory("", ["a/b/c", "a/d", "e"].map(|path| (path.to_owned(), b"old".to_vec())));
+        let tree = Tree::in_memory(
+            "",
+            ["a/b/c", "a/d", "e", "nested/x", "nested/y/z"].map(|path| (path.to_owned(), b"old".to_vec())),
+        );
         let other = tree.with(&Contents::from([
             ("a/b/c".to_owned(), None),
             ("e".to_owned(), Some(b"other".to_vec())),
             ("f/g/h".to_owned(), Some(b"new".to_vec())),
             ("gone".to_owned(), None),
+            ("nested".to_owned(), None),
         ]));
         let paths: Vec<&str> = other.entries().iter().map(|entry| entry.path.as_str()).collect();
         assert_eq!(paths, ["a", "a/d", "e", "f", "f/g", "f/g/h"]);

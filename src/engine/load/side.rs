@@ -8,7 +8,7 @@ use crate::config::{Before, Config};
 use crate::diag::Application;
 use crate::discover::is_read_though_hidden;
 use crate::engine::error::Error;
-use crate::source::{Contents, Limits, Tree, resolved, slashed};
+use crate::source::{Contents, Limits, Tree, own_place, resolved, slashed};
 
 /// One side of a comparison, or the only one.
 pub(in crate::engine) struct Side {
@@ -56,7 +56,12 @@ impl Side {
     /// Those of these files that are in the data, as printed.
     pub(in crate::engine) fn shown<'p>(&self, paths: impl Iterator<Item = &'p PathBuf>) -> BTreeSet<String> {
         let shown = |tree: &Tree, path: &PathBuf| {
-            let rel = path.strip_prefix(tree.root().map(resolved)?).ok().filter(|rel| is_listed(tree, rel))?;
+            let root = tree.root()?;
+            // A submodule around the data, or a link to them.
+            if resolved(root).starts_with(path) || own_place(root).starts_with(path) {
+                return Some(tree.shown(""));
+            }
+            let rel = path.strip_prefix(resolved(root)).ok().filter(|rel| is_listed(tree, rel))?;
             Some(tree.shown(&slashed(rel)))
         };
         paths.filter_map(|path| self.trees().find_map(|tree| shown(tree, path))).collect()
