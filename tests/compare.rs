@@ -444,6 +444,59 @@ fn of_a_group_only_the_new_part_is_shown_at_its_file() {
     assert_shown(&check(root, &only), 0, &["0 infos"], &["target-zero-delta"]);
 }
 
+/// A comment that ignored a part of a group, and goes, brings that part.
+#[test]
+fn a_part_of_a_group_that_is_ignored_no_more_is_new() {
+    let repository = repository();
+    let root = repository.path();
+    add_zero_row(root, &[OVAL, SIDE]);
+    let comment = "# mhlint: ignore target-zero-delta on purpose\n";
+    let plain = fs::read_to_string(root.join(SIDE)).unwrap();
+    fs::write(root.join(SIDE), format!("{comment}{plain}")).unwrap();
+    git(root, &["commit", "-q", "-a", "-m", "rows that say nothing"]);
+    let only = ["--since", "HEAD", "--only", "target-zero-delta"];
+    assert_shown(&check(root, &only), 0, &["0 infos"], &["target-zero-delta"]);
+    fs::write(root.join(SIDE), plain).unwrap();
+    assert_shown(&check(root, &only), 0, &[&format!("{SIDE}:"), "1 of these 2 is new"], &[OVAL]);
+}
+
+/// What several files have between them is told at the new one, with the others beside it.
+#[test]
+fn another_copy_is_shown_at_its_own_file() {
+    let repository = repository();
+    let root = repository.path();
+    let picture = |name: &str| {
+        let path = root.join("data/skins/figure").join(name);
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(path, [7; 4096]).unwrap();
+    };
+    ["a.png", "b.png"].into_iter().for_each(picture);
+    git(root, &["add", "-A"]);
+    git(root, &["commit", "-q", "-m", "a picture twice"]);
+    picture("c.png");
+    let only = ["--since", "HEAD", "--only", "file-duplicate-content"];
+    assert_shown(&check(root, &only), 0, &["data/skins/figure/c.png: info", "in 3 files"], &[]);
+    let findings = &report(root, &only)["findings"];
+    let related = findings[0]["related"].as_array().unwrap().iter().map(|one| one["path"].as_str().unwrap());
+    assert_eq!(related.collect::<Vec<_>>(), ["data/skins/figure/b.png", "data/skins/figure/a.png"]);
+}
+
+#[test]
+fn a_worktree_has_its_own_folder_and_index() {
+    let repository = repository();
+    let root = repository.path();
+    let beside = tempfile::tempdir().unwrap();
+    let other = beside.path().join("other");
+    git(root, &["worktree", "add", "-q", "-b", "mine", other.to_str().unwrap()]);
+    ruin(&other, OVAL);
+    assert_shown(&check(root, &["--since", "main"]), 0, &[], &[OVAL, OLD]);
+    assert_shown(&check(&other, &["--since", "main"]), 1, &[OVAL], &[OLD]);
+    git(&other, &["add", "-A"]);
+    assert_shown(&check(&other, &["--staged"]), 1, &[OVAL], &[OLD]);
+    let from_outside = mhlint(root, &["check", other.to_str().unwrap(), "--no-eval", "--since", "main"]);
+    assert!(stdout(&from_outside).contains("target-non-finite"), "{}", stdout(&from_outside));
+}
+
 #[test]
 fn a_submodule_counts_with_all_that_is_in_it() {
     let above = tempfile::tempdir().unwrap();

@@ -19,6 +19,8 @@ const NO_DOWNLOADS: [(&str, &str); 3] =
 /// A working tree of git.
 pub(super) struct Repository {
     top: PathBuf,
+    /// `top` behind all links.
+    place: PathBuf,
     folder: PathBuf,
     /// The index of the commit at hand: `git commit -a` and `git commit PATH` write one of their own. Relative to `top`.
     index: Option<OsString>,
@@ -64,16 +66,21 @@ impl Repository {
             Ok((top, git_folder)) => {
                 let is_same = || here().is_ok_and(|(_, other)| other == git_folder);
                 let index = index.filter(|_| is_same());
-                Ok(Self { top, folder: git_folder, index })
+                Ok(Self::at(top, git_folder, index))
             }
             Err(Refusal::Said(said)) => {
                 // A working tree without `.git` in it: only the variables tell where its repository is.
                 let (top, git_folder) = here().map_err(|_| Refusal::Said(said.clone()))?;
                 let is_inside = real(folder).starts_with(real(&top));
-                if is_inside { Ok(Self { top, folder: git_folder, index }) } else { Err(Refusal::Said(said)) }
+                if is_inside { Ok(Self::at(top, git_folder, index)) } else { Err(Refusal::Said(said)) }
             }
             Err(refusal) => Err(refusal),
         }
+    }
+
+    fn at(top: PathBuf, folder: PathBuf, index: Option<OsString>) -> Self {
+        let place = resolved(&top);
+        Self { top, place, folder, index }
     }
 
     /// What git prints. It runs at the top of the tree, so that paths mean the same whatever folder was asked about.
@@ -97,7 +104,7 @@ impl Repository {
 
     /// Where a file of the working tree lies, by the name that git has for it.
     pub(super) fn place(&self, name: &[u8]) -> PathBuf {
-        resolved(&self.top).join(path(name))
+        self.place.join(path(name))
     }
 
     /// Recorded files in a folder of their own, as git writes them to the working tree. What git cannot write there

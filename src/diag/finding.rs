@@ -46,8 +46,8 @@ pub struct Finding {
     pub new_parts: Option<NewParts>,
     /// Stable identity, filled by the engine.
     pub fingerprint: String,
-    /// Where its parts stand in their files, as far as that is known.
-    pub places: BTreeMap<String, Place>,
+    /// Where its parts stand, by file and name, as far as that is known.
+    pub places: BTreeMap<(String, String), Place>,
 }
 
 /// How many of the files that a finding speaks for are ignored.
@@ -158,6 +158,18 @@ impl Finding {
     pub fn parts_in<T: Into<Name>, F: AsRef<str>>(mut self, parts: impl IntoIterator<Item = (T, F)>) -> Self {
         self.subject.parts = Parts::in_files(parts).if_few();
         self
+    }
+
+    /// The same where it is known at what place in its file each part stands.
+    #[must_use]
+    pub fn parts_at<'f, T: Into<Name>>(mut self, parts: impl IntoIterator<Item = (T, &'f String, Place)>) -> Self {
+        let mut named = Vec::new();
+        for (name, file, place) in parts {
+            let name = name.into();
+            self.places.entry((file.clone(), name.to_string())).or_insert(place);
+            named.push((name, file));
+        }
+        self.parts_in(named)
     }
 
     /// Names the files that have the fault between them.
@@ -279,14 +291,16 @@ impl Finding {
         self
     }
 
-    /// Where parts of it stand in their files.
+    /// Without the parts in files in which it is ignored.
     #[must_use]
-    pub fn places(mut self, places: impl IntoIterator<Item = (String, Place)>) -> Self {
-        self.places = places.into_iter().collect();
+    pub fn without_ignored(mut self) -> Self {
+        if let Some(ignored) = &self.ignored {
+            self.subject.parts = self.subject.parts.in_kept(|file| !ignored.files.iter().any(|other| other == file));
+        }
         self
     }
 
-    /// Leaves these of its parts, at the file of the first of them; all of it where these are none. Gives whether
+    /// Leaves these of its parts, at the place of the first of them; all of it where these are none. Gives whether
     /// anything is left: files in which it is ignored are no place for it.
     pub fn narrow(&mut self, new: &Parts) -> bool {
         if new.count() == self.subject.parts.count() {
@@ -298,8 +312,10 @@ impl Finding {
             return new.is_empty();
         }
         let all = self.files().to_vec();
-        self.related.retain(|one| !all.contains(&one.path) || parts.files().contains(&one.path));
-        self.stand_in(parts.files());
+        // What is between files is of no use without the others.
+        let is_needed = |path: &String| !self.between.is_empty() || !all.contains(path) || parts.files().contains(path);
+        self.related.retain(|one| is_needed(&one.path));
+        self.stand_at(&parts);
         if let Some(evidence) = &mut self.evidence {
             let examples = parts.iter().take(EXAMPLES).map(|(name, _)| name.to_string()).collect();
             // What it was counted out of belongs to a count of parts only: not to one of rows or targets.
@@ -311,12 +327,19 @@ impl Finding {
         true
     }
 
-    /// Moves it into the first of these files, unless it stands in one of them.
-    fn stand_in(&mut self, files: &[String]) {
-        let Some(first) = files.first().filter(|_| !files.contains(&self.path)) else { return };
-        let related = self.related.iter().find(|one| one.path == *first).map(|one| one.place.clone());
-        self.place = self.places.get(first).cloned().or(related).unwrap_or(Place::File);
-        let old = std::mem::replace(&mut self.path, first.clone());
+    /// Moves it to the first of these parts, unless nothing is known of where in the same file that is.
+    fn stand_at(&mut self, parts: &Parts) {
+        let Some((name, Some(file))) = parts.iter().next() else { return };
+        let known = self.places.get(&(file.to_owned(), name.to_string())).cloned();
+        if known.is_none() && parts.files().contains(&self.path) {
+            return;
+        }
+        let related = || self.related.iter().find(|one| one.path == file).map(|one| one.place.clone());
+        self.place = known.or_else(related).unwrap_or(Place::File);
+        let old = std::mem::replace(&mut self.path, file.to_owned());
+        for one in self.related.iter_mut().filter(|one| one.path == file) {
+            one.path.clone_from(&old);
+        }
         self.subject.asset.get_or_insert(old);
     }
 }
@@ -344,10 +367,11 @@ mod tests {
     #[test]
     fn a_narrowed_finding_stands_where_its_first_new_part_is() {
         let rule = RuleInfo::new("a-b", Level::Info, "");
-        let parts = [("p", "x"), ("q", "y"), ("r", "z")];
-        let all = Finding::new(&rule, "x", Place::Line(3), "").parts_in(parts);
-        let all =
-            all.places([("y".to_owned(), Place::Line(7))]).related("x", Place::File, "").related("z", Place::File, "");
+        let parts = [("p", "x"), ("q", "y"), ("r", "z"), ("s", "x")];
+        let [x, y, z] = ["x", "y", "z"].map(str::to_owned);
+        let known = [("p", &x, Place::Line(3)), ("q", &y, Place::Line(7)), ("s", &x, Place::Line(7))];
+        let all = Finding::new(&rule, "x", Place::Line(3), "").parts_at(known).parts_in(parts);
+        let all = all.related("x", Place::File, "").related("z", Place::Line(5), "");
         let narrowed = |names: &[&str], ignored: &[&str]| {
             let ignored = ignored.iter().map(|file| (*file).to_owned()).collect();
             let mut finding = Finding { ignored: Some(IgnoredFiles { files: ignored, of: 3 }), ..all.clone() };
@@ -356,11 +380,13 @@ mod tests {
         };
         let one = narrowed(&["q", "r"], &[]).unwrap();
         assert_eq!((one.path.as_str(), &one.place, one.asset_path()), ("y", &Place::Line(7), "x"));
-        assert_eq!((one.related.len(), one.new_parts), (1, Some(NewParts { count: 2, of: 3 })));
-        assert_eq!(narrowed(&["q", "r"], &["y"]).unwrap().path, "z");
+        assert_eq!((one.related.len(), one.new_parts), (1, Some(NewParts { count: 2, of: 4 })));
+        let related = narrowed(&["q", "r"], &["y"]).unwrap();
+        assert_eq!((related.path, related.place), (z, Place::Line(5)));
         assert_eq!(narrowed(&["p", "q"], &[]).unwrap().place, Place::Line(3));
+        assert_eq!(narrowed(&["s"], &[]).unwrap().place, Place::Line(7), "in the same file");
         assert_eq!(narrowed(&["q"], &["y"]), None);
-        assert_eq!(narrowed(&["p", "q", "r"], &[]).unwrap().new_parts, None);
+        assert_eq!(narrowed(&["p", "q", "r", "s"], &[]).unwrap().new_parts, None);
     }
 
     #[test]

@@ -10,6 +10,7 @@ use crate::diag::{Application, FailedStep};
 use crate::discover::Kind;
 use crate::eval::measures::Measures;
 use crate::evaluate::{self, Rows, is_evaluated};
+use crate::formats::Content;
 
 /// Measures by name of the base, as each application shows it.
 pub(super) type Measured = BTreeMap<Application, BTreeMap<String, Arc<Measures>>>;
@@ -28,27 +29,32 @@ pub(super) fn measure_bases(
     let mut measures_before = before.as_ref().map(|before| none(before)).unwrap_or_default();
     let mut all = names(data);
     all.extend(before.iter().flat_map(|before| names(before)));
+    let owned = bases(data);
+    let owned_before = before.as_ref().map(|before| bases(before)).unwrap_or_default();
+    let differing = before.as_ref().map(|before| differing(data, before)).unwrap_or_default();
     for name in all {
         let evaluated = name.as_deref().filter(|name| !options.no_eval && options.asks_for_base(name));
         let nothing = Rows::new();
         let mut rows = load_targets(data, name.as_deref(), options, None, evaluated.map(|_| &nothing));
         let Some(before) = &mut before else {
             if let Some(name) = evaluated {
-                measure_base(data, name, &mut rows, options, &mut measures, failed);
+                measure_base(data, name, &owned, &mut rows, options, &mut measures, failed);
             }
             continue;
         };
         let mut rows_before = load_targets(before, name.as_deref(), options, Some(data), evaluated.map(|_| &rows));
         let Some(name) = evaluated else { continue };
-        let is_same = is_same(data, before, name);
+        let is_same = !differing.contains(&None)
+            && !differing.contains(&Some(name.to_owned()))
+            && are_same(&targets(data, name), &targets(before, name));
         if is_same {
             rows_before = Rows::new();
         }
-        measure_base(data, name, &mut rows, options, &mut measures, failed);
+        measure_base(data, name, &owned, &mut rows, options, &mut measures, failed);
         if is_same {
             take_over([data, before], &measures, &mut measures_before, name);
         } else {
-            measure_base(before, name, &mut rows_before, options, &mut measures_before, failed);
+            measure_base(before, name, &owned_before, &mut rows_before, options, &mut measures_before, failed);
         }
     }
     [measures, measures_before]
@@ -68,15 +74,34 @@ fn load_targets(
     rows
 }
 
-/// Whether all files of a base mesh that are evaluated are the same on both sides.
-fn is_same(now: &Data<'_>, before: &Data<'_>, base: &str) -> bool {
-    let files = |data: &'_ Data<'_>| {
-        let files = data.all().flat_map(|root| root.layer.files.values());
-        let own = files.filter(|file| file.kind.format().is_read() && file.base().is_none_or(|owner| owner == base));
-        own.map(|file| Arc::clone(&file.content)).collect::<Vec<_>>()
-    };
-    let (now, before) = (files(now), files(before));
-    now.len() == before.len() && now.iter().zip(&before).all(|(now, before)| Arc::ptr_eq(now, before))
+/// Names of the bases of which a file that is evaluated differs, targets left out; `None` for one that belongs to all.
+fn differing(now: &Data<'_>, before: &Data<'_>) -> BTreeSet<Option<String>> {
+    let (now, before) = (contents(now), contents(before));
+    let nothing = Vec::new();
+    let mut bases: BTreeSet<Option<&str>> = now.keys().chain(before.keys()).copied().collect();
+    bases.retain(|base| !are_same(now.get(base).unwrap_or(&nothing), before.get(base).unwrap_or(&nothing)));
+    bases.into_iter().map(|base| base.map(str::to_owned)).collect()
+}
+
+/// What is evaluated but for targets, which are read in turn, by the base that it belongs to.
+fn contents<'d>(data: &'d Data<'_>) -> BTreeMap<Option<&'d str>, Vec<&'d Arc<Content>>> {
+    let mut contents: BTreeMap<_, Vec<_>> = BTreeMap::new();
+    let files = data.all().flat_map(|root| root.layer.files.values());
+    for file in files.filter(|file| file.kind.format().is_read()) {
+        contents.entry(file.base()).or_default().push(&file.content);
+    }
+    contents
+}
+
+/// The targets of a base.
+fn targets<'d>(data: &'d Data<'_>, base: &str) -> Vec<&'d Arc<Content>> {
+    let files = data.all().flat_map(|root| root.place.bulk_of(Some(base)).map(|file| root.layer.file(&file.rel)));
+    files.flatten().map(|file| &file.content).collect()
+}
+
+/// Whether contents were read once for both sides.
+fn are_same(now: &[&Arc<Content>], before: &[&Arc<Content>]) -> bool {
+    now.len() == before.len() && now.iter().zip(before).all(|(now, before)| Arc::ptr_eq(now, before))
 }
 
 /// Gives the data as they were the measures of now.
@@ -102,21 +127,26 @@ fn names(data: &Data<'_>) -> BTreeSet<Option<String>> {
     names
 }
 
-/// Whether files of a root belong to a base mesh, targets included.
-fn has_base(root: &Loaded<'_>, name: &str) -> bool {
-    let files = root.layer.files.values().filter_map(|file| file.base());
-    files.chain(root.place.target_bases().into_iter().flatten()).any(|base| base == name)
+/// Names of the bases that files of each repository belong to, targets included.
+fn bases(data: &Data<'_>) -> Vec<BTreeSet<String>> {
+    let of = |root: &Loaded<'_>| {
+        let files = root.layer.files.values().filter_map(|file| file.base());
+        files.chain(root.place.target_bases().into_iter().flatten()).map(str::to_owned).collect()
+    };
+    data.roots.iter().map(of).collect()
 }
 
 fn measure_base(
     data: &Data<'_>,
     name: &str,
+    owned: &[BTreeSet<String>],
     rows: &mut Rows,
     options: &Config,
     measures: &mut [Measured],
     failed: &mut Vec<FailedStep>,
 ) {
-    let stacks = data.stacks().into_iter().enumerate().filter(|(_, stack)| has_base(stack.root, name));
+    let has_base = |number: usize| owned.get(number).is_some_and(|bases| bases.contains(name));
+    let stacks = data.stacks().into_iter().enumerate().filter(|(number, _)| has_base(*number));
     let seen = stacks.flat_map(|(number, stack)| stack.seen.into_iter().map(move |(of, layers)| (number, of, layers)));
     let mut seen = seen.filter(|(_, application, _)| is_evaluated(*application)).peekable();
     while let Some((number, application, layers)) = seen.next() {

@@ -231,10 +231,11 @@ impl Asked<'_> {
 
 /// Leaves what is new or worse, and counts what is gone.
 fn settle_comparison(before: Found, found: Found, compare: &Compare, now: &Side, outcome: &mut Outcome) {
-    let missing = now.shown(compare.missing.iter());
+    let missing = now.shown(&compare.missing);
     let is_compared = |path: &String| !missing.iter().any(|missing| is_below(path, missing));
     let is_compared = |finding: &Finding| std::iter::once(&finding.path).chain(finding.files()).all(is_compared);
-    let before: Vec<Finding> = before.all.into_iter().filter(is_compared).collect();
+    let before = before.all.into_iter().filter(is_compared);
+    let before: Vec<Finding> = before.map(Finding::without_ignored).collect();
     let gone = gone(&before, &found.all);
     outcome.findings = new_or_worse(&before, found.shown, is_compared);
     outcome.notes.push(Note::Compared { with: compare.with.clone(), gone });

@@ -35,12 +35,15 @@ fn largest(rows: &[(u32, Point)], vertices: &[u32]) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::Arc;
+
     use super::super::scene::{MorphTarget, SceneSlider, SliderKind};
     use super::*;
 
     /// Two vertices, two targets with these rows, a slider for each.
     fn scene(rows: [&[(u32, [f32; 3])]; 2]) -> Scene {
-        let target = |rows: &[(u32, [f32; 3])]| MorphTarget { rows: Some(rows.to_vec()), ..MorphTarget::default() };
+        let target =
+            |rows: &[(u32, [f32; 3])]| MorphTarget { rows: Some(Arc::new(rows.to_vec())), ..MorphTarget::default() };
         let slider = |incr| SceneSlider {
             pattern: String::new(),
             kind: SliderKind::Detail { incr: Some(incr), decr: None, two_sided: false },

@@ -276,6 +276,8 @@ fn numbers<'a>(surveyor: &'a Surveyor<'_>, places: &'a BTreeSet<u32>) -> impl It
 
 #[cfg(test)]
 mod tests {
+    use std::sync::Arc;
+
     use super::super::macros::MacroWork;
     use super::super::scene::{MorphTarget, Scene, SceneSlider, Setting, SliderKind};
     use super::super::skeleton::{Bone, SceneSkeleton};
@@ -294,7 +296,8 @@ mod tests {
             kind: SliderKind::Detail { incr: Some(incr), decr: None, two_sided: false },
             default: 0.0,
         };
-        let target = |rows: &&[(u32, Point)]| MorphTarget { rows: Some(rows.to_vec()), ..MorphTarget::default() };
+        let target =
+            |rows: &&[(u32, Point)]| MorphTarget { rows: Some(Arc::new(rows.to_vec())), ..MorphTarget::default() };
         Scene {
             positions: (0..100_u8).map(|at| [f32::from(at % 10), f32::from(at / 10), 0.0]).collect(),
             corners: corners.collect(),

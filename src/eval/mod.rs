@@ -48,6 +48,7 @@ pub mod proportion;
 pub mod rig_measure;
 pub mod scene;
 pub mod settings;
+pub mod side;
 pub mod skeleton;
 pub mod skin;
 pub mod survey;

@@ -1,6 +1,9 @@
 //! What a skeleton and its weights come to on a mesh: lengths, planes, rolls, influences, losses, rest pose.
 
+use std::collections::BTreeMap;
+
 use super::influences::Influences;
+use super::side::{self, Side};
 use super::skeleton::{SceneSkeleton, plane_sine, roll_sine};
 use super::skin::{pose_bones, skin};
 use super::symmetry::{Mirror, MirrorMap};
@@ -155,15 +158,13 @@ fn rest_distance(loaded: &LoadedWeights, skeleton: &SceneSkeleton, positions: &[
 
 /// Numbers of left and right bones whose names differ in their side only (`.L`/`.R`, `_l`/`_r`, `l-`/`r-` …).
 pub fn bone_pairs(names: &[String]) -> Vec<(usize, usize)> {
-    let right_of = |name: &str| {
-        let endings = [(".L", ".R"), ("_L", "_R"), ("_l", "_r"), ("-l", "-r"), (".l", ".r")];
-        let by_ending = endings.iter().find_map(|(l, r)| Some(format!("{}{r}", name.strip_suffix(l)?)));
-        let beginnings = [("l-", "r-"), ("l_", "r_"), ("Left", "Right"), ("left", "right")];
-        by_ending.or_else(|| beginnings.iter().find_map(|(l, r)| Some(format!("{r}{}", name.strip_prefix(l)?))))
-    };
+    let right_of = |name: &str| side::of_bone(name).filter(|(own, _)| *own == Side::Left).map(|(_, right)| right);
+    // Of several bones of one name the first.
+    let numbers: BTreeMap<&String, usize> =
+        names.iter().enumerate().rev().map(|(number, name)| (name, number)).collect();
     let mut pairs = Vec::new();
     for (left, name) in names.iter().enumerate() {
-        let right = right_of(name).and_then(|right| names.iter().position(|other| *other == right));
+        let right = right_of(name).and_then(|right| numbers.get(&right).copied());
         pairs.extend(right.map(|right| (left, right)));
     }
     pairs

@@ -4,6 +4,7 @@
 //! application: MakeHuman 2, morph evaluation (formats/makehuman2.md §24).
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use super::error::EvalError;
 use super::macros::{MacroFault, MacroWork, Macros};
@@ -54,7 +55,7 @@ pub struct MorphTarget {
     /// Where it came from, for messages of the caller.
     pub path: String,
     /// Vertex and displacement; `None` if there is no such file or it cannot be used.
-    pub rows: Option<Vec<(u32, Point)>>,
+    pub rows: Option<Arc<Vec<(u32, Point)>>>,
     /// Reported for its own rows already (not finite, out of proportion): looked past when settings are surveyed.
     pub suspect: bool,
 }
@@ -182,7 +183,7 @@ impl Scene {
     /// A target without usable file, or one that moves a vertex outside the mesh.
     pub fn add(&self, positions: &mut [Point], factors: &[(usize, f64)]) -> Result<(), SettingError> {
         for (target, factor) in factors {
-            let rows = self.targets.get(*target).and_then(|found| found.rows.as_deref());
+            let rows = self.targets.get(*target).and_then(|found| found.rows.as_ref());
             let rows = rows.ok_or(SettingError::Unusable { target: *target })?;
             apply(positions, rows.iter().copied(), *factor).map_err(SettingError::Morph)?;
         }
@@ -224,7 +225,7 @@ mod tests {
     fn scene() -> Scene {
         let target = |name: &str, x: f32| MorphTarget {
             name: name.to_owned(),
-            rows: Some(vec![(0, [x, 0.0, 0.0])]),
+            rows: Some(Arc::new(vec![(0, [x, 0.0, 0.0])])),
             ..MorphTarget::default()
         };
         let kind = SliderKind::Detail { incr: Some(0), decr: Some(1), two_sided: true };

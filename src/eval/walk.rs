@@ -195,11 +195,13 @@ fn moved(place: Point, factor: f32, delta: Point) -> Point {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::Arc;
+
     use super::super::scene::{MorphTarget, SceneSlider, SliderKind};
     use super::*;
 
     fn scene() -> Scene {
-        let target = |rows: &[Row]| MorphTarget { rows: Some(rows.to_vec()), ..MorphTarget::default() };
+        let target = |rows: &[Row]| MorphTarget { rows: Some(Arc::new(rows.to_vec())), ..MorphTarget::default() };
         let slider = |incr| SceneSlider {
             pattern: String::new(),
             kind: SliderKind::Detail { incr: Some(incr), decr: None, two_sided: false },

@@ -12,6 +12,7 @@ use crate::eval::measures::{Measures, PairMeasure, Seen, SkeletonMeasure, SpaceM
 use crate::eval::rig_measure::{bone_pairs, bones, weights};
 use crate::eval::scene::{MorphTarget, Scene, Setting};
 use crate::eval::settings::{DEFAULT_SAMPLES, moved, plan};
+use crate::eval::side::{self, Side};
 use crate::eval::skeleton::SceneSkeleton;
 use crate::eval::survey::{Fault, Survey};
 use crate::eval::surveyor::Surveyor;
@@ -207,14 +208,8 @@ fn pair_measures(scene: &Scene, parts: &Parts, mirror: &MirrorMap) -> Vec<PairMe
 fn right_of(path: &str) -> Option<String> {
     let (folder, file) = path.rsplit_once('/').unwrap_or(("", path));
     let (stem, suffix) = file.split_once('.').unwrap_or((file, ""));
-    let mut words: Vec<&str> = stem.split('-').collect();
-    let (word, right) = words.iter_mut().find_map(|word| match *word {
-        "l" => Some((word, "r")),
-        "left" => Some((word, "right")),
-        _ => None,
-    })?;
-    *word = right;
-    let file = format!("{}.{suffix}", words.join("-"));
+    let (_, right) = side::of_target(stem).filter(|(own, _)| *own == Side::Left)?;
+    let file = format!("{right}.{suffix}");
     Some(if folder.is_empty() { file } else { format!("{folder}/{file}") })
 }
 

@@ -1,5 +1,7 @@
 //! Rows of targets, read when a setting first needs them, and the mesh at a setting.
 
+use std::sync::Arc;
+
 use super::error::Error;
 use super::files::read_cause;
 use super::opened::Evaluation;
@@ -48,10 +50,9 @@ impl Evaluation {
         let rows = self.read_rows(&known.path, &known.name)?;
         // Rows for seam duplicates are accepted and overwritten by the application.
         let vertices = self.size.vertices;
-        let rows = rows.into_iter().filter(|row| (row.index as usize) < vertices);
-        let rows = rows.map(|row| (row.index, row.delta)).collect();
+        let rows = rows.into_iter().filter(|row| (row.0 as usize) < vertices).collect();
         if let Some(known) = self.scene.targets.get_mut(target) {
-            known.rows = Some(rows);
+            known.rows = Some(Arc::new(rows));
         }
         Ok(())
     }

@@ -21,7 +21,7 @@ impl ContentHash {
     /// Over all of these rows.
     pub(super) fn of<'r>(rows: impl IntoIterator<Item = &'r Row>) -> u64 {
         let mut hash = Self::default();
-        rows.into_iter().for_each(|row| hash.add(row.index, row.delta));
+        rows.into_iter().for_each(|row| hash.add(row.0, row.1));
         hash.finish()
     }
 

@@ -25,14 +25,9 @@ pub struct Target {
     pub ignores: Vec<InlineIgnore>,
 }
 
-/// One displacement. The index is kept as written; deltas are float32, in decimetres.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Row {
-    /// Vertex index; the application holds 32 bits, too.
-    pub index: u32,
-    /// Displacement along x, y, z.
-    pub delta: [f32; 3],
-}
+/// One displacement as evaluation takes it: the vertex as written, in 32 bits as the application holds it, and how it
+/// moves along x, y, z, in decimetres.
+pub type Row = (u32, [f32; 3]);
 
 /// Size of the mesh a target is for, where it is known.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -79,7 +74,7 @@ fn parse_by(fast: impl Fn(&[u8]) -> (Option<Row>, usize), text: &[u8], mesh: Opt
         let rest = text.get(start..).unwrap_or_default();
         let (row, length) = fast(rest);
         if let Some(row) = row {
-            parser.row(line, i64::from(row.index), row.delta);
+            parser.row(line, i64::from(row.0), row.1);
             start += length;
         } else {
             start += parser.slow_line(line, rest, start);
@@ -175,7 +170,7 @@ impl Parser {
         if self.line_offsets.last().is_none_or(|(_, known)| *known != offset) {
             self.line_offsets.push((at, offset));
         }
-        self.target.rows.push(Row { index, delta });
+        self.target.rows.push((index, delta));
     }
 
     fn index(&mut self, line: u32, index: i64) {
@@ -242,13 +237,13 @@ impl Parser {
     fn count_repeats(&mut self) {
         let repeats = repeats(&self.target.rows);
         for at in &repeats.rows {
-            let Some(index) = self.target.rows.get(*at).map(|row| i64::from(row.index)) else { continue };
+            let Some(index) = self.target.rows.get(*at).map(|row| i64::from(row.0)) else { continue };
             let line = self.line_of(*at);
             self.target.facts.duplicate.add(line, index);
         }
         let facts = &mut self.target.facts;
         let replaced = repeats.replaced.iter().filter_map(|at| self.target.rows.get(*at));
-        let is_counted = |row: &&Row| moves(row) && row.delta.iter().all(|part| part.is_finite());
+        let is_counted = |row: &&Row| moves(row) && row.1.iter().all(|part| part.is_finite());
         facts.moving -= replaced.filter(is_counted).count();
         facts.displacement = repeats.displacement(&self.target.rows);
         let zeros = self.zeros.iter().filter(|(_, index)| repeats.vertices.binary_search(index).is_err());
@@ -277,7 +272,7 @@ mod tests {
     #[test]
     fn rows_are_read_with_any_line_end() {
         let target = parse(b"# basemesh hm08\n0 .119 -10.205 -.775\r\n1 1 2 3\r2 0 0 0", None);
-        let rows: Vec<_> = target.rows.iter().map(|row| (row.index, row.delta)).collect();
+        let rows = target.rows;
         assert_eq!(rows, [(0, [0.119, -10.205, -0.775]), (1, [1.0, 2.0, 3.0]), (2, [0.0, 0.0, 0.0])]);
         assert_eq!(target.facts.basemesh, Some((1, "hm08".to_owned())));
         assert_eq!((target.facts.zero.first_line(), target.facts.moving), (Some(4), 2));

@@ -99,7 +99,7 @@ mod tests {
             let single = edited(&text, keep_last_rows(text.as_bytes()));
             prop_assert_eq!(parsed(&single).facts.duplicate.count, 0);
             let last = |text: &str| -> BTreeMap<u32, String> {
-                parsed(text).rows.iter().map(|row| (row.index, format!("{:?}", row.delta))).collect()
+                parsed(text).rows.iter().map(|(index, delta)| (*index, format!("{delta:?}"))).collect()
             };
             prop_assert_eq!(last(&single), last(&text));
             let still = edited(&text, drop_zero_rows(text.as_bytes()));

@@ -24,16 +24,16 @@ impl Repeats {
 
 /// Whether a row has a number other than 0.
 pub(super) fn moves(row: &Row) -> bool {
-    row.delta.iter().any(|part| *part != 0.0)
+    row.1.iter().any(|part| *part != 0.0)
 }
 
 /// Shipped targets are sorted, which needs no table.
 pub(super) fn repeats(rows: &[Row]) -> Repeats {
     let mut repeats = Repeats::default();
-    if rows.is_sorted_by(|a, b| a.index < b.index) {
+    if rows.is_sorted_by(|a, b| a.0 < b.0) {
         return repeats;
     }
-    let mut places: Vec<(u32, usize)> = rows.iter().enumerate().map(|(at, row)| (row.index, at)).collect();
+    let mut places: Vec<(u32, usize)> = rows.iter().enumerate().map(|(at, row)| (row.0, at)).collect();
     places.sort_unstable();
     for of_vertex in places.chunk_by(|a, b| a.0 == b.0) {
         let [(index, _), again @ ..] = of_vertex else { continue };

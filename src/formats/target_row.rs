@@ -30,9 +30,9 @@ pub(super) fn fast_row(text: &[u8]) -> (Option<Row>, usize) {
         at += 1 + length;
     }
     match (text.get(at), text.get(at + 1)) {
-        (None, _) => (Some(Row { index, delta }), at),
-        (Some(b'\r'), Some(b'\n')) => (Some(Row { index, delta }), at + 2),
-        (Some(b'\n' | b'\r'), _) => (Some(Row { index, delta }), at + 1),
+        (None, _) => (Some((index, delta)), at),
+        (Some(b'\r'), Some(b'\n')) => (Some((index, delta)), at + 2),
+        (Some(b'\n' | b'\r'), _) => (Some((index, delta)), at + 1),
         _ => (None, 0),
     }
 }

@@ -83,7 +83,7 @@ impl<'t> Place<'t> {
     }
 
     /// What is read in the turn of a base mesh; `None` for what belongs to none.
-    pub(super) fn bulk_of(&self, base: Option<&str>) -> impl Iterator<Item = &Candidate<'t>> {
+    pub(in crate::engine) fn bulk_of(&self, base: Option<&str>) -> impl Iterator<Item = &Candidate<'t>> {
         let numbers = self.bulk.get(&base.map(str::to_owned)).into_iter().flatten();
         numbers.filter_map(|number| self.below.get(*number))
     }

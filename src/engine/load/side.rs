@@ -54,17 +54,18 @@ impl Side {
     }
 
     /// Those of these files that are in the data, as printed.
-    pub(in crate::engine) fn shown<'p>(&self, paths: impl Iterator<Item = &'p PathBuf>) -> BTreeSet<String> {
-        let shown = |tree: &Tree, path: &PathBuf| {
-            let root = tree.root()?;
+    pub(in crate::engine) fn shown<'p>(&self, paths: impl IntoIterator<Item = &'p PathBuf>) -> BTreeSet<String> {
+        let places = self.trees().filter_map(|tree| tree.root().map(|root| (tree, resolved(root), own_place(root))));
+        let places: Vec<_> = places.collect();
+        let shown = |(tree, place, link): &(&Tree, PathBuf, PathBuf), path: &Path| {
             // A submodule around the data, or a link to them.
-            if resolved(root).starts_with(path) || own_place(root).starts_with(path) {
+            if place.starts_with(path) || link.starts_with(path) {
                 return Some(tree.shown(""));
             }
-            let rel = path.strip_prefix(resolved(root)).ok().filter(|rel| is_listed(tree, rel))?;
+            let rel = path.strip_prefix(place).ok().filter(|rel| is_listed(tree, rel))?;
             Some(tree.shown(&slashed(rel)))
         };
-        paths.filter_map(|path| self.trees().find_map(|tree| shown(tree, path))).collect()
+        paths.into_iter().filter_map(|path| places.iter().find_map(|place| shown(place, path))).collect()
     }
 
     /// The same with other contents.

@@ -98,7 +98,7 @@ impl Entry {
 
     /// As it is compared, its asset at `path`.
     pub(super) fn claim<'e>(&'e self, path: &'e str) -> Claim<'e> {
-        Claim { rule: &self.rule, asset: path, key: &self.key, parts: &self.parts, level: self.level }
+        Claim { rule: &self.rule, asset: path, key: &self.key, parts: &self.parts, level: self.level, breaks: &[] }
     }
 }
 

@@ -3,7 +3,7 @@
 use std::cell::Cell;
 use std::collections::BTreeMap;
 
-use crate::diag::{Finding, Level, Parts};
+use crate::diag::{Break, Finding, Level, Parts};
 
 /// A finding as it is compared.
 #[derive(Debug, Clone, Copy)]
@@ -14,6 +14,8 @@ pub(in crate::engine) struct Claim<'f> {
     pub(in crate::engine) parts: &'f Parts,
     /// How bad it is, whatever the settings make of it.
     pub(in crate::engine) level: Level,
+    /// How bad it is in each application, where that is known.
+    pub(in crate::engine) breaks: &'f [Break],
 }
 
 /// What a finding is to those before.
@@ -92,10 +94,12 @@ struct Known<'k> {
 
 /// What a finding is to those of its asset and key.
 fn standing(claim: &Claim<'_>, known: &[Known<'_>]) -> Standing {
-    let is_as_bad = |known: &Known<'_>| known.claim.level >= claim.level;
+    let is_as_bad = |known: &Known<'_>| known.claim.is_as_bad_as(claim);
     let (whole, named): (Vec<&Known<'_>>, Vec<_>) = known.iter().partition(|known| known.claim.parts.is_empty());
     let unmet = || whole.iter().filter(|known| !known.met.get());
-    if let Some(one) = unmet().find(|known| is_as_bad(known)).or_else(|| unmet().next()) {
+    // The mildest that will do: a worse one may be that of another finding.
+    let enough = unmet().filter(|known| is_as_bad(known)).min_by_key(|known| known.claim.level);
+    if let Some(one) = enough.or_else(|| unmet().next()) {
         one.met.set(true);
         return if is_as_bad(one) { Standing::Same } else { Standing::Worse(claim.parts.clone()) };
     }
@@ -113,8 +117,16 @@ fn standing(claim: &Claim<'_>, known: &[Known<'_>]) -> Standing {
 
 impl<'f> Claim<'f> {
     fn of(finding: &'f Finding) -> Self {
-        let Finding { rule, level, subject, .. } = finding;
-        Self { rule, asset: finding.asset_path(), key: &subject.key, parts: &subject.parts, level: *level }
+        let Finding { rule, level, subject, breaks, .. } = finding;
+        let (asset, key, parts) = (finding.asset_path(), &subject.key, &subject.parts);
+        Self { rule, asset, key, parts, level: *level, breaks }
+    }
+
+    /// Whether no application is worse off with the other.
+    fn is_as_bad_as(&self, other: &Self) -> bool {
+        let of = |one: &Break| self.breaks.iter().find(|own| own.application == one.application);
+        let is_covered = |one: &Break| of(one).is_some_and(|own| own.level >= one.level);
+        self.level >= other.level && (self.breaks.is_empty() || other.breaks.iter().all(is_covered))
     }
 
     /// What it is about, without its parts.
@@ -126,13 +138,14 @@ impl<'f> Claim<'f> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::diag::Application;
 
     fn parts(names: &[&str]) -> Parts {
         names.iter().collect()
     }
 
     fn claim<'p>(key: &'p str, level: Level, parts: &'p Parts) -> Claim<'p> {
-        Claim { rule: "r", asset: "a", key, parts, level }
+        Claim { rule: "r", asset: "a", key, parts, level, breaks: &[] }
     }
 
     fn compared(before: &[&[&str]], now: &[&[&str]]) -> (Vec<Standing>, Vec<usize>) {
@@ -164,6 +177,26 @@ mod tests {
         let at = |level| compare(&[claim("", Level::Warning, &one)], &[claim("", level, &one)]);
         assert_eq!([Level::Info, Level::Warning].map(|level| at(level).now), [[Standing::Same], [Standing::Same]]);
         assert_eq!(at(Level::Error), Comparison { now: vec![worse(&["x"])], gone: Vec::new() });
+    }
+
+    #[test]
+    fn a_higher_level_in_one_application_is_worse() {
+        let one = |application, level| Break { application, level, effect: String::new() };
+        let breaks = |mpfb| [one(Application::Makehuman2, Level::Error), one(Application::Mpfb, mpfb)];
+        let (mild, grave, none) = (breaks(Level::Info), breaks(Level::Error), Parts::default());
+        let claim = |breaks| Claim { breaks, ..claim("", Level::Error, &none) };
+        let standing = |before, now| compare(&[claim(before)], &[claim(now)]).now;
+        assert_eq!(standing(&mild, &grave), [worse(&[])]);
+        assert_eq!([standing(&grave, &mild), standing(&[], &grave)], [[Standing::Same], [Standing::Same]]);
+        assert_eq!(standing(&mild[..1], &mild), [worse(&[])], "told for another application");
+    }
+
+    #[test]
+    fn equal_findings_are_matched_whatever_their_order() {
+        let none = Parts::default();
+        let at = |levels: [Level; 2]| levels.map(|level| claim("", level, &none));
+        let compared = compare(&at([Level::Error, Level::Warning]), &at([Level::Info, Level::Error]));
+        assert_eq!(compared, Comparison { now: vec![Standing::Same, Standing::Same], gone: Vec::new() });
     }
 
     #[test]

@@ -4,6 +4,7 @@
 //! and named by rules of its own.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 
 use super::references::through_references;
 use crate::eval::macros::Macros;
@@ -155,8 +156,11 @@ impl Composer<'_, '_> {
             file.filter(|file| file.target().is_some_and(is_usable)).and_then(|file| self.rows.remove(&file.path));
         let vertices = self.mesh.positions.len();
         // Rows for seam duplicates are accepted and overwritten by the application.
-        let in_mesh = |row: &Row| (row.index as usize) < vertices;
-        let rows = rows.map(|rows| rows.iter().filter(|row| in_mesh(row)).map(|row| (row.index, row.delta)).collect());
+        let in_mesh = |row: &Row| (row.0 as usize) < vertices;
+        let rows = rows.map(|rows| {
+            let is_whole = rows.iter().all(in_mesh);
+            if is_whole { rows } else { Arc::new(rows.iter().copied().filter(in_mesh).collect()) }
+        });
         let place = self.scene.targets.len();
         self.by_path.insert(path.clone(), place);
         let suspect = file.is_some_and(|file| is_suspect(file, self.extent));

@@ -40,12 +40,17 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         if others.is_empty() {
             continue;
         }
-        let names: Vec<String> = others.iter().map(|file| format!("`{}`", file.shown())).collect();
-        let message = format!("the same {class} as {}", names.join(", "));
+        let message = if let [other] = others {
+            format!("the same {class} as `{}`", other.shown())
+        } else {
+            let names: Vec<String> = files.iter().map(|file| format!("`{}`", file.shown())).collect();
+            format!("the same {class} in {} files: {}", files.len(), names.join(", "))
+        };
         let mut finding = RULE.at(first, Place::File, message).help(advice(view, first, others));
         for other in others {
             finding = finding.related(other.path.clone(), Place::File, "the same content");
         }
+        let finding = finding.parts_in(files.iter().map(|file| (file.shown(), &file.path)));
         let finding = finding.between(files.iter().map(|file| &file.path));
         out.push(finding.evidence(Evidence::of_cases(files.iter().map(|file| file.shown()))));
     }

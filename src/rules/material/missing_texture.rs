@@ -65,10 +65,11 @@ fn cause<'r>(layer: &Layer, reference: &'r Reference<'_>) -> &'r str {
 fn finding(view: &View<'_>, cause: &str, references: &[&Reference<'_>]) -> Option<Finding> {
     let first = references.first()?;
     let cases = references.iter().map(|reference| format!("{} {}", reference.from.file_name(), reference.owner));
-    let parts = cases.clone().zip(references.iter().map(|reference| &reference.from.path));
+    let parts = references.iter().map(|reference| (&reference.from.path, reference.place.clone()));
+    let parts = cases.clone().zip(parts).map(|(case, (path, place))| (case, path, place));
     let asset = view.layers().checked.display(parent(cause));
     let finding = RULE.at(first.from, first.place.clone(), message(cause, first, references));
-    let finding = finding.key(file_name(cause)).asset(asset).parts_in(parts).evidence(Evidence::of_cases(cases));
+    let finding = finding.key(file_name(cause)).asset(asset).parts_at(parts).evidence(Evidence::of_cases(cases));
     let is_kept = |reference: &&Reference<'_>| {
         let mut lines = view.references().of_file(reference.from);
         lines.any(|other| other.owner == reference.owner && other.found().is_some())

@@ -6,6 +6,7 @@ use super::super::{Check, Rule, RuleCx};
 use super::hierarchy::hierarchy;
 use super::rigs;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, nearest};
+use crate::eval::side;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -25,7 +26,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for rig in rigs(body) {
         let names: BTreeSet<&str> = rig.skeleton.bones.iter().map(|bone| bone.name.as_str()).collect();
-        let lonely = names.iter().filter_map(|name| Some((*name, partner(name)?)));
+        let lonely = names.iter().filter_map(|name| Some((*name, side::of_bone(name)?.1)));
         // A partner that others name as their parent is `skeleton-unknown-parent`.
         let asked = hierarchy(rig.skeleton).unknown_parents;
         let is_absent = |name: &str| !names.contains(name) && !asked.contains_key(name);
@@ -43,14 +44,3 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         out.push(RULE.at(rig.file, Place::key(["bones", name]), message).help(help).evidence(evidence));
     }
 }
-
-/// The name on the other side, if the name has a side.
-fn partner(name: &str) -> Option<String> {
-    let ends = SIDES.iter().flat_map(|(left, right)| [(left, right), (right, left)]);
-    let ends = ends.filter_map(|(own, other)| Some(format!("{}{other}", name.strip_suffix(own)?)));
-    let begins = [("l-", "r-"), ("r-", "l-")].into_iter();
-    ends.chain(begins.filter_map(|(own, other)| Some(format!("{other}{}", name.strip_prefix(own)?)))).next()
-}
-
-/// Endings that mark a side, as exporters write them.
-const SIDES: [(&str, &str); 4] = [(".L", ".R"), (".l", ".r"), ("_L", "_R"), ("_l", "_r")];

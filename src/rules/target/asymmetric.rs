@@ -4,6 +4,7 @@ use super::super::{Check, Rule, RuleCx};
 use super::shown::shown_by;
 use crate::diag::{Application, Evidence, Finding, Level, OptionInfo, Place, RuleInfo};
 use crate::eval::measures::Measures;
+use crate::eval::side;
 use crate::eval::target_measure::TargetMeasure;
 use crate::repo::{Body, FileFacts};
 
@@ -24,9 +25,6 @@ pub(in crate::rules) static RULE: Rule = Rule {
     },
     check: Check::Numeric(run),
 };
-
-/// Words of a name that say a side.
-const SIDES: [&str; 4] = ["l", "r", "left", "right"];
 
 fn run(body: &Body<'_>, measures: &Measures, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(one_sided_endings) = body.one_sided_endings else { return };
@@ -52,8 +50,7 @@ fn run(body: &Body<'_>, measures: &Measures, cx: &RuleCx<'_>, out: &mut Vec<Find
 
 /// Whether the name says that it is not symmetric.
 fn is_meant(endings: &[String], name: &str) -> bool {
-    endings.iter().any(|ending| name.ends_with(ending.as_str()))
-        || name.split(['/', '-', '_']).any(|word| SIDES.contains(&word))
+    endings.iter().any(|ending| name.ends_with(ending.as_str())) || name.split(['/', '-', '_']).any(side::is_word)
 }
 
 /// Whether the vertices that differ can be those of torn joint cubes: `target-splits-joint-cube` names the target.

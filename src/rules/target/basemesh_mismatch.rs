@@ -50,7 +50,7 @@ fn finding(layer: &Layer, folder: &str, named: &str, files: &[(&FileFacts, u32)]
         RULE.in_layer(layer, folder, message)
     };
     let evidence = Evidence::of_cases(files.iter().map(|(file, _)| file.shown()));
-    let finding = finding.parts_in(files.iter().map(|(file, _)| (file.shown(), &file.path)));
+    let finding = finding.parts_at(files.iter().map(|(file, line)| (file.shown(), &file.path, Place::Line(*line))));
     let help = format!("move it to the targets of `{named}`, or correct the header if it fits `{base}`");
     Some(finding.asset(layer.display(folder)).key(named).help(help).evidence(evidence))
 }

@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::super::{Check, Rule, RuleCx};
 use super::{asked_for, parent};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::eval::side;
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, View};
 
@@ -22,15 +23,12 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Makehuman2(run),
 };
 
-/// Words that stand for a side, between dashes.
-const SIDES: [(&str, &str); 4] = [("l", "r"), ("r", "l"), ("left", "right"), ("right", "left")];
-
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let unused: BTreeSet<&str> = view.unused(base).iter().map(|file| file.path.as_str()).collect();
     let asked = asked_for(view, base);
     let mut lone: BTreeMap<(&str, String), Vec<(&FileFacts, String)>> = BTreeMap::new();
     for file in view.own_targets(base) {
-        let Some(partner) = partner_of(file.stem()) else { continue };
+        let Some((_, partner)) = side::of_target(file.stem()) else { continue };
         let folder = parent(&file.rel);
         let rel = format!("{folder}/{partner}.target");
         let exists = view.layers.checked.file(&rel).is_some() || view.layers.checked.file_ignoring_case(&rel).is_some();
@@ -58,36 +56,9 @@ fn finding(stem: &str, files: &[(&FileFacts, String)]) -> Option<Finding> {
     Some(finding.help("mirror the target and save it under the name of the other side").evidence(evidence))
 }
 
-/// The name of the same target on the other side, if the name holds a side.
-fn partner_of(stem: &str) -> Option<String> {
-    let mut words: Vec<&str> = stem.split('-').collect();
-    let other = |word: &str| SIDES.iter().find(|(side, _)| *side == word).map(|(_, other)| *other);
-    let (at, other) = words.iter().enumerate().find_map(|(at, word)| Some((at, other(word)?)))?;
-    *words.get_mut(at)? = other;
-    Some(words.join("-"))
-}
-
 fn without_ending(base: &Base<'_>, stem: &str) -> String {
     let opposites = base.settings().map(|(_, settings)| settings.opposites.as_slice()).unwrap_or_default();
     let endings = opposites.iter().flat_map(|(decr, incr)| [decr.as_str(), incr.as_str()]).chain(["decr", "incr"]);
     let mut cut = endings.filter_map(|ending| stem.strip_suffix(ending)?.strip_suffix('-'));
     cut.next().unwrap_or(stem).to_owned()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_side_is_a_word_of_its_own() {
-        for (stem, partner) in [
-            ("l-ear-trans-in", Some("r-ear-trans-in")),
-            ("ear-r-up", Some("ear-l-up")),
-            ("left-arm", Some("right-arm")),
-            ("chin-cleft-decr", None),
-            ("lip", None),
-        ] {
-            assert_eq!(partner_of(stem).as_deref(), partner, "{stem}");
-        }
-    }
 }

@@ -32,8 +32,8 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 let most = most_first(&found);
                 let (message, evidence) = of_folder(folder, &most);
                 let finding = RULE.at(file, first_row(&facts.zero), message).evidence(evidence);
-                let parts = found.iter().map(|(file, _)| (&file.rel, &file.path));
-                let finding = finding.asset(layer.display(folder)).parts_in(parts);
+                let parts = found.iter().map(|(file, facts)| (&file.rel, &file.path, first_row(&facts.zero)));
+                let finding = finding.asset(layer.display(folder)).parts_at(parts);
                 most.iter().take(EXAMPLES * 2).fold(finding, |finding, (file, facts)| {
                     finding.related(&file.path, first_row(&facts.zero), counted(facts.zero.count, "zero row"))
                 })
