@@ -1,11 +1,15 @@
-//! Runs for applications that are not checked for users yet: their rules are tried on examples before they count.
+//! Runs for applications that are not checked for users yet, and comparisons of trees in memory: rules are tried on
+//! examples before they count.
 //!
 //! For the tests of this crate alone; it may change with any version.
 
+use std::collections::BTreeMap;
+
+use super::catalogue::CHECKED;
 use super::error::Error;
 use super::load::Side;
 use super::run::lint_sides;
-use crate::config::Config;
+use crate::config::{Before, Compare, Config};
 use crate::diag::{Application, Outcome, RuleInfo};
 use crate::rules::RULES;
 use crate::source::Tree;
@@ -21,6 +25,22 @@ pub fn lint_trees(
     options: &Config,
 ) -> Result<Outcome, Error> {
     lint_sides(&Side::of(trees, system), None, options, applications)
+}
+
+/// As [`super::lint_trees`], with what is new or worse than in the trees before.
+///
+/// # Errors
+/// As [`super::lint`].
+pub fn lint_beside(
+    [now, before]: [Vec<Tree>; 2],
+    [system, system_before]: [Option<Tree>; 2],
+    options: &Config,
+) -> Result<Outcome, Error> {
+    let [now, before] = [Side::of(now, system), Side::of(before, system_before)];
+    let (contents, nothing) = (Before::Contents(BTreeMap::new()), BTreeMap::new());
+    let compare = Compare { with: "before".to_owned(), before: contents, now: nothing, missing: Vec::new() };
+    let options = Config { compare: Some(compare), ..options.clone() };
+    lint_sides(&now, Some(&before), &options, &CHECKED)
 }
 
 /// As [`super::rule_infos`], for all applications.

@@ -1,6 +1,6 @@
 """Reads every report of the damaged copies with readers that are not ours; all must tell the same findings.
 
-    copies.py SCHEMA FOLDER     FOLDER holds a folder a copy, with report.* and files.txt (tests/damage.rs)
+    copies.py SCHEMA FOLDER     FOLDER holds a folder a copy, with report.* and files.txt (tests/all/damage.rs)
 """
 
 import json

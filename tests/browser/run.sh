@@ -3,7 +3,7 @@
 #
 #   tests/browser/run.sh [FOLDER]     screenshots go to FOLDER (target/browser/shots)
 #
-# With MHLINT_DAMAGED=FOLDER it reads the reports of the damaged copies as well that `cargo test --test damage` wrote
+# With MHLINT_DAMAGED=FOLDER it reads the reports of the damaged copies as well that `cargo test --release damage:: -- --ignored` wrote
 # there under the same variable: all nine of each must tell the same findings.
 #
 # Prepares what it needs below target/browser: Chromium by apt where it is missing and we are root, drivers and

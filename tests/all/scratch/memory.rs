@@ -71,12 +71,22 @@ impl Asked {
 
     /// Runs the library on a repository.
     pub fn lint(&self, repository: &Memory) -> Outcome {
-        let trees = self.paths.iter().map(|path| repository.tree(path)).collect();
-        let system = self.system.as_ref().map(|path| repository.tree(path));
+        let (trees, system) = self.trees(repository);
         match self.application {
             Some(application) => trial::lint_trees(&[application], trees, system, &self.config).unwrap(),
             None => lint_trees(trees, system, &self.config).unwrap(),
         }
+    }
+
+    /// The same beside what the repository was before: what is new or worse.
+    pub fn lint_beside(&self, now: &Memory, before: &Memory) -> Outcome {
+        let [(now, system), (before, system_before)] = [now, before].map(|repository| self.trees(repository));
+        trial::lint_beside([now, before], [system, system_before], &self.config).unwrap()
+    }
+
+    fn trees(&self, repository: &Memory) -> (Vec<Tree>, Option<Tree>) {
+        let trees = self.paths.iter().map(|path| repository.tree(path)).collect();
+        (trees, self.system.as_ref().map(|path| repository.tree(path)))
     }
 }
 
@@ -110,6 +120,11 @@ impl Memory {
             self.put(&edit.file, edited.into_bytes().into());
         }
         case.folder.iter().for_each(|folder| self.make(folder));
+    }
+
+    /// Whether there is a file at a path.
+    pub fn has(&self, path: &str) -> bool {
+        self.files.contains_key(path)
     }
 
     fn get(&self, path: &str) -> &Arc<[u8]> {

@@ -1,13 +1,10 @@
 //! The baseline through the real binary: what it hides, what it does not, and what leaves it alone.
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may stop where it fails")]
-
-mod scratch;
 
 use std::fs;
 use std::io::Write;
 use std::path::Path;
 
-use scratch::{
+use crate::scratch::{
     Case, assert_refused, copy_folder, edit, example, findings, lose_a_step, mhlint, project, stderr, stdout,
 };
 

@@ -1,17 +1,14 @@
 //! Bad input of every kind on the example repository: no panic, no failed rule, no hang; a finding with a
 //! place wherever something is lost, silence only where the loader does not mind.
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may stop where it fails")]
-
-mod scratch;
 
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 
+use crate::scratch::{example, findings, mhlint, project, stderr};
 use flate2::{Compression, write::GzEncoder};
 use mhlint::{Config, Outcome, Tree, lint_trees};
 use rayon::prelude::*;
-use scratch::{example, findings, mhlint, project, stderr};
 use serde_json::{Value, json};
 
 type Files = BTreeMap<String, Arc<[u8]>>;

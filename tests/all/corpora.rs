@@ -1,13 +1,10 @@
 //! Whole repositories of the applications, where `MHLINT_CORPORA` names the folder that holds them.
 //!
 //! They are not part of the project, so that the tests are ignored unless asked for (`-- --ignored`).
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may stop where it fails")]
 
-mod scratch;
-
+use crate::scratch::{corpus, mhlint};
 use mhlint::eval::skin::{pose_bones, skin};
 use mhlint::eval::vector::distance;
-use scratch::{corpus, mhlint};
 
 /// The JSON report on a folder of a corpus.
 fn report(corpus: &std::path::Path, args: &[&str]) -> serde_json::Value {

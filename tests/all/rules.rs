@@ -3,20 +3,17 @@
 //!
 //! `fixtures/rules/<id>/<case>/` holds `case.toml` (edits over the example repository) and, where
 //! something is found, `expected.txt`. Cases named `good…` must be silent, cases named `bad…` must show
-//! the rule. `UPDATE=1 cargo test --test rules` rewrites the expectations; read the diff before you commit.
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may stop where it fails")]
-
-mod scratch;
+//! the rule. `UPDATE=1 cargo test rules::` rewrites the expectations; read the diff before you commit.
 
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use crate::scratch::memory::{Asked, Memory, concise};
+use crate::scratch::{Case, example, findings, folders, mhlint, project};
 use mhlint::trial;
 use mhlint::{Tree, rule_infos};
 use rayon::prelude::*;
-use scratch::memory::{Asked, Memory, concise};
-use scratch::{Case, example, findings, folders, mhlint, project};
 
 /// A folder below `fixtures/rules`.
 struct Fixture {
@@ -86,7 +83,7 @@ fn an_application_on_trial_is_not_checked_for_users() {
 #[test]
 #[ignore = "needs the corpora: MHLINT_CORPORA=FOLDER cargo test -- --ignored"]
 fn the_catalogue_of_mpfb_is_whole() {
-    let tree = Tree::on_disk("", scratch::corpus("mpfb").join("data"), |_, _| false);
+    let tree = Tree::on_disk("", crate::scratch::corpus("mpfb").join("data"), |_, _| false);
     let outcome =
         trial::lint_trees(&[mhlint::Application::Mpfb], vec![tree], None, &mhlint::Config::default()).unwrap();
     assert!(outcome.is_whole());

@@ -1,12 +1,9 @@
 //! Ignores and findings over several files, through the real binary: what is ignored is neither told nor fixed.
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may stop where it fails")]
-
-mod scratch;
 
 use std::fs;
 use std::path::Path;
 
-use scratch::{edit, example, findings, mhlint, stderr};
+use crate::scratch::{edit, example, findings, mhlint, stderr};
 
 const A: &str = "data/target/figure/head/head-oval.target";
 const B: &str = "data/target/figure/torso/belly-trans-in.target";

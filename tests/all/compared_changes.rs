@@ -1,8 +1,5 @@
 //! Changes that authors make to a real repository: `--since`, `--staged` and `--against` say what each of them
 //! brings, all three the same, and the same as two whole reports beside each other.
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may stop where it fails")]
-
-mod scratch;
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -12,7 +9,7 @@ use std::process::Command;
 use rayon::prelude::*;
 use serde_json::Value;
 
-use scratch::{copy_folder, corpus, edit, mhlint, remove, stderr};
+use crate::scratch::{copy_folder, corpus, edit, mhlint, remove, stderr};
 
 /// What an author does to a file. Paths are relative to the repository.
 enum Edit {

@@ -1,13 +1,10 @@
 //! `mhlint.toml` through the real binary: where it is found, what it does, in which order, and what it refuses.
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may stop where it fails")]
-
-mod scratch;
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use crate::scratch::{assert_refused, content, edit, example, findings, mhlint, project, stderr, stdout};
 use mhlint::{Config, Tree, lint_trees, rule_infos};
-use scratch::{assert_refused, content, edit, example, findings, mhlint, project, stderr, stdout};
 
 const OVAL: &str = "data/target/figure/head/head-oval.target";
 

@@ -1,8 +1,4 @@
 //! Fixes through the real binary: what is fixed is silent, nothing else is touched, nothing is ever half-written.
-#![cfg(unix)]
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may stop where it fails")]
-
-mod scratch;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -11,8 +7,8 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use std::time::Duration;
 
+use crate::scratch::{Case, content, copy_folder, corpus, edit, example, findings, mhlint, project};
 use rayon::prelude::*;
-use scratch::{Case, content, copy_folder, corpus, edit, example, findings, mhlint, project};
 use serde_json::Value;
 
 const WEIGHTS: &str = "data/rigs/figure/default_weights.mhw";

@@ -1,7 +1,5 @@
 //! The house rules that a compiler does not check: who imports whom, who touches files, how long files are.
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may stop where it fails")]
 
-#[path = "architecture/imports.rs"]
 mod imports;
 
 use std::collections::{BTreeMap, BTreeSet};

@@ -1,13 +1,10 @@
 //! `--since`, `--staged` and `--against`: what a change brings, and nothing else. On the real binary, with real git.
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may stop where it fails")]
-
-mod scratch;
 
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
 
-use scratch::{assert_refused, edit, example, lose_a_step, mhlint, stderr, stdout};
+use crate::scratch::{assert_refused, edit, example, lose_a_step, mhlint, stderr, stdout};
 
 fn git(folder: &Path, arguments: &[&str]) {
     let output = try_git(folder, arguments);
@@ -530,7 +527,7 @@ fn what_a_changed_link_to_a_folder_brings_is_not_compared() {
         std::os::unix::fs::symlink(to, link).unwrap();
     };
     fs::rename(root.join("data"), root.join("v2")).unwrap();
-    scratch::copy_folder(&root.join("v2"), &root.join("v1"));
+    crate::scratch::copy_folder(&root.join("v2"), &root.join("v1"));
     lead("v2");
     lose_a_step(root);
     lead("v1");
@@ -642,7 +639,7 @@ fn a_repository_inside_of_another_one_is_new_as_a_whole() {
     commit_all(root);
     let inner = example();
     lose_a_step(inner.path());
-    scratch::copy_folder(inner.path(), &root.join("nested"));
+    crate::scratch::copy_folder(inner.path(), &root.join("nested"));
     commit_all(&root.join("nested"));
     assert_shown(&check(root, &["--since", "HEAD"]), 1, &["nested/data/", OLD], &[]);
 }

@@ -1,14 +1,11 @@
 //! `mhlint eval` through the real binary.
-#![allow(clippy::unwrap_used, reason = "tests may stop")]
-
-mod scratch;
 
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Output;
 
-use scratch::{copy_folder, corpus, mhlint, project, stderr, stdout};
+use crate::scratch::{copy_folder, corpus, mhlint, project, stderr, stdout};
 use serde_json::{Value, json};
 
 const DATA: &str = "fixtures/makehuman2/data";

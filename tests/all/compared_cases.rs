@@ -1,14 +1,12 @@
 //! A change is never hidden: every fixture case taken as a change to the example, which is clean, must show all of its
 //! findings beside the example.
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may stop where it fails")]
-
-mod scratch;
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use crate::scratch::memory::{Asked, Memory, concise};
+use crate::scratch::{Case, example, findings, folders, mhlint, project};
 use rayon::prelude::*;
-use scratch::{Case, example, findings, folders, mhlint, project};
 
 #[test]
 fn every_fixture_case_beside_the_example_shows_all_its_findings() {
@@ -26,16 +24,39 @@ fn every_fixture_case_beside_the_example_shows_all_its_findings() {
 /// Runs a case beside the example; gives what is not shown of its findings.
 fn hidden(folder: &Path) -> Option<String> {
     let case = Case::read(folder);
-    let is_one_path = case.args.iter().filter(|arg| !arg.starts_with('-')).count() <= 2;
-    // The binary does not check it, or it compares for itself.
-    if case.application.is_some() || !is_one_path {
+    // Not checked for users.
+    if case.application.is_some() {
+        return None;
+    }
+    let shown = match Asked::of(&case) {
+        Some(asked) => in_memory(&case, &asked),
+        None => on_disk(&case)?,
+    };
+    let expected = fs::read_to_string(folder.join("expected.txt")).unwrap();
+    // What cannot be judged without system data is one remark a base mesh, however much it is.
+    let is_there = |line: &&str| line.contains("[overlay-needs-system]") || shown.iter().any(|found| found == line);
+    let missed: Vec<&str> = expected.lines().filter(|line| !is_there(line)).collect();
+    (!missed.is_empty()).then(|| format!("{} hides\n  {}", folder.display(), missed.join("\n  ")))
+}
+
+/// What is found in the example, with the settings and arguments of the case, and what the case brings.
+fn in_memory(case: &Case, asked: &Asked) -> Vec<String> {
+    let before = Memory::example(case);
+    let mut now = before.clone();
+    now.apply(case);
+    // Without settings and arguments nothing is found in the example: it is clean.
+    let is_plain = case.args.is_empty() && !now.has("mhlint.toml");
+    let old = (!is_plain).then(|| asked.lint(&before));
+    old.iter().chain([&asked.lint_beside(&now, &before)]).flat_map(concise).collect()
+}
+
+/// The same with the binary; nothing for a case that compares for itself or several folders.
+fn on_disk(case: &Case) -> Option<Vec<String>> {
+    if case.args.iter().filter(|arg| !arg.starts_with('-')).count() > 2 {
         return None;
     }
     let (before, repository) = (example(), example());
     case.apply(repository.path());
-    let settings = repository.path().join("mhlint.toml");
-    // Without settings and arguments nothing is found in the example: it is clean.
-    let is_plain = case.args.is_empty() && !settings.exists();
     let mut args: Vec<&str> = case.args.iter().map(String::as_str).collect();
     if args.is_empty() {
         args.extend(["check", "."]);
@@ -47,15 +68,12 @@ fn hidden(folder: &Path) -> Option<String> {
     }
     args.extend(["--report", "concise"]);
     // Both sides have the settings of the case.
+    let settings = repository.path().join("mhlint.toml");
     if settings.exists() {
         fs::copy(settings, before.path().join("mhlint.toml")).unwrap();
     }
-    let mut shown = if is_plain { Vec::new() } else { findings(&mhlint(before.path(), &args)) };
+    let mut shown = findings(&mhlint(before.path(), &args));
     args.extend(["--against", other.to_str().unwrap()]);
     shown.extend(findings(&mhlint(repository.path(), &args)));
-    let expected = fs::read_to_string(folder.join("expected.txt")).unwrap();
-    // What cannot be judged without system data is one remark a base mesh, however much it is.
-    let is_there = |line: &&str| line.contains("[overlay-needs-system]") || shown.iter().any(|found| found == line);
-    let missed: Vec<&str> = expected.lines().filter(|line| !is_there(line)).collect();
-    (!missed.is_empty()).then(|| format!("{} hides\n  {}", folder.display(), missed.join("\n  ")))
+    Some(shown)
 }

@@ -5,14 +5,10 @@
 //! system's, and the user's folder holds `contarget/imp`. Probes tell the winners: each `macro.json` has a
 //! `steps` that does not fit its `values`, and a user slider clashes with the sliders that won.
 
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on has failed")]
-
-mod scratch;
-
 use std::fs;
 use std::path::Path;
 
-use scratch::{copy_folder, example, findings, mhlint, remove, stderr};
+use crate::scratch::{copy_folder, example, findings, mhlint, remove, stderr};
 
 /// Where contarget lies and what is checked.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

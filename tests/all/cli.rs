@@ -1,14 +1,11 @@
 //! What the command promises: exit codes, streams, arguments. One function a promise, on the real binary.
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may stop where it fails")]
-
-mod scratch;
 
 use std::fs;
 use std::io::Read;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
-use scratch::{assert_refused, broken, example, mhlint, project, stderr, stdout};
+use crate::scratch::{assert_refused, broken, example, mhlint, project, stderr, stdout};
 
 fn code(output: &Output) -> Option<i32> {
     output.status.code()
@@ -661,7 +658,7 @@ fn what_diff_shows_is_a_patch() {
     let root = repository.path();
     let oval = "da ta/target/figure/head/head-oval.target";
     fs::rename(root.join("data"), root.join("da ta")).unwrap();
-    scratch::edit(root, oval, "339 0 .001 .001", "339 0 0 0");
+    crate::scratch::edit(root, oval, "339 0 .001 .001", "339 0 0 0");
     let whole = root.join("da ta");
     for (from, path, said) in [
         ("", "da ta", ""),

@@ -1,12 +1,9 @@
 //! Paths for code hosts: relative to what a CI system says is the top of the repository.
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may stop where it fails")]
-
-mod scratch;
 
 use std::fs;
 use std::path::Path;
 
-use scratch::{broken, command, copy_folder};
+use crate::scratch::{broken, command, copy_folder};
 use serde_json::Value;
 
 fn run(folder: &Path, args: &[&str]) -> String {

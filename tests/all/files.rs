@@ -1,9 +1,5 @@
 //! Damage that no text file can describe: pipes, names that are no Unicode, links to the data itself, bombs.
 
-#![cfg(unix)]
-
-mod scratch;
-
 use std::fs;
 use std::io::{Write, copy, repeat};
 use std::os::unix::ffi::OsStrExt;
@@ -11,8 +7,8 @@ use std::os::unix::fs::symlink;
 use std::path::Path;
 use std::process::Command;
 
+use crate::scratch::{example, findings, mhlint, stderr};
 use flate2::{Compression, write::GzEncoder};
-use scratch::{example, findings, mhlint, stderr};
 
 fn check(root: &Path, args: &[&str]) -> Vec<String> {
     let output = mhlint(root, &[args, &["--report", "concise", "--only", "file-*"]].concat());

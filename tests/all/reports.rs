@@ -1,20 +1,17 @@
 //! The reports: JSON and SARIF against their schemas, the others as their readers take them apart, and names from
 //! assets that try to get out of each format.
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may stop where it fails")]
-
-mod scratch;
 
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-use scratch::{command, edit, example, lose_a_step, mhlint, project, stderr, stdout};
+use crate::scratch::{command, edit, example, lose_a_step, mhlint, project, stderr, stdout};
 use serde_json::Value;
 
 /// A copy of the example repository with two errors in two files.
 fn broken() -> tempfile::TempDir {
-    let repository = scratch::broken();
+    let repository = crate::scratch::broken();
     edit(repository.path(), "data/target/figure/head/head-oval.target", "339 0 .001 .001", "339 0 0,001 .001");
     repository
 }
@@ -348,7 +345,7 @@ fn gitlab_issues_have_the_required_members() {
 fn gitlab_tells_the_same_fault_in_two_roots_apart() {
     let repository = broken();
     let second = repository.path().join("other");
-    scratch::copy_folder(&repository.path().join("data"), &second);
+    crate::scratch::copy_folder(&repository.path().join("data"), &second);
     let issues = json(repository.path(), "gitlab");
     let fingerprints: BTreeSet<&str> =
         issues.as_array().unwrap().iter().map(|issue| issue["fingerprint"].as_str().unwrap()).collect();

@@ -5,13 +5,9 @@
 //! Needs the corpora, in the folder that `MHLINT_CORPORA` names, and is ignored unless asked for (`-- --ignored`). Where
 //! `MHLINT_DAMAGED` names a folder, every report of every damaged copy is written into it (of every tenth with
 //! `MHLINT_DAMAGED_EVERY=10`): `tests/browser/run.sh` has them read.
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may stop where it fails")]
 
-#[path = "damage/cases.rs"]
 mod cases;
-#[path = "damage/copies.rs"]
 mod copies;
-#[path = "damage/harm.rs"]
 mod harm;
 
 use std::path::Path;

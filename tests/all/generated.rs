@@ -1,16 +1,13 @@
 //! What is generated is fresh: the families of rules and the help in the README, the table and pages of the rules, the samples of
 //! the reports.
 //!
-//! `UPDATE=1 cargo test --test generated` rewrites them.
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may stop where it fails")]
-
-mod scratch;
+//! `UPDATE=1 cargo test generated::` rewrites them.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::fs;
 
-use scratch::{Case, example, mhlint, project};
+use crate::scratch::{Case, example, mhlint, project};
 
 #[test]
 fn every_rule_is_in_the_table() {
@@ -38,7 +35,7 @@ fn every_rule_has_its_section_on_the_page_of_its_family() {
         let sections = String::from_utf8(mhlint(&project("."), &explain).stdout).unwrap();
         let head = format!(
             "# Rules: {family}\n\nOn {about}. [All families](../rules.md), [how levels are chosen](../levels.md).\n\n\
-             <!-- Written by tests/generated.rs from the rules and their fixtures; edits here are lost. -->\n\n"
+             <!-- Written by tests/all/generated.rs from the rules and their fixtures; edits here are lost. -->\n\n"
         );
         check_file(&format!("docs/rules/{family}.md"), &format!("{head}{sections}"));
     }
@@ -70,7 +67,7 @@ fn about(family: &str) -> &'static str {
         "skeleton" => "skeletons (`.mhskel`)",
         "target" => "targets (`.target`)",
         "weights" => "weights (`.mhw`)",
-        _ => panic!("say in tests/generated.rs what the rules of the family `{family}` judge"),
+        _ => panic!("say in tests/all/generated.rs what the rules of the family `{family}` judge"),
     }
 }
 
@@ -161,5 +158,5 @@ fn check(file: &str, name: &str, wanted: &str) {
 #[track_caller]
 fn may_write(what: &str) {
     let may = std::env::var_os("UPDATE").is_some();
-    assert!(may, "{what} is not fresh: UPDATE=1 cargo test --test generated -- --test-threads 1");
+    assert!(may, "{what} is not fresh: UPDATE=1 cargo test generated:: -- --test-threads 1");
 }

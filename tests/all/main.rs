@@ -1,0 +1,27 @@
+//! All tests through files and the binary, in one program: most of what a test program takes to build is linking it.
+//!
+//! `cargo test compare::` runs those of one file, `cargo test -- --ignored` those over corpora (CONTRIBUTING.md).
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may stop where it fails")]
+
+mod architecture;
+mod baseline;
+mod cli;
+mod compare;
+mod compared_cases;
+mod compared_changes;
+mod config;
+mod corpora;
+mod damage;
+mod eval;
+#[cfg(unix)]
+mod files;
+#[cfg(unix)]
+mod fixes;
+mod generated;
+mod hostile;
+mod ignores;
+mod overlay;
+mod reports;
+mod rules;
+mod scratch;
+mod workspace;
