@@ -1,6 +1,6 @@
 //! A tree of files, from disk or from memory; callers cannot tell which.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
@@ -231,15 +231,14 @@ impl Tree {
         // Where a folder takes the place of a file, or the reverse, the old one goes first.
         let (added, removed): (Vec<_>, Vec<_>) = contents.iter().partition(|(_, bytes)| bytes.is_some());
         for (path, bytes) in removed.into_iter().chain(added) {
-            let links = links.get(path.as_str()).into_iter().flatten().copied();
-            for path in std::iter::once(path.as_str()).chain(links) {
+            for path in [path.clone()].into_iter().chain(linked(&links, path)) {
                 if let Some(bytes) = bytes {
-                    add_folders(&mut entries, path);
-                    add_file(&mut entries, path, bytes.len() as u64);
-                    changed.insert(path.to_owned(), bytes.clone());
+                    add_folders(&mut entries, &path);
+                    add_file(&mut entries, &path, bytes.len() as u64);
+                    changed.insert(path, bytes.clone());
                 } else {
-                    remove(&mut entries, path);
-                    changed.remove(path);
+                    remove(&mut entries, &path);
+                    changed.remove(&path);
                 }
             }
         }
@@ -277,6 +276,13 @@ impl Tree {
     pub fn root(&self) -> Option<&Path> {
         if let Backend::Disk(root) = &self.backend { Some(root) } else { None }
     }
+}
+
+/// The other paths of a file: links to it, and what lies there behind links to folders.
+fn linked(links: &BTreeMap<&str, Vec<&str>>, path: &str) -> BTreeSet<String> {
+    let above =
+        folders_above(path).chain([path]).filter_map(|meant| Some((links.get(meant)?, path.get(meant.len()..)?)));
+    above.flat_map(|(links, rest)| links.iter().map(move |link| format!("{link}{rest}"))).collect()
 }
 
 /// The bytes of a single file that no listing is needed for.

@@ -81,14 +81,15 @@ struct Links {
 }
 
 impl Links {
-    /// The path of a file without the links on the way to it, where there are any.
+    /// The path of a file without the links on the way to it, where there are any; that of a folder if it is a link.
     fn meant(&mut self, canonical_root: &Path, found: &DirEntry) -> Option<String> {
         let is_link = found.path_is_symlink();
-        if is_link && found.file_type().is_dir() {
+        let (is_folder, is_file) = (found.file_type().is_dir(), found.file_type().is_file());
+        if is_link && is_folder {
             self.folders.push(found.path().to_owned());
         }
         let is_behind_link = || self.folders.iter().any(|folder| found.path().starts_with(folder));
-        if !found.file_type().is_file() || !(is_link || is_behind_link()) {
+        if !(is_link && is_folder || is_file && (is_link || is_behind_link())) {
             return None;
         }
         let real = fs::canonicalize(found.path()).ok()?;

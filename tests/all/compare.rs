@@ -351,6 +351,22 @@ fn a_link_is_checked_under_its_own_name() {
     assert_shown(&check(root, &["--staged"]), 1, &["head/link.target:", "target-non-finite"], &[OLD]);
 }
 
+#[cfg(unix)]
+#[test]
+fn what_is_gone_from_a_folder_is_missed_behind_a_link_to_it() {
+    let repository = repository();
+    let root = repository.path();
+    fs::create_dir(root.join("shared")).unwrap();
+    fs::rename(root.join(OVAL), root.join("shared/a.target")).unwrap();
+    fs::copy(root.join(SIDE), root.join("shared/b.target")).unwrap();
+    std::os::unix::fs::symlink("../../../shared", root.join("data/target/figure/extra")).unwrap();
+    edit(root, "data/target/figure/modelling.json", "head/head-oval", "extra/a");
+    git(root, &["add", "-A"]);
+    git(root, &["commit", "-q", "-m", "a folder behind a link"]);
+    fs::remove_file(root.join("shared/a.target")).unwrap();
+    assert_shown(&check(root, &["--since", "HEAD"]), 1, &["[modelling-missing-target]", "extra/a"], &[OLD]);
+}
+
 #[test]
 fn the_later_of_staged_and_another_option_wins() {
     let repository = repository();
