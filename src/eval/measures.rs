@@ -140,6 +140,20 @@ pub struct SkeletonMeasure {
     pub path: String,
     /// Its bones.
     pub bones: Vec<BoneMeasure>,
-    /// For a skeleton whose weights come through references: bones that receive nothing.
+    /// Whether the mesh stands in the middle, so that left and right are told by the sign of x.
+    pub is_centred: bool,
+    /// What it gets of the weights of the pose skeleton.
+    pub received: Received,
+}
+
+/// What a skeleton gets of the weights of the pose skeleton through the references of its bones; nothing is known of the
+/// pose skeleton itself.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Received {
+    /// Its bones that receive nothing.
     pub without_weights: Vec<String>,
+    /// Bones of the pose skeleton whose weights nobody takes.
+    pub lost_bones: Vec<String>,
+    /// Vertices whose weights are lost with them, all that they have.
+    pub lost_vertices: Vec<u32>,
 }

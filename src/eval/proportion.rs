@@ -14,6 +14,18 @@ const SMALLEST_SHARE: f32 = 0.05;
 /// longest row is at most twice as long.
 const ISOLATION: f32 = 4.0;
 
+/// How many times as far as any other detail of its folder a detail may move. In shipped folders it is 3.7 at most.
+const NEIGHBOUR_RATIO: f32 = 5.0;
+
+/// Whether a detail stands out of its folder as a whole: by its longest displacement and by that of half of its rows.
+/// `next` has the largest of both among the others.
+pub fn stands_out_of_folder(own: Lengths, next: Lengths, size: f32) -> bool {
+    next.longest > 0.0
+        && own.longest > NEIGHBOUR_RATIO * next.longest
+        && own.median > NEIGHBOUR_RATIO * next.median
+        && own.longest > SMALLEST_SHARE * size
+}
+
 /// Lengths of the displacements of a target, mesh units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Lengths {
@@ -69,6 +81,17 @@ mod tests {
         ] {
             assert_eq!(oversize(lengths, 10.0, MEDIAN_RATIO), None, "{lengths:?}");
         }
+    }
+
+    #[test]
+    fn a_detail_stands_out_of_its_folder_by_ratio_and_size() {
+        let lengths = |longest, median| Lengths { longest, median, tail: longest };
+        let next = lengths(0.2, 0.1);
+        assert!(stands_out_of_folder(lengths(1.1, 0.6), next, 10.0));
+        assert!(!stands_out_of_folder(lengths(1.0, 0.6), next, 10.0));
+        assert!(!stands_out_of_folder(lengths(1.1, 0.5), next, 10.0));
+        assert!(!stands_out_of_folder(lengths(0.5, 0.4), lengths(0.01, 0.01), 10.0));
+        assert!(!stands_out_of_folder(lengths(1.1, 0.6), lengths(0.0, 0.0), 10.0));
     }
 
     #[test]

@@ -8,7 +8,7 @@ use super::skeleton::{SceneSkeleton, plane_sine, roll_sine};
 use super::skin::{pose_bones, skin};
 use super::symmetry::{Mirror, MirrorMap};
 use super::vector::{Point, distance};
-use super::weights::{LoadedWeights, merge_duplicates};
+use super::weights::{BoneWeights, LoadedWeights, merge_duplicates};
 
 /// Influences that real-time engines take.
 pub const ENGINE_INFLUENCES: usize = 4;
@@ -18,6 +18,12 @@ pub const ENGINE_INFLUENCES: usize = 4;
 pub struct BoneMeasure {
     /// Its name.
     pub name: String,
+    /// Number of its parent.
+    pub parent: Option<usize>,
+    /// Where it begins.
+    pub head: Point,
+    /// Where it ends.
+    pub tail: Point,
     /// Distance of head and tail, mesh units.
     pub length: f64,
     /// Sine of the angle in its plane, NaN if joints coincide; `None` without a plane.
@@ -37,6 +43,8 @@ pub struct WeightMeasure {
     pub worst_reduction: Option<(u32, f32)>,
     /// Pairs of bones (left, right by number) whose weights are not mirrored: vertices and largest difference.
     pub asymmetric: Vec<AsymmetricPair>,
+    /// Bones whose weights are on the other half of the mesh than their name says, and their joints lie.
+    pub wrong_side: Vec<usize>,
     /// Vertex farthest from its place after skinning with all bones at rest, and how far, mesh units.
     pub rest_distance: Option<(u32, f64)>,
 }
@@ -68,6 +76,9 @@ pub fn bones(skeleton: &SceneSkeleton, positions: &[Point]) -> Option<Vec<BoneMe
         let normal = skeleton.normal(&joints, bone).ok()?;
         measures.push(BoneMeasure {
             name: name.clone(),
+            parent: bone.parent,
+            head,
+            tail,
             length: distance(head, tail),
             plane_sine: plane.map(|(a, b, c)| plane_sine(a, b, c)),
             roll_sine: roll_sine(head, tail, normal),
@@ -92,8 +103,25 @@ pub fn weights(
         over: reduction.reduced,
         worst_reduction: reduction.worst,
         asymmetric: pairs.iter().filter_map(|pair| asymmetry(loaded, *pair, mirror, tolerance)).collect(),
+        wrong_side: loaded.bones.iter().filter(|list| is_across(list, skeleton, positions)).map(|l| l.bone).collect(),
         rest_distance: rest_distance(loaded, skeleton, positions),
     })
+}
+
+/// Whether the weights of a bone with a side in its name are across the middle from its joints, all but a tenth.
+fn is_across(list: &BoneWeights, skeleton: &SceneSkeleton, positions: &[Point]) -> bool {
+    let bone = skeleton.names.get(list.bone).zip(skeleton.bones.get(list.bone));
+    let Some(((side, _), bone)) = bone.and_then(|(name, bone)| Some((side::of_bone(name)?, bone))) else {
+        return false;
+    };
+    let joints = [bone.head, bone.tail].into_iter().filter_map(|joint| skeleton.joints.get(joint)).flatten();
+    let x = |vertex: u32| positions.get(vertex as usize).map(|point| point[0]);
+    let is_on = |vertex: u32, side: Side| x(vertex).and_then(Side::at) == Some(side);
+    let sum = |wanted: &dyn Fn(u32) -> bool| -> f32 {
+        list.entries.iter().filter(|(vertex, _)| wanted(*vertex)).map(|(_, weight)| weight).sum()
+    };
+    let across = sum(&|vertex| is_on(vertex, side.other()));
+    across > 0.9 * sum(&|_| true) && joints.copied().all(|vertex| is_on(vertex, side))
 }
 
 /// Entries of one vertex are added, and all are scaled to a sum of 1, so that mending either changes nothing here.
@@ -193,6 +221,15 @@ mod tests {
         let mirror = MirrorMap::new(&POSITIONS, std::iter::empty::<&[u32]>(), 0.01);
         let loaded = load(lists, 0, POSITIONS.len()).unwrap();
         weights(&loaded, &skeleton(), &POSITIONS, &mirror, &[(1, 2)], 0.01).unwrap()
+    }
+
+    #[test]
+    fn weights_across_the_middle_are_told_from_a_few_strays() {
+        let exchanged = measure(&[(0, &[(0, 1.0), (1, 1.0)]), (1, &[(3, 1.0)]), (2, &[(2, 1.0)])]);
+        // The first joint of an arm is its shoulder: both joints are on the side of its name.
+        assert_eq!(exchanged.wrong_side, [1, 2]);
+        let stray = measure(&[(1, &[(0, 0.4), (2, 0.6), (3, 0.5)]), (2, &[(1, 1.0)])]);
+        assert!(stray.wrong_side.is_empty());
     }
 
     #[test]

@@ -9,6 +9,29 @@ pub enum Side {
     Right,
 }
 
+/// Nearer to the middle plane than this nothing lies on a side, mesh units.
+const MIDDLE: f32 = 0.1;
+
+impl Side {
+    /// The side of the middle plane x = 0 on which something lies; `None` near it.
+    pub fn at(x: f32) -> Option<Self> {
+        match x {
+            x if x > MIDDLE => Some(Self::Left),
+            x if x < -MIDDLE => Some(Self::Right),
+            _ => None,
+        }
+    }
+
+    /// The other one.
+    #[must_use]
+    pub const fn other(self) -> Self {
+        match self {
+            Self::Left => Self::Right,
+            Self::Right => Self::Left,
+        }
+    }
+}
+
 /// Endings of the names of left and right bones.
 const ENDINGS: [(&str, &str); 5] = [(".L", ".R"), ("_L", "_R"), ("_l", "_r"), ("-l", "-r"), (".l", ".r")];
 /// Beginnings of them.

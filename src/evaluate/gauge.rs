@@ -8,7 +8,8 @@ use crate::config::{Config, MOST_SAMPLES};
 use crate::eval::culprit::most_moving;
 use crate::eval::look::look;
 use crate::eval::macros::MacroWork;
-use crate::eval::measures::{Measures, PairMeasure, Seen, SkeletonMeasure, SpaceMeasure};
+use crate::eval::measures::{Measures, PairMeasure, Received, Seen, SkeletonMeasure, SpaceMeasure};
+use crate::eval::mesh::bounding_box;
 use crate::eval::rig_measure::{bone_pairs, bones, weights};
 use crate::eval::scene::{MorphTarget, Scene, Setting};
 use crate::eval::settings::{DEFAULT_SAMPLES, moved, plan};
@@ -42,8 +43,8 @@ pub(super) struct Rig {
     /// Printed path of its file.
     pub(super) path: String,
     pub(super) skeleton: SceneSkeleton,
-    /// Bones that receive no weights through their references; empty for the pose skeleton.
-    pub(super) without_weights: Vec<String>,
+    /// What it gets of the weights of the pose skeleton.
+    pub(super) received: Received,
 }
 
 /// Measures a base mesh.
@@ -66,14 +67,17 @@ fn shape(scene: &Scene, rigs: &[Rig]) -> Measures {
     let mirror = MirrorMap::new(&scene.positions, scene.faces(), MIRROR_TOLERANCE);
     let (parts, cubes) = parts(scene);
     let rest = scene.morphed(&scene.defaults()).unwrap_or_else(|_| scene.positions.clone());
+    let is_centred = is_centred(&rest);
     let weights = scene.skeleton.as_ref().zip(scene.weights.as_ref()).and_then(|(skeleton, loaded)| {
-        weights(loaded, skeleton, &rest, &mirror, &bone_pairs(&skeleton.names), WEIGHT_TOLERANCE)
+        let mut measure = weights(loaded, skeleton, &rest, &mirror, &bone_pairs(&skeleton.names), WEIGHT_TOLERANCE)?;
+        measure.wrong_side.retain(|_| is_centred);
+        Some(measure)
     });
     Measures {
         pairs: pair_measures(scene, &parts, &mirror),
         targets: target_measures(scene, &parts, &mirror),
         cubes,
-        skeletons: rigs.iter().filter_map(|rig| skeleton_measure(rig, &rest)).collect(),
+        skeletons: rigs.iter().filter_map(|rig| skeleton_measure(rig, &rest, is_centred)).collect(),
         weights,
         bones: scene.skeleton.as_ref().map(|skeleton| skeleton.names.clone()).unwrap_or_default(),
         ..Measures::default()
@@ -213,10 +217,16 @@ fn right_of(path: &str) -> Option<String> {
     Some(if folder.is_empty() { file } else { format!("{folder}/{file}") })
 }
 
-fn skeleton_measure(rig: &Rig, rest: &[Point]) -> Option<SkeletonMeasure> {
+/// Whether the middle of a mesh is near x = 0, by a tenth of its width.
+fn is_centred(positions: &[Point]) -> bool {
+    bounding_box(positions).is_some_and(|(low, high)| (low[0] + high[0]).abs() < 0.2 * (high[0] - low[0]))
+}
+
+fn skeleton_measure(rig: &Rig, rest: &[Point], is_centred: bool) -> Option<SkeletonMeasure> {
     Some(SkeletonMeasure {
         path: rig.path.clone(),
         bones: bones(&rig.skeleton, rest)?,
-        without_weights: rig.without_weights.clone(),
+        is_centred,
+        received: rig.received.clone(),
     })
 }

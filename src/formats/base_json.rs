@@ -16,6 +16,8 @@ pub struct BaseJson {
     pub has_visible_groups: bool,
     /// Vertex count as claimed.
     pub numverts: Option<i64>,
+    /// Whether it is there, whatever it is.
+    pub has_numverts: bool,
     /// Pairs of suffixes, negative then positive, in file order.
     pub opposites: Vec<(String, String)>,
     /// Folders of equipment that are offered.
@@ -67,6 +69,7 @@ pub fn read(document: &Document) -> BaseJson {
         visible_groups: root.get("visible groups").and_then(texts),
         visible_text: text(root, "visible groups"),
         has_visible_groups: root.get("visible groups").is_some(),
+        has_numverts: root.get("numverts").is_some(),
         numverts: root.get("numverts").and_then(Node::as_i64),
         opposites: text_members(root.get("target-opposites")),
         equipment: root.get("equipment").and_then(texts),

@@ -17,6 +17,8 @@ pub struct Skeleton {
     pub joints_section: Section,
     /// Whether `bones` is there.
     pub bones_section: Section,
+    /// Whether `planes` is there.
+    pub planes_section: Section,
     /// Joints in file order.
     pub joints: Vec<Joint>,
     /// Planes in file order.
@@ -62,6 +64,8 @@ pub struct Plane {
     pub name: String,
     /// Names of its joints, `None` in place of `null` and other types; `None` as a whole if it is no list.
     pub joints: Option<Vec<Option<String>>>,
+    /// Whether it is `[null, null, null]`.
+    pub is_null: bool,
 }
 
 /// A bone.
@@ -108,8 +112,9 @@ pub fn read(document: &Document) -> Skeleton {
         name: text(root, "name"),
         joints_section: section(root, "joints"),
         bones_section: section(root, "bones"),
+        planes_section: section(root, "planes"),
         joints: members(root, "joints", joint),
-        planes: members(root, "planes", |name, node| Plane { name, joints: plane_joints(node) }),
+        planes: members(root, "planes", plane),
         bones: members(root, "bones", bone),
         weights_file: text(root, "weights_file"),
         weights_file_misshapen: root.get("weights_file").is_some_and(|node| node.as_str().is_none()),
@@ -140,6 +145,12 @@ fn joint(name: String, node: &Node) -> Joint {
         listed: elements.len(),
         floats: elements.iter().enumerate().filter(|(_, node)| is_float(node)).map(|(at, _)| at).collect(),
     }
+}
+
+fn plane(name: String, node: &Node) -> Plane {
+    let elements = node.elements();
+    let is_null = elements.len() == 3 && elements.iter().all(|joint| joint.value == Value::Null);
+    Plane { name, joints: plane_joints(node), is_null }
 }
 
 fn plane_joints(node: &Node) -> Option<Vec<Option<String>>> {

@@ -144,7 +144,7 @@ fn entry_name(bone: &str, text: &[u8]) -> String {
     format!("{bone} {}", text_name(&compact))
 }
 
-/// `[integer, number]`, or nothing for any other value.
+/// `[integer, number]`, `true` and `false` counting as 1 and 0; nothing for any other value.
 fn read_pair(reader: &mut Reader<'_>) -> Step<Option<(i64, f32)>> {
     if reader.peek() != Some(b'[') {
         skip(reader)?;
@@ -156,6 +156,11 @@ fn read_pair(reader: &mut Reader<'_>) -> Step<Option<(i64, f32)>> {
     while reader.more(length == 0, b']')? {
         let number = if matches!(reader.peek(), Some(b'-' | b'0'..=b'9' | b'N' | b'I')) {
             reader.number()?
+        } else if length == 1 && reader.literal("true") {
+            // NumPy makes numbers of them, as long as they are weights.
+            Some((1.0, false))
+        } else if length == 1 && reader.literal("false") {
+            Some((0.0, false))
         } else {
             skip(reader)?;
             None

@@ -151,12 +151,13 @@ impl<'d> Table<'d> {
 
 impl Entry {
     fn read(bone: usize, at: usize, pair: &Node) -> Option<Self> {
-        match pair.elements() {
-            [vertex, Node { span, value: Value::Number(weight, _) }] => {
-                Some(Self { bone, at, vertex: vertex.as_i64()?, weight: *weight, number: span.clone() })
-            }
-            _ => None,
-        }
+        let [vertex, Node { span, value }] = pair.elements() else { return None };
+        let weight = match value {
+            Value::Number(weight, _) => *weight,
+            Value::Bool(weight) => f64::from(u8::from(*weight)),
+            _ => return None,
+        };
+        Some(Self { bone, at, vertex: vertex.as_i64()?, weight, number: span.clone() })
     }
 
     fn token<'t>(&self, text: &'t [u8]) -> &'t [u8] {

@@ -3,7 +3,7 @@
 //!
 //! Gets the pairs of all bones and the vertex count of the mesh; one walk, then one over the vertices.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::mhw::{BoneWeights, Pair};
 use crate::diag::{Cases, EXAMPLES, Evidence, Few};
@@ -26,6 +26,9 @@ pub struct WeightsFacts {
     pub malformed_names: Few<String>,
     /// Weights below 0.
     pub negative: PairTally,
+    /// How many of them belong to vertices without another kind of weight: the sum is negative as well, and dividing by it
+    /// makes shares of them.
+    pub negative_alone: u64,
     /// Weights above 1, by more than 0.0001.
     pub above_one: PairTally,
     /// How many of them are the only weight of their vertex, so that dividing by the sum makes them 1.
@@ -119,6 +122,7 @@ impl WeightsFacts {
             self.count_alone(bone);
             self.count_below_threshold(bone, &mut lost);
         }
+        self.negative_alone = if self.negative.count > 0 { negative_alone(bones) } else { 0 };
         self.lost = lost.into_iter().collect();
         self.sum = SumFacts::of(&self.sums, &faulty);
     }
@@ -158,7 +162,7 @@ impl WeightsFacts {
         if bone.pairs.is_sorted_by(|a, b| a.vertex < b.vertex) {
             return;
         }
-        let mut seen = std::collections::BTreeSet::new();
+        let mut seen = BTreeSet::new();
         for pair in &bone.pairs {
             if !seen.insert(pair.vertex) {
                 self.duplicate.add(&bone.name, *pair);
@@ -190,6 +194,15 @@ impl WeightsFacts {
             }
         }
     }
+}
+
+/// Negative weights of vertices that have no weight above 0.
+fn negative_alone(bones: &[BoneWeights]) -> u64 {
+    let pairs = || bones.iter().flat_map(|bone| &bone.pairs);
+    let is_other = |pair: &&Pair| pair.weight > 0.0 || !pair.weight.is_finite();
+    let others: BTreeSet<i64> = pairs().filter(is_other).map(|pair| pair.vertex).collect();
+    let is_alone = |pair: &&Pair| pair.weight < 0.0 && pair.weight.is_finite() && !others.contains(&pair.vertex);
+    pairs().filter(is_alone).count() as u64
 }
 
 fn mark(faulty: &mut [bool], pair: Pair) {
@@ -248,6 +261,19 @@ mod tests {
         assert_eq!(f.lost, [(2, 0.0001 / 1.5001)]);
         assert_eq!((f.sums[0], f.sums[1]), (1.0, 0.75));
         assert_eq!((f.sum.off, f.negative_index), (0, 1));
+    }
+
+    #[test]
+    fn a_negative_weight_is_harmless_where_no_other_is() {
+        let text = r#"{"weights": {"a": [[0, -0.5], [1, -0.5], [2, -0.5]], "b": [[1, -0.25], [2, 1], [0, 0]]}}"#;
+        let facts = weights(text, 3).facts;
+        assert_eq!((facts.negative.count, facts.negative_alone), (4, 3));
+    }
+
+    #[test]
+    fn true_and_false_are_weights_and_no_vertices() {
+        let facts = weights(r#"{"weights": {"a": [[0, true], [1, false], [true, 1]]}}"#, 2).facts;
+        assert_eq!((facts.pairs, facts.malformed.count, facts.sums), (2, 1, vec![1.0, 0.0]));
     }
 
     #[test]

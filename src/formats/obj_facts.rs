@@ -29,6 +29,8 @@ pub struct MeshFacts {
     pub unreadable_names: Few<String>,
     /// Faces with a vertex or texture coordinate that does not exist (line, number as written).
     pub face_out_of_range: Tally,
+    /// Faces with a vertex twice.
+    pub repeating: Vec<Repeating>,
     /// Vertices with NaN or infinity (line, vertex).
     pub non_finite: Tally,
     /// Vertices no face uses (no line, vertex).
@@ -50,6 +52,17 @@ pub struct Reopened {
     pub strayed: usize,
     /// The other groups, the first few.
     pub lands_in: Vec<String>,
+}
+
+/// A face with a vertex twice.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Repeating {
+    /// Line of the face.
+    pub line: u32,
+    /// The vertex, from 0.
+    pub vertex: u32,
+    /// Index of the group of the face.
+    pub group: u32,
 }
 
 /// A group of which some faces have texture coordinates.
@@ -98,6 +111,7 @@ impl MeshFacts {
         self.vertices = mesh.positions.len();
         self.reopened.retain(|reopened| reopened.faces > 0);
         self.check_faces(mesh, side);
+        self.repeating = repeating(mesh, side);
         self.partial_uv = partial_uv(mesh, side);
         self.count_unused(mesh);
         self.seam_duplicates = count_seams(mesh, side);
@@ -132,6 +146,18 @@ impl MeshFacts {
 fn run(values: &[u32], face: Face) -> &[u32] {
     let start = face.start as usize;
     values.get(start..start.saturating_add(face.len as usize)).unwrap_or_default()
+}
+
+fn repeating(mesh: &Mesh, side: &Side) -> Vec<Repeating> {
+    let mut seen = BTreeSet::new();
+    let mut repeated = |face: Face| {
+        seen.clear();
+        run(&mesh.corners, face).iter().copied().find(|vertex| !seen.insert(*vertex))
+    };
+    let faces = mesh.faces.iter().zip(&side.lines);
+    faces
+        .filter_map(|(face, line)| Some(Repeating { line: *line, vertex: repeated(*face)?, group: face.group }))
+        .collect()
 }
 
 /// Texture coordinates are stored group by group; the loader counts on one list per face, or none at all.

@@ -18,6 +18,8 @@ pub(crate) struct Body<'v> {
     pub layers: Layers<'v>,
     /// The mesh, if the application gets through it.
     pub mesh: Option<(&'v FileFacts, &'v Mesh)>,
+    /// Whether the mesh is left out because the rest of the data is made for another number of vertices.
+    pub has_foreign_mesh: bool,
     /// Groups of the mesh that are shown, if that is said anywhere.
     pub visible_groups: Option<&'v [String]>,
     /// Endings of the names of targets that are meant to be one-sided. `None` where nobody can tell.
@@ -112,7 +114,21 @@ impl<'v> Body<'v> {
         let by_path = targets.iter().enumerate().map(|(at, target)| (target.file.path.as_str(), at)).collect();
         let (mesh, visible_groups, one_sided_endings, macros, rigs) = (None, None, None, None, [].as_slice());
         let (weights, layers) = (Vec::new(), view.layers());
-        Self { name, layers, mesh, visible_groups, one_sided_endings, macros, targets, rigs, weights, view, by_path }
+        let has_foreign_mesh = false;
+        Self {
+            name,
+            layers,
+            mesh,
+            has_foreign_mesh,
+            visible_groups,
+            one_sided_endings,
+            macros,
+            targets,
+            rigs,
+            weights,
+            view,
+            by_path,
+        }
     }
 
     /// The rig that the application poses the body with.

@@ -6,22 +6,22 @@
 
 use super::super::weights::{BoneWeights, Entry, merge_duplicates};
 
-/// A bone of the other skeleton. Numbers are those of default bones; leave out names that the default skeleton lacks,
-/// the application ignores them.
+/// A bone of the other skeleton. Numbers are those of default bones; `None` stands for a name that the default skeleton
+/// lacks: it gives nothing, but a list is not empty for it.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct TransferBone<'a> {
     /// The default bone of the same name.
     pub same_name: Option<usize>,
     /// `reference`.
-    pub reference: &'a [usize],
+    pub reference: &'a [Option<usize>],
     /// `weights_reference`.
-    pub weights_reference: &'a [usize],
+    pub weights_reference: &'a [Option<usize>],
 }
 
 /// Outcome of a transfer.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Transfer {
-    /// For every bone of the other skeleton the default bones whose weights it takes.
+    /// For every bone of the other skeleton the default bones whose weights it takes, each as often as it takes them.
     pub sources: Vec<Vec<usize>>,
     /// Its weights, sorted by vertex, entries of one vertex added up; `bone` is its number in the other skeleton.
     /// Empty lists are left out.
@@ -33,10 +33,11 @@ pub struct Transfer {
 /// Moves `weights` (as loaded; `bone` is the number of the default bone) to the skeleton `bones`; `parents` is the
 /// hierarchy of the default skeleton.
 ///
-/// A bone without `reference` whose name has default weights takes these, or its `weights_reference` instead if it
-/// has any. Every other bone takes both lists together, a bone in both once. Default bones that nobody takes go to
-/// all who take their nearest taken ancestor. Nothing is normalised: what two bones take counts twice.
-pub fn transfer(weights: &[BoneWeights], parents: &[Option<usize>], bones: &[TransferBone]) -> Transfer {
+/// A bone claims the names in `weights_reference`, or without any its own, and those in `reference`; of several that
+/// claim one default bone the last counts. What nobody claims goes to the claimant of the nearest claimed ancestor.
+/// What a bone takes by itself is another question: a claimed bone that its claimant does not take is lost. Nothing is
+/// normalised: what two bones take, or one bone twice, counts twice.
+pub fn transfer(weights: &[BoneWeights], parents: &[Option<usize>], bones: &[TransferBone<'_>]) -> Transfer {
     let mut entries: Vec<Option<&[Entry]>> = vec![None; parents.len()];
     for list in weights {
         if let Some(place) = entries.get_mut(list.bone) {
@@ -44,44 +45,69 @@ pub fn transfer(weights: &[BoneWeights], parents: &[Option<usize>], bones: &[Tra
         }
     }
     let weighted = |bone: usize| entries.get(bone).is_some_and(Option::is_some);
+    let claimants = claimants(bones, parents.len());
     let mut sources: Vec<Vec<usize>> = bones.iter().map(|bone| own_sources(bone, weighted)).collect();
-    let mut takers = vec![Vec::new(); parents.len()];
-    for (taker, taken) in sources.iter().enumerate() {
-        for default in taken {
-            if let Some(list) = takers.get_mut(*default) {
-                list.push(taker);
-            }
+    for list in weights {
+        if let Some(claimant) = heir(list.bone, parents, &claimants).and_then(|heir| sources.get_mut(heir)) {
+            claimant.push(list.bone);
         }
     }
-    let mut lost = Vec::new();
-    for bone in (0..parents.len()).filter(|b| weighted(*b)) {
-        match nearest_taken(bone, parents, &takers) {
-            Some(taken) if taken == bone => {}
-            Some(taken) => takers[taken].iter().for_each(|taker| sources[*taker].push(bone)),
-            None => lost.push(bone),
+    let mut is_taken = vec![false; parents.len()];
+    for bone in sources.iter().flatten() {
+        if let Some(taken) = is_taken.get_mut(*bone) {
+            *taken = true;
         }
     }
+    let lost = is_taken.iter().enumerate().filter(|(bone, taken)| !**taken && weighted(*bone)).map(|(bone, _)| bone);
+    let lost = lost.collect();
     let bones = sources.iter().enumerate().map(|(bone, taken)| BoneWeights { bone, entries: added(taken, &entries) });
     let bones = bones.filter(|b| !b.entries.is_empty()).collect();
     Transfer { sources, bones, lost }
 }
 
-fn own_sources(bone: &TransferBone, weighted: impl Fn(usize) -> bool) -> Vec<usize> {
-    let own =
-        bone.same_name.filter(|own| weighted(*own) && bone.reference.is_empty() && bone.weights_reference.is_empty());
-    let mut sources: Vec<usize> = Vec::new();
-    for default in own.iter().chain(bone.reference).chain(bone.weights_reference) {
-        if !sources.contains(default) {
-            sources.push(*default);
+/// For every default bone the one that claims it.
+fn claimants(bones: &[TransferBone<'_>], default_bones: usize) -> Vec<Option<usize>> {
+    let mut claimants = vec![None; default_bones];
+    for (claimant, bone) in bones.iter().enumerate() {
+        let own = bone.same_name.filter(|_| bone.weights_reference.is_empty());
+        let listed = bone.weights_reference.iter().chain(bone.reference).flatten().copied();
+        for claimed in own.into_iter().chain(listed) {
+            if let Some(place) = claimants.get_mut(claimed) {
+                *place = Some(claimant);
+            }
         }
     }
-    sources
+    claimants
 }
 
-/// The bone itself or its nearest ancestor that somebody takes. Bounded, since a cycle has no end.
-fn nearest_taken(bone: usize, parents: &[Option<usize>], takers: &[Vec<usize>]) -> Option<usize> {
+/// The default bones that a bone takes without anybody's orphans.
+fn own_sources(bone: &TransferBone<'_>, weighted: impl Fn(usize) -> bool) -> Vec<usize> {
+    let known = |list: &[Option<usize>]| -> Vec<usize> {
+        list.iter().flatten().copied().filter(|bone| weighted(*bone)).collect()
+    };
+    let own = bone.same_name.filter(|own| weighted(*own) && bone.reference.is_empty());
+    match own {
+        Some(own) if bone.weights_reference.is_empty() => vec![own],
+        Some(_) => known(bone.weights_reference),
+        None => {
+            let mut sources = known(bone.reference);
+            for more in known(bone.weights_reference) {
+                if !sources.contains(&more) {
+                    sources.push(more);
+                }
+            }
+            sources
+        }
+    }
+}
+
+/// Who gets the weights of a default bone that nobody claims: the claimant of its nearest claimed ancestor. Bounded,
+/// since a cycle has no end.
+fn heir(bone: usize, parents: &[Option<usize>], claimants: &[Option<usize>]) -> Option<usize> {
+    let claimant = |bone: usize| claimants.get(bone).copied().flatten();
     let mut ancestors = std::iter::successors(Some(bone), |b| parents.get(*b).copied().flatten()).take(parents.len());
-    ancestors.find(|b| takers.get(*b).is_some_and(|list| !list.is_empty()))
+    let is_orphan = claimant(bone).is_none();
+    ancestors.find_map(claimant).filter(|_| is_orphan)
 }
 
 fn added(sources: &[usize], entries: &[Option<&[Entry]>]) -> Vec<Entry> {
@@ -109,7 +135,7 @@ mod tests {
         TransferBone { same_name: Some(bone), ..TransferBone::default() }
     }
 
-    fn refers<'a>(reference: &'a [usize], weights_reference: &'a [usize]) -> TransferBone<'a> {
+    fn refers<'a>(reference: &'a [Option<usize>], weights_reference: &'a [Option<usize>]) -> TransferBone<'a> {
         TransferBone { same_name: None, reference, weights_reference }
     }
 
@@ -129,32 +155,62 @@ mod tests {
 
     #[test]
     fn weights_without_claimed_ancestor_are_lost() {
-        let found = transfer(&weights(), &PARENTS, &[refers(&[1], &[])]);
+        let found = transfer(&weights(), &PARENTS, &[refers(&[Some(1)], &[])]);
         assert_eq!(found.lost, [0, 3]);
     }
 
     #[test]
     fn weight_references_replace_the_own_weights() {
-        let bone = TransferBone { same_name: Some(1), reference: &[], weights_reference: &[3] };
+        let bone = TransferBone { same_name: Some(1), reference: &[], weights_reference: &[Some(3)] };
         assert_eq!(transfer(&weights(), &PARENTS, &[named(0), bone]).sources[1], [3]);
     }
 
     #[test]
     fn both_lists_are_united() {
-        assert_eq!(transfer(&weights(), &PARENTS, &[refers(&[1, 2], &[2, 3])]).sources[0], [1, 2, 3]);
-        let same = TransferBone { same_name: Some(3), reference: &[1], weights_reference: &[] };
-        assert_eq!(transfer(&weights(), &PARENTS, &[named(0), same]).sources[1], [1, 2]);
+        assert_eq!(
+            transfer(&weights(), &PARENTS, &[refers(&[Some(1), Some(2)], &[Some(2), Some(3)])]).sources[0],
+            [1, 2, 3]
+        );
+    }
+
+    #[test]
+    fn orphans_go_to_the_last_of_several_that_claim_their_ancestor() {
+        let found = transfer(&weights(), &PARENTS, &[named(0), named(1), refers(&[Some(1)], &[]), named(3)]);
+        assert_eq!(found.sources, [vec![0], vec![1], vec![1, 2], vec![3]]);
+    }
+
+    #[test]
+    fn a_bone_named_twice_counts_twice() {
+        let twice = refers(&[Some(2), Some(2)], &[]);
+        let found = transfer(&weights(), &PARENTS, &[named(0), named(1), twice, named(3)]);
+        assert_eq!(found.bones[2].entries, [(1, 1.0), (2, 2.0)]);
+        let same = TransferBone { same_name: Some(2), reference: &[], weights_reference: &[Some(2), Some(2)] };
+        assert_eq!(transfer(&weights(), &PARENTS, &[named(0), same]).sources[1], [2, 2]);
+    }
+
+    #[test]
+    fn a_name_that_is_claimed_and_not_taken_is_lost() {
+        let same = TransferBone { same_name: Some(3), reference: &[Some(1)], weights_reference: &[] };
+        let found = transfer(&weights(), &PARENTS, &[named(0), same]);
+        assert_eq!((found.sources[1].as_slice(), found.lost.as_slice()), ([1, 2].as_slice(), [3].as_slice()));
+    }
+
+    #[test]
+    fn unknown_names_keep_a_list_from_being_empty() {
+        let same = TransferBone { same_name: Some(3), reference: &[], weights_reference: &[None] };
+        let found = transfer(&weights(), &PARENTS, &[named(0), named(1), same]);
+        assert_eq!(found.sources, [vec![0, 3], vec![1, 2], vec![]]);
     }
 
     #[test]
     fn bone_claimed_twice_is_copied_to_both() {
-        let found = transfer(&weights(), &PARENTS, &[named(0), refers(&[3], &[]), refers(&[3], &[])]);
+        let found = transfer(&weights(), &PARENTS, &[named(0), refers(&[Some(3)], &[]), refers(&[Some(3)], &[])]);
         assert_eq!(found.bones[1].entries, found.bones[2].entries);
     }
 
     #[test]
     fn bones_without_weights_are_left_out() {
-        let found = transfer(&weights()[..1], &PARENTS, &[named(0), named(2), refers(&[9], &[])]);
+        let found = transfer(&weights()[..1], &PARENTS, &[named(0), named(2), refers(&[Some(9)], &[])]);
         assert_eq!(found.bones.len(), 1);
     }
 

@@ -3,15 +3,16 @@
 //! Takes what the application would take; what cannot be used (missing file, damaged rows) is left out
 //! and named by rules of its own.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::references::through_references;
+use super::references::received;
 use crate::eval::macros::Macros;
 use crate::eval::makehuman2::MacroTable;
 use crate::eval::makehuman2::macro_def::{Blend, Component, Macrodef, Slider};
 use crate::eval::makehuman2::rest::hierarchy;
 use crate::eval::makehuman2::weights::load;
+use crate::eval::measures::Received;
 use crate::eval::proportion::{Lengths, MEDIAN_RATIO, extent, oversize};
 use crate::eval::scene::{MorphTarget, Scene, SceneSlider, SliderKind};
 use crate::eval::settings::Dimension;
@@ -51,24 +52,11 @@ pub(in crate::evaluate) fn compose(base: &Base<'_>, rows: &mut Rows) -> Option<C
     let rigs = base.rigs.iter().filter_map(|rig| {
         let model = rig.skeleton()?;
         let skeleton = skeleton_of(model, mesh.positions.len()).ok()?;
-        let without_weights = if rig.is_default { Vec::new() } else { without_weights(&scene, model) };
-        Some(Rig { path: rig.file.path.clone(), skeleton, without_weights })
+        let received = if rig.is_default { Received::default() } else { received(&scene, model) };
+        Some(Rig { path: rig.file.path.clone(), skeleton, received })
     });
     let rigs = rigs.collect();
     Some(Composed { scene, rigs })
-}
-
-/// Bones of another skeleton that get nothing of the default skeleton's weights.
-fn without_weights(scene: &Scene, skeleton: &Skeleton) -> Vec<String> {
-    let Some((default, weights)) = scene.skeleton.as_ref().zip(scene.weights.as_ref()) else { return Vec::new() };
-    let numbers = first_places(default.names.iter().map(String::as_str));
-    let by_name = |name: &str| numbers.get(name).copied();
-    let parents: Vec<Option<usize>> = default.bones.iter().map(|bone| bone.parent).collect();
-    let moved = through_references(&weights.bones, &parents, skeleton, by_name);
-    let filled: BTreeSet<usize> =
-        moved.bones.iter().filter(|list| !list.entries.is_empty()).map(|list| list.bone).collect();
-    let bare = skeleton.bones.iter().enumerate().filter(|(number, _)| !filled.contains(number));
-    bare.map(|(_, bone)| bone.name.clone()).collect()
 }
 
 struct Composer<'r, 'm> {
@@ -305,7 +293,7 @@ fn joint_vertex(vertex: i64, vertices: usize) -> Option<u32> {
 }
 
 /// Where each name stands, of equal ones the first.
-fn first_places<'n>(names: impl Iterator<Item = &'n str>) -> BTreeMap<&'n str, usize> {
+pub(super) fn first_places<'n>(names: impl Iterator<Item = &'n str>) -> BTreeMap<&'n str, usize> {
     let mut places = BTreeMap::new();
     for (place, name) in names.enumerate() {
         places.entry(name).or_insert(place);

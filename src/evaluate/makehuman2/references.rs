@@ -1,7 +1,12 @@
 //! Weights of the default skeleton handed to another one through the references of its bones (formats/makehuman2.md
 //! §10.2).
 
+use std::collections::BTreeSet;
+
+use super::compose::first_places;
 use crate::eval::makehuman2::transfer::{Transfer, TransferBone, transfer};
+use crate::eval::measures::Received;
+use crate::eval::scene::Scene;
 use crate::eval::weights::BoneWeights;
 use crate::formats::mhskel::Skeleton;
 
@@ -12,8 +17,8 @@ pub(in crate::evaluate) fn through_references(
     skeleton: &Skeleton,
     number: impl Fn(&str) -> Option<usize>,
 ) -> Transfer {
-    let numbers = |names: &Option<Vec<String>>| -> Vec<usize> {
-        names.iter().flatten().filter_map(|name| number(name)).collect()
+    let numbers = |names: &Option<Vec<String>>| -> Vec<Option<usize>> {
+        names.iter().flatten().map(|name| number(name)).collect()
     };
     let bones = skeleton.bones.iter();
     let lists: Vec<_> =
@@ -27,4 +32,26 @@ pub(in crate::evaluate) fn through_references(
         })
         .collect();
     transfer(weights, parents, &bones)
+}
+
+/// What another skeleton gets of the weights of the scene's, and what is lost.
+pub(super) fn received(scene: &Scene, skeleton: &Skeleton) -> Received {
+    let Some((default, weights)) = scene.skeleton.as_ref().zip(scene.weights.as_ref()) else {
+        return Received::default();
+    };
+    let numbers = first_places(default.names.iter().map(String::as_str));
+    let parents: Vec<Option<usize>> = default.bones.iter().map(|bone| bone.parent).collect();
+    let moved = through_references(&weights.bones, &parents, skeleton, |name| numbers.get(name).copied());
+    let filled: BTreeSet<usize> = moved.bones.iter().map(|list| list.bone).collect();
+    let bare = skeleton.bones.iter().enumerate().filter(|(number, _)| !filled.contains(number));
+    let kept = vertices(&moved.bones);
+    Received {
+        without_weights: bare.map(|(_, bone)| bone.name.clone()).collect(),
+        lost_bones: moved.lost.iter().filter_map(|bone| default.names.get(*bone).cloned()).collect(),
+        lost_vertices: vertices(&weights.bones).difference(&kept).copied().collect(),
+    }
+}
+
+fn vertices(weights: &[BoneWeights]) -> BTreeSet<u32> {
+    weights.iter().flat_map(|list| &list.entries).map(|(vertex, _)| *vertex).collect()
 }

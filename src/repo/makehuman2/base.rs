@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::foreign::is_foreign;
 use super::intent::Intent;
 use super::rigs;
 use super::{BoundSlider, Candidate, OWN, Overlaid, Pattern, TargetFolder};
@@ -26,6 +27,8 @@ pub(crate) struct Base<'a> {
     pub own_json: Option<(&'a FileFacts, Option<&'a BaseJson>)>,
     /// `base.obj`, user before system, if the application gets through it.
     pub mesh: Option<(&'a FileFacts, &'a Mesh)>,
+    /// The same where the rest of the data is made for another number of vertices; then there is no mesh to judge by.
+    pub foreign_mesh: Option<(&'a FileFacts, &'a Mesh)>,
     /// `macro.json`.
     pub macros: Overlaid<'a, MacroFile>,
     /// `modelling.json` without the user's additions.
@@ -183,6 +186,7 @@ impl<'a> Base<'a> {
             has_system: system.is_some(),
             own_json,
             mesh: mesh.and_then(|file| Some((file, sound_mesh(file)?))),
+            foreign_mesh: None,
             macros,
             modelling,
             categories,
@@ -200,6 +204,9 @@ impl<'a> Base<'a> {
             rigs,
             weights: in_rigs(Kind::Weights).collect(),
         };
+        if base.mesh.is_some_and(|(_, mesh)| is_foreign(mesh, &base)) {
+            base.foreign_mesh = base.mesh.take();
+        }
         base.intent = Intent::of(&base);
         base
     }

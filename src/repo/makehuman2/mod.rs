@@ -2,6 +2,7 @@
 //! files in macros, sliders, skeletons, materials and `base.json`.
 
 mod base;
+mod foreign;
 mod intent;
 mod known;
 mod overlay;

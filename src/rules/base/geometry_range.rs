@@ -1,10 +1,10 @@
 //! The ranges of `geometry.json` must be those of the mesh.
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo, nearest};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, nearest};
 use crate::formats::Content;
 use crate::formats::geometry::Range;
-use crate::formats::obj::{Group, Mesh};
+use crate::formats::obj::{DEFAULT_GROUP, Group, Mesh};
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, View};
 
@@ -31,6 +31,9 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
     if mesh.facts.unreadable_lines > 0 {
         return;
     }
+    if !mesh.groups.iter().any(|group| group.name.starts_with(PREFIX)) && geometry.joint_ranges.len() > 1 {
+        return out.extend(without_joints(file, base, &geometry.joint_ranges, mesh));
+    }
     for range in &geometry.joint_ranges {
         let group = format!("{PREFIX}{}", range.name);
         let found = mesh.groups.iter().find(|other| other.name == group);
@@ -44,6 +47,19 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
         let found = mesh.groups.iter().find(|other| other.name == range.name);
         out.extend(unlike(file, GEOMETRY, range, mesh, found));
     }
+}
+
+/// A mesh without any joint group: one fault of the mesh. Where it has no group at all and another is to be shown,
+/// `base-unknown-equipment` says so.
+fn without_joints(file: &FileFacts, base: &Base<'_>, ranges: &[Range], mesh: &Mesh) -> Option<Finding> {
+    let first = ranges.first()?;
+    let shown = base.settings().and_then(|(_, settings)| settings.visible_groups.as_deref()).unwrap_or_default();
+    let is_told = mesh.groups.iter().all(|group| group.name == DEFAULT_GROUP && !shown.contains(&group.name));
+    let message = format!("the mesh has no group `{PREFIX}…` at all, and {} ranges are for one", ranges.len());
+    let names = ranges.iter().map(|range| &range.name);
+    let finding = RULE.at(file, Place::key([JOINTS, &first.name]), message).key(JOINTS);
+    let finding = finding.help("export the mesh with its groups, or remove the ranges");
+    (!is_told).then(|| finding.evidence(Evidence::of_cases(names).out_of(ranges.len())))
 }
 
 fn without_group(file: &FileFacts, range: &Range, mesh: &Mesh) -> Finding {

@@ -1,7 +1,9 @@
 //! `numverts` must be the vertex count of the base mesh.
 
+use super::super::cause::schema::misspelt;
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Case, Finding, Level, Place, RuleInfo};
+use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -13,17 +15,42 @@ pub(in crate::rules) static RULE: Rule = Rule {
         docs: "`numverts` is the number of `v` lines of `base.obj`.\n\nMakeHuman 2 itself never reads it, but its command line tools do. \
             `compile_meshes.py` makes the mask of hidden vertices of every binary asset that long; `adapt_morphs.py` counts by it. \
             A mask that is too long cannot be combined with those of other assets, and the program stops with a ValueError as soon as two \
-            such assets are worn together. Nothing warns when the binaries are built.\n\nWrite the number of vertices of the mesh, \
-            and build binary assets anew.",
-        ..RuleInfo::new("base-vertex-count", Level::Error, "`numverts` differs from the base mesh")
+            such assets are worn together. Nothing warns when the binaries are built. Without the key `compile_meshes.py` refuses the base.\n\n\
+            Where the weights for poses are made for the number that `numverts` says, it is the mesh that was exported anew: with fewer \
+            vertices MakeHuman 2 stops at start, with more everything behind the first new vertex moves another one. Nothing else is \
+            judged against such a mesh.\n\nWrite the number of vertices of the mesh, and build binary assets anew; or export the mesh \
+            with the vertices that everything else is made for.",
+        ..RuleInfo::new("base-vertex-count", Level::Error, "`numverts` differs from the base mesh, or is missing")
     },
     check: Check::Makehuman2(run),
 };
 
-fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+const ABSENT: Case = &[(
+    Application::Makehuman2,
+    Level::Error,
+    "cannot build binary assets for this base: compile_meshes.py refuses it with exit code 2",
+)];
+
+const TOO_FEW: Case =
+    &[(Application::Makehuman2, Level::Error, "stops at start with an IndexError while it loads the weights")];
+const TOO_MANY: Case = &[(
+    Application::Makehuman2,
+    Level::Error,
+    "gives targets, weights and joints to other vertices than they were made for, from the first one that was added",
+)];
+
+fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    if let (Some((file, settings)), Some((mesh_file, mesh))) = (base.settings(), base.foreign_mesh) {
+        let claimed = settings.numverts.unwrap_or_default();
+        return out.push(foreign(view, (file, claimed), (mesh_file, mesh.facts.vertices)));
+    }
     let (Some((file, settings)), Some((mesh_file, mesh))) = (base.settings(), base.mesh) else { return };
-    let Some(claimed) = settings.numverts.filter(|_| mesh.facts.unreadable_lines == 0) else { return };
     let vertices = mesh.facts.vertices;
+    if !settings.has_numverts && misspelt(file, "numverts").is_none() {
+        let finding = RULE.at(file, Place::File, "`numverts` is missing").key("numverts").case(ABSENT);
+        return out.push(finding.help(format!("add `\"numverts\": {vertices}`")));
+    }
+    let Some(claimed) = settings.numverts.filter(|_| mesh.facts.unreadable_lines == 0) else { return };
     if i64::try_from(vertices).is_ok_and(|vertices| vertices == claimed) {
         return;
     }
@@ -34,4 +61,18 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             .help(format!("write {vertices}, and compile binary assets of this base anew"))
             .related(mesh_file.path.clone(), Place::File, format!("has {vertices} vertices")),
     );
+}
+
+/// All the data are made for one mesh, and another one is there.
+fn foreign(view: &View<'_>, (file, claimed): (&FileFacts, i64), (mesh_file, vertices): (&FileFacts, usize)) -> Finding {
+    let is_short = i64::try_from(vertices).is_ok_and(|vertices| vertices < claimed);
+    let message = format!("base.obj has {vertices} vertices, but `numverts` and the weights are made for {claimed}");
+    // Of two layers it is told in the one that is checked.
+    let is_own = view.layers.is_checked(mesh_file);
+    let (at, place) = if is_own { (mesh_file, Place::File) } else { (file, Place::pointer(["numverts"])) };
+    RULE.at(at, place, message)
+        .key("mesh")
+        .case(if is_short { TOO_FEW } else { TOO_MANY })
+        .help("export the mesh again without adding or removing vertices, in the same order")
+        .related(file.path.clone(), Place::pointer(["numverts"]), format!("says {claimed}"))
 }

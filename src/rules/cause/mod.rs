@@ -7,9 +7,11 @@ pub(super) mod component;
 pub(super) mod consequence;
 mod file;
 mod generated;
+mod mesh;
 pub(super) mod overlay;
 pub(super) mod schema;
 pub(super) mod weights;
 
 pub(super) use file::{counts_as_missing, is_ignored_override, is_override, is_unmet};
 pub(super) use generated::is_generated_for;
+pub(super) use mesh::is_beside_foreign_mesh;

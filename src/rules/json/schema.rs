@@ -55,7 +55,7 @@ fn finding(
     finding = finding.key(format!("{keyword}{}", lack.unwrap_or_default())).help(help(file, first));
     // Of values that fail in the same way the worst counts.
     let usual = RULE.info.level_in(view.application());
-    let each = all.iter().map(|fault| of_value(view, file.kind, fault));
+    let each = all.iter().map(|fault| of_value(view, file, fault));
     if let Some(Some(loss)) = each.max_by_key(|loss| loss.map_or(usual, |loss| loss.level)) {
         finding = loss.of(view, finding);
     }

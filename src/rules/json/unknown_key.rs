@@ -35,7 +35,8 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     let mut by_key: BTreeMap<(&str, Option<&str>), Vec<&UnknownKey>> = BTreeMap::new();
     let sliders = told_sliders(view, file);
     let lacking = lacking(file);
-    let told = |unknown: &&UnknownKey| lacks(&lacking, unknown) || is_told(file, &sliders, unknown);
+    let are_bones = has_bones_at_top(file);
+    let told = |unknown: &&UnknownKey| are_bones || lacks(&lacking, unknown) || is_told(file, &sliders, unknown);
     for unknown in file.schema.unknown.iter().filter(|unknown| !told(unknown)) {
         by_key.entry((&unknown.key, unknown.object.as_deref())).or_default().push(unknown);
     }
@@ -55,6 +56,12 @@ fn told_sliders<'f>(view: &View<'_>, file: &'f FileFacts) -> Told<'f> {
         }
         _ => BTreeSet::new(),
     }
+}
+
+/// Whether the bones of a weights file stand where `weights` is missing, which is said.
+fn has_bones_at_top(file: &FileFacts) -> bool {
+    file.weights().is_some_and(|weights| !weights.has_weights)
+        && file.schema.faults.iter().any(|f| f.lacks("", "weights"))
 }
 
 /// Pointers of objects and the keys that the schema wants in them.

@@ -2,8 +2,9 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::links::unreferenced;
-use super::suspects::suspects;
-use crate::diag::{Application, Confidence, Finding, Level, Place, RuleInfo};
+use super::suspects::{Suspect, by_file, is_crowd, suspects};
+use crate::diag::{Application, Confidence, Evidence, Finding, Level, Place, RuleInfo};
+use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -29,15 +30,37 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
     if free.is_empty() {
         return;
     }
-    for suspect in suspects(view, base, &free) {
-        let (spelt, meant) = suspect.values;
-        let name = &suspect.link.link.name;
-        let message = format!("`{name}` names `{}`: `{spelt}` where it means `{meant}`", suspect.link.reference.text);
-        let finding = RULE.at(file, suspect.link.place(), message).key(name).confidence(Confidence::Medium);
-        out.push(finding.help(format!("did you mean `{}`?", suspect.better.stem())).related(
-            &suspect.better.path,
-            Place::File,
-            "fits better and is used by nothing",
-        ));
+    let suspects = suspects(view, base, &free);
+    for all in by_file(&suspects).into_values() {
+        match all.as_slice() {
+            [first, others @ ..] if is_crowd(&all) => out.push(crowd(file, first, others)),
+            few => out.extend(few.iter().map(|suspect| single(file, suspect))),
+        }
     }
+}
+
+/// One file written to many entries.
+fn crowd(file: &FileFacts, first: &Suspect<'_>, others: &[&Suspect<'_>]) -> Finding {
+    let (text, name) = (first.link.reference.text, &first.link.link.name);
+    let names = || std::iter::once(name).chain(others.iter().map(|suspect| &suspect.link.link.name));
+    let count = names().count();
+    let message = format!("{count} combinations name `{text}`, which spells other values than theirs, `{name}` first");
+    RULE.at(file, first.link.place(), message)
+        .key(format!("all {text}"))
+        .confidence(Confidence::Medium)
+        .help("was `t` of one entry copied to the others? Name the file of each combination")
+        .related(&first.better.path, Place::File, "fits better and is used by nothing")
+        .evidence(Evidence::of_cases(names()))
+}
+
+fn single(file: &FileFacts, suspect: &Suspect<'_>) -> Finding {
+    let (spelt, meant) = suspect.values;
+    let name = &suspect.link.link.name;
+    let message = format!("`{name}` names `{}`: `{spelt}` where it means `{meant}`", suspect.link.reference.text);
+    let finding = RULE.at(file, suspect.link.place(), message).key(name).confidence(Confidence::Medium);
+    finding.help(format!("did you mean `{}`?", suspect.better.stem())).related(
+        &suspect.better.path,
+        Place::File,
+        "fits better and is used by nothing",
+    )
 }

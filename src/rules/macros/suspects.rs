@@ -1,5 +1,7 @@
 //! Entries of `macro.json` that name a file of other values while a better one is free.
 
+use std::collections::BTreeMap;
+
 use super::fit::{contradiction, fits, values_of};
 use super::links::{MacroLink, links};
 use crate::repo::FileFacts;
@@ -11,6 +13,24 @@ pub(super) struct Suspect<'s> {
     pub(super) better: &'s FileFacts,
     /// The value that `t` spells, and the one that the name has.
     pub(super) values: (&'s str, &'s str),
+}
+
+/// Entries that name one file against their names, from this many on, have one fault between them: the file was written
+/// to all of them.
+const CROWD: usize = 4;
+
+/// Suspects by the definition and the file that they name.
+pub(super) fn by_file<'a>(suspects: &'a [Suspect<'_>]) -> BTreeMap<(usize, &'a str), Vec<&'a Suspect<'a>>> {
+    let mut by_file: BTreeMap<_, Vec<&Suspect<'_>>> = BTreeMap::new();
+    for suspect in suspects {
+        by_file.entry((suspect.link.macrodef.index, suspect.link.reference.text)).or_default().push(suspect);
+    }
+    by_file
+}
+
+/// Whether these suspects have one fault between them.
+pub(super) fn is_crowd(suspects: &[&Suspect<'_>]) -> bool {
+    suspects.len() >= CROWD
 }
 
 /// All suspects; `free` are the unused files of the macro folders.

@@ -4,7 +4,7 @@ use super::super::{Check, Rule, RuleCx};
 use super::fit::{fitting_names, values_of};
 use super::links::{is_in_folder, unreferenced};
 use super::survey::survey;
-use super::suspects::suspects;
+use super::suspects::{by_file, is_crowd, suspects};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::macro_json::Macrodef;
 use crate::repo::FileFacts;
@@ -34,6 +34,8 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
         return;
     }
     let suspects = suspects(view, base, &free);
+    let crowds = by_file(&suspects).into_values().filter(|all| is_crowd(all)).flatten();
+    let crowd: BTreeSet<&str> = crowds.map(|suspect| suspect.link.link.name.as_str()).collect();
     // `macro-missing-combination` names the files of its holes.
     let surveys = macros.macrodefs.iter().filter_map(|macrodef| survey(base, macrodef, &free));
     let awaited: BTreeSet<&str> = surveys.flat_map(|survey| survey.files).map(|file| file.rel.as_str()).collect();
@@ -41,6 +43,10 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
         let holders: Vec<&Macrodef> =
             macros.macrodefs.iter().filter(|macrodef| is_in_folder(base, macrodef, file)).collect();
         let fitting = fitting_names(&holders, &values_of(file.stem()));
+        // Combinations that were all given one file are told as that, with the files that they should name.
+        if fitting.iter().any(|name| crowd.contains(*name)) {
+            continue;
+        }
         if is_for_faulty_entry(macro_file, &holders, !fitting.is_empty()) {
             continue;
         }

@@ -1,7 +1,7 @@
 //! Faces must use what exists.
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Case, Finding, Level, Place, RuleInfo};
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -19,6 +19,9 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::File(run),
 };
 
+const BELOW_ONE: Case =
+    &[(Application::Makehuman2, Level::Error, "stops with an OverflowError while it loads the base")];
+
 fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(mesh) = file.mesh() else { return };
     let tally = &mesh.facts.face_out_of_range;
@@ -28,9 +31,9 @@ fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let message =
         format!("a face uses number {number}, but there are {vertices} vertices and {uvs} texture coordinates{more}");
     let lines = tally.first.iter().map(|(line, _)| format!("line {line}"));
-    out.push(
-        RULE.at(file, Place::Line(*line), message)
-            .help("number vertices from 1; export the mesh again if lines are missing")
-            .evidence(tally.evidence(mesh.faces.len()).showing(lines)),
-    );
+    let finding = RULE
+        .at(file, Place::Line(*line), message)
+        .help("number vertices from 1; export the mesh again if lines are missing")
+        .evidence(tally.evidence(mesh.faces.len()).showing(lines));
+    out.push(if *number < 1 { finding.case(BELOW_ONE) } else { finding });
 }

@@ -1,7 +1,9 @@
 //! Rules on the OBJ of a base mesh.
 
+pub(super) mod degenerate_face;
 pub(super) mod face_out_of_range;
 pub(super) mod group_name;
+pub(super) mod no_faces;
 pub(super) mod non_finite;
 pub(super) mod partial_uv;
 pub(super) mod reopened_group;

@@ -18,8 +18,9 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    // Faces that could not be read may be the ones that use them.
-    let is_whole = |mesh: &&Mesh| mesh.facts.unreadable_lines == 0 && mesh.facts.face_out_of_range.count == 0;
+    // Faces that could not be read may be the ones that use them; a mesh without faces has a finding of its own.
+    let can_be_read = |mesh: &Mesh| mesh.facts.unreadable_lines == 0 && mesh.facts.face_out_of_range.count == 0;
+    let is_whole = |mesh: &&Mesh| can_be_read(mesh) && !mesh.faces.is_empty();
     let Some(mesh) = file.mesh().filter(is_whole) else { return };
     let tally = &mesh.facts.unused;
     let Some((_, vertex)) = tally.first.first() else { return };

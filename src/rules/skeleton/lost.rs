@@ -13,6 +13,7 @@ pub(super) const LOST_AND_WEIGHTED: &[(Application, &str)] = &[(
     "drops these bones without a word; entering pose mode then stops with a KeyError, because the weights mention them",
 )];
 
+const REFUSED: Case = &[(Application::Makehuman2, Level::Error, "refuses the skeleton: no bone of it is a root")];
 const LOST: Case = &[(Application::Makehuman2, Level::Warning, "drops these bones without a word")];
 
 /// One finding of `rule` for every circle that it is for.
@@ -34,7 +35,13 @@ pub(super) fn lost_bones(rule: &Rule, body: &Body<'_>, is_for: impl Fn(&Ring<'_>
                 .key(*key)
                 .help("give one bone of the circle a parent outside of it")
                 .evidence(Evidence::of_cases(told).out_of(rig.skeleton.bones.len()));
-            found.push(if lost.iter().any(|bone| weighted.contains(bone)) { finding } else { finding.case(LOST) });
+            found.push(if hierarchy.roots.is_empty() {
+                finding.case(REFUSED).help("give one bone of the circle no parent (null): it is the root")
+            } else if lost.iter().any(|bone| weighted.contains(bone)) {
+                finding
+            } else {
+                finding.case(LOST)
+            });
         }
     }
     found

@@ -3,6 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use super::rigs;
 use crate::diag::{Application, Case, Finding, Level, Place, RuleInfo};
+use crate::formats::mhskel::Plane;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -13,7 +14,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
         )],
         docs: "A plane is a list of three joint names; the first three count.\n\nMakeHuman 2 refuses a skeleton in \
             which a bone uses the plane `[null, null, null]` (old exporters wrote it for 'no plane'). With fewer \
-            than three joints, something that is no name among them, or something that is no list, the program \
+            than three joints, a number or something else that is no name among them, or something that is no list, the program \
             stops. A plane that no bone uses is never looked at (`info`).\n\nName three joints that are not in \
             one line, or remove the plane and `rotation_plane` of the bones.",
         ..RuleInfo::new("skeleton-malformed-plane", Level::Error, "a plane is not a list of three joints")
@@ -28,7 +29,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for rig in rigs(body) {
         let asked = rig.asked_planes();
         for plane in &rig.skeleton.planes {
-            let Some((what, error)) = fault(plane.joints.as_deref()) else { continue };
+            let Some((what, error)) = fault(plane) else { continue };
             let finding = RULE
                 .at(rig.file, Place::pointer(["planes", &plane.name]), format!("plane `{}` {what}", plane.name))
                 .key(&plane.name)
@@ -43,11 +44,11 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 }
 
 /// What is wrong with a plane, and the exception that follows, if one does.
-fn fault(joints: Option<&[Option<String>]>) -> Option<(String, Option<&'static str>)> {
-    let Some(joints) = joints else {
+fn fault(plane: &Plane) -> Option<(String, Option<&'static str>)> {
+    let Some(joints) = plane.joints.as_deref() else {
         return Some(("is no list of joints".to_owned(), Some("an exception")));
     };
-    if joints.len() == 3 && joints.iter().all(Option::is_none) {
+    if plane.is_null {
         return Some(("is `[null, null, null]`".to_owned(), None));
     }
     if joints.len() < 3 {

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::super::{Check, Rule, RuleCx};
 use super::{Rig, rigs};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, Suggestions};
-use crate::formats::mhskel::{Bone, RotationPlane};
+use crate::formats::mhskel::{Bone, RotationPlane, Section};
 use crate::json::UnknownKey;
 use crate::repo::Body;
 
@@ -23,7 +23,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let suggestions = Suggestions::default();
-    for rig in rigs(body) {
+    // `planes` of another type has a finding of its own.
+    for rig in rigs(body).filter(|rig| rig.skeleton.planes_section != Section::Misshapen) {
         let known: BTreeSet<&str> = rig.skeleton.planes.iter().map(|plane| plane.name.as_str()).collect();
         if known.is_empty() && rig.asked_planes().len() > 1 {
             out.extend(without_planes(&rig));

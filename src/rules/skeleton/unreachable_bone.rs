@@ -10,7 +10,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
         breaks: LOST_AND_WEIGHTED,
         docs: "A bone that is correct itself is lost when its parents lead into a circle: MakeHuman 2 builds the skeleton from the root downwards and never comes \
             there.\n\nIf the weights mention a lost bone, entering pose mode stops with a KeyError; otherwise \
-            (`warning`) the bones are just not there.\n\nThe finding stands at the circle, which is the place to mend. A \
+            (`warning`) the bones are just not there. Where the circle takes \
+            the only root with it MakeHuman 2 refuses the skeleton.\n\nThe finding stands at the circle, which is the place to mend. A \
             circle with nothing below it is `skeleton-cycle`.",
         ..RuleInfo::new(
             "skeleton-unreachable-bone",

@@ -4,17 +4,15 @@ use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx};
 use super::hierarchy::hierarchy;
-use super::rigs;
+use super::{Rig, rigs};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::eval::side;
 use crate::formats::mhskel::Section;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "computes the place of the joint after every change of shape, for nothing",
-        )],
+        breaks: &[(Application::Makehuman2, "never computes the joint: nothing asks for it")],
         docs: "A joint that neither a bone (`head`, `tail`) nor a plane names has no effect. It is either left \
             over, or a bone that should use it names another one.\n\nRemove it, or use it.",
         ..RuleInfo::new("skeleton-unused-joint", Level::Info, "no bone and no plane uses a joint")
@@ -36,7 +34,8 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         // Joints named after a bone that is missing where others name it as their parent were that bone's.
         let missing = hierarchy(rig.skeleton).unknown_parents;
         let is_of_missing = |name: &str| missing.keys().any(|bone| !bone.is_empty() && name.starts_with(*bone));
-        let unused: Vec<&str> = filled.filter(|name| !used.contains(name) && !is_of_missing(name)).collect();
+        let unused = filled.filter(|name| !used.contains(name) && !is_of_missing(name));
+        let unused: Vec<&str> = unused.filter(|name| !has_busy_partner(&rig, name)).collect();
         let Some(first) = unused.first() else { continue };
         // A bone with one joint for both ends has a finding of its own, and lost the other one.
         let doubled = rig.skeleton.bones.iter().filter(|bone| bone.head.is_some() && bone.head == bone.tail);
@@ -53,4 +52,14 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 .evidence(Evidence::of_cases(&unused).out_of(joints.len())),
         );
     }
+}
+
+/// Whether several bones begin or end at the joint of the other side: one of them was meant for this one, and lies on the wrong
+/// side (`skeleton-wrong-side`).
+fn has_busy_partner(rig: &Rig<'_>, joint: &str) -> bool {
+    let ends = |joint: &str| {
+        let ends = rig.skeleton.bones.iter().flat_map(|bone| [&bone.head, &bone.tail]).flatten();
+        ends.filter(|end| *end == joint).count()
+    };
+    ends(joint) == 0 && side::of_bone(joint).is_some_and(|(_, partner)| ends(&partner) > 1)
 }

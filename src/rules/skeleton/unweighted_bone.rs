@@ -23,13 +23,19 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(default) = body.default_rig().and_then(Rig::skeleton) else { return };
-    for rig in measured(body, measures) {
-        let receives_nothing = |bone: &&Bone| rig.measure.without_weights.contains(&bone.name);
+    for rig in measured(body, measures).into_iter().filter(receives_anything) {
+        let receives_nothing = |bone: &&Bone| rig.measure.received.without_weights.contains(&bone.name);
         let bones =
             rig.bones().map(|(bone, _)| bone).filter(receives_nothing).filter(|bone| names_nothing(bone, default));
         let bones: Vec<&str> = bones.filter(|bone| is_end(bone, rig.skeleton)).map(|bone| bone.name.as_str()).collect();
         out.extend(finding(&rig, &bones));
     }
+}
+
+/// Of a skeleton that nothing of the weights comes to, `skeleton-unclaimed-bones` says so.
+fn receives_anything(rig: &Measured<'_>) -> bool {
+    rig.measure.received.without_weights.len() < rig.skeleton.bones.len()
+        || rig.measure.received.lost_vertices.is_empty()
 }
 
 /// A bone that names default bones takes what they have, be it nothing; names that do not exist are reported as such.

@@ -1,12 +1,14 @@
 //! Displacements out of all proportion: a lost decimal point, a wrong unit.
 
+use std::collections::BTreeMap;
+
 use super::super::{Check, Rule, RuleCx};
 use super::shown::shown_by;
-use super::targets;
+use super::{decoded, targets};
 use crate::diag::{Application, Confidence, Element, Evidence, Finding, Level, OptionInfo, Place, RuleInfo};
-use crate::eval::proportion::{Lengths, MEDIAN_RATIO, Oversize, extent, oversize};
+use crate::eval::proportion::{Lengths, MEDIAN_RATIO, Oversize, extent, oversize, stands_out_of_folder};
 use crate::formats::target::{Largest, TargetFacts};
-use crate::repo::{Body, FileFacts};
+use crate::repo::{Body, FileFacts, ReferenceKind};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -14,7 +16,9 @@ pub(in crate::rules) static RULE: Rule = Rule {
         docs: "A displacement that does not fit the mesh or the rest of its target.\n\nReported are a vertex that moves farther \
             than the whole base mesh is large, and a vertex that stands out of its own target: many times the median of the \
             target, several times as far as all but its longest rows, and a considerable part of the mesh. A target that \
-            changes everything a lot, or grows steadily towards one place, is not reported.\n\nMostly a decimal point is \
+            changes everything a lot, or grows steadily towards one place, is not reported. Reported as well is a target of a \
+            slider that as a whole goes more than five times as far as each of the others in its folder, where there are \
+            four or more.\n\nMostly a decimal point is \
             missing (`119` for `.119`), or the shape was exported in other units; MakeHuman counts in decimetres. Look at \
             the row; if the shape is meant, raise `ratio`.\n\nWithout the base mesh (`--system`) this is not judged.",
         options: &[OptionInfo {
@@ -49,6 +53,42 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
             None => {}
         }
     }
+    out.extend(beyond_neighbours(body, size, ratio));
+}
+
+/// Details of a folder are of one kind and of one order: one that goes much farther than all others was exported in
+/// other units.
+fn beyond_neighbours(body: &Body<'_>, size: f32, ratio: f32) -> Vec<Finding> {
+    let mut folders: BTreeMap<&str, Vec<(&FileFacts, &TargetFacts, &Largest)>> = BTreeMap::new();
+    for target in &body.targets {
+        let is_detail = matches!(target.used_as, Some(ReferenceKind::Incr | ReferenceKind::Decr));
+        if let Some(facts) = decoded(target.file).filter(|_| is_detail)
+            && let Some(largest) = &facts.largest
+        {
+            folders.entry(target.file.folder()).or_default().push((target.file, facts, largest));
+        }
+    }
+    folders.into_values().filter_map(|details| beyond(details, size, ratio)).collect()
+}
+
+fn beyond(mut details: Vec<(&FileFacts, &TargetFacts, &Largest)>, size: f32, ratio: f32) -> Option<Finding> {
+    details.sort_by(|one, other| other.2.length.total_cmp(&one.2.length));
+    let [(file, facts, largest), (_, _, next), others @ ..] = details.as_slice() else { return None };
+    let lengths = |facts: &TargetFacts, largest: &Largest| Lengths {
+        longest: largest.length,
+        median: facts.median_length,
+        tail: facts.tail_length,
+    };
+    let own = lengths(facts, largest);
+    let median = details.iter().skip(1).map(|(_, facts, _)| facts.median_length).fold(0.0, f32::max);
+    // A single row that stands out is told above.
+    let is_told = oversize(own, size, ratio).is_some();
+    if others.len() < 2 || is_told || !stands_out_of_folder(own, Lengths { median, ..lengths(facts, next) }, size) {
+        return None;
+    }
+    let times = largest.length / next.length;
+    let message = format!("{}, {times:.0} times as far as any other target of sliders in its folder", moves(largest));
+    Some(finding(file, facts, largest, message).key("folder").confidence(Confidence::Medium))
 }
 
 fn moves(largest: &Largest) -> String {

@@ -52,6 +52,8 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (target, file, facts) in targets(body) {
         if facts.overflow.count > 0 {
             out.push(weigh(target, overflow(file, facts)));
+        } else if body.has_foreign_mesh {
+            // All targets fit one another: the mesh is at fault (`base-vertex-count`).
         } else if facts.out_of_range.count > 0 {
             let finding = beyond(file, facts, vertices);
             out.push(if target.is_outdated() {

@@ -28,7 +28,8 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
         let known = |name: &String| measures.bones.contains(name);
         !has_unusable_entries(weights) && faults == [0; 2] && weights.bones.iter().all(|bone| known(&bone.name))
     };
-    if !file.weights().is_some_and(is_whole) {
+    // Weights on the other side than their bones (`weights-wrong-side`) are uneven for that reason, too.
+    if !file.weights().is_some_and(is_whole) || !weights.wrong_side.is_empty() {
         return;
     }
     let name = |bone: usize| measures.bones.get(bone).map_or("", String::as_str);

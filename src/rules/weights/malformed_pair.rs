@@ -7,7 +7,10 @@ use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "stops with a ValueError or IndexError while the weights are loaded")],
+        breaks: &[(
+            Application::Makehuman2,
+            "stops with an exception while the weights are loaded (ValueError, TypeError or UFuncTypeError)",
+        )],
         docs: "The entries of a bone are pairs `[vertex, weight]`: a whole number without a point, and a \
             number.\n\nMakeHuman 2 makes a table of them and stops when an entry has another length or type, \
             `[12.0, 0.5]` included.\n\nCorrect the entry or remove it.",

@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::{bones_of, pair_place, worst};
-use crate::diag::{Application, Finding, Level, RuleInfo};
+use crate::diag::{Application, Case, Finding, Level, RuleInfo};
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -15,11 +15,15 @@ pub(in crate::rules) static RULE: Rule = Rule {
         docs: "A weight says how much of a vertex moves with a bone, from 0 to 1.\n\nMakeHuman 2 adds the negative \
             number to the sum of the vertex, divides by the sum, and drops what is below 0. What remains adds up \
             to more than 1, so the vertex shoots away from the body in every pose. Weights that cancel out \
-            divide by zero.\n\nRemove the entry or paint the weight again.",
+            divide by zero. A vertex that has negative weights only is divided by a negative sum, which makes shares of \
+            them all the same (`info`).\n\nRemove the entry or paint the weight again.",
         ..RuleInfo::new("weights-negative", Level::Error, "a weight is negative")
     },
     check: Check::File(run),
 };
+
+const ALONE: Case =
+    &[(Application::Makehuman2, Level::Info, "divides the weight by the negative sum of its vertex: nothing happens")];
 
 fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(weights) = bones_of(file) else { return };
@@ -30,5 +34,7 @@ fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         count => format!("{count} weights are negative, the first is {weight} of vertex {vertex} in bone `{bone}`"),
     };
     let evidence = worst(tally.evidence(weights.facts.pairs), tally);
-    out.push(RULE.at(file, place, message).help("remove the entry, or paint the weight again").evidence(evidence));
+    let finding = RULE.at(file, place, message).help("remove the entry, or paint the weight again").evidence(evidence);
+    let is_harmless = weights.facts.negative_alone == tally.count;
+    out.push(if is_harmless { finding.case(ALONE) } else { finding });
 }

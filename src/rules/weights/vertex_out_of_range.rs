@@ -1,5 +1,6 @@
 //! Weights must be for vertices that exist.
 
+use super::super::cause::is_beside_foreign_mesh;
 use super::super::{Check, Rule, RuleCx};
 use super::{bones_of, pair_place};
 use crate::diag::{Application, Case, Finding, Level, RuleInfo};
@@ -20,7 +21,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
 const NEGATIVE: Case =
     &[(Application::Makehuman2, Level::Error, "stops with an OverflowError while the weights are loaded")];
 
-fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    if is_beside_foreign_mesh(view, file) {
+        return;
+    }
     let Some(weights) = bones_of(file) else { return };
     let tally = &weights.facts.out_of_range;
     let (Some((bone, _, vertex, _)), Some(place)) = (tally.first.first(), pair_place(tally)) else { return };

@@ -6,6 +6,8 @@ use super::makehuman2::{NO_WEIGHTS_LOADED, NOT_READ};
 use crate::diag::Level;
 use crate::discover::Kind;
 use crate::json::{Found, SchemaFault};
+use crate::repo::FileFacts;
+use crate::repo::makehuman2::View;
 
 /// A row; the first that fits counts.
 struct Row {
@@ -23,6 +25,7 @@ const TEXT: Test = |found| matches!(found, Some(Found::Text(_)));
 const LIST: Test = |found| matches!(found, Some(Found::List { .. }));
 const TEXT_OR_LIST: Test = |found| TEXT(found) || LIST(found);
 const NUMBER: Test = |found| matches!(found, Some(Found::Number(_)));
+const OBJECT: Test = |found| found == Some(&Found::Object);
 const NULL: Test = |found| found == Some(&Found::Null);
 /// What Python takes for false, and the loader for no file.
 const EMPTY: Test = |found| match found {
@@ -37,11 +40,15 @@ const fn row(kind: Kind, keyword: &'static str, found: Test, level: Level, effec
     Row { kind, keyword, found, consequence: Consequence::new(level, effect) }
 }
 
+const IGNORED_BONE: &str = "ignores the entry: no bone has such a name";
+const OF_DEFAULT: Consequence =
+    Consequence::new(Level::Info, "never reads the references of the skeleton that the others refer to");
+
 use Kind::{BaseJson, Geometry, MacroJson, ModellingJson, Skeleton, TargetCategories, Weights};
 use Level::{Error, Warning};
 
 #[rustfmt::skip]
-static ROWS: [Row; 33] = [
+static ROWS: [Row; 40] = [
     row(Geometry, "", ANY, Warning, NOT_READ),
     row(MacroJson, "/type", ANY, Error, "stops at start with a TypeError"),
     row(MacroJson, "/allOf/", ANY, Error, "stops at start with a KeyError"),
@@ -74,19 +81,41 @@ static ROWS: [Row; 33] = [
     row(BaseJson, "/$defs/random/properties/ideal/type", ANY, Warning, "does without the choice, without a word"),
     row(BaseJson, "/$defs/random/properties/groups/additionalProperties/type", ANY, Warning,
         "takes anything but 0, empty and null for true"),
+    row(Skeleton, "/type", LIST, Error, "refuses the skeleton with a line in its log"),
+    row(Skeleton, "/$defs/bone/type", TEXT, Error, "refuses the skeleton with a line in its log"),
+    row(Skeleton, "/properties/planes/type", ANY, Error, "stops with a TypeError at the first bone that names a plane"),
     row(Skeleton, "/type", ANY, Error, "stops at start, while it scans the assets"),
     row(Skeleton, "/properties/name/type", ANY, Error, "stops at start, while it scans the assets (TypeError)"),
     row(Skeleton, "/properties/tags/type", TEXT, Warning, "makes a tag of every letter"),
+    row(Skeleton, "/properties/tags/type", OBJECT, Level::Info, "takes the keys of the object for tags"),
+    row(Skeleton, "/$defs/bone/properties/reference/items", ANY, Warning, IGNORED_BONE),
+    row(Skeleton, "/$defs/bone/properties/weights_reference/items", ANY, Warning, IGNORED_BONE),
     row(Skeleton, "/properties/tags/type", NULL, Error,
         "stops at start, while it scans the assets (TypeError)"),
     row(Weights, "/required", ANY, Error, NO_WEIGHTS_LOADED),
     row(Weights, "/type", EMPTY, Error, NO_WEIGHTS_LOADED),
+    row(Weights, "/type", LIST, Error, NO_WEIGHTS_LOADED),
     row(Weights, "/properties/weights/type", LIST, Error, "stops with an AttributeError when it loads the weights"),
 ];
 
-/// What a value of a file of this kind comes to, where it is not what `json-schema` says in general.
-pub(super) fn of_value(kind: Kind, fault: &SchemaFault) -> Option<Consequence> {
-    let kind = if kind == Kind::AssetWeights { Weights } else { kind };
+/// Whether the value is, or is in, a list of bones of the default skeleton.
+fn is_reference(fault: &SchemaFault) -> bool {
+    let lists = ["/$defs/bone/properties/reference/", "/$defs/bone/properties/weights_reference/"];
+    lists.iter().any(|list| fault.keyword.starts_with(list))
+}
+
+/// Whether a base is posed with the skeleton.
+fn is_for_poses(view: &View<'_>, file: &FileFacts) -> bool {
+    let mut rigs = view.bases.iter().flat_map(|base| &base.rigs);
+    rigs.any(|rig| rig.is_default && std::ptr::eq(rig.file, file))
+}
+
+/// What a value of a file comes to, where it is not what `json-schema` says in general.
+pub(super) fn of_value(view: &View<'_>, file: &FileFacts, fault: &SchemaFault) -> Option<Consequence> {
+    let kind = if file.kind == Kind::AssetWeights { Weights } else { file.kind };
+    if kind == Skeleton && is_reference(fault) && is_for_poses(view, file) {
+        return Some(OF_DEFAULT);
+    }
     let fits = |row: &&Row| row.kind == kind && fault.keyword.starts_with(row.keyword) && (row.found)(fault.found());
     ROWS.iter().find(fits).map(|row| row.consequence)
 }

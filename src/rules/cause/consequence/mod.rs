@@ -11,9 +11,8 @@ pub(in crate::rules) use makehuman2::ignored_override;
 use table::{Row, Table};
 
 use crate::diag::{Application, Case, Finding, Level};
-use crate::discover::Kind;
 use crate::json::SchemaFault;
-use crate::repo::{ReferenceKind, View};
+use crate::repo::{FileFacts, ReferenceKind, View};
 
 /// When an application opens a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -118,10 +117,10 @@ pub(in crate::rules) fn unfound(view: &View<'_>, kind: ReferenceKind) -> Option<
 }
 
 /// What a value comes to that does not fit the schema, where it is not what `json-schema` says in general.
-pub(in crate::rules) fn of_value(view: &View<'_>, kind: Kind, fault: &SchemaFault) -> Option<Consequence> {
-    match view.application() {
-        Application::Makehuman2 => makehuman2_values::of_value(kind, fault),
-        Application::Makehuman1 | Application::Mpfb => None,
+pub(in crate::rules) fn of_value(view: &View<'_>, file: &FileFacts, fault: &SchemaFault) -> Option<Consequence> {
+    match view {
+        View::Makehuman2(view) => makehuman2_values::of_value(view, file, fault),
+        View::Makehuman1(_) | View::Mpfb(_) => None,
     }
 }
 
@@ -129,7 +128,7 @@ pub(in crate::rules) fn of_value(view: &View<'_>, kind: Kind, fault: &SchemaFaul
 mod tests {
     use super::table::At;
     use super::*;
-    use crate::discover::Layout;
+    use crate::discover::{Kind, Layout};
     use crate::formats::FORMATS;
 
     #[test]

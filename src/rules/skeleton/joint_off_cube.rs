@@ -1,0 +1,109 @@
+//! A joint is the centre of its cube.
+
+use std::collections::BTreeMap;
+
+use super::super::{Check, Rule, RuleCx};
+use super::rigs;
+use crate::diag::{Application, Confidence, Evidence, Finding, Level, Place, RuleInfo};
+use crate::eval::target_measure::cubes_of;
+use crate::formats::mhskel::Joint;
+use crate::formats::obj::Mesh;
+use crate::repo::Body;
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(
+            Application::Makehuman2,
+            "places the joint beside its cube, and moves it with vertices of another one",
+        )],
+        docs: "The base mesh marks joints with small cubes, groups whose names begin with `joint-`; a joint lists the vertices of its \
+            cube and lies at their mean.\n\nReported is a joint that lists half of a cube or more, but not all of it, together with \
+            vertices that do not belong to it, and no cube as a whole. MakeHuman 2 takes the mean of them all without a word: the joint is off its \
+            place, and more so where a slider moves the strangers elsewhere. Mostly the numbers were counted from 1, as in \
+            the OBJ file, or one of them is mistyped. Two opposite corners, single vertices and the mean of several \
+            whole cubes are fine.\n\nList the vertices of the cube, counted from 0.",
+        ..RuleInfo::new(
+            "skeleton-joint-off-cube",
+            Level::Warning,
+            "a joint lists a part of its cube and something else",
+        )
+    },
+    check: Check::Body(run),
+};
+
+/// A joint, the name of the cube that it means, how many of its vertices it lists, and how many that cube has.
+type OffCube<'a> = (&'a Joint, &'a str, usize, usize);
+
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(mesh) = body.whole_mesh() else { return };
+    let cubes = cubes(mesh);
+    let cube_of: BTreeMap<u32, usize> =
+        cubes.iter().enumerate().flat_map(|(cube, (_, all))| all.iter().map(move |vertex| (*vertex, cube))).collect();
+    for rig in rigs(body) {
+        let joints = rig.skeleton.joints.iter();
+        let off: Vec<OffCube<'_>> = joints.filter_map(|joint| off_cube(joint, &cubes, &cube_of)).collect();
+        let Some((joint, cube, listed, all)) = off.first() else { continue };
+        let more = if off.len() > 1 { format!(" ({} joints like it)", off.len()) } else { String::new() };
+        let message =
+            format!("joint `{}` lists {listed} of the {all} vertices of `{cube}`, and others{more}", joint.name);
+        let is_one_based = off.iter().all(|(joint, ..)| is_one_based(joint, &cubes, &cube_of));
+        let help = if is_one_based {
+            "count vertices from 0: all of these are one too high"
+        } else {
+            "list the vertices of the cube, counted from 0"
+        };
+        out.push(
+            RULE.at(rig.file, Place::pointer(["joints", &joint.name]), message)
+                .confidence(Confidence::Medium)
+                .help(help)
+                .evidence(
+                    Evidence::of_cases(off.iter().map(|(joint, ..)| &joint.name)).out_of(rig.skeleton.joints.len()),
+                ),
+        );
+    }
+}
+
+/// The joint cubes that share no vertex with another one.
+fn cubes(mesh: &Mesh) -> Vec<(String, Vec<u32>)> {
+    let face = |face: &crate::formats::obj::Face| {
+        let run = face.start as usize..(face.start as usize).saturating_add(face.len as usize);
+        Some((mesh.groups.get(face.group as usize)?.name.as_str(), mesh.corners.get(run)?))
+    };
+    let all = cubes_of(mesh.faces.iter().filter_map(face));
+    let mut used: BTreeMap<u32, usize> = BTreeMap::new();
+    all.iter().flat_map(|(_, cube)| cube).for_each(|vertex| *used.entry(*vertex).or_default() += 1);
+    // A face that strayed into another group (`mesh-reopened-group`) makes cubes of two.
+    let is_alone = |vertex: &u32| used.get(vertex).is_none_or(|cubes| *cubes == 1);
+    all.into_iter().filter(|(_, cube)| cube.iter().all(is_alone)).collect()
+}
+
+/// How many vertices of each cube are among these.
+fn touched(vertices: impl Iterator<Item = i64>, cube_of: &BTreeMap<u32, usize>) -> BTreeMap<usize, usize> {
+    let mut touched = BTreeMap::new();
+    let cubes = vertices.filter_map(|vertex| cube_of.get(&u32::try_from(vertex).ok()?));
+    cubes.for_each(|cube| *touched.entry(*cube).or_default() += 1);
+    touched
+}
+
+fn off_cube<'a>(
+    joint: &'a Joint,
+    cubes: &'a [(String, Vec<u32>)],
+    cube_of: &BTreeMap<u32, usize>,
+) -> Option<OffCube<'a>> {
+    let listed = joint.vertices.as_deref()?;
+    let touched = touched(listed.iter().copied(), cube_of);
+    let size = |cube: usize| cubes.get(cube).map_or(0, |(_, all)| all.len());
+    let (cube, count) = touched.iter().max_by_key(|(_, count)| **count)?;
+    let is_whole = touched.iter().any(|(cube, count)| *count >= size(*cube));
+    let is_off = !is_whole && 2 * count >= size(*cube) && *count < listed.len();
+    let (name, all) = cubes.get(*cube)?;
+    is_off.then_some((joint, name.as_str(), *count, all.len()))
+}
+
+/// Whether the vertices before those of the joint are a whole cube.
+fn is_one_based(joint: &Joint, cubes: &[(String, Vec<u32>)], cube_of: &BTreeMap<u32, usize>) -> bool {
+    let before = joint.vertices.iter().flatten().map(|vertex| vertex.saturating_sub(1));
+    let touched = touched(before, cube_of);
+    touched.len() == 1
+        && touched.iter().all(|(cube, count)| cubes.get(*cube).is_some_and(|(_, all)| all.len() == *count))
+}

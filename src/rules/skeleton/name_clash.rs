@@ -1,0 +1,54 @@
+//! Every skeleton of a base has a name of its own.
+
+use std::collections::BTreeMap;
+
+use super::super::{Check, Rule, RuleCx};
+use super::{Rig, rigs};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::repo::Body;
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(Application::Makehuman2, "lists only one of the skeletons; the others cannot be chosen")],
+        docs: "The `name` in a `.mhskel` is what the list of assets of MakeHuman 2 knows it by. Of several skeletons of one name \
+            only the first that the scan meets is listed: the user's before the system's, and in one folder whichever the \
+            file system gives first. The others are lost, without a message. This is what becomes of a skeleton that was copied to make \
+            another one of it.\n\nA file in the user's data that has the path of one in the system's data replaces it and is no \
+            clash. Skeletons without `name` are known by their files.\n\nGive each skeleton a name of its own.",
+        ..RuleInfo::new("skeleton-name-clash", Level::Error, "two skeletons of a base have one name")
+    },
+    check: Check::Body(run),
+};
+
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let mut by_name: BTreeMap<&str, Vec<Rig<'_>>> = BTreeMap::new();
+    for rig in rigs(body) {
+        let Some(name) = rig.skeleton.name.as_deref().filter(|name| !name.is_empty()) else { continue };
+        let same_name = by_name.entry(name).or_default();
+        // Layers come strongest first: a file at the same path is the one that this one replaces.
+        if same_name.iter().all(|other| other.file.rel != rig.file.rel) {
+            same_name.push(rig);
+        }
+    }
+    out.extend(by_name.iter().filter_map(|(name, rigs)| finding(body, name, rigs)));
+}
+
+fn finding(body: &Body<'_>, name: &str, rigs: &[Rig<'_>]) -> Option<Finding> {
+    // The skeleton for poses is the one to keep the name, and a finding stands in the data that are checked.
+    let is_own = |rig: &&Rig<'_>| body.layers.is_checked(rig.file);
+    let own = rigs.iter().filter(is_own);
+    let told = own.max_by_key(|rig| (!rig.own.is_default, &rig.file.rel)).filter(|_| rigs.len() > 1)?;
+    let others: Vec<&Rig<'_>> = rigs.iter().filter(|rig| rig.file.path != told.file.path).collect();
+    let first = others.first()?;
+    let more = if others.len() > 1 { format!(" and {} more", others.len() - 1) } else { String::new() };
+    let message = format!("the skeleton has the name `{name}` of `{}`{more}", first.file.rel);
+    let mut finding = RULE
+        .at(told.file, Place::pointer(["name"]), message)
+        .key(name)
+        .between(rigs.iter().map(|rig| rig.file.path.as_str()))
+        .help("give each skeleton a name of its own");
+    for other in others {
+        finding = finding.related(other.file.path.clone(), Place::pointer(["name"]), "the same name");
+    }
+    Some(finding)
+}

@@ -1,0 +1,59 @@
+//! A bone begins where its parent ends.
+
+use super::super::{Check, Rule, RuleCx};
+use super::measured::{Measured, measured, named};
+use crate::diag::{Application, Confidence, Evidence, Finding, Level, Place, RuleInfo};
+use crate::eval::measures::Measures;
+use crate::eval::rig_measure::BoneMeasure;
+use crate::eval::vector::distance;
+use crate::repo::Body;
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(Application::Makehuman2, "turns the bone around its far end: the limb tears off at the joint")],
+        docs: "A bone turns around its `head`, which is where its parent ends or branches.\n\nReported is a bone whose *tail* is at the \
+            tail of its parent, while its head lies farther out than that, and no child goes on from the tail: `head` and `tail` are \
+            exchanged. MakeHuman 2 says nothing and turns the bone around its far end; its roll is turned over as \
+            well. A bone that lies along its parent and ends with it, such as a twist bone, is not reported.\n\nExchange `head` \
+            and `tail`.",
+        ..RuleInfo::new("skeleton-swapped-ends", Level::Warning, "head and tail of a bone are exchanged")
+    },
+    check: Check::Numeric(run),
+};
+
+/// Joints nearer than this are one, mesh units.
+const ONE_JOINT: f64 = 1e-3;
+/// How much farther from the head of the parent than its tail the head must be to lie beyond.
+const BEYOND: f64 = 1.05;
+
+fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    out.extend(measured(body, measures).iter().filter_map(finding));
+}
+
+fn finding(rig: &Measured<'_>) -> Option<Finding> {
+    let bones = &rig.measure.bones;
+    let swapped = bones.iter().enumerate().filter(|(number, bone)| is_swapped(bones, *number, bone));
+    let swapped: Vec<&str> = swapped.map(|(_, bone)| bone.name.as_str()).collect();
+    let first = swapped.first()?;
+    let message = match swapped.len() {
+        1 => format!("bone `{first}` ends where its parent ends, and begins beyond"),
+        _ => format!("{} end where their parents end, and begin beyond", named(&swapped)),
+    };
+    Some(
+        RULE.at(rig.file, Place::pointer(["bones", first]), message)
+            .confidence(Confidence::Medium)
+            .help("exchange `head` and `tail`")
+            .evidence(Evidence::of_cases(&swapped).out_of(rig.skeleton.bones.len())),
+    )
+}
+
+fn is_swapped(bones: &[BoneMeasure], number: usize, bone: &BoneMeasure) -> bool {
+    let Some(parent) = bone.parent.and_then(|parent| bones.get(parent)) else { return false };
+    let is_beyond = distance(bone.head, parent.head) > BEYOND * parent.length;
+    let mut children = bones.iter().filter(|child| child.parent == Some(number));
+    distance(bone.tail, parent.tail) < ONE_JOINT
+        && bone.length > ONE_JOINT
+        && parent.length > ONE_JOINT
+        && is_beyond
+        && !children.any(|child| distance(child.head, bone.tail) < ONE_JOINT)
+}

@@ -1,0 +1,61 @@
+//! Another skeleton takes over all weights of the default one.
+
+use super::super::{Check, Rule, RuleCx};
+use super::measured::{Measured, measured, named};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::eval::measures::Measures;
+use crate::formats::mhskel::Skeleton;
+use crate::repo::{Body, Rig};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(Application::Makehuman2, "exports these vertices without any bone: they stay behind in every pose")],
+        docs: "MakeHuman 2 weights an exported skeleton with the weights of the default skeleton (`pose-skeleton` of \
+            base.json). A bone claims the default bones in its `weights_reference`, or without any that of its own name, and \
+            those in its `reference`. Weights of a default bone that nobody claims go to the bone that claims its nearest \
+            claimed ancestor.\n\nWhere no ancestor is claimed either, the weights are lost: that happens when the root is \
+            renamed without a `reference`. They are lost as well where a bone has the name of a default bone and refers to \
+            another one only: it claims its own name and does not take its weights. Reported are vertices that nothing is left \
+            of; others are divided by what is left. Names in the references that do not exist are \
+            `skeleton-unknown-reference`.\n\nName the lost bones in `reference` of the bone that stands for them.",
+        ..RuleInfo::new(
+            "skeleton-unclaimed-bones",
+            Level::Warning,
+            "vertices lose their weights because no bone of another skeleton claims them",
+        )
+    },
+    check: Check::Numeric(run),
+};
+
+fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(default) = body.default_rig().and_then(Rig::skeleton) else { return };
+    let vertices = body.mesh.map_or(0, |(_, mesh)| mesh.positions.len());
+    let rigs = measured(body, measures);
+    out.extend(rigs.iter().filter(|rig| knows_its_references(rig, default)).filter_map(|rig| finding(rig, vertices)));
+}
+
+/// A name that does not exist may be that of the lost bone.
+fn knows_its_references(rig: &Measured<'_>, default: &Skeleton) -> bool {
+    let bones = rig.skeleton.bones.iter();
+    let mut names = bones.flat_map(|bone| bone.reference.iter().chain(&bone.weights_reference).flatten());
+    names.all(|name| default.bones.iter().any(|bone| bone.name == *name))
+}
+
+fn finding(rig: &Measured<'_>, vertices: usize) -> Option<Finding> {
+    let received = &rig.measure.received;
+    let bones: Vec<&str> = received.lost_bones.iter().map(String::as_str).collect();
+    let lost = received.lost_vertices.len();
+    if bones.is_empty() || lost == 0 {
+        return None;
+    }
+    let message = format!(
+        "{lost} of {vertices} vertices lose all their weights: no bone of this skeleton takes those of {}",
+        named(&bones)
+    );
+    Some(
+        RULE.at(rig.file, Place::pointer(["bones"]), message)
+            .parts(&bones)
+            .help("name these bones in `reference` of the bone that stands for them")
+            .evidence(Evidence::counted(lost).out_of(vertices)),
+    )
+}
