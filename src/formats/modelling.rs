@@ -48,6 +48,8 @@ pub struct Slider {
     pub default: Option<f64>,
     /// Vertex indices of a polyline whose length is shown.
     pub measure: Option<Vec<i64>>,
+    /// Whole numbers in `measure` that are written with a point, which is no index to Python.
+    pub measure_floats: Vec<f64>,
     /// Text in the status line.
     pub display: Option<Display>,
     /// Generated from a user target: the file is looked for in the user's target folder.
@@ -91,6 +93,8 @@ const NOTES: [&str; 8] = ["description", "comment", "author", "copyright", "lice
 pub struct Display {
     /// Line of the status text, 1..5.
     pub slot: Option<f64>,
+    /// Whether that is a whole number written with a point, which is no index to Python.
+    pub slot_is_float: bool,
     /// Format string.
     pub text: Option<String>,
     /// Python expression in `val`.
@@ -202,6 +206,7 @@ fn slider(key: &str, node: &Node) -> Slider {
             .map(|colours| colours.elements().iter().map(|colour| colour.elements().len()).collect()),
         default: node.get("default").and_then(Node::as_f64),
         measure: node.get("measure").and_then(integers),
+        measure_floats: node.get("measure").map(floats).unwrap_or_default(),
         display: node.get("display").map(display),
         user: node.get("user").is_some(),
         keys: keys(node),
@@ -211,6 +216,7 @@ fn slider(key: &str, node: &Node) -> Slider {
 fn display(node: &Node) -> Display {
     Display {
         slot: node.get("slot").and_then(Node::as_f64),
+        slot_is_float: node.get("slot").is_some_and(is_float),
         text: text(node, "text"),
         formula: text(node, "formula"),
         formula_fault: node.get("formula").and_then(|formula| fault_in(formula, |text| expression::check(text, "val"))),
@@ -238,6 +244,15 @@ fn indices(node: &Node) -> Option<Vec<i64>> {
     #[expect(clippy::cast_possible_truncation, reason = "saturates, which is as far out of any range")]
     let whole = |element: &Node| element.as_f64().filter(|number| number.fract() == 0.0).map(|number| number as i64);
     Some(elements.iter().filter_map(whole).collect())
+}
+
+/// Whether a node is a whole number that is written with a point.
+fn is_float(node: &Node) -> bool {
+    node.as_i64().is_none() && node.as_f64().is_some_and(|number| number.fract() == 0.0)
+}
+
+fn floats(node: &Node) -> Vec<f64> {
+    node.elements().iter().filter(|element| is_float(element)).filter_map(Node::as_f64).collect()
 }
 
 /// An array of integers; elements of other types are left out.

@@ -77,6 +77,10 @@ impl<'s> Walk<'s> {
 
 /// What a misspelt key should have been; both where a trap leaves the choice.
 fn meant<'k>(key: &str, known: &[&'k str]) -> Option<Cow<'k, str>> {
+    // People switch a key off, or mark a note, with a `_` before it.
+    if key.starts_with('_') {
+        return None;
+    }
     let trap = TRAPS.iter().find(|(trap, meant)| *trap == key && meant.iter().all(|name| known.contains(name)));
     match trap {
         Some((_, [left, right])) => Some(Cow::Owned(format!("{left}` or `{right}"))),

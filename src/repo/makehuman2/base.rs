@@ -226,6 +226,13 @@ impl<'a> Base<'a> {
         if slider.slider.user { self.entry_targets } else { self.targets }
     }
 
+    /// Whether an entry has the key `user` in a file that people write for the system: its targets are looked for in the
+    /// folder of whoever starts the program. In a file that is made of user targets every entry has it.
+    pub(crate) fn is_marked_as_users(&self, bound: &BoundSlider<'_>) -> bool {
+        let Some((file, model)) = self.modelling.system.accepted() else { return false };
+        bound.slider.user && std::ptr::eq(bound.file, file) && model.sliders.iter().any(|slider| !slider.user)
+    }
+
     /// Whether a target lies in a folder that a macro definition names.
     pub(crate) fn is_in_macro_folder(&self, file: &FileFacts) -> bool {
         let Some(name) = self.targets.as_ref().and_then(|folder| folder.name_of(file)) else { return false };

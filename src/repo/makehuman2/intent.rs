@@ -17,9 +17,9 @@ pub(super) struct Intent<'a> {
     unreadable: bool,
     /// Whether the icon of some slider cannot be read.
     unreadable_icons: bool,
-    /// Targets that entries with misspelt keys were meant to use.
+    /// Targets that entries with misspelt keys, or with a `user` of the system's, were meant to use.
     targets: BTreeSet<&'a str>,
-    /// Patterns of misspelt entries.
+    /// Patterns of such entries.
     meant: BTreeSet<String>,
     /// Folders of the barycentric sets that are too short.
     short: BTreeSet<Option<String>>,
@@ -47,11 +47,18 @@ impl<'a> Intent<'a> {
         }
         let lacking = sliders().filter(|slider| base.lacks_target(slider));
         let names = lacking.flat_map(|bound| [&bound.slider.decr, &bound.slider.incr]).flatten();
+        let marked = || sliders().filter(|bound| base.is_marked_as_users(bound));
+        let unmarked = marked().flat_map(|bound| bound.pattern.names()).filter_map(|name| name.strip_prefix("custom/"));
+        let misspelt = misspelt.chain(marked().map(|bound| bound.slider));
         Self {
             unreadable: unreadable || sliders().any(|bound| bound.slider.is_incomplete()),
             unreadable_icons: unreadable || sliders().any(has_no_icon),
             targets: misspelt.flat_map(|slider| [&slider.incr, &slider.decr]).flatten().map(String::as_str).collect(),
-            meant: sliders().flat_map(|slider| slider.meant.names()).cloned().collect(),
+            meant: sliders()
+                .flat_map(|slider| slider.meant.names())
+                .cloned()
+                .chain(unmarked.map(str::to_owned))
+                .collect(),
             short: short.map(|name| folder_of(name)).collect(),
             undeclared,
             lacking: names.map(|name| (name.as_str(), Sought::new(name))).collect(),

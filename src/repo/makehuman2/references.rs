@@ -83,6 +83,7 @@ fn folder_owner(file: &MacroFile, index: usize) -> usize {
 fn slider_references<'a>(base: &Base<'a>, bound: &BoundSlider<'a>, out: &mut Vec<Reference<'a>>) {
     let slider = bound.slider;
     let folder = base.folder_of(bound);
+    let marked = base.is_marked_as_users(bound);
     let named = [
         (ReferenceKind::Incr, "incr", slider.incr.as_deref()),
         (ReferenceKind::Decr, "decr", slider.decr.as_deref()),
@@ -90,10 +91,12 @@ fn slider_references<'a>(base: &Base<'a>, bound: &BoundSlider<'a>, out: &mut Vec
     ];
     for (kind, member, text) in named {
         let Some(text) = text else { continue };
-        let (rel, resolution) = if kind == ReferenceKind::Icon {
-            resolve_icon(base, folder, text)
-        } else {
-            resolve_target(base, folder, text)
+        let (rel, resolution) = match kind {
+            // The picture is missing with the target, which is told.
+            ReferenceKind::Icon if marked => resolve_icon(base, base.targets, text),
+            ReferenceKind::Icon => resolve_icon(base, folder, text),
+            _ if marked => resolve_marked(base, text),
+            _ => resolve_target(base, folder, text),
         };
         out.push(Reference {
             kind,
@@ -122,6 +125,14 @@ fn resolve_target<'a>(base: &Base<'a>, folder: Option<TargetFolder<'a>>, name: &
     let archive = folder.archive().filter(|file| file.archive().is_some_and(|archive| archive.member(name).is_some()));
     let other = || base.other_targets.and_then(|other| other.target(name)).map(Resolution::OtherLayer);
     (rel, archive.map(Resolution::Found).or_else(other).unwrap_or(found))
+}
+
+/// A target of the system's slider that is looked for in the user's folder. What a user has there nobody else has.
+fn resolve_marked<'a>(base: &Base<'a>, name: &str) -> (String, Resolution<'a>) {
+    match base.user_targets.filter(|folder| folder.target(name).is_some()) {
+        Some(folder) => resolve_target(base, Some(folder), name),
+        None => (format!("target/{}/{name}.target", base.name), Resolution::Missing),
+    }
 }
 
 fn resolve_icon<'a>(base: &Base<'a>, folder: Option<TargetFolder<'a>>, name: &str) -> (String, Resolution<'a>) {

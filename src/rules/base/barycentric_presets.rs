@@ -13,7 +13,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
         breaks: &[(Application::Makehuman2, "starts with a mixture that no position of the triangle slider gives")],
         docs: "The three values of a triangle slider are shares of a whole and sum to 1.\n\nMakeHuman 2 does not make presets sum \
             to 1: with 0.33 three times a hundredth of the shape is missing, and the next reset, which gives 0.33, 0.33 and \
-            0.34, changes the character. Presets count only where no start model (`mhm`) is loaded.\n\nChoose values that sum to 1, \
+            0.34, changes the character. Presets count only without a start model (`mhm`), whose loading resets them: with one there is nothing to report.\n\nChoose values that sum to 1, \
             such as 0.33, 0.33 and 0.34.",
         ..RuleInfo::new("base-barycentric-presets", Level::Warning, "presets of one barycentric set do not sum to 1")
     },
@@ -22,6 +22,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, settings)) = base.settings().filter(|_| has_sliders(base)) else { return };
+    // Loading the start model resets the mixture.
+    if settings.mhm.is_some() {
+        return;
+    }
     for bound in &base.sliders {
         let Pattern::Barycentric(corners) = &bound.pattern else { continue };
         let value = |corner: &String| settings.presets.iter().find(|(name, _)| name == corner)?.1;

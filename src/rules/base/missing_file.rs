@@ -12,14 +12,14 @@ pub(in crate::rules) static RULE: Rule = Rule {
         breaks: &[(Application::Makehuman2, "stops with a traceback when the base is loaded")],
         docs: "A base mesh consists of `base/<base>/base.json` and `base.obj` (or `base.mhbin`) beside it; `base.json` names a start model (`mhm`) in \
             the same folder and a skeleton (`pose-skeleton`) in `rigs/<base>/`.\n\nWithout `base.json`, without the mesh, or with a start model \
-            that does not exist, loading the base ends in an exception. A skeleton that does not exist means no pose mode and no bone \
-            weights for assets, without a message (a warning). Targets for a base that exists nowhere are never loaded (a warning).\n\n\
+            that does not exist, loading the base ends in an exception. A skeleton that does not exist means a message at every visit to \
+            poses and rigs, no bone weights for assets, and an AttributeError in the editors and the glTF export. Targets for a base that exists nowhere are never loaded (a warning).\n\n\
             The sliders of a base come from `modelling.json` in `target/<base>/`, their macros from `macro.json` beside it. Without the first \
             all targets are lost, without the second those of the macros: errors, as when the file cannot be read, since MakeHuman 2 does \
             the same in both cases and says nothing but a line in its log. A base whose macros no slider needs may do without macro.json. It is a \
             warning where the folder could be a user's, whose system has the file, and an info where `base.json` pairs targets that there are none of.\n\n\
-            Without the key `mhm` no target is applied to the base, and without `pose-skeleton` the skeletons in `rigs/<base>/` are not used for poses: both \
-            load without a message (warnings).\n\n\
+            Without the key `mhm` no target is applied to the base, which loads without a message (a warning). Without `pose-skeleton` the \
+            skeletons in `rigs/<base>/` are not used for poses, as if the one it names did not exist (an error).\n\n\
             Add the file, correct its name, or remove the key.",
         ..RuleInfo::new("base-missing-file", Level::Error, "a file that a base mesh needs does not exist")
     },
@@ -60,9 +60,7 @@ fn named(view: &View<'_>, base: &Base<'_>, reference: &Reference<'_>) -> Option<
     );
     let finding = finding.help(help);
     Some(match reference.kind {
-        ReferenceKind::PoseSkeleton => {
-            finding.level(Level::Warning).effect("has no pose mode and no bone weights for assets, without a message")
-        }
+        ReferenceKind::PoseSkeleton => finding.effect(absent_keys::NO_SKELETON),
         _ => finding.effect("stops with a TypeError when the base is loaded"),
     })
 }

@@ -1,7 +1,7 @@
 //! Links that lead in a circle.
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Finding, Level, RuleInfo};
+use crate::diag::{Application, Case, Finding, Level, RuleInfo};
 use crate::repo::View;
 use crate::source::{WalkFault, WalkFaultKind};
 
@@ -9,7 +9,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(Application::Makehuman2, "lists the same files again and again, or fails to open the link")],
         docs: "A symbolic link points to a folder above it, or to a link that points back. Whoever lists the folder finds the same files \
-            under ever longer names until the system stops it.\n\n`mhlint` does not follow the circle. Remove the link.",
+            under ever longer names until the system stops it.\n\nIn its target folders MakeHuman 2 follows no link to a folder: such a link \
+            harms nothing there (an info).\n\n`mhlint` does not follow the circle. Remove the link.",
         ..RuleInfo::new(
             "file-link-loop",
             Level::Error,
@@ -18,6 +19,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
     },
     check: Check::Repository(run),
 };
+
+/// Targets are looked for without following links to folders.
+const NOT_FOLLOWED: Case =
+    &[(Application::Makehuman2, Level::Info, "nothing: it follows no link to a folder where it looks for targets")];
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers().checked;
@@ -36,6 +41,9 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         } else {
             format!("the link leads back to `{back_to}`")
         };
-        out.push(RULE.in_layer(layer, &fault.path, message).help("remove the link"));
+        let finding = RULE.in_layer(layer, &fault.path, message).help("remove the link");
+        let leads_up = back_to.is_empty() || fault.path.starts_with(&format!("{back_to}/"));
+        let is_in_targets = ["target/", "contarget/"].iter().any(|folder| fault.path.starts_with(folder));
+        out.push(if leads_up && is_in_targets { finding.case(NOT_FOLLOWED) } else { finding });
     }
 }

@@ -22,6 +22,17 @@ pub(super) fn sound_components<'a>(
     macros.components.iter().filter(|component| is_sound_component(file, component))
 }
 
+/// The highest slider position at which a component with these steps has a value: the loader takes the first interval
+/// whose upper step the slider does not exceed. None without an interval.
+pub(super) fn reach(steps: &[f64]) -> Option<f64> {
+    steps.iter().skip(1).copied().reduce(f64::max)
+}
+
+/// Whether a component has no value but with its slider at exactly 0, so that none of its macros ever applies.
+pub(super) fn is_dead(steps: &[f64]) -> bool {
+    reach(steps).is_none_or(|reach| reach <= 0.0)
+}
+
 /// Patterns under which a component reads sliders. A third entry of `sum` is the last that is read.
 pub(super) fn patterns(component: &Component) -> Vec<String> {
     let Some(pattern) = &component.pattern else { return Vec::new() };

@@ -1,7 +1,7 @@
 //! `steps` and `values` of a component must have the same length.
 
 use super::super::{Check, Rule, RuleCx};
-use super::component::{sound_components, weigh};
+use super::component::{is_dead, sound_components, weigh};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 
@@ -14,7 +14,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
         docs: "Each value of a stepped component stands for one position of its slider, given by the entry of `steps` \
             at the same place.\n\nThe loader does not compare the lengths. With fewer values than steps it reads beyond the \
             list as soon as the slider comes to the interval that has no value. With more values than steps nothing stops, but the \
-            surplus values and every target named after them are dead (warning).\n\nGive every value exactly one step.",
+            surplus values and every target named after them are dead (warning); with less than two steps the whole macrodef is.\n\nGive every value exactly one step.",
         ..RuleInfo::new("macro-steps-length", Level::Error, "`steps` and `values` of a component differ in length")
     },
     check: Check::Makehuman2(run),
@@ -35,7 +35,8 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             finding.help("name a value for every step, or remove the surplus steps")
         } else {
             let effect = surplus_effect(steps.len());
-            let finding = finding.level(Level::Warning).effect(effect);
+            let level = if is_dead(steps) { Level::Error } else { Level::Warning };
+            let finding = finding.level(level).effect(effect);
             finding.help("give every value a step; the last values cannot be reached now")
         };
         out.push(weigh(finding, macros, component));

@@ -2,7 +2,7 @@
 
 use super::super::cause::component::has_special_step;
 use super::super::{Check, Rule, RuleCx};
-use super::component::{sound_components, weigh};
+use super::component::{is_dead, reach, sound_components, weigh};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 use std::cmp::Ordering;
@@ -18,7 +18,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
             interval whose upper step the slider does not exceed and divides by its width. If the first two \
             steps are equal, that is a division by zero and the program stops. Equal steps further on make the \
             shape jump there, and steps that fall leave intervals that are never used: both load without a word \
-            (warning).\n\nSort the steps together with their values and keep every step apart from its \
+            (warning). Where no step behind the first is above 0, as in `[1, 0]`, no interval holds the slider but at exactly 0: all \
+            macros of the component are dead (error).\n\nSort the steps together with their values and keep every step apart from its \
             neighbours.",
         ..RuleInfo::new("macro-steps-order", Level::Error, "`steps` of a component do not increase strictly")
     },
@@ -38,12 +39,21 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             .at(file, place, message)
             .key(&component.name)
             .help("sort the steps together with their values, from 0 to 1, no two of them equal");
-        if !(equal && at == 0) {
-            let effect =
-                if equal { "lets the shape jump at this position" } else { "never uses some of the intervals" };
-            finding = finding.level(Level::Warning).effect(effect);
+        if is_dead(steps) && !equal {
+            finding = finding.effect("drops every macro of the component, unless its slider stands at exactly 0");
+        } else if !(equal && at == 0) {
+            finding = finding.level(Level::Warning).effect(loss(steps, equal));
         }
         out.push(weigh(finding, macros, component));
+    }
+}
+
+/// What steps that repeat or fall come to.
+fn loss(steps: &[f64], equal: bool) -> String {
+    match reach(steps) {
+        Some(reach) if reach < 1.0 => format!("never uses some of the intervals, and drops the macros above {reach}"),
+        _ if equal => "lets the shape jump at this position".to_owned(),
+        _ => "never uses some of the intervals".to_owned(),
     }
 }
 

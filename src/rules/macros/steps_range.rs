@@ -2,7 +2,7 @@
 
 use super::super::cause::component::has_special_step;
 use super::super::{Check, Rule, RuleCx};
-use super::component::{sound_components, weigh};
+use super::component::{is_dead, sound_components, weigh};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 use std::cmp::Ordering;
@@ -17,7 +17,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
             first step MakeHuman 2 extrapolates: with steps `[0.6, 1]` and the slider at 0.5 the first value has \
             weight 1.25. Above the last step the component has no value at all, the names of the combinations \
             become too short, and every target of the macrodef disappears. With one step or none there is no \
-            interval, which amounts to the same. Steps below 0 or above 1 make values that the slider cannot \
+            interval, and nothing of the macrodef ever applies (an error, as every other way to lose all of it). Steps below 0 or above 1 make values that the slider cannot \
             reach in full.\n\nLet the first step be 0 and the last 1.",
         ..RuleInfo::new("macro-steps-range", Level::Warning, "`steps` of a component do not run from 0 to 1")
     },
@@ -42,6 +42,7 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             .at(file, place, message)
             .key(format!("{} {end}", component.name))
             .help("let the first step be 0 and the last 1");
+        let finding = if is_dead(steps) { finding.level(Level::Error) } else { finding };
         out.push(weigh(finding.effect(effect), macros, component));
     }
 }
@@ -61,6 +62,10 @@ fn fault(steps: &[f64]) -> Option<(String, &'static str)> {
     if steps.len() == 1 {
         let fault = format!("hold {last} alone: without an interval the component is dropped, and nothing applies");
         return Some((fault, NO_INTERVAL));
+    }
+    if is_dead(steps) {
+        let fault = format!("end at {last}: above it nothing of the macrodef applies");
+        return Some((fault, "drops the whole macrodef, unless the slider stands at exactly 0"));
     }
     if last.total_cmp(&1.0).is_lt() {
         let fault = format!("end at {last}: from there to 1 nothing of the macrodef applies");

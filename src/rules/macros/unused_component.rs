@@ -15,7 +15,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
         breaks: &[(Application::Makehuman2, "nothing: the component is never evaluated")],
         docs: "A component has an effect only through the macrodefs that list it in `comp`.\n\nMakeHuman 2 does not \
             look at other components. Perhaps a macrodef was removed and its component forgotten, or the \
-            component is missing from a `comp`.\n\nRemove it, or add it where it was meant.",
+            component is missing from a `comp`. Where there is no macrodef at all and sliders drive macros, all of them are dead: an error, as \
+            every other way to lose a whole macrodef.\n\nRemove it, or add it where it was meant.",
         ..RuleInfo::new("macro-unused-component", Level::Info, "a component is used by no macrodef")
     },
     check: Check::Makehuman2(run),
@@ -29,7 +30,7 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let misspelt =
         |name: &str| used().any(|other| !known().any(|k| k == other) && nearest(other, known()) == Some(name));
     if macros.macrodefs.is_empty() {
-        out.extend(without_macrodefs(file, macros));
+        out.extend(without_macrodefs(base, file, macros));
         return;
     }
     // What belongs into a `comp` that is empty, repeats itself or does not spell its names is open.
@@ -53,12 +54,20 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 }
 
 /// Without macro definitions nothing uses a component; that is one thing to say.
-fn without_macrodefs(file: &FileFacts, macros: &MacroFile) -> Option<Finding> {
+fn without_macrodefs(base: &Base<'_>, file: &FileFacts, macros: &MacroFile) -> Option<Finding> {
     let first = macros.components.first().filter(|_| is_sound(file, "/macrodef"))?;
     let message = match macros.components.len() {
         1 => format!("there is no macrodef that could use component `{}`", first.name),
         count => format!("there is no macrodef that could use the {count} components"),
     };
     let finding = RULE.at(file, Place::pointer(["macrodef"]), message).key("no macrodef");
-    Some(finding.help("add the macrodefs of the components, or remove `macro.json`"))
+    let finding = finding.help("add the macrodefs of the components, or remove `macro.json`");
+    if !base.sliders.iter().any(|bound| bound.slider.is_macro()) {
+        return Some(finding);
+    }
+    Some(
+        finding
+            .level(Level::Error)
+            .effect("has no macros: their sliders move nothing, and their targets are never loaded"),
+    )
 }

@@ -1,9 +1,11 @@
 //! `incr` and `decr` must name targets that exist.
 
+use std::collections::BTreeSet;
+
 use super::super::cause::is_generated_for;
 use super::super::{Check, Rule, RuleCx};
 use super::missing::{self, Group, Neighbours};
-use crate::diag::{Application, Evidence, Finding, Level, RuleInfo};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 use crate::repo::{FileFacts, Reference, ReferenceKind};
 
@@ -17,7 +19,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
             writes a missing file into its log and keeps an empty stand-in. The slider looks normal; as soon as it \
             moves, or the start model moves it, the program meets the stand-in and raises an exception. Where the \
             targets come from is decided by the `macro.json` in use, entries with `user` are read from the user's \
-            target folder. A target that only `compressedtargets.npz` holds counts as there.\n\n\
+            target folder: the key, whatever its value, is for the file that MakeHuman 2 makes of user targets, and a slider of \
+            the system that has it loses its target. A target that only `compressedtargets.npz` holds counts as there.\n\n\
             Correct the path, add the target, or remove the entry.",
         ..RuleInfo::new("modelling-missing-target", Level::Error, "`incr` or `decr` names a target that does not exist")
     },
@@ -27,9 +30,33 @@ pub(in crate::rules) static RULE: Rule = Rule {
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let is_target = |kind| matches!(kind, ReferenceKind::Incr | ReferenceKind::Decr);
     let neighbours = Neighbours::of(view);
+    let mut marked: Vec<&Reference<'_>> = Vec::new();
     for group in missing::groups(view, base, is_target) {
-        out.extend(finding(view, base, &group, &neighbours));
+        match group.references.first() {
+            Some(first) if is_marked(base, first) => marked.extend(&group.references),
+            _ => out.extend(finding(view, base, &group, &neighbours)),
+        }
     }
+    out.extend(users(&marked));
+}
+
+/// Whether the name stands in an entry of the system with the key `user`.
+fn is_marked(base: &Base<'_>, reference: &Reference<'_>) -> bool {
+    base.entry(reference.owner).is_some_and(|bound| base.is_marked_as_users(bound))
+}
+
+/// Sliders of the system that say that their targets are a user's.
+fn users(marked: &[&Reference<'_>]) -> Option<Finding> {
+    let first = marked.first()?;
+    let owners: BTreeSet<&str> = marked.iter().map(|reference| reference.owner).collect();
+    let more = if owners.len() > 1 { format!(" ({} entries like it)", owners.len()) } else { String::new() };
+    let key = first.owner;
+    let message = format!("`{key}` has the key `user`: `{}` is looked for among the user's targets{more}", first.text);
+    let finding = RULE.at(first.from, Place::key([key, "user"]), message).key("user");
+    let effect =
+        "does not find the target in the user's folder, and stops with an AttributeError when the slider moves";
+    let help = "remove the key, whatever its value: it belongs into the file that MakeHuman 2 makes of user targets";
+    Some(finding.effect(effect).help(help).evidence(Evidence::of_cases(owners)))
 }
 
 fn finding(

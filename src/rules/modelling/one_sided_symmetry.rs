@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::with_patterns;
-use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Case, Finding, Level, Place, RuleInfo};
 use crate::formats::modelling::Slider;
 use crate::repo::makehuman2::{Base, BoundSlider, View};
 
@@ -11,12 +11,20 @@ pub(in crate::rules) static RULE: Rule = Rule {
         breaks: &[(Application::Makehuman2, "mirrors the slider in one direction only, or to the wrong side")],
         docs: "A left slider names its right partner with `rsym`, and the right one its left partner with `lsym`. Of an entry that \
             has both only `rsym` is read.\n\nIf the partner does not point back, changes of one side are mirrored \
-            and those of the other are not. If the sides are swapped, \"make symmetric\" copies the wrong way.\n\nLet both \
+            and those of the other are not. If the sides are swapped, \"make symmetric\" copies the wrong way. A partner that is a macro, or a corner of a triangle, has no targets to \
+            mirror: with symmetry switched on, the program stops with an AttributeError as soon as the slider moves (an error).\n\nLet both \
             name each other, each with the key of its own side.",
         ..RuleInfo::new("modelling-one-sided-symmetry", Level::Warning, "a symmetric partner does not point back")
     },
     check: Check::Makehuman2(run),
 };
+
+/// What mirrors is the targets of the partner.
+const WITHOUT_TARGETS: Case = &[(
+    Application::Makehuman2,
+    Level::Error,
+    "stops with an AttributeError when the slider moves while symmetry is on: its partner has no targets",
+)];
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for bound in with_patterns(base).unwrap_or_default() {
@@ -25,6 +33,9 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         if let Some((message, help)) = fault(base, bound, &link, partner) {
             let key = bound.slider.key.as_str();
             let mut finding = RULE.at(bound.file, Place::pointer([key, link.member]), message).key(key).help(help);
+            if has_no_targets(partner) {
+                finding = finding.case(WITHOUT_TARGETS);
+            }
             if !std::ptr::eq(partner, bound) {
                 finding = finding.related(partner.file.path.clone(), Place::key([&partner.slider.key]), "the partner");
             }
@@ -67,6 +78,11 @@ fn fault(
     if std::ptr::eq(partner, bound) {
         return Some((format!("`{own}` is its own partner"), "name the slider of the other side".to_owned()));
     }
+    if has_no_targets(partner) {
+        let what = if partner.slider.barycentric.is_some() { "a triangle" } else { "a macro" };
+        let help = "name the slider of the other side".to_owned();
+        return Some((format!("`{own}` has the partner `{other}`, which is {what}"), help));
+    }
     if bound.slider.rsym.is_some() && bound.slider.lsym.is_some() {
         let help = "a left slider has `rsym` only, a right slider `lsym` only".to_owned();
         return Some((format!("`{own}` has both `rsym` and `lsym`; only `rsym` is read"), help));
@@ -100,6 +116,11 @@ fn fault(
         let help = "the left slider has `rsym`, the right one `lsym`".to_owned();
         (format!("`{own}` and `{other}` have their sides swapped"), help)
     })
+}
+
+/// Whether a slider has nothing but macros to move.
+fn has_no_targets(bound: &BoundSlider<'_>) -> bool {
+    bound.slider.is_macro() && bound.slider.incr.is_none()
 }
 
 /// The side that the file name of the target begins with.

@@ -5,8 +5,9 @@ use std::collections::BTreeMap;
 use super::super::cause::schema::is_faulty;
 use super::super::{Check, Rule, RuleCx};
 use super::with_patterns;
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
-use crate::repo::makehuman2::{Base, BoundSlider, View};
+use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
+use crate::repo::FileFacts;
+use crate::repo::makehuman2::{Base, BoundSlider, Pattern, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -16,12 +17,22 @@ pub(in crate::rules) static RULE: Rule = Rule {
         )],
         docs: "An entry with `decr` and `incr` becomes a slider with two sides only if `target-opposites` of `base.json` has a pair \
             of endings that both file names end in, each after a `-`.\n\nOtherwise the slider silently loses its negative side, and its pattern is \
-            `incr` alone: presets, symmetry and saved models that use `<decr>|<ending>` do not find it.\n\nDeclare the pair, \
-            or correct the names. Without `target-opposites` no slider has two sides; that is one finding on `base.json`.",
+            `incr` alone: presets, symmetry and saved models that use `<decr>|<ending>` do not find it. Where the sliders have partners, the random character view looks \
+            for the left one under that pattern and stops with a KeyError (an error).\n\nDeclare the pair, \
+            or correct the names. Without `target-opposites`, or where none of its pairs fits, no slider has two sides; that is one finding on `base.json`.",
         ..RuleInfo::new("modelling-opposites", Level::Warning, "`target-opposites` does not cover a pair of targets")
     },
     check: Check::Makehuman2(run),
 };
+
+/// Who makes a random character looks the partner up by its pattern.
+const HAS_PARTNERS: Case = &[(
+    Application::Makehuman2,
+    Level::Error,
+    "stops with a KeyError when a random character is made; its sliders have one side only",
+)];
+
+type Pairs<'r, 'a> = Vec<&'r BoundSlider<'a>>;
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, settings)) = base.settings() else { return };
@@ -29,42 +40,95 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
         return;
     }
     let sliders = with_patterns(base).unwrap_or_default();
-    let undeclared: Vec<&BoundSlider<'_>> =
+    let undeclared: Pairs<'_, '_> =
         sliders.iter().filter(|slider| slider.is_undeclared_pair() && !base.lacks_target(slider)).collect();
-    if settings.opposites.is_empty() && view.layers.is_checked(file) && undeclared.len() > 1 {
-        let message = format!("no `target-opposites`: {} pairs of targets have one side only", undeclared.len());
-        let evidence = Evidence::of_cases(undeclared.iter().map(|slider| &slider.slider.key));
-        let help = "add `\"target-opposites\": {\"decr\": \"incr\"}` with the endings of the target names";
-        out.push(RULE.at(file, Place::File, message).help(help).evidence(evidence));
-        return;
-    }
-    let mut by_endings: BTreeMap<(&str, &str), Vec<&BoundSlider<'_>>> = BTreeMap::new();
-    for slider in undeclared {
+    let mut by_endings: BTreeMap<(&str, &str), Pairs<'_, '_>> = BTreeMap::new();
+    for slider in &undeclared {
         let endings = (ending(slider.slider.decr.as_deref()), ending(slider.slider.incr.as_deref()));
         by_endings.entry(endings).or_default().push(slider);
     }
-    for ((decr, incr), sliders) in by_endings {
-        let Some(first) = sliders.first() else { continue };
-        let key = first.slider.key.as_str();
-        let message = match sliders.as_slice() {
-            [_] => format!("`{key}` has one side only: no pair `{decr}`/`{incr}` in `target-opposites`"),
-            more => {
-                format!("{} sliders have one side only: no pair `{decr}`/`{incr}` in `target-opposites`", more.len())
-            }
-        };
-        let swapped = settings.opposites.iter().any(|(d, i)| d == incr && i == decr);
-        let help = if swapped {
-            "`incr` and `decr` are swapped".to_owned()
-        } else {
-            format!("add `\"{decr}\": \"{incr}\"` to `target-opposites` of base.json, or correct the names")
-        };
-        out.push(
-            RULE.at(first.file, Place::pointer([key, "decr"]), message)
-                .key(format!("{decr}/{incr}"))
-                .help(help)
-                .evidence(Evidence::of_cases(sliders.iter().map(|slider| &slider.slider.key))),
-        );
+    let is_one_cause = if settings.opposites.is_empty() {
+        undeclared.len() > 1
+    } else {
+        by_endings.len() > 1 && !sliders.iter().any(|slider| matches!(slider.pattern, Pattern::Pair(_)))
+    };
+    if is_one_cause && view.layers.is_checked(file) {
+        out.push(without_pairs(base, file, &settings.opposites, &undeclared));
+        return;
     }
+    for (endings, sliders) in by_endings {
+        out.extend(of_endings(base, &settings.opposites, endings, &sliders));
+    }
+}
+
+/// No slider at all has two sides: one thing to say, of `base.json`.
+fn without_pairs(
+    base: &Base<'_>,
+    file: &FileFacts,
+    opposites: &[(String, String)],
+    sliders: &[&BoundSlider<'_>],
+) -> Finding {
+    let count = sliders.len();
+    let covers = |flipped: bool| {
+        let first = sliders.first().map(|bound| bound.slider);
+        let ends = |path: Option<&String>, end: &str| path.is_some_and(|path| path.ends_with(end.trim_matches('-')));
+        first.is_some_and(|slider| {
+            let (decr, incr) = (slider.decr.as_ref(), slider.incr.as_ref());
+            let (one, other) = if flipped { (incr, decr) } else { (decr, incr) };
+            opposites.iter().any(|(d, i)| ends(one, d) && ends(other, i))
+        })
+    };
+    let (place, message, help) = match opposites {
+        [] => (
+            Place::File,
+            format!("no `target-opposites`: {count} pairs of targets have one side only"),
+            "add `\"target-opposites\": {\"decr\": \"incr\"}` with the endings of the target names",
+        ),
+        _ => (
+            Place::key(["target-opposites"]),
+            format!("`target-opposites` covers none of the {count} pairs of targets: all have one side only"),
+            match (covers(false), covers(true)) {
+                (_, true) => "the decreasing ending comes first: write `\"decr\": \"incr\"`",
+                (true, _) => "write the endings without the `-` before them: `\"decr\": \"incr\"`",
+                _ => "name the endings of the target names: `\"decr\": \"incr\"`",
+            },
+        ),
+    };
+    let evidence = Evidence::of_cases(sliders.iter().map(|slider| &slider.slider.key));
+    weigh(base, sliders, RULE.at(file, place, message).help(help).evidence(evidence))
+}
+
+fn of_endings(
+    base: &Base<'_>,
+    opposites: &[(String, String)],
+    (decr, incr): (&str, &str),
+    sliders: &[&BoundSlider<'_>],
+) -> Option<Finding> {
+    let first = sliders.first()?;
+    let key = first.slider.key.as_str();
+    let message = match sliders {
+        [_] => format!("`{key}` has one side only: no pair `{decr}`/`{incr}` in `target-opposites`"),
+        more => format!("{} sliders have one side only: no pair `{decr}`/`{incr}` in `target-opposites`", more.len()),
+    };
+    let swapped = opposites.iter().any(|(d, i)| d == incr && i == decr);
+    let help = if swapped {
+        "`incr` and `decr` are swapped".to_owned()
+    } else {
+        format!("add `\"{decr}\": \"{incr}\"` to `target-opposites` of base.json, or correct the names")
+    };
+    let finding = RULE.at(first.file, Place::pointer([key, "decr"]), message).key(format!("{decr}/{incr}")).help(help);
+    Some(weigh(base, sliders, finding.evidence(Evidence::of_cases(sliders.iter().map(|slider| &slider.slider.key)))))
+}
+
+/// Raises a finding where a left slider is looked up under the pattern that one of these would have: a pattern that is
+/// not there stops the randomizer (formats/makehuman2.md §4.3). A right one is left out without a word.
+fn weigh(base: &Base<'_>, sliders: &[&BoundSlider<'_>], finding: Finding) -> Finding {
+    let mut lefts = base.sliders.iter().filter(|bound| bound.slider.rsym.is_none());
+    let is_met = lefts.any(|bound| {
+        let left = bound.slider.lsym.as_deref().filter(|left| base.slider(left).is_none());
+        left.is_some_and(|left| sliders.iter().any(|slider| slider.would_register(left)))
+    });
+    if is_met { finding.case(HAS_PARTNERS) } else { finding }
 }
 
 /// The part of a target's name behind its last `-`.

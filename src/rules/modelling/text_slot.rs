@@ -13,7 +13,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(Application::Makehuman2, "does not show the text")],
         docs: "`display.slot` is the line of the status area that a slider writes to, from 1 to 5.\n\nA text for any other line is \
-            ignored. Of two sliders with one line only the last is shown.\n\nChoose a free line from 1 to 5.",
+            ignored. Of two sliders with one line only the last is shown. A number that is written with a point, as `2.0`, is no line \
+            for Python: the program stops at start with a TypeError (an error).\n\nChoose a free line from 1 to 5.",
         ..RuleInfo::new("modelling-text-slot", Level::Warning, "`display.slot` outside 1 to 5 or taken twice")
     },
     check: Check::Makehuman2(run),
@@ -22,7 +23,12 @@ pub(in crate::rules) static RULE: Rule = Rule {
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let mut by_slot: BTreeMap<i64, Vec<&BoundSlider<'_>>> = BTreeMap::new();
     for bound in &base.sliders {
-        let Some(slot) = bound.slider.display.as_ref().and_then(|display| display.slot) else { continue };
+        let Some(display) = &bound.slider.display else { continue };
+        let Some(slot) = display.slot else { continue };
+        if display.slot_is_float {
+            out.push(float(bound, slot));
+            continue;
+        }
         if slot.fract() != 0.0 {
             // Not an integer: the schema's finding.
             continue;
@@ -49,6 +55,14 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 .help("give each a line of its own"),
         );
     }
+}
+
+/// A line number that is a float.
+fn float(bound: &BoundSlider<'_>, slot: f64) -> Finding {
+    let key = bound.slider.key.as_str();
+    let message = format!("`{key}` writes to line {slot:.1} of the status area, a number with a point");
+    let finding = RULE.at(bound.file, place(bound), message).key(format!("{key} float"));
+    finding.level(Level::Error).effect("stops at start with a TypeError").help(format!("write `{slot}`"))
 }
 
 fn place(bound: &BoundSlider<'_>) -> Place {

@@ -79,6 +79,11 @@ const ROWS: &[Row] = &[
     anywhere(Kind::Target, Start, &[cell(Empty, Warning, "loads it; nothing moves")]),
     anywhere(Kind::PackedTarget, Never, &[BINARY]),
     anywhere(Kind::TargetArchive, Start, &[BINARY]),
+    row(Kind::TargetIcon, Generated, Start, &[
+        cell(Closed, Error, "stops at start with a FileNotFoundError, where the picture is a link to nothing"),
+        level(Pointer, Warning),
+        cell(Empty, Warning, "shows no picture"),
+    ]),
     anywhere(Kind::TargetIcon, Use, NO_PICTURE),
     anywhere(Kind::Skeleton, Scan, &[SCAN_SYNTAX]),
     anywhere(Kind::Weights, Start, NO_WEIGHTS),

@@ -48,7 +48,7 @@ use Kind::{BaseJson, Geometry, MacroJson, ModellingJson, Skeleton, TargetCategor
 use Level::{Error, Warning};
 
 #[rustfmt::skip]
-static ROWS: [Row; 40] = [
+static ROWS: [Row; 44] = [
     row(Geometry, "", ANY, Warning, NOT_READ),
     row(MacroJson, "/type", ANY, Error, "stops at start with a TypeError"),
     row(MacroJson, "/allOf/", ANY, Error, "stops at start with a KeyError"),
@@ -57,6 +57,7 @@ static ROWS: [Row; 40] = [
     row(MacroJson, "/$defs/macrodef/properties/comp/type", TEXT, Warning,
         "takes the text letter by letter: the macro definition does nothing, without a word"),
     row(MacroJson, "/$defs/target/required", ANY, Warning, "skips the combination without a word"),
+    row(MacroJson, "/$defs/target/properties/name/type", LIST, Error, "stops at start with a TypeError"),
     row(MacroJson, "/$defs/target/properties/name/type", ANY, Warning, "skips the combination without a word"),
     row(MacroJson, "/$defs/target/properties/t/type", ANY, Error, "stops at start with a TypeError"),
     row(ModellingJson, "/$defs/entry/type", TEXT_OR_LIST, Warning,
@@ -67,6 +68,8 @@ static ROWS: [Row; 40] = [
     row(ModellingJson, "/$defs/entry/properties/macro_influence", ANY, Error, "stops at start with a TypeError"),
     row(ModellingJson, "/$defs/entry/properties/default/type", TEXT, Error,
         "repeats the text 100 times at the next reset, and stops later with a TypeError"),
+    row(ModellingJson, "/$defs/entry/properties/tip/type", NULL, Level::Info, "nothing: it shows the general hint"),
+    row(ModellingJson, "/$defs/entry/properties/name/type", NULL, Level::Info, "nothing worse: the slider has no text"),
     row(ModellingJson, "/$defs/display/required", ANY, Error, "stops at start with a KeyError"),
     row(ModellingJson, "/$defs/display/properties/slot/type", ANY, Error, "stops at start with a TypeError"),
     row(TargetCategories, "/type", ANY, Error, "stops at start with a TypeError"),
@@ -76,6 +79,7 @@ static ROWS: [Row; 40] = [
     row(BaseJson, "/properties/numverts/type", ANY, Warning, "does not read the number; its mesh tools do"),
     row(BaseJson, "/properties/modifier-presets/type", ANY, Error, "stops at start with a TypeError"),
     row(BaseJson, "/$defs/preset/oneOf/1/pattern", ANY, Error, "stops at start with a ValueError"),
+    row(BaseJson, "/$defs/measure/properties/", LIST, Error, "stops with a TypeError when it shows the sizes"),
     row(BaseJson, "/$defs/measure/properties/", ANY, Warning, "shows nothing for it, without a word"),
     row(BaseJson, "/$defs/random/properties/gender/type", ANY, Warning, "does without the choice, without a word"),
     row(BaseJson, "/$defs/random/properties/ideal/type", ANY, Warning, "does without the choice, without a word"),
@@ -112,10 +116,19 @@ fn is_for_poses(view: &View<'_>, file: &FileFacts) -> bool {
 
 /// What a value of a file comes to, where it is not what `json-schema` says in general.
 pub(super) fn of_value(view: &View<'_>, file: &FileFacts, fault: &SchemaFault) -> Option<Consequence> {
+    if is_note(file.kind, fault) {
+        return Some(Consequence::new(Level::Info, "nothing: it takes the note for an entry that no window shows"));
+    }
     let kind = if file.kind == Kind::AssetWeights { Weights } else { file.kind };
     if kind == Skeleton && is_reference(fault) && is_for_poses(view, file) {
         return Some(OF_DEFAULT);
     }
     let fits = |row: &&Row| row.kind == kind && fault.keyword.starts_with(row.keyword) && (row.found)(fault.found());
     ROWS.iter().find(fits).map(|row| row.consequence)
+}
+
+/// Whether it is a text that somebody wrote among the sliders for people, under a key such as `_comment`.
+fn is_note(kind: Kind, fault: &SchemaFault) -> bool {
+    let is_top = fault.pointer.strip_prefix("/_").is_some_and(|key| !key.contains('/'));
+    kind == ModellingJson && fault.keyword.starts_with("/$defs/entry/type") && is_top && TEXT_OR_LIST(fault.found())
 }
