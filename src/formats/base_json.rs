@@ -60,6 +60,8 @@ pub struct Condition {
     pub expression: String,
     /// Why the expression must not or cannot be evaluated; span in the file.
     pub fault: Option<Fault>,
+    /// Whether its value can be the one that forbids something: `False`.
+    pub can_forbid: bool,
 }
 
 /// Takes what the loader would take.
@@ -110,10 +112,12 @@ fn conditions(node: &Node) -> Vec<Condition> {
     let members = node.effective_members().into_iter();
     members
         .filter_map(|member| {
+            let text = member.node.as_str()?;
             Some(Condition {
                 slider: member.key.clone(),
-                expression: member.node.as_str()?.to_owned(),
+                expression: text.to_owned(),
                 fault: fault_in(&member.node, |text| expression::check(text, "x")),
+                can_forbid: expression::results(text, "x").is_ok_and(|results| results.truth),
             })
         })
         .collect()

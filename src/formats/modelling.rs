@@ -214,13 +214,15 @@ fn slider(key: &str, node: &Node) -> Slider {
 }
 
 fn display(node: &Node) -> Display {
+    let formula = node.get("formula").and_then(Node::as_str);
+    let results = formula.and_then(|formula| expression::results(formula, "val").ok());
     Display {
         slot: node.get("slot").and_then(Node::as_f64),
         slot_is_float: node.get("slot").is_some_and(is_float),
         text: text(node, "text"),
         formula: text(node, "formula"),
         formula_fault: node.get("formula").and_then(|formula| fault_in(formula, |text| expression::check(text, "val"))),
-        text_fault: node.get("text").and_then(|text| fault_in(text, format_text::check)),
+        text_fault: node.get("text").and_then(|text| fault_in(text, |text| format_text::check(text, results))),
     }
 }
 

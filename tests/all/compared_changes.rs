@@ -254,7 +254,6 @@ const CHANGES: [Change; 57] = [
             "gone modelling-measure hm08/modelling.json",
             "gone modelling-measure hm08/modelling.json",
             "gone base-unknown-preset hm08/base.json",
-            "gone base-barycentric-presets hm08/base.json",
             "gone file-unreferenced man-diamond.png",
             "gone target-moves-helpers-only penis-length-incr.target",
             "gone target-asymmetric-pair l-foot-trans-backward.target",
@@ -368,9 +367,9 @@ const CHANGES: [Change; 57] = [
     },
     Change { name: "a wrong count becomes another one", edits: &[Replace(BOT_BASE, "7267", "7266")], ..CHANGE },
     Change {
-        name: "a preset is corrected",
+        name: "a preset that the start model resets is corrected",
         edits: &[Replace(HM08_BASE, "\"macrodetails/African\": 0.33", "\"macrodetails/African\": 0.34")],
-        brings: &["gone base-barycentric-presets hm08/base.json"],
+        brings: &[],
         ..CHANGE
     },
     Change {

@@ -5,6 +5,7 @@
 
 use std::ops::Range;
 
+use super::operand::{Operand, Results};
 use super::token::{Lexeme, Lexer, Token};
 use super::{Fault, FaultKind};
 
@@ -21,49 +22,6 @@ const KEYWORDS: [&str; 30] = [
     "as", "async", "yield",
 ];
 
-/// What is known of a part of the expression.
-#[derive(Debug, Clone, Copy, Default)]
-#[expect(clippy::struct_excessive_bools, reason = "independent facts of one operand")]
-struct Operand {
-    /// Can be a number.
-    number: bool,
-    /// Can be a text.
-    text: bool,
-    /// Value of a literal number, and whether it is an integer.
-    literal: Option<(f64, bool)>,
-    /// Is the variable itself.
-    variable: bool,
-    /// A power is somewhere in it.
-    power: bool,
-}
-
-impl Operand {
-    const NUMBER: Self = Self { number: true, text: false, literal: None, variable: false, power: false };
-    const TEXT: Self = Self { number: false, text: true, literal: None, variable: false, power: false };
-
-    fn either(self, other: Self) -> Self {
-        Self {
-            number: self.number || other.number,
-            text: self.text || other.text,
-            literal: None,
-            variable: false,
-            power: self.power || other.power,
-        }
-    }
-
-    fn clashes_with(self, other: Self) -> bool {
-        (self.is_text() && other.is_number()) || (self.is_number() && other.is_text())
-    }
-
-    fn is_text(self) -> bool {
-        self.text && !self.number
-    }
-
-    fn is_number(self) -> bool {
-        self.number && !self.text
-    }
-}
-
 type Parsed = Result<Operand, Fault>;
 
 /// Checks an expression in which only `variable` is a known name.
@@ -71,11 +29,25 @@ type Parsed = Result<Operand, Fault>;
 /// # Errors
 /// The first thing that is not on the allow list.
 pub fn check(text: &str, variable: &str) -> Result<(), Fault> {
+    results(text, variable).map(drop)
+}
+
+/// The types that the value of an expression may have.
+///
+/// # Errors
+/// As [`check`].
+pub fn results(text: &str, variable: &str) -> Result<Results, Fault> {
     let mut lexer = Lexer::new(text);
     let next = lexer.next()?;
-    let mut parser = Parser { lexer, next, variable, depth: 0 };
-    parser.expression()?;
-    if parser.next.token == Token::End { Ok(()) } else { Err(parser.unexpected()) }
+    let mut parser = Parser { lexer, next, variable, depth: 0, by_variable: None };
+    let operand = parser.expression()?;
+    if parser.next.token != Token::End {
+        return Err(parser.unexpected());
+    }
+    match parser.by_variable {
+        Some(span) => Err(Parser::raises(span, format!("divides by `{variable}`, which can be 0"))),
+        None => Ok(operand.results),
+    }
 }
 
 struct Parser<'a> {
@@ -83,6 +55,8 @@ struct Parser<'a> {
     next: Lexeme,
     variable: &'a str,
     depth: u32,
+    /// The first division by the variable alone that no condition stands beside.
+    by_variable: Option<Range<usize>>,
 }
 
 impl<'a> Parser<'a> {
@@ -139,6 +113,7 @@ impl<'a> Parser<'a> {
     /// `a if condition else b if condition else c`.
     fn expression(&mut self) -> Parsed {
         self.deeper()?;
+        let before = self.by_variable.clone();
         let mut result = self.either("or", |parser| parser.either("and", Self::inversion))?;
         while self.word() == "if" {
             self.advance()?;
@@ -148,16 +123,20 @@ impl<'a> Parser<'a> {
             }
             self.advance()?;
             result = result.either(self.either("or", |parser| parser.either("and", Self::inversion))?);
+            // The condition may keep the variable from being 0.
+            self.by_variable.clone_from(&before);
         }
         self.depth -= 1;
         Ok(result)
     }
 
     fn either(&mut self, word: &str, part: fn(&mut Self) -> Parsed) -> Parsed {
+        let before = self.by_variable.clone();
         let mut result = part(self)?;
         while self.word() == word {
             self.advance()?;
             result = result.either(part(self)?);
+            self.by_variable.clone_from(&before);
         }
         Ok(result)
     }
@@ -169,7 +148,7 @@ impl<'a> Parser<'a> {
             inverted = true;
         }
         let operand = self.comparison()?;
-        Ok(if inverted { Operand { power: operand.power, ..Operand::NUMBER } } else { operand })
+        Ok(if inverted { Operand { power: operand.power, ..Operand::TRUTH } } else { operand })
     }
 
     fn comparison(&mut self) -> Parsed {
@@ -185,7 +164,7 @@ impl<'a> Parser<'a> {
             power |= right.power;
             (left, compared) = (right, true);
         }
-        Ok(if compared { Operand { power, ..Operand::NUMBER } } else { left })
+        Ok(if compared { Operand { power, ..Operand::TRUTH } } else { left })
     }
 
     fn sum(&mut self) -> Parsed {
@@ -199,7 +178,7 @@ impl<'a> Parser<'a> {
             if operator == "-" && (left.is_text() || right.is_text()) {
                 return Err(Self::raises(span, "subtracts with a text"));
             }
-            left = left.either(right);
+            left = left.calculated(right);
         }
         Ok(left)
     }
@@ -210,15 +189,19 @@ impl<'a> Parser<'a> {
             let span = self.advance()?;
             let right = self.factor()?;
             match operator {
-                "*" if left.text || right.text => return Err(Self::endless(span, "repeats a text")),
-                "%" if left.text => return Err(Self::endless(span, "formats a text with `%`")),
+                "*" if left.may_be_text() || right.may_be_text() => return Err(Self::endless(span, "repeats a text")),
+                "%" if left.may_be_text() => return Err(Self::endless(span, "formats a text with `%`")),
                 _ if left.is_text() || right.is_text() => return Err(Self::raises(span, "divides with a text")),
                 "/" | "//" | "%" if right.literal.is_some_and(|(value, _)| value == 0.0) => {
                     return Err(Self::raises(span, "divides by zero"));
                 }
+                "/" | "//" | "%" if right.variable => drop(self.by_variable.get_or_insert(span)),
                 _ => {}
             }
-            left = left.either(right);
+            left = left.calculated(right);
+            if operator == "/" {
+                left = Operand { power: left.power, ..Operand::FRACTION };
+            }
         }
         Ok(left)
     }
@@ -255,14 +238,18 @@ impl<'a> Parser<'a> {
         if !bounded || base.power || exponent.power {
             return Err(Self::endless(span, "raises to a power without bound"));
         }
-        Ok(Operand { power: true, ..Operand::NUMBER })
+        let is_whole =
+            base.results == Results::WHOLE && exponent.literal.is_some_and(|(value, whole)| whole && value >= 0.0);
+        let results = if is_whole { Results::WHOLE } else { Results::FRACTION };
+        Ok(Operand { power: true, ..Operand::of(results) })
     }
 
     fn operand(&mut self) -> Parsed {
         let operand = match self.next.token {
             Token::Number(value, integer) => {
                 self.advance()?;
-                Operand { literal: Some((value, integer)), ..Operand::NUMBER }
+                let results = if integer { Results::WHOLE } else { Results::FRACTION };
+                Operand { literal: Some((value, integer)), ..Operand::of(results) }
             }
             Token::Text => {
                 while self.next.token == Token::Text {
@@ -309,8 +296,8 @@ impl<'a> Parser<'a> {
         }
         let span = self.advance()?;
         match word {
-            "True" | "False" => Ok(Operand::NUMBER),
-            _ if word == self.variable => Ok(Operand { variable: true, ..Operand::NUMBER }),
+            "True" | "False" => Ok(Operand::TRUTH),
+            _ if word == self.variable => Ok(Operand { variable: true, ..Operand::FRACTION }),
             "round" | "str" if self.operator() == "(" => self.call(word, &span),
             "lambda" => Err(Self::foreign(span, "defines a function with `lambda`")),
             _ if self.operator() == "(" => Err(Self::foreign(span, format!("calls `{word}`"))),
@@ -333,7 +320,9 @@ impl<'a> Parser<'a> {
         self.advance()?;
         match (function, arguments.as_slice()) {
             ("str", [value]) => Ok(Operand { power: value.power, ..Operand::TEXT }),
-            ("round", [value]) => Self::rounded(*value, call),
+            ("round", [value]) => {
+                Self::rounded(*value, call).map(|value| Operand { power: value.power, ..Operand::WHOLE })
+            }
             ("round", [value, digits]) => {
                 Self::digits(*digits, call.clone())?;
                 Self::rounded(*value, call)
@@ -359,7 +348,7 @@ impl<'a> Parser<'a> {
         if value.is_text() {
             return Err(Self::raises(call, "rounds a text"));
         }
-        Ok(Operand { power: value.power, ..Operand::NUMBER })
+        Ok(Operand { power: value.power, ..Operand::of(value.results.rounded()) })
     }
 
     fn digits(digits: Operand, call: Range<usize>) -> Result<(), Fault> {

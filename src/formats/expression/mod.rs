@@ -7,11 +7,13 @@
 //! call anything nor grow anything.
 
 mod grammar;
+mod operand;
 mod token;
 
 use std::ops::Range;
 
-pub use grammar::check;
+pub use grammar::{check, results};
+pub use operand::Results;
 
 /// Why a text must not, or cannot, be evaluated.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -35,6 +37,8 @@ pub enum FaultKind {
     Syntax,
     /// Python raises an exception each time.
     Raises,
+    /// A layout is not for the value, or for none.
+    Layout,
 }
 
 impl Fault {
@@ -65,6 +69,8 @@ mod tests {
             "not val < 1 and True or 2 ** val > 1",
             "(val # comment\n + 1)",
             "1if val else 2.",
+            "1 / val if val > 0 else 0",
+            "val and 1 / val",
         ] {
             assert_eq!(check(text, "val"), Ok(()), "{text}");
         }
@@ -139,6 +145,35 @@ mod tests {
     fn what_always_raises_is_told_apart() {
         for text in ["'a' + 1", "val - 'a'", "val < 'a'", "round('a')", "val / 0", "round(val, 1.5)", "str()"] {
             assert_eq!(kind(text), Some(FaultKind::Raises), "{text}");
+        }
+    }
+
+    #[test]
+    fn the_variable_can_be_zero_unless_a_condition_is_there() {
+        for text in ["1 / val", "2 // (val)", "1 % -val < 5", "(1 if val else 2) + 1 / val"] {
+            assert_eq!(kind(text), Some(FaultKind::Raises), "{text}");
+        }
+        assert_eq!(check("1 / (val + 1)", "val"), Ok(()));
+    }
+
+    #[test]
+    fn types_are_those_of_python() {
+        let all = |truth, whole, fraction, text| Results { truth, whole, fraction, text };
+        for (text, found) in [
+            ("val * 100", Results::FRACTION),
+            ("round(val * 100)", Results::WHOLE),
+            ("round(val * 100, 1)", Results::FRACTION),
+            ("1 + 2 * 3 // 2", Results::WHOLE),
+            ("4 / 2", Results::FRACTION),
+            ("2 ** 3", Results::WHOLE),
+            ("2 ** -1", Results::FRACTION),
+            ("val < 1", Results::TRUTH),
+            ("(val < 1) + 1", Results::WHOLE),
+            ("not val or val", all(true, false, true, false)),
+            ("str(val) + '%'", Results::TEXT),
+            ("'none' if val < .1 else round(val)", all(false, true, false, true)),
+        ] {
+            assert_eq!(results(text, "val"), Ok(found), "{text}");
         }
     }
 

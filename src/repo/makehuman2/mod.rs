@@ -14,6 +14,7 @@ mod target_folder;
 mod textures;
 mod unbound;
 mod usage;
+pub(crate) mod user_scan;
 mod view;
 
 pub(crate) use base::{Base, is_beneath};

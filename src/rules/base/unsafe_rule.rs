@@ -15,7 +15,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
         docs: "The conditions in `random.rules` are handed to Python's `eval` with the other slider as `x`.\n\nThat can run any program, read \
             and delete files, or never come to an end. Safe are numbers, `x`, arithmetic, comparisons, `and`, `or`, `not`, conditional \
             expressions, `round`, `str`, texts in quotes and `+` between them; powers with a fixed small exponent. \
-            Everything else is reported, and also what Python refuses, because then the random character view stops. This finding \
+            Everything else is reported, and also what Python refuses, because then the random character view stops; so is a division by `x`, \
+            which can be 0, unless a condition stands before it. This finding \
             cannot be muted.\n\nRewrite the condition as a comparison, such as `0.2 < x < 0.75`.",
         ..RuleInfo::new("base-unsafe-rule", Level::Error, "`random.rules` holds more than harmless arithmetic")
     },
@@ -33,7 +34,7 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 }
                 FaultKind::Endless => "may hang or run out of memory when a random character is made",
                 FaultKind::Syntax => "stops with a SyntaxError when a random character is made",
-                FaultKind::Raises => "stops with an exception when a random character is made",
+                FaultKind::Raises | FaultKind::Layout => "stops with an exception when a random character is made",
             };
             let message = format!("the rule of `{key}` on `{}` {}", condition.slider, fault.what);
             out.push(

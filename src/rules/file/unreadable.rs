@@ -36,7 +36,8 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             out.extend(finding(&fault.path, format!("cannot be read: {reason}")));
         }
     }
-    let is_base = |name: &str| layer.files.values().any(|file| file.base_in(view.application()) == Some(name));
+    let all = || view.layers().strongest_first().flat_map(|layer| layer.files.values());
+    let is_base = |name: &str| all().any(|file| file.base_in(view.application()) == Some(name));
     for file in view.files() {
         match &file.unreadable {
             Some(ReadFault::Unreadable(reason)) => {

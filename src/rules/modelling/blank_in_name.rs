@@ -3,9 +3,9 @@
 use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
-use super::{groups, user_scan};
+use super::groups;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
-use crate::repo::makehuman2::{Base, View};
+use crate::repo::makehuman2::{Base, View, user_scan};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {

@@ -7,6 +7,7 @@ pub(super) mod barycentric_arity;
 pub(super) mod blank_in_name;
 pub(super) mod decr_only;
 pub(super) mod default_range;
+pub(super) mod display_text;
 pub(super) mod duplicate_pattern;
 pub(super) mod empty_category;
 mod groups;
@@ -23,7 +24,7 @@ pub(super) mod unknown_group;
 pub(super) mod unknown_symmetry;
 pub(super) mod unsafe_formula;
 pub(super) mod user_key_collision;
-mod user_scan;
+pub(super) mod user_pair_at_top;
 
 use super::cause::overlay::is_damaged;
 use super::did_you_mean;

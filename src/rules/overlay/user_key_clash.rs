@@ -1,38 +1,57 @@
 //! User sliders that replace others of the same key.
 
+use std::borrow::Cow;
+use std::collections::BTreeSet;
+
 use super::super::{Check, Rule, RuleCx, counted};
 use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
-use crate::repo::makehuman2::{Base, View};
+use crate::repo::FileFacts;
+use crate::repo::makehuman2::{Base, View, user_scan};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(Application::Makehuman2, "shows the user's slider in place of the other one, which is gone")],
         docs: "The generated modelling.json of the user's targets is merged over the sliders of the base, key by key, and the \
             user's entry wins. Its keys are made from folder and file: `head/size.target` becomes `Head Size`. If the base \
-            has a slider of that key it vanishes, and models that were saved with it lose the value.\n\nRename the user's \
+            has a slider of that key it vanishes, and models that were saved with it lose the value. A target that the file does not \
+            name yet counts as well: the next scan makes its key.\n\nRename the user's \
             target or its folder; MakeHuman 2 writes the file anew.",
         ..RuleInfo::new("overlay-user-key-clash", Level::Warning, "a user target replaces a slider of the same key")
     },
     check: Check::Makehuman2(run),
 };
 
+/// A slider that is replaced: its key, and where the user has it.
+type Clash<'a> = (Cow<'a, str>, &'a FileFacts, Place);
+
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let (Some((user_file, user)), Some((file, model))) = (base.user_modelling.accepted(), base.modelling.winner())
-    else {
-        return;
-    };
-    let taken = |key: &str| model.sliders.iter().any(|slider| slider.key == key);
-    let keys: Vec<&str> = user.sliders.iter().map(|slider| slider.key.as_str()).filter(|key| taken(key)).collect();
-    let Some(first) = keys.first() else { return };
-    let others = match keys.len() {
+    let Some((file, model)) = base.modelling.winner() else { return };
+    let mut clashes = clashes(base);
+    clashes.retain(|(key, ..)| model.sliders.iter().any(|slider| slider.key == *key));
+    let Some((first, own, place)) = clashes.first() else { return };
+    let others = match clashes.len() {
         1 => String::new(),
         count => format!(" ({} in all)", counted(count, "slider")),
     };
     let message = format!("the user's slider `{first}` replaces the one of the same key in `{}`{others}", file.path);
-    let mut finding = RULE.at(user_file, Place::key([first]), message).key(base.name);
-    for key in keys.iter().take(EXAMPLES) {
+    let mut finding = RULE.at(own, place.clone(), message).key(base.name);
+    for (key, ..) in clashes.iter().take(EXAMPLES) {
         finding = finding.related(file.path.clone(), Place::key([key]), "replaced");
     }
     let help = "rename the user's target file or its folder, from which the key is made";
-    out.push(finding.help(help).evidence(Evidence::of_cases(&keys).out_of(user.sliders.len())));
+    let evidence = Evidence::of_cases(clashes.iter().map(|(key, ..)| key.to_string()));
+    out.push(finding.help(help).evidence(evidence));
+}
+
+/// The sliders of the user: those in the JSON, and those that the next scan makes of the targets.
+fn clashes<'a>(base: &Base<'a>) -> Vec<Clash<'a>> {
+    let written = base.user_modelling.accepted();
+    let written = written.into_iter().flat_map(|(file, user)| user.sliders.iter().map(move |slider| (file, slider)));
+    let mut all: Vec<Clash<'_>> =
+        written.map(|(file, slider)| (slider.key.as_str().into(), file, Place::key([&slider.key]))).collect();
+    let known: BTreeSet<String> = all.iter().map(|(key, ..)| key.to_string()).collect();
+    let made = user_scan::entries(&user_scan::targets(base));
+    let new = made.into_iter().filter(|entry| !known.contains(&entry.key));
+    all.extend(new.map(|entry| (entry.key.into(), entry.file, Place::File)));
+    all
 }

@@ -2,26 +2,26 @@
 
 use std::collections::BTreeSet;
 
+use super::Base;
 use crate::repo::FileFacts;
-use crate::repo::makehuman2::Base;
 
 /// A user target that is scanned.
-pub(super) struct UserTarget<'a> {
-    pub(super) file: &'a FileFacts,
+pub(crate) struct UserTarget<'a> {
+    pub(crate) file: &'a FileFacts,
     /// Its folder below the user's target folder, `None` at the top.
-    pub(super) folder: Option<&'a str>,
+    pub(crate) folder: Option<&'a str>,
     /// File name without suffix.
-    pub(super) stem: &'a str,
+    pub(crate) stem: &'a str,
 }
 
 /// A slider that will be generated.
-pub(super) struct Entry<'a> {
-    pub(super) key: String,
-    pub(super) file: &'a FileFacts,
+pub(crate) struct Entry<'a> {
+    pub(crate) key: String,
+    pub(crate) file: &'a FileFacts,
 }
 
 /// The folder itself and one level of sub-folders; `icons` holds pictures.
-pub(super) fn targets<'a>(base: &Base<'a>) -> Vec<UserTarget<'a>> {
+pub(crate) fn targets<'a>(base: &Base<'a>) -> Vec<UserTarget<'a>> {
     let Some(folder) = base.user_targets else { return Vec::new() };
     let scanned = folder.targets().filter_map(|file| {
         let name = folder.name_of(file)?;
@@ -41,12 +41,19 @@ fn part_of<'a>(file: &'a FileFacts, name: &str) -> Option<&'a str> {
 }
 
 /// The entries that are generated, in order of the files. Of a pair `-incr`/`-decr` one entry.
-pub(super) fn entries<'a>(targets: &[UserTarget<'a>]) -> Vec<Entry<'a>> {
+pub(crate) fn entries<'a>(targets: &[UserTarget<'a>]) -> Vec<Entry<'a>> {
     let names: BTreeSet<(Option<&str>, &str)> = targets.iter().map(|target| (target.folder, target.stem)).collect();
     let partners: BTreeSet<(Option<&str>, String)> =
         targets.iter().filter_map(|target| partner(target, &names)).collect();
     let alone = targets.iter().filter(|target| !partners.contains(&(target.folder, target.stem.to_owned())));
     alone.map(|target| Entry { key: key(target, partner(target, &names).is_some()), file: target.file }).collect()
+}
+
+/// Pairs without a folder: the positive half, and the name of the other one.
+pub(crate) fn pairs_at_top<'a>(targets: &[UserTarget<'a>]) -> Vec<(&'a FileFacts, String)> {
+    let at_top = || targets.iter().filter(|target| target.folder.is_none());
+    let names = at_top().map(|target| (None, target.stem)).collect();
+    at_top().filter_map(|target| Some((target.file, partner(target, &names)?.1))).collect()
 }
 
 /// The negative half of a pair: the same stem with every `incr` replaced.
