@@ -2,6 +2,7 @@
 
 /// The types of value that an expression may have.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[expect(clippy::struct_excessive_bools, reason = "one for each type of Python")]
 pub struct Results {
     /// `bool`, which counts as a whole number.
     pub truth: bool,
