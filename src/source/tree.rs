@@ -80,6 +80,11 @@ pub enum WalkFaultKind {
     },
     /// A link out of the tree; not followed.
     LinkLeavesRoot,
+    /// A link to nothing.
+    DeadLink {
+        /// What it says, as it says it; nothing if that cannot be read.
+        to: String,
+    },
     /// Cannot be listed or resolved.
     Unreadable {
         /// What the operating system says.

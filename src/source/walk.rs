@@ -126,8 +126,13 @@ fn walk_fault(root: &Path, error: &walkdir::Error) -> WalkFault {
         WalkFaultKind::LinkLoop { back_to: slashed(&relative(root, ancestor)) }
     } else if let Some(back_to) = circle(path) {
         WalkFaultKind::LinkLoop { back_to: slashed(&relative(root, &back_to)) }
+    } else if fs::symlink_metadata(path).is_ok_and(|metadata| metadata.is_symlink()) {
+        WalkFaultKind::DeadLink {
+            to: fs::read_link(path).map_or_else(|_| String::new(), |to| to.display().to_string()),
+        }
     } else {
-        WalkFaultKind::Unreadable { reason: reason(path, error) }
+        let reason = error.io_error().map_or_else(|| "cannot be listed".to_owned(), ToString::to_string);
+        WalkFaultKind::Unreadable { reason }
     };
     fault(root, path, kind)
 }
@@ -158,16 +163,6 @@ fn plain(path: &Path) -> PathBuf {
         }
     }
     plain
-}
-
-fn reason(path: &Path, error: &walkdir::Error) -> String {
-    if fs::symlink_metadata(path).is_ok_and(|metadata| metadata.is_symlink()) {
-        return match fs::read_link(path) {
-            Ok(target) => format!("broken link to `{}`", target.display()),
-            Err(_) => "broken link".to_owned(),
-        };
-    }
-    error.io_error().map_or_else(|| "cannot be listed".to_owned(), ToString::to_string)
 }
 
 fn fault(root: &Path, path: &Path, kind: WalkFaultKind) -> WalkFault {
@@ -247,7 +242,7 @@ mod tests {
         fs::create_dir(&root).unwrap();
         symlink("nowhere", root.join("broken")).unwrap();
         symlink("..", root.join("out")).unwrap();
-        let broken = WalkFaultKind::Unreadable { reason: "broken link to `nowhere`".to_owned() };
+        let broken = WalkFaultKind::DeadLink { to: "nowhere".to_owned() };
         let expected = [("broken".to_owned(), broken), ("out".to_owned(), WalkFaultKind::LinkLeavesRoot)];
         assert_eq!(faults(&root), expected);
     }

@@ -9,6 +9,7 @@ pub(super) mod decompression_bomb;
 pub(super) mod duplicate_content;
 pub(super) mod empty;
 pub(super) mod gzip_corrupt;
+pub(super) mod in_place_of_folder;
 pub(super) mod lfs_pointer;
 pub(super) mod link_loop;
 pub(super) mod not_utf8;

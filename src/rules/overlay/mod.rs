@@ -1,6 +1,7 @@
 //! Rules on overrides: contarget over target, user over system (formats/makehuman2.md §1.2).
 
 pub(super) mod broken_override;
+pub(super) mod empty_target_folder;
 pub(super) mod needs_system;
 pub(super) mod partial_override;
 pub(super) mod shadowed;

@@ -66,7 +66,8 @@ fn without_sliders(base: &Base<'_>, system: SystemFolder) -> Option<Gap> {
     }
     let has_macros = base.macro_file().is_some_and(|(_, file)| !file.macrodefs.is_empty());
     let message = "no modelling.json beside it nor in the system data: nothing moves these macros".to_owned();
-    has_macros.then_some((Level::Warning, message, "offers no sliders for the base", help))
+    let (level, effect) = without_any(base);
+    has_macros.then_some((level, message, effect, help))
 }
 
 fn without_macros(base: &Base<'_>, system: SystemFolder) -> Option<Gap> {
@@ -105,7 +106,17 @@ fn categories_alone(base: &Base<'_>, system: SystemFolder) -> Gap {
         (Level::Info, message, shown, help)
     } else {
         let message = "no modelling.json beside it nor in the system data: nothing to categorise".to_owned();
-        (Level::Warning, message, "offers no sliders for the base", help)
+        let (level, effect) = without_any(base);
+        (level, message, effect, help)
+    }
+}
+
+/// What a base without any modelling.json comes to.
+fn without_any(base: &Base<'_>) -> (Level, &'static str) {
+    if base.user_modelling.accepted().is_some() {
+        (Level::Warning, "offers the sliders of the user's targets only")
+    } else {
+        (Level::Error, "offers no sliders for the base, and no macro does anything")
     }
 }
 

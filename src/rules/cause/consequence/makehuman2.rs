@@ -11,8 +11,8 @@ use crate::discover::Kind;
 use crate::repo::ReferenceKind;
 use crate::repo::makehuman2::{Base, View};
 use Damage::{
-    Absent, Closed, Empty, MarkedComment, MarkedRow, MarkedWord, Needless, NotUtf8, Packed, Pointer, Refused, Special,
-    Syntax, TooDeep,
+    Absent, Closed, Dangling, Empty, MarkedComment, MarkedRow, MarkedWord, Needless, NotUtf8, Packed, Pointer, Refused,
+    Special, Syntax, TooDeep,
 };
 use Moment::{Never, Scan, Start, Tools, Use};
 use ReferenceKind::{Decr, Icon, Incr, MacroTarget, Model, PoseSkeleton, Texture, WeightsFile};
@@ -42,8 +42,13 @@ const NO_WEIGHTS: &[Cell] = &[
     nothing(Special),
 ];
 const NO_ATTACHMENT: Cell = cell(Empty, Error, "cannot attach the asset");
-const NO_PICTURE: &[Cell] =
-    &[level(Closed, Warning), level(Pointer, Warning), cell(Empty, Warning, "shows no picture")];
+const NO_PICTURE: &[Cell] = &[
+    level(Closed, Warning),
+    level(Dangling, Warning),
+    level(Pointer, Warning),
+    cell(Empty, Warning, "shows no picture"),
+];
+const NO_USER_ICON: &str = "stops at start with a FileNotFoundError, where the picture is a link to nothing";
 const BINARY: Cell = level(Pointer, Warning);
 
 #[rustfmt::skip]
@@ -76,11 +81,19 @@ const ROWS: &[Row] = &[
         cell(Refused, Error, "logs a line and takes it as missing: no slider can be reached"),
         cell(Syntax, Error, "logs a line and treats the file as absent: no slider can be reached in the window"),
     ]),
-    anywhere(Kind::Target, Start, &[cell(Empty, Warning, "loads it; nothing moves")]),
+    row(Kind::Target, Generated, Start, &[
+        cell(Dangling, Error, "stops at start with a FileNotFoundError while it looks for user targets"),
+        cell(Empty, Warning, "loads it; nothing moves"),
+    ]),
+    anywhere(Kind::Target, Start, &[
+        cell(Dangling, Info, "leaves it out when it packs the targets of the folder"),
+        cell(Empty, Warning, "loads it; nothing moves"),
+    ]),
     anywhere(Kind::PackedTarget, Never, &[BINARY]),
     anywhere(Kind::TargetArchive, Start, &[BINARY]),
     row(Kind::TargetIcon, Generated, Start, &[
-        cell(Closed, Error, "stops at start with a FileNotFoundError, where the picture is a link to nothing"),
+        cell(Closed, Error, NO_USER_ICON),
+        cell(Dangling, Error, NO_USER_ICON),
         level(Pointer, Warning),
         cell(Empty, Warning, "shows no picture"),
     ]),
@@ -132,6 +145,7 @@ const AT_MOMENT: &[(Moment, Cell)] = &[
 
 const IN_GENERAL: &[Cell] = &[
     level(Closed, Error),
+    level(Dangling, Error),
     level(Pointer, Error),
     cell(Refused, Warning, "takes it as missing, if it reads it at all"),
     cell(MarkedRow, Error, "takes the first line for a row and stops at start with a ValueError"),

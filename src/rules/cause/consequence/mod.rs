@@ -36,6 +36,8 @@ pub(in crate::rules) enum Damage {
     Absent,
     /// It cannot be opened.
     Closed,
+    /// It is a link to nothing, and nothing names it.
+    Dangling,
     /// A Git LFS pointer stands for it.
     Pointer,
     /// Nothing is in it.

@@ -77,6 +77,7 @@ pub(super) static UNKNOWN: Table = Table { rows: &[], at_moment: &[], in_general
 /// What is lost with a file that cannot be read, where the application says no more.
 pub(super) const LOST: &[Cell] = &[
     level(Damage::Closed, Level::Error),
+    level(Damage::Dangling, Level::Error),
     level(Damage::Pointer, Level::Error),
     level(Damage::Empty, Level::Warning),
     level(Damage::Refused, Level::Error),
