@@ -102,7 +102,8 @@ fn is_target_folder(folder: &str) -> bool {
     matches!(folder, "target" | "contarget")
 }
 
-/// Every `*.target` below a target folder is opened, whatever it is called (§1.3).
+/// Every `*.target` below a target folder is opened, whatever it and the folders above it are called, `.git` as well
+/// (§1.3).
 fn reads_hidden(path: &HiddenPath<'_>) -> bool {
     // A name for the base mesh stands between.
     let above = path.visible.split_last().map_or(path.visible, |(_, above)| above);
@@ -196,8 +197,9 @@ mod tests {
             ("data/contarget/b/a/.hidden/c.target", false, true),
             ("data/target/b/.hidden", true, true),
             ("target/b/.DS_Store", false, false),
-            ("target/b/.git", true, false),
-            ("target/b/.git/a.target", false, false),
+            ("target/b/.git", true, true),
+            ("target/b/.git/a.target", false, true),
+            (".git/target/b/a.target", false, false),
             ("target/.cache", true, false),
             (".venv", true, false),
             (".venv/target/b/a.target", false, false),

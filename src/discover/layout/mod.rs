@@ -86,9 +86,6 @@ struct HiddenPath<'p> {
 /// The base mesh of the applications that have but one.
 const HM08: &str = "hm08";
 
-/// Folders that tools keep beside the data; nothing of the family is in them.
-const VERSION_CONTROL: [&str; 3] = [".git", ".svn", ".hg"];
-
 impl Layout {
     /// The layout of an application.
     pub(crate) const fn of(application: Application) -> &'static Self {
@@ -142,8 +139,7 @@ pub(crate) fn is_read_though_hidden(path: &str, is_folder: bool) -> bool {
     let hidden = parts.iter().position(|part| part.starts_with('.')).unwrap_or(parts.len());
     let visible = parts.get(..hidden).unwrap_or_default();
     let path = HiddenPath { visible, name: parts.last().copied().unwrap_or_default(), is_folder };
-    !parts.iter().any(|part| VERSION_CONTROL.contains(part))
-        && Application::ALL.iter().any(|application| (Layout::of(*application).reads_hidden)(&path))
+    Application::ALL.iter().any(|application| (Layout::of(*application).reads_hidden)(&path))
 }
 
 /// The path without its last `levels` parts.
