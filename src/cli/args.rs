@@ -14,7 +14,7 @@ use crate::config::MOST_SAMPLES;
 use crate::diag::{Application, Level};
 
 const AFTER_HELP: &str = "\
-Exit codes: 0 nothing at or above --fail-on, 1 findings, 2 could not work, 3 nothing found to check.
+Exit codes: 0 nothing at or above --fail-on, 1 findings, 2 could not work, 3 nothing was checked of a PATH.
 
 Examples:
   mhlint data/                                     judge a data folder

@@ -18,7 +18,7 @@ use super::step_summary;
 use super::terminal::Terminal;
 use super::workspace::placed;
 use crate::config::Config;
-use crate::diag::{Baseline, Outcome, TakenOver, Timed, nearest};
+use crate::diag::{Baseline, Outcome, TakenOver, Timed, Untouched, nearest};
 use crate::engine::{Error, rule_infos};
 use crate::report::{self, Format, View};
 
@@ -41,21 +41,27 @@ pub(super) fn run(
     let outcome = &checked.outcome;
     refuse_asset(&targets, paths, &config, outcome)?;
     let exit = exit(outcome, &config, &panics.noted());
-    if args.fixes.diff && !matches!(exit, Exit::CannotWork | Exit::NothingToCheck) {
+    if args.fixes.diff && exit != Exit::CannotWork && !is_empty(outcome) {
         let changes = fix::show(&checked.changes, terminal, out)?;
         out.flush()?;
         fix::tell(&checked, args, err)?;
         if args.timings {
             print_timings(outcome, err)?;
         }
-        return Ok(if changes { Exit::Findings } else { Exit::Clean });
+        tell_nothing(outcome, err)?;
+        return Ok(match exit {
+            _ if changes => Exit::Findings,
+            Exit::NothingToCheck => Exit::NothingToCheck,
+            _ => Exit::Clean,
+        });
     }
     fix::write(&checked.changes)?;
     if let (Some(file), Some(baseline)) = (new_baseline, &outcome.baseline) {
         write_baseline(file, baseline, outcome.taken_over, exit, args, err)?;
     }
     write_reports(&targets, outcome, args, &config, exit, terminal, out)?;
-    tell(outcome, args, exit, &targets, err)?;
+    tell(outcome, args, &targets, err)?;
+    tell_nothing(outcome, err)?;
     fix::tell(&checked, args, err)?;
     if !panics.noted().is_empty() || !outcome.is_whole() {
         writeln!(err, "mhlint: {}", own_fault(&panics.noted()))?;
@@ -113,17 +119,22 @@ fn difference(taken_over: TakenOver) -> String {
     format!(": {new} new{of_them}, {gone} gone{hidden}")
 }
 
-/// A bug of ours outweighs everything, since findings may be missing; then comes an empty run.
+/// A bug of ours outweighs everything, since findings may be missing; then come findings, then what was not checked.
 fn exit(outcome: &Outcome, config: &Config, panics: &[String]) -> Exit {
     if !panics.is_empty() || !outcome.is_whole() {
         Exit::CannotWork
-    } else if !outcome.checked_anything() {
-        Exit::NothingToCheck
-    } else if outcome.passes(config) {
-        Exit::Clean
-    } else {
+    } else if !outcome.passes(config) {
         Exit::Findings
+    } else if !outcome.nothing_in.is_empty() {
+        Exit::NothingToCheck
+    } else {
+        Exit::Clean
     }
+}
+
+/// Whether there was nothing to check at all: no report would say anything.
+fn is_empty(outcome: &Outcome) -> bool {
+    outcome.summary.files == 0 && outcome.findings.is_empty() && !outcome.nothing_in.is_empty()
 }
 
 /// Files first: whoever reads standard output may go away at any time.
@@ -147,7 +158,7 @@ fn write_reports(
         quiet: args.quiet,
         rules: &rules,
     };
-    let is_silent = |target: &&Target| exit == Exit::NothingToCheck && target.format.shows_notes();
+    let is_silent = |target: &&Target| is_empty(outcome) && target.format.shows_notes();
     let targets: Vec<&Target> = targets.iter().filter(|target| !is_silent(target)).collect();
     for (target, file) in targets.iter().filter_map(|target| Some((target, target.file.as_ref()?))) {
         let mut bytes = Vec::new();
@@ -166,23 +177,30 @@ fn write_reports(
 }
 
 /// Says on standard error what no report on standard output says.
-fn tell(
-    outcome: &Outcome,
-    args: &CheckArgs,
-    exit: Exit,
-    targets: &[Target],
-    err: &mut dyn Write,
-) -> Result<(), Failure> {
-    let reported = |target: &Target| target.format.shows_notes() && target.file.is_none();
-    let nothing = exit == Exit::NothingToCheck;
-    if nothing || (!args.quiet && !targets.iter().any(reported)) {
-        for note in &outcome.notes {
-            writeln!(err, "mhlint: {}", report::printable(&report::note(note)))?;
-        }
+fn tell(outcome: &Outcome, args: &CheckArgs, targets: &[Target], err: &mut dyn Write) -> Result<(), Failure> {
+    let is_printed = |shows: fn(Format) -> bool, target: &Target| shows(target.format) && target.file.is_none();
+    let mut lines: Vec<String> = Vec::new();
+    if is_empty(outcome) || (!args.quiet && !targets.iter().any(|target| is_printed(Format::shows_notes, target))) {
+        lines.extend(outcome.notes.iter().map(report::note));
     }
-    if nothing {
-        let remedy = "give the folder that holds `base/`, `target/`, `contarget/` or `rigs/`";
-        writeln!(err, "mhlint: nothing to check: {}; {remedy}", report::nothing(outcome))?;
+    if is_empty(outcome) || (!args.quiet && !targets.iter().any(|target| target.format.shows_unchecked())) {
+        lines.extend(report::unchecked_line(outcome));
+    }
+    for line in lines {
+        writeln!(err, "mhlint: {}", report::printable(&line))?;
+    }
+    Ok(())
+}
+
+/// Names the PATHs of which nothing was checked, and what could be given instead.
+fn tell_nothing(outcome: &Outcome, err: &mut dyn Write) -> Result<(), Failure> {
+    let mut by_reason: BTreeMap<String, Vec<String>> = BTreeMap::new();
+    for Untouched { path, what } in &outcome.nothing_in {
+        by_reason.entry(report::why_nothing(outcome, *what)).or_default().push(format!("`{path}`"));
+    }
+    for (why, paths) in by_reason {
+        let line = format!("nothing was checked in {}: {why}", paths.join(", "));
+        writeln!(err, "mhlint: {}", report::printable(&line))?;
     }
     Ok(())
 }

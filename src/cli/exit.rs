@@ -16,7 +16,7 @@ pub(super) enum Exit {
     Findings,
     /// Could not work.
     CannotWork,
-    /// Nothing found to check.
+    /// Nothing was checked of a PATH.
     NothingToCheck,
 }
 

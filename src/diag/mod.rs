@@ -28,7 +28,7 @@ pub use nearest::{Sought, Suggestions, nearest};
 pub use note::Note;
 pub use outcome::{
     ApplicationVerdict, Compared, FailedStep, NotChecked, Outcome, Phase, RootSummary, Scope, Summary, TakenOver,
-    Timed, Timing, Unchecked, Verdict,
+    Timed, Timing, Unchecked, Untouched, Verdict,
 };
 pub use parts::{Name, Parts};
 pub use place::{Element, Excerpt, Location, Place, add_step, pointer, steps};

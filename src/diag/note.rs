@@ -1,7 +1,5 @@
 //! What a reader should know of a run besides findings.
 
-use super::Application;
-
 /// Something to know. `report` has the words.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Note {
@@ -9,18 +7,6 @@ pub enum Note {
     SystemIsChecked {
         /// Their path as printed.
         path: String,
-    },
-    /// Files outside of a data root are checked alone.
-    Alone {
-        /// The base meshes that they may be for; empty where no system data were given.
-        bases: Vec<String>,
-    },
-    /// Data of an application that this version does not check.
-    NotYet {
-        /// Path of the data root as printed.
-        path: String,
-        /// Whose they are.
-        application: Application,
     },
     /// Only what is new or worse is told.
     Compared {

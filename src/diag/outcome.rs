@@ -1,10 +1,12 @@
 //! What a run gives back: plain data, made for several applications.
 
+use std::cmp::Reverse;
+use std::collections::{BTreeMap, BTreeSet};
 use std::time::Duration;
 
 use serde::Serialize;
 
-use super::{Application, Baseline, Finding, Level, Note};
+use super::{Application, Baseline, EXAMPLES, Finding, Level, Note};
 
 /// Result of a run.
 #[derive(Debug, Clone, Default)]
@@ -17,6 +19,8 @@ pub struct Outcome {
     pub applications: Vec<ApplicationVerdict>,
     /// What was not checked, and why.
     pub not_checked: Vec<NotChecked>,
+    /// The PATHs of which nothing was checked.
+    pub nothing_in: Vec<Untouched>,
     /// Findings, sorted by path, place and rule.
     pub findings: Vec<Finding>,
     /// What a reader should know besides findings.
@@ -87,31 +91,36 @@ pub enum Verdict {
     Fail,
 }
 
-/// Files of which something was not checked.
+/// What was not checked, for one reason.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct NotChecked {
     /// The application that it was not checked for; none where that is not known.
     pub application: Option<Application>,
-    /// What was not checked of them, and why.
+    /// What was not checked, and why.
     pub what: Unchecked,
-    /// How many they are.
+    /// How many files, or names of files, it concerns.
     pub count: usize,
     /// The first few, by path.
     pub examples: Vec<String>,
+    /// How many there are of each extension, the most first.
+    #[serde(skip)]
+    pub extensions: Vec<(String, usize)>,
 }
 
 /// What was not checked of a file, and why.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Unchecked {
-    /// Anything: no rule is about files of its kind.
+    /// What is in it: no rule is about files of its kind.
     Kind,
     /// Anything: this version does not check the application.
     Application,
     /// Vertex numbers: the base mesh is not known.
     NoBaseMesh,
-    /// References: no system data were given.
+    /// Whether the file of this name exists: no system data were given.
     NoSystem,
+    /// What is in a folder: it could not be listed.
+    Closed,
     /// Whether what is found is new: contents to compare with are not at hand.
     NotCompared,
 }
@@ -142,7 +151,7 @@ pub struct Summary {
     pub info: usize,
     /// Findings that were ignored, or are in the baseline.
     pub suppressed: usize,
-    /// Files of the checked roots.
+    /// Files that were checked.
     pub files: usize,
     /// Their size in bytes.
     pub bytes: u64,
@@ -200,6 +209,31 @@ pub enum FailedStep {
     },
     /// Finding the lines and columns of findings.
     Places,
+}
+
+/// A PATH of which nothing was checked.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Untouched {
+    /// As printed.
+    pub path: String,
+    /// Why, if anything of ours is there.
+    pub what: Option<Unchecked>,
+}
+
+impl NotChecked {
+    /// An entry for these files, or names of files.
+    pub(crate) fn of(application: Option<Application>, what: Unchecked, paths: BTreeSet<String>) -> Self {
+        let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
+        for path in &paths {
+            let name = path.rsplit('/').next().unwrap_or(path);
+            *counts.entry(name.rsplit_once('.').map_or("", |(_, extension)| extension)).or_default() += 1;
+        }
+        let mut extensions: Vec<(String, usize)> =
+            counts.into_iter().map(|(extension, count)| (extension.to_owned(), count)).collect();
+        extensions.sort_by_key(|(_, count)| Reverse(*count));
+        let count = paths.len();
+        Self { application, what, count, examples: paths.into_iter().take(EXAMPLES).collect(), extensions }
+    }
 }
 
 impl Outcome {

@@ -1,6 +1,7 @@
 //! Every path of a data root with what it is for, found out once.
 
 use std::borrow::Cow;
+use std::collections::BTreeSet;
 
 use super::{Kind, Layout};
 use crate::diag::Application;
@@ -55,11 +56,30 @@ pub(crate) fn candidates<'t>(tree: &'t Tree, root: &str, layouts: &[&Layout]) ->
     entries.map(|(entry, rel)| Candidate::new(entry, rel, layouts)).collect()
 }
 
-/// The files of a tree without a data root that are assets, put where `layout` has them.
-pub(crate) fn loose_candidates<'t>(tree: &'t Tree, layout: &Layout, base: Option<&str>) -> Vec<Candidate<'t>> {
-    let files = tree.entries().iter().filter(|entry| entry.kind == EntryKind::File);
-    let moved = files.filter_map(|entry| Some((entry, (layout.loose_place)(&entry.path, base)?)));
-    moved.map(|(entry, rel)| Candidate::new(entry, rel, &[layout])).collect()
+/// The base mesh that a loose file is for, if that is known; `None` for a file that is none of ours.
+pub(crate) type Binding = Option<Option<String>>;
+
+/// The files outside of data roots that are assets, put where `layout` has them. `bind` is asked for those with the
+/// name of an asset.
+pub(crate) fn loose_candidates<'t>(
+    tree: &'t Tree,
+    layout: &Layout,
+    bind: impl Fn(&Entry) -> Binding,
+) -> Vec<Candidate<'t>> {
+    let named = |entry: &&Entry| entry.kind == EntryKind::File && (layout.loose_place)(&entry.path, None).is_some();
+    let mut taken = BTreeSet::new();
+    let mut found = Vec::new();
+    for entry in tree.entries().iter().filter(named) {
+        let Some(base) = bind(entry) else { continue };
+        let Some(mut rel) = (layout.loose_place)(&entry.path, base.as_deref()) else { continue };
+        // Folders are joined to one, and two can become the same.
+        while !taken.insert(rel.clone()) {
+            let (folder, file) = rel.rsplit_once('/').unwrap_or(("", &rel));
+            rel = format!("{folder}_/{file}");
+        }
+        found.push(Candidate::new(entry, rel, &[layout]));
+    }
+    found
 }
 
 impl<'t> Candidate<'t> {

@@ -90,6 +90,11 @@ impl Kind {
     }
 }
 
+/// Whether a file is an asset wherever it lies: no other program has files of its extension.
+pub(crate) fn is_asset_anywhere(rel: &str) -> bool {
+    matches!(extension(rel), "mhclo" | "mhmat" | "mhm" | "mhpose" | "mhbin" | "mhpxy")
+}
+
 /// What is behind the last point of a name, as written.
 pub(crate) fn extension(rel: &str) -> &str {
     let name = rel.rsplit('/').next().unwrap_or(rel);

@@ -1,10 +1,45 @@
 //! What this version checks, and its rules as data, for whoever lists, explains or configures them.
 
 use crate::diag::{Application, RuleInfo};
+use crate::discover::Kind;
 use crate::rules::{Check, RULES, Rule};
 
 /// The applications whose data are checked. Any that has a layout can be loaded.
 pub(super) const CHECKED: [Application; 1] = [Application::Makehuman2];
+
+/// Whether rules are about what is in files of this kind, for an application. Of other files only the name, the
+/// encoding and the syntax are checked.
+pub(super) const fn has_rules(application: Application, kind: Kind) -> bool {
+    match application {
+        Application::Makehuman2 => matches!(
+            kind,
+            Kind::BaseJson
+                | Kind::BaseMesh
+                | Kind::Geometry
+                | Kind::MacroJson
+                | Kind::ModellingJson
+                | Kind::TargetCategories
+                | Kind::Target
+                | Kind::TargetArchive
+                | Kind::TargetIcon
+                | Kind::Skeleton
+                | Kind::Weights
+                | Kind::Material
+                | Kind::Image
+        ),
+        Application::Mpfb => matches!(
+            kind,
+            Kind::BaseMesh
+                | Kind::TargetCatalog
+                | Kind::Target
+                | Kind::PackedTarget
+                | Kind::TargetIcon
+                | Kind::Material
+                | Kind::Image
+        ),
+        Application::Makehuman1 => false,
+    }
+}
 
 /// The rules that concern an application that is checked. To users there are no others.
 pub(super) fn listed() -> impl Iterator<Item = &'static Rule> {

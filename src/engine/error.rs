@@ -22,6 +22,11 @@ pub enum Error {
         /// The bases there are.
         known: Vec<String>,
     },
+    /// Several `--base`, and files outside of data folders, which are for one.
+    SeveralBases {
+        /// One of the files.
+        file: String,
+    },
     /// A selector that matches no rule that it may, or no glob at all.
     Selector {
         /// As given.
@@ -103,6 +108,11 @@ impl fmt::Display for Error {
             Self::UnknownBase { name, known } => {
                 write!(f, "there is no base mesh `{name}`; known: {}", known.join(", "))
             }
+            Self::SeveralBases { file } => write!(
+                f,
+                "`{file}` is outside of a data folder, so one base mesh is needed: give `--base` once, or check such files \
+                 in a run of their own"
+            ),
             Self::Baseline { path, fault } => write!(f, "the baseline `{path}` {fault}"),
             Self::Selector { text, fault } => write!(f, "`{text}`: {fault}"),
         }

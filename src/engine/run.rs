@@ -5,16 +5,17 @@ use std::time::Instant;
 
 use super::catalogue::CHECKED;
 use super::check::{check, check_upkeep};
+use super::coverage::Coverage;
 use super::error::Error;
-use super::load::{Data, Input, Loaded, Roots, Side, Stack, sides};
+use super::load::{Data, Loaded, Roots, Side, Stack, sides};
 use super::measure::{Measured, measure_bases};
 use super::settle::{Ignores, Keeper, Known, Placed, Root, Scope, Selection, gone, idle, new_or_worse, place_and_sort};
 use super::summary::{check_bases, summarise};
 use super::verdict::conclude;
 use crate::config::{Before, Compare, Config, Selector};
 use crate::diag::{
-    self, Application, BaselineUse, Compared, EXAMPLES, Finding, IdleGlob, Level, NotChecked, Note, Outcome, Phase,
-    Timed, Timing, Unchecked, Upkeep,
+    self, Application, BaselineUse, Compared, Finding, IdleGlob, Level, NotChecked, Note, Outcome, Phase, Timed,
+    Timing, Unchecked, Upkeep,
 };
 use crate::repo::{Layer, View};
 use crate::rules::RULES;
@@ -59,7 +60,7 @@ pub(super) fn lint_sides(
     options: &Config,
     applications: &[Application],
 ) -> Result<Outcome, Error> {
-    let scope = Scope::new(now.inputs.iter().flat_map(Input::paths).collect(), options);
+    let scope = Scope::new(named(now).collect(), options);
     let (selection, known) = (Selection::new(options)?, Known::open(options)?);
     let asked = Asked { options, selection, scope, known, applications };
     let mut outcome = Outcome { looked_for: applications.to_vec(), ..Outcome::default() };
@@ -133,6 +134,11 @@ fn off<'l, T>(
     levels.iter().filter(|(_, level)| level.is_none()).map(move |(rules, _)| name(rules))
 }
 
+/// The PATHs, as printed.
+fn named(side: &Side) -> impl Iterator<Item = String> {
+    side.inputs.iter().flat_map(|input| input.named.iter().cloned())
+}
+
 fn timing(phase: Phase, started: Instant) -> Timing {
     Timing { what: Timed::Phase(phase), time: started.elapsed() }
 }
@@ -155,7 +161,9 @@ impl Asked<'_> {
     ) -> Result<Found, Error> {
         outcome.failed_files = data.failed_files();
         let mut ignores = Ignores::new(self.options);
-        let placed = self.check_all(data, measures, &mut ignores, outcome);
+        let mut coverage = Coverage::new(named(side), &self.scope, self.options);
+        let placed = self.check_all(data, measures, &mut ignores, &mut coverage, outcome);
+        coverage.conclude(outcome);
         let idle = idle(self.options, side.trees(), &self.scope);
         self.settle(placed, data, &ignores, idle, outcome)
     }
@@ -166,16 +174,16 @@ impl Asked<'_> {
         data: &Data<'_>,
         measures: &[Measured],
         ignores: &mut Ignores<'_>,
+        coverage: &mut Coverage<'_>,
         outcome: &mut Outcome,
     ) -> Vec<Placed> {
         let Self { options, selection, scope, .. } = self;
         let mut found = Vec::new();
         for (number, Stack { root: checked, seen }) in data.stacks().into_iter().enumerate() {
-            outcome.summary.files += checked.layer.files.len();
-            outcome.summary.bytes += checked.layer.files.values().map(|file| file.size).sum::<u64>();
             let views: Vec<View<'_>> =
                 seen.iter().map(|(application, layers)| View::connect(*application, *layers)).collect();
             views.iter().for_each(|view| summarise(view, outcome));
+            coverage.add(checked, &views, outcome);
             let of_view = |view: &View<'_>| measures.get(number)?.get(&view.application());
             let with_measures: Vec<_> = views.iter().map(|view| (view, of_view(view))).collect();
             let findings = check(RULES, &with_measures, selection, options, outcome);
@@ -240,12 +248,9 @@ fn settle_comparison(before: Found, found: Found, compare: &Compare, now: &Side,
     outcome.findings = new_or_worse(&before, found.shown, is_compared);
     outcome.notes.push(Note::Compared { with: compare.with.clone(), gone });
     outcome.compared = Some(Compared { with: compare.with.clone(), gone });
-    outcome.not_checked.extend((!missing.is_empty()).then(|| NotChecked {
-        application: None,
-        what: Unchecked::NotCompared,
-        count: missing.len(),
-        examples: missing.into_iter().take(EXAMPLES).collect(),
-    }));
+    if !missing.is_empty() {
+        outcome.not_checked.insert(0, NotChecked::of(None, Unchecked::NotCompared, missing));
+    }
 }
 
 /// Settings have no sides; that they were others before is said.

@@ -12,7 +12,7 @@ pub use super::target_facts::{Largest, TargetFacts, UnreadableField};
 use super::target_repeats::{moves, repeats};
 use super::target_row::fast_row;
 use super::{python_float, python_int, stored};
-use crate::source::{Encoding, first_line};
+use crate::source::{Encoding, first_line, lines};
 
 /// A parsed target.
 #[derive(Debug, Clone, Default)]
@@ -42,6 +42,43 @@ pub struct MeshSize {
 const UNREADABLE_KEPT: usize = 5;
 /// Of this many rows the longest one is left out of [`TargetFacts::tail_length`].
 const ROWS_PER_OUTLIER: usize = 50;
+
+/// What tells a target from other files of its name: its header, or a row.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Recognised {
+    /// The base mesh that it says it is for.
+    pub basemesh: Option<String>,
+}
+
+/// Whether a file called `.target` is one: it says which base mesh it is for, or has a row. Systemd has others.
+pub fn recognise(text: &[u8]) -> Option<Recognised> {
+    let mut has_row = false;
+    for (_, line) in lines(text) {
+        let fields = fields(line);
+        match fields.as_slice() {
+            [(_, first), ..] if first.starts_with(b"#") => {
+                if let Some(basemesh) = basemesh_of(line) {
+                    return Some(Recognised { basemesh: Some(basemesh) });
+                }
+            }
+            [(_, index), (_, x), (_, y), (_, z)] => {
+                has_row = python_int(index).is_some() && [x, y, z].iter().all(|word| python_float(word).is_some());
+            }
+            _ => {}
+        }
+        if has_row {
+            break;
+        }
+    }
+    has_row.then_some(Recognised { basemesh: None })
+}
+
+/// The name in a header `# basemesh NAME`.
+fn basemesh_of(comment: &[u8]) -> Option<String> {
+    let text = String::from_utf8_lossy(comment);
+    let mut words = text.trim().trim_start_matches('#').split_whitespace();
+    (words.next() == Some("basemesh")).then(|| words.next().map(str::to_owned)).flatten()
+}
 
 /// Parses a target. `mesh` is the size of the mesh it is for.
 pub fn parse(text: &[u8], mesh: Option<MeshSize>) -> Target {
@@ -117,12 +154,8 @@ impl Parser {
         if self.target.facts.basemesh.is_some() {
             return;
         }
-        let text = String::from_utf8_lossy(text);
-        let mut words = text.trim().trim_start_matches('#').split_whitespace();
-        if words.next() == Some("basemesh")
-            && let Some(name) = words.next()
-        {
-            self.target.facts.basemesh = Some((line, name.to_owned()));
+        if let Some(name) = basemesh_of(text) {
+            self.target.facts.basemesh = Some((line, name));
         }
     }
 

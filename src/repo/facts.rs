@@ -4,7 +4,6 @@ use std::sync::Arc;
 
 use crate::diag::Application;
 use crate::discover::{Kind, Use, kind_in, owner_of};
-use crate::formats::Content;
 use crate::formats::inline_ignore::InlineIgnore;
 use crate::formats::json_file::JsonFacts;
 use crate::formats::mhmat::Material;
@@ -14,6 +13,7 @@ use crate::formats::npz::Archive;
 use crate::formats::obj::Mesh;
 use crate::formats::target::TargetFacts;
 use crate::formats::target_catalog::TargetCatalog;
+use crate::formats::{Content, Needs};
 use crate::json::SchemaFaults;
 use crate::source::{Encoding, GzipFault, ReadFault};
 
@@ -103,6 +103,17 @@ impl FileFacts {
     /// Whether the top level of a JSON is of a wrong type, or lacks a section without which nothing is read.
     pub fn is_misshapen(&self) -> bool {
         self.schema.faults.iter().any(|fault| fault.pointer.is_empty())
+    }
+
+    /// Whether it names vertices of a base mesh.
+    pub fn names_vertices(&self) -> bool {
+        let names_some = match &*self.content {
+            Content::Target(facts) => facts.rows > 0,
+            Content::Skeleton(skeleton) => skeleton.joints.iter().any(|joint| joint.vertices.is_some()),
+            Content::Weights(weights) => weights.bones.iter().any(|bone| bone.listed > 0),
+            _ => false,
+        };
+        names_some && self.kind.format().needs != Needs::Nothing
     }
 
     /// The target facts, if it is a target that could be read.

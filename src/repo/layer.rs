@@ -9,7 +9,7 @@ use unicode_normalization::{UnicodeNormalization, is_nfc};
 use super::FileFacts;
 use crate::diag::Application;
 use crate::discover::{Kind, Layout, kind_in, uses_of};
-use crate::source::WalkFault;
+use crate::source::{WalkFault, is_below};
 
 /// A path as a system compares it that regards neither capitals nor the form of accented letters.
 pub(crate) fn fold(path: &str) -> String {
@@ -36,6 +36,8 @@ pub(crate) struct Layer {
     pub walk_faults: Vec<WalkFault>,
     /// Folded paths to paths, in order; made when first asked for.
     folded: OnceLock<BTreeMap<String, Vec<String>>>,
+    /// Printed paths of loose files to their supposed ones; made when first asked for.
+    loose: OnceLock<BTreeMap<String, String>>,
 }
 
 /// Notes a path under its folded form.
@@ -56,7 +58,7 @@ impl Layer {
     ) -> Self {
         folders.sort_unstable();
         walk_faults.sort_by(|one, other| one.path.cmp(&other.path));
-        Self { path, layouts, files, folders, walk_faults, folded: OnceLock::new() }
+        Self { path, layouts, files, folders, walk_faults, folded: OnceLock::new(), loose: OnceLock::new() }
     }
 
     /// Adds files that were read later.
@@ -64,6 +66,7 @@ impl Layer {
         if let Some(folded) = self.folded.get_mut() {
             files.keys().for_each(|rel| enter(folded, rel));
         }
+        self.loose.take();
         // `append` would go through all that is there.
         self.files.extend(files);
     }
@@ -79,9 +82,31 @@ impl Layer {
             .map_or_else(|| kind_in(&uses_of(rel, &self.layouts), application), |file| file.kind_in(application))
     }
 
-    /// The base meshes that what is at a path belongs to.
-    pub(crate) fn bases_at(&self, rel: &str) -> Vec<String> {
-        uses_of(rel, &self.layouts).into_iter().filter_map(|one| one.owner).collect()
+    /// The file at a printed path.
+    pub(crate) fn printed(&self, path: &str) -> Option<&FileFacts> {
+        match self.loose().get(path) {
+            Some(rel) => self.file(rel),
+            None => self.relative(path).and_then(|rel| self.file(rel)),
+        }
+    }
+
+    /// The base meshes that what is at a printed path belongs to.
+    pub(crate) fn bases_at(&self, path: &str) -> Vec<String> {
+        let from = self.loose().range(path.to_owned()..).take_while(|(own, _)| own.starts_with(path));
+        let loose = from.filter(|(own, _)| is_below(own, path)).map(|(_, rel)| rel.as_str());
+        let own = if self.loose().is_empty() { self.relative(path) } else { None };
+        let at = loose.chain(own);
+        let mut bases: Vec<String> =
+            at.flat_map(|rel| uses_of(rel, &self.layouts)).filter_map(|one| one.owner).collect();
+        bases.dedup();
+        bases
+    }
+
+    fn loose(&self) -> &BTreeMap<String, String> {
+        self.loose.get_or_init(|| {
+            let loose = self.files.values().filter(|file| file.is_loose());
+            loose.map(|file| (file.path.clone(), file.rel.clone())).collect()
+        })
     }
 
     /// All files below a folder (no trailing slash), in order.

@@ -3,10 +3,11 @@
 use std::io::{self, Write};
 
 use super::phrase::{self, colons};
+use super::unchecked::unchecked;
 use super::{View, count, printable};
 use crate::diag::Outcome;
 
-/// Writes the findings, then a line of counts unless quiet.
+/// Writes the findings, then a line of counts and what was not checked unless quiet.
 pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> io::Result<()> {
     for finding in &outcome.findings {
         writeln!(
@@ -21,14 +22,18 @@ pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> 
     }
     if !view.quiet {
         let summary = &outcome.summary;
+        let unchecked: Vec<String> = unchecked(outcome).collect();
+        let unchecked =
+            if unchecked.is_empty() { String::new() } else { format!("; not checked: {}", unchecked.join("; ")) };
         writeln!(
             out,
-            "{}: {}, {}, {} in {}",
+            "{}: {}, {}, {} in {}{}",
             if view.pass { "pass" } else { "fail" },
             count(summary.error, "error"),
             count(summary.warning, "warning"),
             count(summary.info, "info"),
-            count(summary.files, "file")
+            count(summary.files, "file"),
+            printable(&unchecked)
         )?;
     }
     Ok(())

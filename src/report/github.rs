@@ -5,7 +5,7 @@
 
 use std::io::{self, Write};
 
-use super::{View, count, phrase, verdict};
+use super::{View, count, phrase, printable, unchecked_line, verdict};
 use crate::diag::{Finding, Level, Outcome};
 
 /// Annotations of one level that GitHub shows for one step.
@@ -31,7 +31,11 @@ pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> 
         return Ok(());
     }
     writeln!(out, "{} in {}", verdict::tally(outcome), verdict::files(&outcome.summary))?;
-    writeln!(out, "{}", verdict::words(outcome, view))
+    writeln!(out, "{}", verdict::words(outcome, view))?;
+    match unchecked_line(outcome) {
+        Some(line) => writeln!(out, "::notice title=mhlint::{}", data(&printable(&line))),
+        None => Ok(()),
+    }
 }
 
 fn command(finding: &Finding) -> String {

@@ -8,7 +8,7 @@ use std::io::{self, Write};
 use quick_xml::Writer;
 use quick_xml::events::{BytesDecl, BytesText, Event};
 
-use super::{View, phrase, printable, verdict};
+use super::{View, phrase, printable, unchecked_line, verdict};
 use crate::diag::{Finding, Outcome};
 
 /// Writes the report.
@@ -43,6 +43,7 @@ fn write_run<W: Write>(outcome: &Outcome, view: &View<'_>, run_fails: bool, writ
     let mut said = vec![format!("{} in {}", verdict::tally(outcome), verdict::files(&outcome.summary))];
     said.extend(verdict::roots(outcome));
     said.extend(outcome.notes.iter().map(|note| format!("note: {}", super::note(note))));
+    said.extend(unchecked_line(outcome));
     let said: Vec<String> = said.iter().map(|line| printable(line)).collect();
     suite("mhlint", 1, usize::from(run_fails), writer, |writer| {
         let case = writer.create_element("testcase").with_attributes([("name", "run"), ("classname", "mhlint")]);

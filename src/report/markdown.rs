@@ -4,6 +4,7 @@ use std::io::{self, Write};
 
 use super::phrase::{self, Piece, pieces};
 use super::snippet::snippet;
+use super::unchecked::unchecked;
 use super::{View, printable, verdict};
 use crate::diag::{Finding, Outcome};
 
@@ -83,9 +84,12 @@ fn head(outcome: &Outcome, view: &View<'_>) -> String {
 }
 
 fn notes(outcome: &Outcome) -> String {
-    let lines: Vec<String> =
-        outcome.notes.iter().map(|note| format!("- {}\n", inline(&printable(&super::note(note))))).collect();
-    if lines.is_empty() { String::new() } else { format!("\n### Not judged\n\n{}", lines.concat()) }
+    let list = |title: &str, lines: &mut dyn Iterator<Item = String>| {
+        let lines = lines.map(|line| format!("- {}\n", inline(&printable(&line)))).collect::<Vec<_>>().concat();
+        if lines.is_empty() { String::new() } else { format!("\n### {title}\n\n{lines}") }
+    };
+    let notes = list("Notes", &mut outcome.notes.iter().map(super::note));
+    notes + &list("Not checked", &mut unchecked(outcome))
 }
 
 /// A block for each finding, with the heading of its file where that changes.

@@ -14,6 +14,7 @@ mod phrase;
 mod printable;
 mod sarif;
 mod snippet;
+mod unchecked;
 mod verdict;
 mod wrap;
 
@@ -25,7 +26,8 @@ pub use markdown::summary;
 pub use note::{note, phase};
 pub(crate) use paint::Paint;
 pub(crate) use printable::printable;
-pub(crate) use verdict::nothing;
+pub use unchecked::unchecked_line;
+pub(crate) use verdict::why_nothing;
 pub(crate) use wrap::{count, hang, paragraphs};
 
 /// What a report writer may know besides the outcome.
@@ -105,6 +107,11 @@ impl Format {
     /// Whether the notes of a run are part of the format.
     pub const fn shows_notes(self) -> bool {
         matches!(self, Self::Human)
+    }
+
+    /// Whether the format has room for what was not checked.
+    pub const fn shows_unchecked(self) -> bool {
+        !matches!(self, Self::Gitlab)
     }
 }
 

@@ -24,16 +24,6 @@ pub(super) fn step(step: &FailedStep) -> String {
 pub fn note(note: &Note) -> String {
     match note {
         Note::SystemIsChecked { path } => format!("`--system` names the data to judge itself; {path} is judged"),
-        Note::Alone { bases } => {
-            let remedy = match bases.as_slice() {
-                [] => "`--system DIR` judges them against MakeHuman's own data".to_owned(),
-                bases => format!("say which base mesh they are for: `--base {}`", bases.join("|")),
-            };
-            format!("files outside a data folder are judged alone; {remedy}")
-        }
-        Note::NotYet { path, application } => {
-            format!("{path}: {application} data, which this version does not judge yet")
-        }
         Note::Compared { with, gone } => {
             let gone = match gone {
                 0 => String::new(),

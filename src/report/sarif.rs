@@ -6,7 +6,7 @@ use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, utf8_percent_encode};
 use serde_json::{Map, Value, json};
 
 use super::note::step;
-use super::{View, phrase, printable};
+use super::{View, phrase, printable, unchecked_line};
 use crate::diag::{Finding, Level, Location, Outcome, Related, RuleInfo};
 
 /// Results that GitHub accepts in one run; it refuses the whole file beyond.
@@ -171,6 +171,7 @@ fn notifications(outcome: &Outcome, shown: usize) -> Vec<Value> {
     let note = |text: String, level: &str| json!({ "level": level, "message": { "text": text } });
     let mut notes: Vec<Value> =
         outcome.notes.iter().map(|one| note(text(&printable(&super::note(one))), "note")).collect();
+    notes.extend(unchecked_line(outcome).map(|line| note(text(&printable(&line)), "note")));
     let left = outcome.findings.len() - shown;
     if left > 0 {
         notes.push(note(format!("{left} findings are left out: code scanning accepts {RESULTS}"), "warning"));

@@ -1,7 +1,7 @@
 //! The last lines: what was looked at, and one sentence that says how it ended.
 
 use super::{Paint, View, count, hang, phrase, printable};
-use crate::diag::{Application, Finding, Level, Outcome, Scope, Summary};
+use crate::diag::{Application, Finding, Level, Outcome, Scope, Summary, Unchecked};
 
 /// Names that a sentence holds, and errors that are named at the end.
 const NAMED: usize = 3;
@@ -83,7 +83,8 @@ pub(super) fn words(outcome: &Outcome, view: &View<'_>) -> String {
         return "No verdict: mhlint itself failed on these data.".to_owned();
     }
     if !outcome.checked_anything() {
-        return format!("Nothing to check: {}.", nothing(outcome));
+        let what = outcome.nothing_in.first().and_then(|first| first.what);
+        return format!("Nothing was checked: {}.", why_nothing(outcome, what));
     }
     let only = only(outcome);
     let gone = gone(outcome);
@@ -98,7 +99,9 @@ pub(super) fn words(outcome: &Outcome, view: &View<'_>) -> String {
     }
     if outcome.findings.is_empty() {
         let who = applications(outcome, &[]);
-        return format!("Nothing found: as far as the rules reach, {who} loads all of it as it was written.");
+        let (where_, all) =
+            if outcome.not_checked.is_empty() { ("", "all of it") } else { (" in what was checked", "it") };
+        return format!("Nothing found{where_}: as far as the rules reach, {who} loads {all} as it was written.");
     }
     let harm = harm(outcome);
     let new = if outcome.compared.is_some() { " new" } else { "" };
@@ -120,9 +123,20 @@ fn gone(outcome: &Outcome) -> String {
     }
 }
 
-/// `no data of MakeHuman 2 were found`.
-pub(crate) fn nothing(outcome: &Outcome) -> String {
-    format!("no data of {} were found", titles(&outcome.looked_for))
+/// Why nothing was checked of PATHs, and what to give instead.
+pub(crate) fn why_nothing(outcome: &Outcome, what: Option<Unchecked>) -> String {
+    match what {
+        Some(Unchecked::Application) => {
+            let others = outcome.roots.iter().filter(|root| !root.checked);
+            let others: Vec<Application> = others.map(|root| root.application).collect();
+            format!("this version does not check data of {} yet", titles(&others))
+        }
+        Some(_) => "no rule is about files of these kinds yet".to_owned(),
+        None => format!(
+            "no data of {} were found; give the folder that holds `base/`, `target/`, `contarget/` or `rigs/`",
+            titles(&outcome.looked_for)
+        ),
+    }
 }
 
 /// Where or by what alone something could be found, with a blank before it; empty where nothing was left out.

@@ -131,7 +131,6 @@ pub(crate) static RULES: &[&Rule] = &[
     &numeric::zero_length_bone::RULE,
     &overlay::broken_override::RULE,
     &overlay::empty_target_folder::RULE,
-    &overlay::needs_system::RULE,
     &overlay::partial_override::RULE,
     &overlay::shadowed::RULE,
     &overlay::targets_not_in_layer::RULE,

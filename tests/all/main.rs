@@ -18,6 +18,7 @@ mod files;
 #[cfg(unix)]
 mod fixes;
 mod generated;
+mod honest;
 mod hostile;
 mod ignores;
 mod overlay;

@@ -46,8 +46,6 @@ const LOST_TARGETS: &str = "!overlay-targets-not-in-layer contarget/imp/macro.js
 const SHADOWED_MACRO: &str = ".overlay-shadowed contarget/imp/macro.json";
 const DEAD_TARGETS: &str = "?overlay-partial-override contarget/imp/body/belly-size-decr.target";
 
-const UNMEASURED: &str = ".overlay-needs-system contarget/imp/body/belly-size-decr.target";
-
 /// A `macro.json` in contarget that is taken for none.
 const fn no_macros(name: &str, change: fn(&Path)) -> Row<'_> {
     let alone: Expected<'_> = &[BROKEN_MACRO, OWN_SLIDERS];
@@ -60,7 +58,7 @@ const fn no_sliders(name: &str, change: fn(&Path)) -> Row<'_> {
         name,
         change,
         over_system: &[MACRO_PROBE, BROKEN_SLIDERS, SYSTEM_SLIDERS],
-        alone: &[MACRO_PROBE, BROKEN_SLIDERS, UNMEASURED],
+        alone: &[MACRO_PROBE, BROKEN_SLIDERS],
         one_root: &[MACRO_PROBE, BROKEN_SLIDERS],
     }
 }
@@ -71,7 +69,7 @@ const fn no_categories(name: &str, change: fn(&Path)) -> Row<'_> {
         name,
         change,
         over_system: &[MACRO_PROBE, BROKEN_CATEGORIES, OWN_SLIDERS],
-        alone: &[MACRO_PROBE, BROKEN_CATEGORIES, UNMEASURED, OWN_SLIDERS],
+        alone: &[MACRO_PROBE, BROKEN_CATEGORIES, OWN_SLIDERS],
         one_root: &[MACRO_PROBE, BROKEN_CATEGORIES],
     }
 }
@@ -81,7 +79,7 @@ const ROWS: &[Row<'_>] = &[
         name: "all three files and all targets: the system's are ignored",
         change: |_| {},
         over_system: &[MACRO_PROBE, SHADOWED_MACRO, OWN_SLIDERS],
-        alone: &[MACRO_PROBE, UNMEASURED, OWN_SLIDERS],
+        alone: &[MACRO_PROBE, OWN_SLIDERS],
         one_root: &[MACRO_PROBE, SHADOWED_MACRO],
     },
     Row {
@@ -90,18 +88,14 @@ const ROWS: &[Row<'_>] = &[
             remove_all(contarget, &["modelling.json", "target_cat.json", "body", "ears"]);
         },
         over_system: &[MACRO_PROBE, LOST_TARGETS, SYSTEM_SLIDERS],
-        alone: &[
-            MACRO_PROBE,
-            ".overlay-needs-system contarget/imp/macro_height/short.target",
-            "?overlay-partial-override contarget/imp/macro.json",
-        ],
+        alone: &[MACRO_PROBE, "?overlay-partial-override contarget/imp/macro.json"],
         one_root: &[MACRO_PROBE, LOST_TARGETS],
     },
     Row {
         name: "macro.json and modelling.json with a part of the targets",
         change: |contarget| remove_all(contarget, &["ears"]),
         over_system: &[MACRO_PROBE, LOST_TARGETS, OWN_SLIDERS],
-        alone: &[MACRO_PROBE, UNMEASURED, OWN_SLIDERS],
+        alone: &[MACRO_PROBE, OWN_SLIDERS],
         one_root: &[MACRO_PROBE, LOST_TARGETS],
     },
     Row {
@@ -110,7 +104,7 @@ const ROWS: &[Row<'_>] = &[
             remove_all(contarget, &["macro.json", "target_cat.json", "body", "ears", "macro_height"]);
         },
         over_system: &[".overlay-partial-override contarget/imp/modelling.json", OWN_SLIDERS],
-        alone: &[".overlay-needs-system contarget/imp/modelling.json", OWN_SLIDERS],
+        alone: &[OWN_SLIDERS],
         one_root: &[SYSTEM_PROBE, ".overlay-partial-override contarget/imp/modelling.json"],
     },
     Row {
@@ -121,7 +115,7 @@ const ROWS: &[Row<'_>] = &[
             edit(&contarget.join("modelling.json"), "ears/r-ear-trans-out", "ears/wide");
         },
         over_system: &["!overlay-targets-not-in-layer contarget/imp/modelling.json", OWN_SLIDERS],
-        alone: &[".overlay-needs-system contarget/imp/modelling.json", OWN_SLIDERS],
+        alone: &[OWN_SLIDERS],
         one_root: &[SYSTEM_PROBE, "!overlay-targets-not-in-layer contarget/imp/modelling.json"],
     },
     Row {
@@ -130,10 +124,7 @@ const ROWS: &[Row<'_>] = &[
             remove_all(contarget, &["macro.json", "modelling.json", "body", "ears", "macro_height"]);
         },
         over_system: &[".overlay-partial-override contarget/imp/target_cat.json", SYSTEM_SLIDERS],
-        alone: &[
-            ".overlay-needs-system target/imp/mine/own.target",
-            ".overlay-partial-override contarget/imp/target_cat.json",
-        ],
+        alone: &[".overlay-partial-override contarget/imp/target_cat.json"],
         one_root: &[SYSTEM_PROBE, ".overlay-partial-override contarget/imp/target_cat.json"],
     },
     no_macros("macro.json malformed: as if absent, without a word", |contarget| {
@@ -154,14 +145,14 @@ const ROWS: &[Row<'_>] = &[
         name: "targets alone: never read",
         change: |contarget| remove_all(contarget, &["macro.json", "modelling.json", "target_cat.json"]),
         over_system: &[DEAD_TARGETS, SYSTEM_SLIDERS],
-        alone: &[UNMEASURED, DEAD_TARGETS],
+        alone: &[DEAD_TARGETS],
         one_root: &[SYSTEM_PROBE, DEAD_TARGETS],
     },
     Row {
         name: "macro.json and modelling.json with all targets: categories from the system",
         change: |contarget| remove_all(contarget, &["target_cat.json"]),
         over_system: &[MACRO_PROBE, SHADOWED_MACRO, OWN_SLIDERS],
-        alone: &[MACRO_PROBE, UNMEASURED, OWN_SLIDERS],
+        alone: &[MACRO_PROBE, OWN_SLIDERS],
         one_root: &[MACRO_PROBE, SHADOWED_MACRO],
     },
     no_macros("macro.json is an empty list: as if absent", |contarget| write(contarget, "macro.json", "[]")),
@@ -179,7 +170,7 @@ const ROWS: &[Row<'_>] = &[
         name: "nothing in contarget",
         change: |contarget| fs::remove_dir_all(contarget).unwrap(),
         over_system: &[SYSTEM_SLIDERS],
-        alone: &[".overlay-needs-system target/imp/mine/own.target"],
+        alone: &[],
         one_root: &[SYSTEM_PROBE],
     },
 ];

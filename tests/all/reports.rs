@@ -48,7 +48,9 @@ fn json_has_a_verdict_for_what_was_checked_and_names_what_was_not() {
     let unchecked = serde_json::json!({
         "application": "mpfb", "what": "application", "count": 1, "examples": examples,
     });
-    assert_eq!(report["not_checked"], serde_json::json!([unchecked]));
+    let [kinds, others] = report["not_checked"].as_array().unwrap().as_slice() else { panic!("{report}") };
+    assert_eq!(others, &unchecked);
+    assert_eq!((&kinds["application"], &kinds["what"]), (&Value::from("makehuman2"), &Value::from("kind")));
     for finding in report["findings"].as_array().unwrap() {
         let levels: Vec<&Value> = finding["breaks"].as_array().unwrap().iter().map(|one| &one["level"]).collect();
         assert_eq!(levels, [&finding["level"]], "one application, one level");
@@ -247,7 +249,8 @@ fn a_sarif_uri_leads_back_to_the_file() {
 fn github_annotations_are_commands_and_nothing_else_is() {
     let repository = hostile();
     let text = run(repository.path(), &["--report", "github"]);
-    let (commands, rest): (Vec<&str>, Vec<&str>) = text.lines().partition(|line| line.starts_with("::"));
+    let (mut commands, rest): (Vec<&str>, Vec<&str>) = text.lines().partition(|line| line.starts_with("::"));
+    assert!(commands.pop().unwrap().starts_with("::notice title=mhlint::Not checked: "), "{text}");
     assert_eq!(commands.len(), findings(repository.path()).len());
     for command in commands {
         let (head, message) = command[2..].split_once("::").unwrap();
@@ -268,7 +271,7 @@ fn the_verdict_on_settings_says_nothing_of_an_application() {
     let repository = example();
     let ignore = "[[ignore]]\nrule = \"macro-steps-length\"\npath = \"**\"\nreason = \"once\"\n";
     fs::write(repository.path().join("mhlint.toml"), ignore).unwrap();
-    let last = |args: &[&str]| run(repository.path(), args).lines().last().unwrap().to_owned();
+    let last = |args: &[&str]| run(repository.path(), args).lines().rev().nth(1).unwrap().to_owned();
     let text = "Failed. 1 warning about the settings of mhlint; nothing found in the data.";
     assert_eq!(last(&["--fail-on", "warning"]), text);
     edit(repository.path(), "data/target/figure/head/head-oval.target", "339 0 .001 .001", "339 0 0 0");
@@ -405,7 +408,7 @@ fn markdown_holds_no_markup_from_assets() {
         }
     }
     let files: BTreeSet<String> = findings(repository.path()).iter().map(|one| one["path"].to_string()).collect();
-    assert_eq!(headings, files.len() + 1, "{text}");
+    assert_eq!(headings, files.len() + 2, "the title, and what was not checked: {text}");
     assert!(shown.contains("</script><img src=x onerror=alert(1)>]]>\"'&amp;"), "{shown}");
     assert!(shown.contains("**b** [l](x) http://x.org"), "{shown}");
 }
@@ -455,7 +458,10 @@ fn html_shows_the_fix() {
 fn the_end_of_a_long_report_names_the_first_errors() {
     let last = |count: usize| {
         let text = run(many(count).path(), &["--only", "target-breaks-start"]);
-        text.split_once("\nFailed. ").unwrap().1.lines().skip(1).map(str::to_owned).collect::<Vec<_>>()
+        let mut lines: Vec<String> =
+            text.split_once("\nFailed. ").unwrap().1.lines().skip(1).map(str::to_owned).collect();
+        assert!(lines.pop().unwrap().starts_with("Not checked: "), "{text}");
+        lines
     };
     assert_eq!(last(3), Vec::<String>::new());
     let place = |number| format!("  data/target/figure/head/broken{number}.target:1:5: target-breaks-start");

@@ -115,11 +115,13 @@ fn reads_hidden(path: &HiddenPath<'_>) -> bool {
 fn loose_place(path: &str, base: Option<&str>) -> Option<String> {
     let (folder, file) = path.rsplit_once('/').unwrap_or(("", path));
     let (_, extension) = file.rsplit_once('.')?;
+    // Targets and skeletons are looked for one folder below the base; deeper ones would be out of sight.
+    let near = folder.replace('/', "_");
     let place = match (extension, base) {
-        // Targets are looked for one folder below the base; deeper ones would be out of sight.
         ("target", Some(base)) if folder.is_empty() => format!("target/{base}/loose/{file}"),
-        ("target", Some(base)) => format!("target/{base}/{}/{file}", folder.replace('/', "_")),
-        ("mhskel" | "mhw", Some(base)) => format!("rigs/{base}/{path}"),
+        ("target", Some(base)) => format!("target/{base}/{near}/{file}"),
+        ("mhskel" | "mhw", Some(base)) if folder.is_empty() => format!("rigs/{base}/{file}"),
+        ("mhskel" | "mhw", Some(base)) => format!("rigs/{base}/{near}/{file}"),
         ("target" | "mhskel" | "mhw", None) => format!("{ALONE}/{path}"),
         _ => return None,
     };

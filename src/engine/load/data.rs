@@ -52,6 +52,11 @@ impl<'t> Loaded<'t> {
         narrow.iter().map(String::as_str)
     }
 
+    /// Whether the mesh that a file belongs to is known.
+    pub(in crate::engine) fn has_mesh_for(&self, file: &FileFacts) -> bool {
+        file.base().is_some_and(|base| self.sizes.contains_key(base))
+    }
+
     /// Whether it is the same data root as one on the other side of a comparison.
     pub(in crate::engine) fn is_counterpart(&self, other: &Loaded<'_>) -> bool {
         self.place.is_counterpart(&other.place)

@@ -8,23 +8,41 @@ use super::super::error::{Error, PathFault};
 use super::roots::roots_of;
 use crate::diag::Application;
 use crate::discover::{Layout, is_read_though_hidden};
-use crate::source::{Tree, folder_of, slashed};
+use crate::source::{Tree, folder_of, is_below, slashed};
 
 /// A tree to look for data roots in.
 pub(in crate::engine) struct Input {
     pub(in crate::engine) tree: Tree,
     /// Report only below these printed paths; empty for everything.
     pub(in crate::engine) narrow: Vec<String>,
+    /// The PATHs that led here, as printed.
+    pub(in crate::engine) named: Vec<String>,
 }
 
 impl Input {
     pub(in crate::engine) fn whole(tree: Tree) -> Self {
-        Self { tree, narrow: Vec::new() }
+        let named = vec![tree.label().to_owned()];
+        Self { tree, narrow: Vec::new(), named }
     }
 
-    /// What is asked for in it, as printed.
-    pub(in crate::engine) fn paths(&self) -> Vec<String> {
-        if self.narrow.is_empty() { vec![self.tree.label().to_owned()] } else { self.narrow.clone() }
+    /// A part of a tree, by its printed path.
+    fn part(tree: Tree, path: String) -> Self {
+        Self { tree, narrow: vec![path.clone()], named: vec![path] }
+    }
+
+    /// Whether a printed path is one that the PATHs ask for.
+    pub(super) fn asks_for(&self, path: &str) -> bool {
+        self.narrow.is_empty() || self.narrow.iter().any(|narrow| is_below(path, narrow))
+    }
+
+    /// Takes in another PATH to the same tree.
+    fn join(&mut self, mut other: Self) {
+        if self.narrow.is_empty() || other.narrow.is_empty() {
+            self.narrow.clear();
+        } else {
+            self.narrow.append(&mut other.narrow);
+        }
+        self.named.append(&mut other.named);
     }
 }
 
@@ -34,8 +52,7 @@ pub(in crate::engine) fn open(paths: &[PathBuf], applications: &[Application]) -
     for path in paths {
         let (place, input) = open_one(path, applications)?;
         match inputs.iter_mut().find(|(known, _)| *known == place) {
-            Some((_, known)) if known.narrow.is_empty() || input.narrow.is_empty() => known.narrow.clear(),
-            Some((_, known)) => known.narrow.extend(input.narrow),
+            Some((_, known)) => known.join(input),
             None => inputs.push((place, input)),
         }
     }
@@ -65,7 +82,7 @@ fn open_one(path: &Path, applications: &[Application]) -> Result<(PathBuf, Input
 fn open_beside(path: &Path, place: &Path, here: &str) -> (PathBuf, Input) {
     let folder = folder_of(path);
     let tree = Tree::on_disk_to_depth(label(folder), folder, 1, is_read_though_hidden);
-    (place.parent().unwrap_or(place).to_owned(), Input { tree, narrow: vec![here.to_owned()] })
+    (place.parent().unwrap_or(place).to_owned(), Input::part(tree, here.to_owned()))
 }
 
 /// The data root that `path` lies inside of.
@@ -78,7 +95,7 @@ fn open_above(path: &Path, place: &Path, here: &str, applications: &[Application
     let below = slashed(place.strip_prefix(&root).ok()?);
     let narrow = if root_label.is_empty() { below } else { format!("{root_label}/{below}") };
     let tree = Tree::on_disk(root_label, &root, is_read_though_hidden);
-    Some((root, Input { tree, narrow: vec![narrow] }))
+    Some((root, Input::part(tree, narrow)))
 }
 
 /// The folder above `place` that is a data root of any application, where `layout` has such a one.

@@ -124,6 +124,10 @@ fn is_compared(file: &FileFacts) -> bool {
 }
 
 fn faults_below(place: &Place<'_>) -> Vec<WalkFault> {
+    // What is damaged outside of data roots is none of ours.
+    if place.is_loose {
+        return Vec::new();
+    }
     let prefix = if place.root.is_empty() { String::new() } else { format!("{}/", place.root) };
     let relative = |path: &str| path.strip_prefix(&prefix).map(str::to_owned);
     let faults = place.tree.faults().iter();

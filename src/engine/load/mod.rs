@@ -5,6 +5,7 @@
 mod data;
 mod input;
 mod layer;
+mod loose;
 mod open;
 mod place;
 mod read;

@@ -3,9 +3,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::diag::Application;
-use crate::discover::{Candidate, Layout, candidates, loose_candidates};
+use crate::discover::{Binding, Candidate, Layout, candidates, loose_candidates};
 use crate::formats::Needs;
-use crate::source::Tree;
+use crate::source::{Entry, Tree};
 
 /// A data root in its tree.
 pub(in crate::engine) struct Place<'t> {
@@ -28,9 +28,9 @@ impl<'t> Place<'t> {
         Self::with(tree, root, layouts, candidates(tree, root, layouts), false)
     }
 
-    /// The loose files of a tree, as if they lay in a user's data root of `layout`, for `base` if one is known.
-    pub(super) fn loose(tree: &'t Tree, layout: &'static Layout, base: Option<&str>) -> Self {
-        Self::with(tree, "", &[layout], loose_candidates(tree, layout, base), true)
+    /// The loose files of a tree, as if they lay in a user's data root of `layout`, for the base meshes that `bind` says.
+    pub(super) fn loose(tree: &'t Tree, layout: &'static Layout, bind: impl Fn(&Entry) -> Binding) -> Self {
+        Self::with(tree, "", &[layout], loose_candidates(tree, layout, bind), true)
     }
 
     fn with(
@@ -65,11 +65,6 @@ impl<'t> Place<'t> {
     /// Whether it is where another data root of the same applications is.
     pub(super) fn is_counterpart(&self, other: &Place<'_>) -> bool {
         self.path() == other.path() && self.has_layouts_of(other)
-    }
-
-    /// Whether nothing lies in it.
-    pub(super) fn is_empty(&self) -> bool {
-        self.below.is_empty()
     }
 
     /// Its files but for the bulk.

@@ -5,11 +5,12 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::super::error::{Error, PathFault};
 use super::super::settle::Scope;
 use super::input::Input;
+use super::loose::loose;
 use super::place::Place;
 use crate::config::Config;
-use crate::diag::{Application, EXAMPLES, NotChecked, Note, Outcome, RootSummary, Unchecked};
-use crate::discover::{Kind, Layout, find_roots};
-use crate::source::{EntryKind, Tree};
+use crate::diag::{Application, NotChecked, Note, Outcome, RootSummary, Unchecked};
+use crate::discover::{Kind, Layout, find_roots, is_asset_anywhere};
+use crate::source::{EntryKind, Tree, WalkFaultKind, is_below};
 
 /// What a run reads.
 pub(in crate::engine) struct Roots<'t> {
@@ -47,8 +48,17 @@ impl<'t> Roots<'t> {
     ) -> Result<Self, Error> {
         let found: Vec<_> = inputs.iter().map(|input| (input, roots_of(&input.tree, |_| true))).collect();
         let mut systems = system.map(|system| system_places(system, applications)).transpose()?.unwrap_or_default();
-        let outside = found.iter().filter(|(_, roots)| roots.is_empty()).map(|(input, _)| *input).collect();
-        let loose = loose(outside, &systems, options, applications, outcome);
+        let asked = applications.iter().copied().filter(|application| options.asks_for(*application));
+        let mut outside = Vec::new();
+        for application in asked {
+            let own = systems.iter().filter(|system| system.is_of(application));
+            let bases = own.flat_map(base_meshes).collect();
+            for (input, roots) in &found {
+                let place = loose(input, roots, Layout::of(application), &bases, options)?;
+                outside.extend(place.map(|place| (*input, place)));
+            }
+        }
+        note_outside(&found, outside.iter().map(|(_, place)| place), outcome);
         let mut given = found.iter().flat_map(|(input, roots)| roots.keys().map(|root| input.tree.shown(root)));
         let all_given = given.next().filter(|first| given.all(|other| other == *first));
         for all in systems.extract_if(.., |system| all_given == Some(system.path())) {
@@ -66,7 +76,7 @@ impl<'t> Roots<'t> {
                 roots.add(input, path, [checked, others], outcome);
             }
         }
-        for (input, place) in loose {
+        for (input, place) in outside {
             roots.want(place, &input.narrow);
         }
         Ok(roots)
@@ -111,55 +121,47 @@ pub(super) fn system_places<'t>(tree: &'t Tree, applications: &[Application]) ->
     if places.is_empty() { Err(Error::Path { path: tree.label().to_owned(), fault: nothing() }) } else { Ok(places) }
 }
 
-/// The files of trees without a data root, put where the applications would look for them.
-fn loose<'t>(
-    outside: Vec<&'t Input>,
-    systems: &[Place<'_>],
-    options: &Config,
-    applications: &[Application],
-    outcome: &mut Outcome,
-) -> Vec<(&'t Input, Place<'t>)> {
-    let mut all = Vec::new();
-    for application in applications {
-        let own = systems.iter().filter(|system| system.is_of(*application));
-        let bases: BTreeSet<String> = own.flat_map(base_meshes).collect();
-        let base = base_for(&bases, options);
-        let place = |input: &&'t Input| (*input, Place::loose(&input.tree, Layout::of(*application), base));
-        let places: Vec<_> = outside.iter().map(place).filter(|(_, place)| !place.is_empty()).collect();
-        if base.is_none() && !places.is_empty() {
-            outcome.notes.push(Note::Alone { bases: bases.into_iter().collect() });
-        }
-        all.extend(places.into_iter().filter(|_| options.asks_for(*application)));
-    }
-    all
-}
-
-/// The base mesh that loose files are for: the one asked for, or the only one there is.
-fn base_for<'b>(bases: &'b BTreeSet<String>, options: &Config) -> Option<&'b str> {
-    match options.bases.as_slice() {
-        [asked] => bases.get(asked),
-        _ if bases.len() == 1 => bases.first(),
-        _ => None,
-    }
-    .map(String::as_str)
-}
-
 fn base_meshes(place: &Place<'_>) -> BTreeSet<String> {
     let meshes = place.files().filter(|file| file.kind() == Kind::BaseMesh);
     meshes.filter_map(|file| file.owner().map(str::to_owned)).collect()
 }
 
+/// Says what outside of data roots is not checked: folders that could not be listed, and assets of other kinds than
+/// those that are checked alone.
+fn note_outside<'p, 't: 'p>(
+    found: &[(&Input, BTreeMap<String, Vec<&'static Layout>>)],
+    checked: impl Iterator<Item = &'p Place<'t>>,
+    outcome: &mut Outcome,
+) {
+    let (mut closed, mut others) = (BTreeSet::new(), BTreeSet::new());
+    for (input, roots) in found {
+        let is_outside = |path: &str| !roots.keys().any(|root| is_below(path, root));
+        let faults = input.tree.faults().iter().filter(|fault| matches!(fault.kind, WalkFaultKind::Unreadable { .. }));
+        closed.extend(faults.filter(|fault| is_outside(&fault.path)).map(|fault| input.tree.shown(&fault.path)));
+        let files =
+            input.tree.entries().iter().filter(|entry| entry.kind == EntryKind::File && is_outside(&entry.path));
+        let shown = files.map(|entry| (entry, input.tree.shown(&entry.path)));
+        let assets = shown.filter(|(entry, shown)| input.named.contains(shown) || is_asset_anywhere(&entry.path));
+        others.extend(assets.map(|(_, shown)| shown).filter(|shown| input.asks_for(shown)));
+    }
+    for place in checked {
+        for file in &place.below {
+            others.remove(&place.tree.shown(&file.entry.path));
+        }
+    }
+    for (what, paths) in [(Unchecked::Closed, closed), (Unchecked::Kind, others)] {
+        if !paths.is_empty() {
+            outcome.not_checked.push(NotChecked::of(None, what, paths));
+        }
+    }
+}
+
 fn note_unchecked(place: &Place<'_>, layout: &Layout, outcome: &mut Outcome) {
     let (root, application) = (place.path(), layout.application);
     let path = shown(&root).to_owned();
-    let files: Vec<_> = place.below.iter().filter(|file| file.is_file()).collect();
-    outcome.not_checked.push(NotChecked {
-        application: Some(application),
-        what: Unchecked::Application,
-        count: files.len(),
-        examples: files.iter().take(EXAMPLES).map(|file| place.tree.shown(&file.entry.path)).collect(),
-    });
-    outcome.notes.push(Note::NotYet { path: path.clone(), application });
+    let files = place.below.iter().filter(|file| file.is_file());
+    let files = files.map(|file| place.tree.shown(&file.entry.path)).collect();
+    outcome.not_checked.push(NotChecked::of(Some(application), Unchecked::Application, files));
     outcome.roots.push(RootSummary { path, application, bases: Vec::new(), checked: false });
 }
 

@@ -34,6 +34,7 @@ pub(in crate::engine) fn sides(
             for (input, now) in inputs.iter_mut().zip(&folder.inputs) {
                 input.tree.relabel(now.tree.label());
                 input.narrow.clone_from(&now.narrow);
+                input.named.clone_from(&now.named);
             }
             Side { inputs, system: open_system()? }
         }
@@ -71,7 +72,11 @@ impl Side {
     /// The same with other contents.
     fn with(&self, contents: &Contents<PathBuf>) -> Self {
         let with = |tree: &Tree| tree.with(&below(tree, contents));
-        let inputs = self.inputs.iter().map(|input| Input { tree: with(&input.tree), narrow: input.narrow.clone() });
+        let inputs = self.inputs.iter().map(|input| Input {
+            tree: with(&input.tree),
+            narrow: input.narrow.clone(),
+            named: input.named.clone(),
+        });
         Self { inputs: inputs.collect(), system: self.system.as_ref().map(with) }
     }
 

@@ -84,7 +84,7 @@ impl Keeper<'_> {
         let rel = self.options.file.as_ref().and_then(|file| file.relative(path));
         let verdict = self.selection.verdict(finding.rule, finding.level, rel.as_deref());
         let layer = self.root.layer;
-        let file = || layer.relative(path).and_then(|rel| layer.file(rel));
+        let file = || layer.printed(path);
         let is_reported = matches!(verdict, Verdict::At(_));
         if is_reported && ignores.hides(finding.rule, path, file()) { Verdict::Hidden } else { verdict }
     }
@@ -100,8 +100,10 @@ impl Keeper<'_> {
     }
 
     fn is_wanted(&self, finding: &Finding) -> bool {
-        let Some(rel) = self.root.own_path(&finding.path) else { return false };
-        let bases = self.root.layer.bases_at(rel);
+        if self.root.own_path(&finding.path).is_none() {
+            return false;
+        }
+        let bases = self.root.layer.bases_at(&finding.path);
         let is_of_asked = bases.is_empty() || bases.iter().any(|base| self.options.asks_for_base(base));
         // One finding may speak for several files; who names one of them is told.
         let mut files = std::iter::once(&finding.path).chain(finding.files());

@@ -11,6 +11,7 @@ use std::io::{self, Write};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use super::phrase::{self, Piece, pieces};
+use super::unchecked::unchecked;
 use super::{View, count, printable, verdict};
 use crate::diag::{Application, Finding, Level, Outcome, RuleInfo};
 
@@ -88,9 +89,15 @@ fn top(outcome: &Outcome, view: &View<'_>) -> Markup {
                 @for (number, what) in verdict::hidden(outcome) { ", " (count(number, "finding")) " " (what) }
             }
             @if !outcome.notes.is_empty() {
-                section .notes aria-label="Not judged" {
-                    h2 { "Not judged" }
+                section .notes aria-label="Notes" {
+                    h2 { "Notes" }
                     ul { @for note in &outcome.notes { li { (inline(&printable(&super::note(note)))) } } }
+                }
+            }
+            @if !outcome.not_checked.is_empty() {
+                section .notes aria-label="Not checked" {
+                    h2 { "Not checked" }
+                    ul { @for clause in unchecked(outcome) { li { (inline(&printable(&clause))) } } }
                 }
             }
         }

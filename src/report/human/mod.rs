@@ -26,7 +26,11 @@ pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> 
     }
     writeln!(out, "{}", verdict::sentence(outcome, view))?;
     let errors = verdict::first_errors(outcome);
-    errors.iter().try_for_each(|line| writeln!(out, "{}", hang("  ", line, view.width)))
+    errors.iter().try_for_each(|line| writeln!(out, "{}", hang("  ", line, view.width)))?;
+    match super::unchecked_line(outcome) {
+        Some(line) => writeln!(out, "{}", hang("", &printable(&line), view.width)),
+        None => Ok(()),
+    }
 }
 
 fn write_heading(file: &[&Finding], outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> io::Result<()> {

@@ -105,7 +105,9 @@ fn of_sliders(view: &View<'_>, base: &Base<'_>) -> Option<Finding> {
 /// Targets of a base that no layer has.
 fn orphan(checked: &Layer, base: &Base<'_>) -> Option<Finding> {
     let folders = ["contarget", "target"].map(|folder| format!("{folder}/{}", base.name));
-    let folder = folders.iter().find(|folder| checked.below(folder).next().is_some())?;
+    // A loose file lies in no folder of a base: that its base is not known is among what was not checked.
+    let is_in = |folder: &&String| checked.below(folder).any(|file| !file.is_loose());
+    let folder = folders.iter().find(is_in)?;
     let message = format!("there is no base `{}`: neither base.json nor a mesh", base.name);
     Some(
         RULE.in_layer(checked, folder, message)

@@ -2,7 +2,6 @@
 
 pub(super) mod broken_override;
 pub(super) mod empty_target_folder;
-pub(super) mod needs_system;
 pub(super) mod partial_override;
 pub(super) mod shadowed;
 pub(super) mod targets_not_in_layer;

@@ -90,7 +90,7 @@ fn without_macros(base: &Base<'_>, system: SystemFolder) -> Option<Gap> {
             let message = format!("no macro.json beside it: targets and icons come from `{folder}` of the system");
             Some((Level::Info, message, "uses these sliders with the system's targets", help))
         }
-        // Its references are those that `overlay-needs-system` counts.
+        // Its references are among what was not checked.
         SystemFolder::Unknown => None,
     }
 }

@@ -1,0 +1,99 @@
+//! What of the data was checked, and what was not.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::catalogue::has_rules;
+use super::load::{Loaded, shown};
+use super::settle::Scope;
+use crate::config::Config;
+use crate::diag::{Application, NotChecked, Outcome, Unchecked, Untouched};
+use crate::repo::{FileFacts, Resolution, View};
+use crate::source::is_below;
+
+/// What a run has checked so far.
+pub(super) struct Coverage<'r> {
+    asked: Asked<'r>,
+    /// The PATHs of which nothing was checked yet.
+    untouched: BTreeSet<String>,
+    /// What was not checked, by printed path.
+    left: BTreeMap<(Option<Application>, Unchecked), BTreeSet<String>>,
+}
+
+/// What alone is to be reported on.
+#[derive(Clone, Copy)]
+struct Asked<'r> {
+    options: &'r Config,
+    scope: &'r Scope<'r>,
+}
+
+impl<'r> Coverage<'r> {
+    /// Nothing is checked yet of these PATHs.
+    pub(super) fn new(paths: impl IntoIterator<Item = String>, scope: &'r Scope<'r>, options: &'r Config) -> Self {
+        let asked = Asked { options, scope };
+        Self { asked, untouched: paths.into_iter().collect(), left: BTreeMap::new() }
+    }
+
+    /// Counts a data root that was checked as its applications see it.
+    pub(super) fn add(&mut self, root: &Loaded<'_>, views: &[View<'_>], outcome: &mut Outcome) {
+        let asked = self.asked;
+        for file in root.layer.files.values().filter(|file| asked.is_for(root, file)) {
+            let mut is_checked = false;
+            for view in views {
+                let application = view.application();
+                if has_rules(application, file.kind_in(application)) {
+                    is_checked = true;
+                } else {
+                    self.leave(application, Unchecked::Kind, &file.path);
+                }
+                if file.names_vertices() && !root.has_mesh_for(file) {
+                    self.leave(application, Unchecked::NoBaseMesh, &file.path);
+                }
+            }
+            if is_checked {
+                outcome.summary.files += 1;
+                outcome.summary.bytes += file.size;
+                self.untouched.retain(|path| !is_below(&file.path, path));
+            }
+        }
+        for view in views {
+            let open = view.references().iter().filter(|one| matches!(one.resolution, Resolution::NeedsSystem));
+            for reference in open.filter(|one| asked.is_for(root, one.from)) {
+                self.leave(view.application(), Unchecked::NoSystem, &reference.rel);
+            }
+        }
+    }
+
+    fn leave(&mut self, application: Application, what: Unchecked, path: &str) {
+        self.left.entry((Some(application), what)).or_default().insert(path.to_owned());
+    }
+
+    /// Says what was not checked.
+    pub(super) fn conclude(self, outcome: &mut Outcome) {
+        let unchecked: BTreeSet<&str> =
+            outcome.roots.iter().filter(|root| !root.checked).map(|root| root.path.as_str()).collect();
+        let kinds: Vec<&String> =
+            self.left.iter().filter(|((_, what), _)| *what == Unchecked::Kind).flat_map(|(_, paths)| paths).collect();
+        let named = outcome.not_checked.iter().filter(|entry| entry.what == Unchecked::Kind);
+        let kinds: Vec<&String> = kinds.into_iter().chain(named.flat_map(|entry| &entry.examples)).collect();
+        let why = |path: &str| {
+            if unchecked.iter().any(|root| is_below(path, root) || is_below(root, path) || *root == shown(path)) {
+                Some(Unchecked::Application)
+            } else {
+                kinds.iter().any(|file| is_below(file, path)).then_some(Unchecked::Kind)
+            }
+        };
+        let untouched = self.untouched.iter();
+        outcome.nothing_in =
+            untouched.map(|path| Untouched { path: shown(path).to_owned(), what: why(path) }).collect();
+        let left = self.left.into_iter().map(|((application, what), paths)| NotChecked::of(application, what, paths));
+        outcome.not_checked.extend(left);
+        outcome.not_checked.sort_by_key(|entry| (entry.application, entry.what));
+    }
+}
+
+impl Asked<'_> {
+    fn is_for(self, root: &Loaded<'_>, file: &FileFacts) -> bool {
+        let is_of_asked_base = file.base().is_none_or(|base| self.options.asks_for_base(base));
+        root.is_asked_for(&file.path) && !self.scope.excludes(&file.path) && is_of_asked_base
+    }
+}

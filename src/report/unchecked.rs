@@ -1,0 +1,89 @@
+//! What was not checked, in words.
+
+use super::count;
+use crate::diag::{NotChecked, Outcome, Unchecked};
+
+/// Extensions that are named.
+const NAMED: usize = 5;
+
+/// A clause for each reason, not made harmless yet.
+pub(super) fn unchecked(outcome: &Outcome) -> impl Iterator<Item = String> {
+    outcome.not_checked.iter().map(clause)
+}
+
+/// `Not checked: 3 .blend, 12 .bvh (no rules yet); …`, not made harmless yet.
+pub fn unchecked_line(outcome: &Outcome) -> Option<String> {
+    let clauses: Vec<String> = unchecked(outcome).collect();
+    (!clauses.is_empty()).then(|| format!("Not checked: {}.", clauses.join("; ")))
+}
+
+fn clause(entry: &NotChecked) -> String {
+    let files = count(entry.count, "file");
+    match entry.what {
+        Unchecked::Kind => format!("{} (no rules yet)", by_extension(entry)),
+        Unchecked::Application => {
+            let application = entry.application.map_or_else(String::new, |application| format!("{application} "));
+            format!("{application}data, {files} (this version does not check them yet)")
+        }
+        Unchecked::NoBaseMesh => format!(
+            "vertex numbers in {} (no base mesh; use `--system`, and `--base` for files outside of data folders)",
+            by_extension(entry)
+        ),
+        Unchecked::NoSystem => format!("{} (looked for in the system data; use `--system`)", names(entry)),
+        Unchecked::Closed => format!("what is in {} (cannot be listed)", names(entry)),
+        Unchecked::NotCompared => format!("whether findings in {files} are new (former contents are not at hand)"),
+    }
+}
+
+/// `12 .bvh, 3 .blend and 5 more files`.
+fn by_extension(entry: &NotChecked) -> String {
+    let named = entry.extensions.iter().take(NAMED).map(|(extension, count)| match extension.as_str() {
+        "" => format!("{count} without extension"),
+        extension => format!("{count} .{extension}"),
+    });
+    let mut words = named.collect::<Vec<_>>().join(", ");
+    let more: usize = entry.extensions.iter().skip(NAMED).map(|(_, count)| count).sum();
+    if more > 0 {
+        words = format!("{words} and {}", count(more, "more file"));
+    }
+    words
+}
+
+/// How many names there are, and the first.
+fn names(entry: &NotChecked) -> String {
+    match (entry.count, entry.examples.as_slice()) {
+        (1, [only]) => format!("`{only}`"),
+        (number, [first, ..]) => format!("{number} names such as `{first}`"),
+        (number, []) => count(number, "name"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use super::*;
+
+    fn line(what: Unchecked, paths: &[&str]) -> String {
+        let paths: BTreeSet<String> = paths.iter().map(|path| (*path).to_owned()).collect();
+        let outcome = Outcome { not_checked: vec![NotChecked::of(None, what, paths)], ..Outcome::default() };
+        unchecked_line(&outcome).unwrap()
+    }
+
+    #[test]
+    fn files_are_counted_by_extension_the_most_first() {
+        let paths = ["a.bvh", "x/b.bvh", "c.blend", "README", "a.1", "a.2", "a.3", "a.4"];
+        assert_eq!(
+            line(Unchecked::Kind, &paths),
+            "Not checked: 2 .bvh, 1 without extension, 1 .1, 1 .2, 1 .3 and 2 more files (no rules yet)."
+        );
+        assert_eq!(unchecked_line(&Outcome::default()), None);
+    }
+
+    #[test]
+    fn one_name_stands_alone() {
+        assert_eq!(line(Unchecked::Closed, &["a/b"]), "Not checked: what is in `a/b` (cannot be listed).");
+        let two = line(Unchecked::NoSystem, &["a/b", "a/c"]);
+        assert!(two.starts_with("Not checked: 2 names such as `a/b`"), "{two}");
+    }
+}
