@@ -34,6 +34,8 @@ pub struct UnknownKey {
     pub object: Option<String>,
     /// The known key most like it.
     pub nearest: Option<String>,
+    /// Whether its value is an object with something in it.
+    pub is_object: bool,
 }
 
 /// A schema of ours.

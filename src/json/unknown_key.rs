@@ -32,7 +32,7 @@ impl<'s> Walk<'s> {
         for member in node.effective_members() {
             self.below(&member.key, |walk| match member_schema(&schema, &member.key) {
                 Some(below) => walk.value(&member.node, below),
-                None => walk.note(&schema, &member.key),
+                None => walk.note(&schema, &member.key, !member.node.effective_members().is_empty()),
             });
         }
         for (index, element) in node.elements().iter().enumerate() {
@@ -62,7 +62,7 @@ impl<'s> Walk<'s> {
         all
     }
 
-    fn note(&mut self, schema: &Keywords<'s>, key: &str) {
+    fn note(&mut self, schema: &Keywords<'s>, key: &str, is_object: bool) {
         let known = schema.properties.iter().flat_map(|properties| properties.keys()).map(String::as_str);
         let known: Vec<&str> = known.collect();
         self.found.push(UnknownKey {
@@ -71,6 +71,7 @@ impl<'s> Walk<'s> {
             key: key.to_owned(),
             object: schema.title.filter(|_| self.pointer.matches('/').count() > 1).map(str::to_owned),
             nearest: meant(key, &known).map(Cow::into_owned),
+            is_object,
         });
     }
 }

@@ -91,12 +91,15 @@ impl<'a> Parser<'a> {
         let shown = self.lexer.slice(&span);
         match self.next.token {
             Token::End => Fault::new(FaultKind::Syntax, span, "ends too early"),
-            Token::Operator("[" | "{" | "&" | "|" | "^" | "~" | "<<" | ">>" | "@" | ":=" | "." | "..." | ",") => {
-                Self::foreign(span, format!("uses `{shown}`"))
+            Token::Operator("&" | "|" | "^" | "~" | "<<" | ">>" | "@") => {
+                Fault::new(FaultKind::Mistyped, span, format!("uses `{shown}`, which is not for numbers with decimals"))
             }
-            Token::Name if matches!(shown, "in" | "is" | "for" | "async") => {
-                Self::foreign(span, format!("uses `{shown}`"))
+            Token::Name if shown == "in" => {
+                Fault::new(FaultKind::Mistyped, span, "uses `in`, which is not for numbers".to_owned())
             }
+            Token::Operator(",") => Fault::new(FaultKind::Pair, span, "holds a comma"),
+            Token::Operator("[" | "{" | ":=" | "." | "...") => Self::foreign(span, format!("uses `{shown}`")),
+            Token::Name if matches!(shown, "is" | "for" | "async") => Self::foreign(span, format!("uses `{shown}`")),
             _ => Fault::new(FaultKind::Syntax, span, format!("has an unexpected `{shown}`")),
         }
     }

@@ -37,6 +37,10 @@ pub enum FaultKind {
     Syntax,
     /// Python raises an exception each time.
     Raises,
+    /// Python raises a TypeError each time: an operator that is not for numbers with decimals.
+    Mistyped,
+    /// Python makes a pair of it, which is never exactly false.
+    Pair,
     /// A layout is not for the value, or for none.
     Layout,
 }
@@ -94,9 +98,6 @@ mod tests {
             "f'{val}'",
             "b'a'",
             "(val := 1)",
-            "val, 1",
-            "val in 'a'",
-            "val & 1",
             "\u{ff56}al",
             "x",
             "1j",
@@ -146,6 +147,14 @@ mod tests {
         for text in ["'a' + 1", "val - 'a'", "val < 'a'", "round('a')", "val / 0", "round(val, 1.5)", "str()"] {
             assert_eq!(kind(text), Some(FaultKind::Raises), "{text}");
         }
+    }
+
+    #[test]
+    fn operators_that_are_not_for_numbers_run_nothing() {
+        for text in ["val & 1", "val ^ 2", "~val", "val << 1", "val in 'a'"] {
+            assert_eq!(kind(text), Some(FaultKind::Mistyped), "{text}");
+        }
+        assert_eq!((kind("val < 0,5"), kind("val is 1")), (Some(FaultKind::Pair), Some(FaultKind::Foreign)));
     }
 
     #[test]

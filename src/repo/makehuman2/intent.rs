@@ -15,6 +15,8 @@ const COMPARED: usize = 4096;
 pub(super) struct Intent<'a> {
     /// Whether some slider cannot be read.
     unreadable: bool,
+    /// Whether none of the targets that the sliders name is there: they are those of another base.
+    foreign: bool,
     /// Whether the icon of some slider cannot be read.
     unreadable_icons: bool,
     /// Targets that entries with misspelt keys, or with a `user` of the system's, were meant to use.
@@ -50,9 +52,11 @@ impl<'a> Intent<'a> {
         let marked = || sliders().filter(|bound| base.is_marked_as_users(bound));
         let unmarked = marked().flat_map(|bound| bound.pattern.names()).filter_map(|name| name.strip_prefix("custom/"));
         let misspelt = misspelt.chain(marked().map(|bound| bound.slider));
+        let foreign = is_foreign(base);
         Self {
-            unreadable: unreadable || sliders().any(|bound| bound.slider.is_incomplete()),
-            unreadable_icons: unreadable || sliders().any(has_no_icon),
+            unreadable: unreadable || foreign || sliders().any(|bound| bound.slider.is_incomplete()),
+            foreign,
+            unreadable_icons: unreadable || foreign || sliders().any(has_no_icon),
             targets: misspelt.flat_map(|slider| [&slider.incr, &slider.decr]).flatten().map(String::as_str).collect(),
             meant: sliders()
                 .flat_map(|slider| slider.meant.names())
@@ -64,6 +68,25 @@ impl<'a> Intent<'a> {
             lacking: names.map(|name| (name.as_str(), Sought::new(name))).collect(),
         }
     }
+}
+
+/// Sliders of which none finds a target, from this many on, are those of another base.
+const FOREIGN: usize = 3;
+
+/// Whether the folder in use has targets, and none of those that the sliders name, in whatever folder or spelling.
+fn is_foreign(base: &Base<'_>) -> bool {
+    let Some(folder) = base.targets.filter(|_| base.other_targets.is_none()) else { return false };
+    let has_target = |bound: &&BoundSlider<'_>| bound.slider.incr.is_some() || bound.slider.decr.is_some();
+    let own = || base.sliders.iter().filter(|bound| !bound.slider.user && !bound.slider.is_macro()).filter(has_target);
+    if own().count() < FOREIGN || !own().all(|bound| base.lacks_target(bound)) {
+        return false;
+    }
+    let stems: BTreeSet<String> = folder.targets().map(|file| file.stem().to_lowercase()).collect();
+    let is_there = |name: &String| {
+        let file = name.rsplit(['/', '\\']).next().unwrap_or(name).to_lowercase();
+        stems.contains(file.strip_suffix(".target").unwrap_or(&file))
+    };
+    !stems.is_empty() && !own().flat_map(|bound| [&bound.slider.incr, &bound.slider.decr]).flatten().any(is_there)
 }
 
 fn folder_of(pattern: &str) -> Option<String> {
@@ -94,6 +117,11 @@ impl<'a> Base<'a> {
     /// would have used.
     pub(crate) fn has_unreadable_sliders(&self) -> bool {
         self.intent.unreadable
+    }
+
+    /// Whether none of the targets that the sliders name is in the folder in use, which has others.
+    pub(crate) fn has_foreign_sliders(&self) -> bool {
+        self.intent.foreign
     }
 
     /// Whether an entry of this key is there and no object.

@@ -34,14 +34,20 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 }
                 FaultKind::Endless => "may hang or run out of memory when a random character is made",
                 FaultKind::Syntax => "stops with a SyntaxError when a random character is made",
+                FaultKind::Mistyped => "stops with a TypeError when a random character is made",
+                FaultKind::Pair => "makes a pair of it, which is never exactly False: the rule has no effect",
                 FaultKind::Raises | FaultKind::Layout => "stops with an exception when a random character is made",
+            };
+            let help = match fault.kind {
+                FaultKind::Pair => "write a point in a number, such as `x < 0.5`",
+                _ => "write a comparison of `x` with numbers, such as `0.2 < x < 0.75`",
             };
             let message = format!("the rule of `{key}` on `{}` {}", condition.slider, fault.what);
             out.push(
                 RULE.at(file, Place::Span(fault.span.clone()), message)
                     .key(format!("{key} {}", condition.slider))
                     .effect(effect)
-                    .help("write a comparison of `x` with numbers, such as `0.2 < x < 0.75`"),
+                    .help(help),
             );
         }
     }

@@ -33,3 +33,16 @@ pub(in crate::rules) fn has_sound_steps(component: &Component) -> bool {
             && steps.last() == Some(&1.0)
     })
 }
+
+/// Patterns under which a component reads sliders. A third entry of `sum` is the last that is read.
+pub(in crate::rules) fn patterns(component: &Component) -> Vec<String> {
+    let Some(pattern) = &component.pattern else { return Vec::new() };
+    match (&component.steps, &component.sum) {
+        (Some(_), _) => vec![pattern.clone()],
+        (None, Some(sum)) => {
+            let read = sum.iter().take(component.values.len().min(3));
+            read.map(|end| format!("{pattern}{end}")).collect()
+        }
+        (None, None) => Vec::new(),
+    }
+}

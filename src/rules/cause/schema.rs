@@ -20,6 +20,19 @@ pub(in crate::rules) fn misspelt<'f>(file: &'f FileFacts, key: &str) -> Option<&
     file.schema.unknown.iter().find(|unknown| unknown.nearest.as_deref() == Some(key))
 }
 
+/// Whether an unknown key stands where a key is missing from the same object: it is much like that one, or like no other
+/// and the only one that is unknown there.
+pub(in crate::rules) fn stands_for(file: &FileFacts, unknown: &UnknownKey, missing: &str) -> bool {
+    let owner = |key: &UnknownKey| key.pointer.rsplit_once('/').map(|(owner, _)| owner.to_owned());
+    match &unknown.nearest {
+        Some(nearest) => nearest == missing,
+        None => {
+            let beside = file.schema.unknown.iter().filter(|other| owner(other) == owner(unknown));
+            !unknown.is_object && beside.count() == 1
+        }
+    }
+}
+
 /// Whether a member of the whole is there with a fault in it, or under a misspelt key.
 pub(in crate::rules) fn is_faulty(file: &FileFacts, key: &str) -> bool {
     !is_sound(file, &pointer(&[key])) || misspelt(file, key).is_some()

@@ -3,11 +3,12 @@
 use std::collections::BTreeMap;
 
 use super::super::cause::consequence::of_value;
+use super::super::cause::schema::stands_for;
 use super::super::cause::{counts_as_missing, is_ignored_override};
 use super::super::{Check, Rule, RuleCx};
 use super::schema_words::{lack, sentence};
 use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
-use crate::json::SchemaFault;
+use crate::json::{SchemaFault, UnknownKey};
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -68,12 +69,13 @@ fn finding(
 
 fn help(file: &FileFacts, fault: &SchemaFault) -> String {
     // A key that is missing under its name may be there under a misspelt one.
-    let meant = file.schema.unknown.iter().find(|unknown| {
-        let owner = unknown.pointer.rsplit_once('/').map(|(owner, _)| owner);
-        owner.zip(unknown.nearest.as_deref()).is_some_and(|(owner, nearest)| fault.lacks(owner, nearest))
-    });
-    if let Some((key, nearest)) = meant.and_then(|unknown| Some((&unknown.key, unknown.nearest.as_ref()?))) {
-        return format!("is `{key}` meant to be `{nearest}`?");
+    let missing = fault.missing();
+    let is_meant = |unknown: &&UnknownKey| {
+        unknown.pointer.rsplit_once('/').is_some_and(|(owner, _)| owner == fault.pointer)
+            && missing.is_some_and(|missing| stands_for(file, unknown, missing))
+    };
+    if let Some((meant, missing)) = file.schema.unknown.iter().find(is_meant).zip(missing) {
+        return format!("is `{}` meant to be `{missing}`?", meant.key);
     }
     fault.description.clone().unwrap_or_else(|| "`mhlint schema` shows what the format wants".to_owned())
 }

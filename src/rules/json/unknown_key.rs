@@ -2,11 +2,14 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::super::cause::consequence::of_misspelt;
 use super::super::cause::is_ignored_override;
+use super::super::cause::schema::stands_for;
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use crate::diag::{Application, Case, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo, pointer};
 use crate::discover::Kind;
 use crate::formats::Content;
+use crate::formats::macro_json::Component;
 use crate::formats::mhskel::{Bone, RotationPlane, Section};
 use crate::json::UnknownKey;
 use crate::repo::{FileFacts, View};
@@ -25,8 +28,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::File(run),
 };
 
-/// Another key is meant, in a file of which each is used.
-const MEANT: Case = &[(Application::Makehuman2, Level::Warning, "ignores the key without a word")];
+/// Something slipped inside another thing of its kind.
+const NESTED: Case = &[(Application::Makehuman2, Level::Warning, "ignores all that is in it, without a word")];
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if file.schema.unknown.is_empty() || is_ignored_override(file) {
@@ -36,11 +39,11 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     let sliders = told_sliders(view, file);
     let lacking = lacking(file);
     let are_bones = has_bones_at_top(file);
-    let told = |unknown: &&UnknownKey| are_bones || lacks(&lacking, unknown) || is_told(file, &sliders, unknown);
+    let told = |unknown: &&UnknownKey| are_bones || lacks(file, &lacking, unknown) || is_told(file, &sliders, unknown);
     for unknown in file.schema.unknown.iter().filter(|unknown| !told(unknown)) {
         by_key.entry((&unknown.key, unknown.object.as_deref())).or_default().push(unknown);
     }
-    out.extend(by_key.into_values().filter_map(|all| finding(file, &all)));
+    out.extend(by_key.into_values().filter_map(|all| finding(view, file, &all)));
 }
 
 /// Pointers of entries, and the keys of theirs that another rule names.
@@ -69,10 +72,20 @@ fn lacking(file: &FileFacts) -> BTreeSet<(&str, &str)> {
     file.schema.faults.iter().filter_map(|fault| Some((fault.pointer.as_str(), fault.missing()?))).collect()
 }
 
+/// What an object with an unknown key for a name is, where it may have slipped inside its neighbour.
+fn nested(file: &FileFacts, unknown: &UnknownKey) -> Option<&'static str> {
+    match (file.kind, unknown.object.as_deref()) {
+        _ if unknown.nearest.is_some() || !unknown.is_object => None,
+        (Kind::ModellingJson, Some("Slider")) => Some("slider"),
+        (Kind::MacroJson, Some("Component")) => Some("component"),
+        _ => None,
+    }
+}
+
 /// Whether the finding on the key that the schema misses names this one.
-fn lacks(lacking: &BTreeSet<(&str, &str)>, unknown: &UnknownKey) -> bool {
+fn lacks(file: &FileFacts, lacking: &BTreeSet<(&str, &str)>, unknown: &UnknownKey) -> bool {
     let owner = unknown.pointer.rsplit_once('/').map_or("", |(owner, _)| owner);
-    unknown.nearest.as_deref().is_some_and(|nearest| lacking.contains(&(owner, nearest)))
+    lacking.range((owner, "")..).take_while(|(other, _)| *other == owner).any(|(_, key)| stands_for(file, unknown, key))
 }
 
 /// Whether the finding of another rule on the key that is missing instead names this one.
@@ -90,13 +103,17 @@ fn is_told(file: &FileFacts, sliders: &Told<'_>, unknown: &UnknownKey) -> bool {
             _ => false,
         },
         Content::BaseJson(settings) if owner.is_empty() => nearest == "visible groups" && !settings.has_visible_groups,
+        Content::Macro(macros) if matches!(nearest, "steps" | "sum") => {
+            let own = |component: &&Component| pointer(&["components", &component.name]) == owner;
+            macros.components.iter().find(own).is_some_and(|own| own.steps.is_none() && own.sum.is_none())
+        }
         Content::Modelling(_) => sliders.contains(&(owner.to_owned(), &unknown.key)),
         _ => false,
     }
 }
 
 /// One finding for a key, however many objects have it.
-fn finding(file: &FileFacts, all: &[&UnknownKey]) -> Option<Finding> {
+fn finding(view: &View<'_>, file: &FileFacts, all: &[&UnknownKey]) -> Option<Finding> {
     let first = all.first()?;
     let owner = first.object.as_deref().map(|object| format!(" of a {}", object.to_lowercase())).unwrap_or_default();
     let times = if all.len() == 1 { String::new() } else { format!(" ({} times)", all.len()) };
@@ -107,9 +124,10 @@ fn finding(file: &FileFacts, all: &[&UnknownKey]) -> Option<Finding> {
         .help(did_you_mean(first.nearest.as_deref(), "remove it, or keep notes under `comment`"))
         .parts(all.iter().map(|unknown| &unknown.name))
         .evidence(Evidence::of_cases(all.iter().map(|unknown| &unknown.pointer)));
-    let matters = matches!(file.kind, Kind::ModellingJson | Kind::TargetCategories | Kind::BaseJson);
-    if matters && first.nearest.is_some() {
-        finding = finding.case(MEANT);
+    if let Some(loss) = of_misspelt(view, file, first) {
+        finding = loss.of(view, finding);
+    } else if let Some(noun) = nested(file, first) {
+        finding = finding.case(NESTED).help(format!("a {noun} inside another one? Move it one level up"));
     }
     for other in all.iter().skip(1).take(EXAMPLES - 1) {
         finding = finding.related(file.path.clone(), Place::Key(other.pointer.clone()), "here, too");

@@ -1,8 +1,9 @@
 //! `sum` of a component must be the `barycentric` list of its slider.
 
 use super::super::cause::component::is_even;
+use super::super::cause::component::patterns;
 use super::super::{Check, Rule, RuleCx};
-use super::component::{patterns, sound_components, weigh};
+use super::component::{sound_components, weigh};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, BoundSlider, Pattern, View};
 

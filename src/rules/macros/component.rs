@@ -1,6 +1,6 @@
 //! What the rules on components and their patterns share.
 
-use super::super::cause::component::is_sound_component;
+use super::super::cause::component::{is_sound_component, patterns};
 use crate::diag::{Finding, Level};
 use crate::formats::macro_json::{Component, MacroFile};
 use crate::repo::FileFacts;
@@ -31,19 +31,6 @@ pub(super) fn reach(steps: &[f64]) -> Option<f64> {
 /// Whether a component has no value but with its slider at exactly 0, so that none of its macros ever applies.
 pub(super) fn is_dead(steps: &[f64]) -> bool {
     reach(steps).is_none_or(|reach| reach <= 0.0)
-}
-
-/// Patterns under which a component reads sliders. A third entry of `sum` is the last that is read.
-pub(super) fn patterns(component: &Component) -> Vec<String> {
-    let Some(pattern) = &component.pattern else { return Vec::new() };
-    match (&component.steps, &component.sum) {
-        (Some(_), _) => vec![pattern.clone()],
-        (None, Some(sum)) => {
-            let read = sum.iter().take(component.values.len().min(3));
-            read.map(|end| format!("{pattern}{end}")).collect()
-        }
-        (None, None) => Vec::new(),
-    }
 }
 
 /// Patterns of a component that no slider is registered under. Empty without a `modelling.json` to ask.

@@ -1,8 +1,9 @@
 //! `macro_influence` should be the macro definitions that really read the slider.
 
+use super::super::cause::component::patterns;
 use super::super::cause::schema::is_sound;
 use super::super::{Check, Rule, RuleCx};
-use super::component::{patterns, unknown_patterns};
+use super::component::unknown_patterns;
 use super::sound::clear_space;
 use crate::diag::{Application, Finding, Level, Place, RuleInfo, pointer};
 use crate::formats::macro_json::{MacroFile, Macrodef};

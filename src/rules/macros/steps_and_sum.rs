@@ -2,7 +2,9 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::component::{sound_components, unknown_patterns, weigh};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo, pointer};
+use crate::json::UnknownKey;
+use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -17,6 +19,15 @@ pub(in crate::rules) static RULE: Rule = Rule {
     },
     check: Check::Makehuman2(run),
 };
+
+/// What a key of the component was meant to be, if it is nearly one of the two.
+fn misspelt(file: &FileFacts, component: &str) -> Option<String> {
+    let own = pointer(&["components", component]);
+    let is_own = |key: &&UnknownKey| key.pointer.rsplit_once('/').is_some_and(|(owner, _)| owner == own);
+    let meant = |key: &UnknownKey| key.nearest.clone().filter(|near| near == "steps" || near == "sum");
+    let mut keys = file.schema.unknown.iter().filter(is_own);
+    keys.find_map(|key| Some(format!("is `{}` meant to be `{}`?", key.key, meant(key)?)))
+}
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };
@@ -39,8 +50,10 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             (None, None) => {
                 let place = Place::key(["components", name]);
                 RULE.at(file, place, format!("component `{name}` has neither `steps` nor `sum`"))
-                    .effect("stops with a KeyError")
-                    .help("add `steps` with a slider position for each value")
+                    .effect("stops at start with a KeyError")
+                    .help(misspelt(file, name).unwrap_or_else(|| {
+                        "add `steps` with a slider position for each value, or `sum` for a triangle slider".to_owned()
+                    }))
             }
             _ => continue,
         };

@@ -53,7 +53,7 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 format!("no slider has the pattern `{first}` that component `{name}` reads ({count} patterns like it)")
             }
         };
-        let read = super::component::patterns(component);
+        let read = super::super::cause::component::patterns(component);
         let free = macro_patterns(base).filter(|pattern| !read.iter().any(|own| own == pattern));
         let help = did_you_mean(
             nearest(first, free).filter(|near| is_slip(first, near)),

@@ -19,6 +19,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    // The sliders of another base are one fault (`modelling-missing-target`).
+    if base.has_foreign_sliders() {
+        return;
+    }
     let neighbours = Neighbours::of(view);
     for group in missing::groups(view, base, |kind| kind == ReferenceKind::Icon) {
         let Some(first) = group.references.first() else { continue };

@@ -29,6 +29,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let is_target = |kind| matches!(kind, ReferenceKind::Incr | ReferenceKind::Decr);
+    if base.has_foreign_sliders() {
+        out.extend(foreign(view, base));
+        return;
+    }
     let neighbours = Neighbours::of(view);
     let mut marked: Vec<&Reference<'_>> = Vec::new();
     for group in missing::groups(view, base, is_target) {
@@ -38,6 +42,23 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
         }
     }
     out.extend(users(&marked));
+}
+
+/// No target at all is there of those that the sliders name, but others are.
+fn foreign(view: &View<'_>, base: &Base<'_>) -> Option<Finding> {
+    let (file, _) = base.modelling.winner().filter(|(file, _)| view.layers.is_checked(file))?;
+    let folder = base.targets?;
+    let names: BTreeSet<&str> = base
+        .sliders
+        .iter()
+        .flat_map(|bound| [&bound.slider.incr, &bound.slider.decr])
+        .flatten()
+        .map(String::as_str)
+        .collect();
+    let folder = folder.layer.display(&folder.rel());
+    let message = format!("none of the {} targets that the sliders name is in `{folder}`", names.len());
+    let finding = RULE.at(file, Place::File, message).key("foreign").evidence(Evidence::of_cases(names));
+    Some(finding.help(format!("is it the modelling.json of another base? Restore that of `{}`", base.name)))
 }
 
 /// Whether the name stands in an entry of the system with the key `user`.
@@ -67,6 +88,9 @@ fn finding(
 ) -> Option<Finding> {
     let first = group.references.first()?;
     let count = group.references.len();
+    if let Some(finding) = unmarked(base, first, count) {
+        return Some(finding);
+    }
     let (message, key) = match &group.folder {
         Some(folder) => (format!("nothing is in `{folder}`, but {count} targets are read from it"), folder.as_str()),
         None => (format!("`{}` moves `{}`, which does not exist", first.owner, first.rel), first.owner),
@@ -77,9 +101,7 @@ fn finding(
         .evidence(Evidence::of_cases(group.references.iter().map(|reference| reference.text)));
     finding = finding.help(help(view, first, neighbours));
     if is_generated_for(base, first.from) {
-        finding = finding.level(Level::Warning).help(
-            "this file is generated: delete both generated JSON files, MakeHuman 2 writes them anew from the targets",
-        );
+        finding = finding.effect(OF_GENERATED).help(ANEW);
     } else if is_unused(base, first) {
         finding = finding.level(Level::Warning).effect(
             "writes a line into its log; the targets of an entry with `macro` or `barycentric` are never applied",
@@ -87,6 +109,29 @@ fn finding(
     }
     Some(finding)
 }
+
+/// A target of the user in an entry that does not say so.
+fn unmarked(base: &Base<'_>, first: &Reference<'_>, count: usize) -> Option<Finding> {
+    let own = base.user_targets.filter(|_| is_generated_for(base, first.from))?;
+    own.target(first.text)?;
+    let system =
+        base.targets.map_or_else(|| format!("target/{}", base.name), |folder| folder.layer.display(&folder.rel()));
+    let more = if count > 1 { format!(" ({count} names like it)") } else { String::new() };
+    let message = format!("`{}` lacks `user`: `{}` is looked for in `{system}`{more}", first.owner, first.text);
+    let finding = RULE.at(first.from, first.place.clone(), message).key(format!("{} {}", first.owner, side(first)));
+    let effect = "takes targets of entries without `user` from the folder of the system only, and stops with an \
+        AttributeError when the slider moves";
+    Some(
+        finding
+            .effect(effect)
+            .help(format!("{ANEW}; sliders and macros of your own belong in `contarget/{}`", base.name)),
+    )
+}
+
+/// What becomes of an entry of the generated file whose target is gone.
+const OF_GENERATED: &str = "stops with an AttributeError when the slider moves; where the folder is newer than the file, it makes the \
+    file anew and the slider is gone";
+const ANEW: &str = "delete both JSON files beside it: MakeHuman 2 makes them anew of the user's targets";
 
 fn side(reference: &Reference<'_>) -> &'static str {
     if reference.kind == ReferenceKind::Incr { "incr" } else { "decr" }
@@ -100,8 +145,10 @@ fn help(view: &View<'_>, reference: &Reference<'_>, neighbours: &Neighbours<'_, 
     } else if let Some(packed) = packed(view, reference) {
         format!("MakeHuman 2 does not read packed targets: unpack `{packed}`")
     } else if let Some(near) = neighbours.nearest(reference) {
-        let (folder, _) = reference.text.rsplit_once('/').unwrap_or_default();
-        let near = near.strip_suffix(".target").unwrap_or(near);
+        let (folder, name) = reference.text.rsplit_once('/').unwrap_or(("", reference.text));
+        let Some(near) = near.strip_suffix(".target") else {
+            return format!("rename `{near}` to `{name}.target`");
+        };
         let slash = if folder.is_empty() { "" } else { "/" };
         format!("did you mean `{folder}{slash}{near}`?")
     } else {

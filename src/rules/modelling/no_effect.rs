@@ -1,10 +1,12 @@
 //! An entry must do something.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
+use super::super::cause::component::patterns;
 use super::super::{Check, Rule, RuleCx};
 use super::groups;
-use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, EXAMPLES, Finding, Level, Place, RuleInfo};
+use crate::formats::macro_json::{Component, Macrodef};
 use crate::formats::modelling::EFFECTS;
 use crate::repo::makehuman2::{Base, BoundSlider, Pattern, View};
 use crate::repo::{Reference, ReferenceKind, Resolution};
@@ -13,7 +15,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(Application::Makehuman2, "shows a slider that does nothing and is never saved")],
         docs: "A slider does something through `incr` and `decr` (targets), `macro` or `barycentric`.\n\nAn entry with none of them gets \
-            a slider without a pattern: nothing moves, nothing is saved, no model can set it. Beside `macro` or `barycentric`, `incr` and `decr` do nothing: their \
+            a slider without a pattern: nothing moves, nothing is saved, no model can set it. Where a key is misspelt that would give a \
+            macro component its slider, its macrodefs never apply (an error). Beside `macro` or `barycentric`, `incr` and `decr` do nothing: their \
             targets are loaded and never applied.\n\nAdd one of the keys, or remove the entry; give the targets beside a macro an \
             entry of their own.",
         ..RuleInfo::new("modelling-no-effect", Level::Warning, "neither `incr`, `decr`, `macro` nor `barycentric`")
@@ -34,8 +37,30 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
             None => "add `incr`, `macro` or `barycentric`, or remove the entry".to_owned(),
         };
         let message = format!("`{}` has neither `incr`, `decr`, `macro` nor `barycentric`", slider.key);
-        out.push(RULE.at(bound.file, Place::key([&slider.key]), message).key(&slider.key).help(help));
+        let finding = RULE.at(bound.file, Place::key([&slider.key]), message).key(&slider.key).help(help);
+        let lost = lost_macrodefs(base, bound);
+        out.push(if lost.is_empty() { finding } else { finding.level(Level::Error).effect(never_applied(&lost)) });
     }
+}
+
+/// The macro definitions that get no value without the slider that an entry was meant to be.
+fn lost_macrodefs<'b>(base: &'b Base<'_>, bound: &BoundSlider<'_>) -> Vec<&'b Macrodef> {
+    let Some((_, macros)) = base.macro_file() else { return Vec::new() };
+    let meant = bound.meant.names();
+    let reads = |component: &Component| patterns(component).iter().any(|pattern| meant.contains(pattern));
+    let lost: BTreeSet<&str> =
+        macros.components.iter().filter(|one| reads(one)).map(|component| component.name.as_str()).collect();
+    let is_lost = |macrodef: &&Macrodef| macrodef.components.iter().any(|name| lost.contains(name.as_str()));
+    macros.macrodefs.iter().filter(is_lost).collect()
+}
+
+fn never_applied(lost: &[&Macrodef]) -> String {
+    let name = |macrodef: &&Macrodef| {
+        macrodef.name.as_deref().map_or_else(|| format!("number {}", macrodef.index), |name| format!("`{name}`"))
+    };
+    let names: Vec<String> = lost.iter().take(EXAMPLES).map(name).collect();
+    let more = if lost.len() > EXAMPLES { " and others" } else { "" };
+    format!("has no slider of this pattern, and never applies the macrodefs {}{more}", names.join(", "))
 }
 
 /// The first target that is there of each entry, by key.

@@ -111,8 +111,12 @@ fn of_endings(
         more => format!("{} sliders have one side only: no pair `{decr}`/`{incr}` in `target-opposites`", more.len()),
     };
     let swapped = opposites.iter().any(|(d, i)| d == incr && i == decr);
+    let known = opposites.iter().find(|(d, _)| d == decr);
     let help = if swapped {
         "`incr` and `decr` are swapped".to_owned()
+    } else if let Some((_, known)) = known {
+        // A second pair for the ending would take the place of the first.
+        format!("name targets that belong together: `{decr}` goes with `{known}`")
     } else {
         format!("add `\"{decr}\": \"{incr}\"` to `target-opposites` of base.json, or correct the names")
     };

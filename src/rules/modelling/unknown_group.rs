@@ -22,7 +22,14 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     two_bars(base, out);
+    if base.has_foreign_sliders() {
+        return;
+    }
     if let Some(groups) = groups::of(base) {
+        if let Some(finding) = none_shown(view, base, &groups) {
+            out.push(finding);
+            return;
+        }
         let mut lost: BTreeMap<&str, Vec<&BoundSlider<'_>>> = BTreeMap::new();
         for (group, sliders) in groups.unknown.iter().filter(|(group, _)| group.matches('|').count() < 2) {
             match group.split_once('|') {
@@ -36,6 +43,28 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
         out.extend(lost.iter().filter_map(|(category, sliders)| lost_category(view, base, category, sliders)));
     }
     no_categories(view, base, out);
+}
+
+/// Groups of which none is offered, from this many on, have one fault between them.
+const FOREIGN: usize = 3;
+
+/// No slider at all is shown although there are categories: they are those of another base.
+fn none_shown(view: &View<'_>, base: &Base<'_>, groups: &Groups<'_, '_>) -> Option<Finding> {
+    let mut shown = groups::hand_made(base).filter_map(|bound| bound.as_meant().group.as_deref());
+    let is_offered = |group: &str| groups.offered.contains(group);
+    if groups.unknown.len() < FOREIGN || groups.offered.is_empty() || shown.any(is_offered) {
+        return None;
+    }
+    let lost: Vec<&BoundSlider<'_>> = groups.unknown.values().flatten().copied().collect();
+    let keys = Evidence::of_cases(lost.iter().map(|slider| &slider.slider.key));
+    let message = format!("{} never shown: target_cat.json has none of their groups", are(&lost));
+    let own = base.categories.winner().filter(|(file, _)| view.layers.is_checked(file));
+    let (file, place) = match own {
+        Some((file, _)) => (file, Place::File),
+        None => whose(view, base, lost.first()?)?,
+    };
+    let help = format!("is it the target_cat.json of another base? Restore that of `{}`", base.name);
+    Some(RULE.at(file, place, message).key("foreign").help(help).evidence(keys))
 }
 
 /// Beginning of a message on these sliders.

@@ -29,10 +29,16 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for bound in &base.sliders {
         let Some(display) = &bound.slider.display else { continue };
         for (member, fault) in [("formula", &display.formula_fault), ("text", &display.text_fault)] {
-            let fault = fault.as_ref().filter(|fault| fault.kind != FaultKind::Layout);
+            let is_of_layout = |fault: &&Fault| member == "text" && is_of_layout(fault.kind);
+            let fault = fault.as_ref().filter(|fault| !is_of_layout(fault));
             out.extend(fault.map(|fault| finding(bound, member, fault)));
         }
     }
+}
+
+/// What `str.format` refuses is harmless code.
+pub(super) const fn is_of_layout(kind: FaultKind) -> bool {
+    matches!(kind, FaultKind::Layout | FaultKind::Raises | FaultKind::Syntax)
 }
 
 fn finding(bound: &BoundSlider<'_>, member: &str, fault: &Fault) -> Finding {
@@ -45,11 +51,15 @@ fn finding(bound: &BoundSlider<'_>, member: &str, fault: &Fault) -> Finding {
         }
         FaultKind::Endless => "may hang at start or run out of memory",
         FaultKind::Syntax => "stops at start with a SyntaxError",
+        FaultKind::Mistyped => "stops at start with a TypeError",
+        FaultKind::Pair => "shows a pair of values",
         FaultKind::Raises | FaultKind::Layout => {
             "stops with an exception: at start, or where the slider has such a value"
         }
     };
     let help = match member {
+        _ if fault.what.contains("`^`") => "write `**` for a power",
+        _ if fault.kind == FaultKind::Pair => "write a point in a number: `0.5`",
         "text" => "use `{}` for the result, with a layout such as `{:.1f}` if need be",
         _ => "use numbers, `val`, arithmetic, comparisons, `if`/`else`, `round`, `str` and texts joined with `+`",
     };

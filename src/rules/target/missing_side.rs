@@ -26,6 +26,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let unused: BTreeSet<&str> = view.unused(base).iter().map(|file| file.path.as_str()).collect();
     let asked = asked_for(view, base);
+    let paired = paired(view, base);
     let mut lone: BTreeMap<(&str, String), Vec<(&FileFacts, String)>> = BTreeMap::new();
     for file in view.own_targets(base) {
         let Some((_, partner)) = side::of_target(file.stem()) else { continue };
@@ -33,11 +34,23 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
         let rel = format!("{folder}/{partner}.target");
         let exists = view.layers.checked.file(&rel).is_some() || view.layers.checked.file_ignoring_case(&rel).is_some();
         // A partner that a slider asks for is a missing file; a target that nothing uses has nothing to mirror.
-        if !exists && !unused.contains(file.path.as_str()) && !asked.contains(rel.as_str()) {
+        let is_lone = !exists && !unused.contains(file.path.as_str()) && !asked.contains(rel.as_str());
+        if is_lone && !paired.contains(file.path.as_str()) {
             lone.entry((folder, without_ending(base, &partner))).or_default().push((file, partner));
         }
     }
     out.extend(lone.iter().filter_map(|((_, stem), files)| finding(stem, files)));
+}
+
+/// Printed paths of the targets whose sliders name a partner that is there: symmetry goes by these names.
+fn paired<'v>(view: &'v View<'_>, base: &'v Base<'_>) -> BTreeSet<&'v str> {
+    let has_partner = |key: &str| {
+        let slider = base.entry(key).map(|bound| bound.slider);
+        let partner = slider.and_then(|slider| slider.lsym.as_deref().or(slider.rsym.as_deref()));
+        partner.is_some_and(|partner| base.slider(partner).is_some())
+    };
+    let references = view.references_of(base).filter(|one| one.kind.is_target() && has_partner(one.owner));
+    references.filter_map(|one| one.found()).map(|file| file.path.as_str()).collect()
 }
 
 /// Both halves of a slider lack their partners for one reason.

@@ -8,7 +8,8 @@ use super::SCANNED;
 pub(super) fn opens(rel: &str) -> bool {
     let parts: Vec<&str> = rel.split('/').collect();
     match parts.as_slice() {
-        ["target" | "contarget", _, "icons", .., icon] => extension(icon) == "png",
+        // All targets below are packed, those among the icons as well.
+        ["target" | "contarget", _, "icons", .., icon] => matches!(extension(icon), "png" | "target"),
         ["target" | "contarget", _, "macro.json" | "modelling.json" | "target_cat.json" | "compressedtargets.npz"]
         | ["rigs", _, "icons", ..] => true,
         ["target" | "contarget", _, .., target] => extension(target) == "target",

@@ -90,7 +90,8 @@ const ROWS: &[Row] = &[
         cell(Empty, Warning, "loads it; nothing moves"),
     ]),
     anywhere(Kind::PackedTarget, Never, &[BINARY]),
-    anywhere(Kind::TargetArchive, Start, &[BINARY]),
+    anywhere(Kind::TargetArchive, Start,
+        &[cell(Pointer, Error, "stops at every start with a ValueError: a pointer is no archive")]),
     row(Kind::TargetIcon, Generated, Start, &[
         cell(Closed, Error, NO_USER_ICON),
         cell(Dangling, Error, NO_USER_ICON),
@@ -160,11 +161,16 @@ const IN_GENERAL: &[Cell] = &[
 
 #[rustfmt::skip]
 const UNFOUND: &[(&[ReferenceKind], Consequence)] = &[
-    (&[MacroTarget, Incr, Decr], Consequence::new(Error,
-        "does not find the target: an exception when its slider moves, or at start if the start character uses it")),
+    (&[MacroTarget], Consequence::new(Error,
+        "does not find the target: stops with an AttributeError as soon as the combination has weight, at start if the \
+         default character uses it")),
+    (&[Incr, Decr], Consequence::new(Error,
+        "does not find the target: stops with an AttributeError when its slider moves, at start if the start model sets it")),
     (&[Icon], Consequence::new(Warning, "shows a button without a picture")),
     (&[WeightsFile], Consequence::new(Error, "refuses the skeleton")),
-    (&[PoseSkeleton], Consequence::new(Error, "has no poses and no bone weights for assets, without a word")),
+    (&[PoseSkeleton], Consequence::new(Error,
+        "has no poses and no bone weights for assets: a message at every visit to poses and rigs, and an AttributeError in \
+         the editors and in the glTF export")),
     (&[Model], Consequence::new(Error, "stops at start with a TypeError")),
     (&[Texture], Consequence::new(Warning, "goes without the texture, without a message")),
 ];

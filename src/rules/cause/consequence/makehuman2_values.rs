@@ -5,6 +5,7 @@ use super::Consequence;
 use super::makehuman2::{NO_WEIGHTS_LOADED, NOT_READ};
 use crate::diag::Level;
 use crate::discover::Kind;
+use crate::formats::Content;
 use crate::json::{Found, SchemaFault};
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::View;
@@ -40,6 +41,7 @@ const fn row(kind: Kind, keyword: &'static str, found: Test, level: Level, effec
     Row { kind, keyword, found, consequence: Consequence::new(level, effect) }
 }
 
+const SKIPPED: &str = "skips the combination without a word";
 const IGNORED_BONE: &str = "ignores the entry: no bone has such a name";
 const OF_DEFAULT: Consequence =
     Consequence::new(Level::Info, "never reads the references of the skeleton that the others refer to");
@@ -56,7 +58,7 @@ static ROWS: [Row; 44] = [
     row(MacroJson, "/$defs/macrodef/required", ANY, Error, "stops at start with a KeyError"),
     row(MacroJson, "/$defs/macrodef/properties/comp/type", TEXT, Warning,
         "takes the text letter by letter: the macro definition does nothing, without a word"),
-    row(MacroJson, "/$defs/target/required", ANY, Warning, "skips the combination without a word"),
+    row(MacroJson, "/$defs/target/required", ANY, Warning, SKIPPED),
     row(MacroJson, "/$defs/target/properties/name/type", LIST, Error, "stops at start with a TypeError"),
     row(MacroJson, "/$defs/target/properties/name/type", ANY, Warning, "skips the combination without a word"),
     row(MacroJson, "/$defs/target/properties/t/type", ANY, Error, "stops at start with a TypeError"),
@@ -123,8 +125,20 @@ pub(super) fn of_value(view: &View<'_>, file: &FileFacts, fault: &SchemaFault) -
     if kind == Skeleton && is_reference(fault) && is_for_poses(view, file) {
         return Some(OF_DEFAULT);
     }
+    if kind == MacroJson && fault.keyword.starts_with("/$defs/target/required") && is_lost(file, fault) {
+        return Some(Consequence::new(Error, "never applies the macrodef: no combination of it has a file"));
+    }
     let fits = |row: &&Row| row.kind == kind && fault.keyword.starts_with(row.keyword) && (row.found)(fault.found());
     ROWS.iter().find(fits).map(|row| row.consequence)
+}
+
+/// Whether the macro definition of an incomplete combination has no complete one.
+fn is_lost(file: &FileFacts, fault: &SchemaFault) -> bool {
+    let Content::Macro(macros) = &*file.content else { return false };
+    let rest = fault.pointer.strip_prefix("/macrodef/").and_then(|rest| rest.split('/').next());
+    let Some(index) = rest.and_then(|index| index.parse::<usize>().ok()) else { return false };
+    let own = macros.macrodefs.iter().find(|macrodef| macrodef.index == index);
+    own.is_some_and(|own| !own.links.iter().any(|link| link.target.is_some()))
 }
 
 /// Whether it is a text that somebody wrote among the sliders for people, under a key such as `_comment`.

@@ -3,6 +3,7 @@
 //! `file-*`, `json-*` and `overlay-*` ask here how bad a damage is and what a user sees of it.
 
 mod makehuman2;
+mod makehuman2_keys;
 mod makehuman2_values;
 mod mpfb;
 mod table;
@@ -11,7 +12,7 @@ pub(in crate::rules) use makehuman2::ignored_override;
 use table::{Row, Table};
 
 use crate::diag::{Application, Case, Finding, Level};
-use crate::json::SchemaFault;
+use crate::json::{SchemaFault, UnknownKey};
 use crate::repo::{FileFacts, ReferenceKind, View};
 
 /// When an application opens a file.
@@ -122,6 +123,14 @@ pub(in crate::rules) fn unfound(view: &View<'_>, kind: ReferenceKind) -> Option<
 pub(in crate::rules) fn of_value(view: &View<'_>, file: &FileFacts, fault: &SchemaFault) -> Option<Consequence> {
     match view {
         View::Makehuman2(view) => makehuman2_values::of_value(view, file, fault),
+        View::Makehuman1(_) | View::Mpfb(_) => None,
+    }
+}
+
+/// What becomes of what a misspelt key was meant for; nothing if the key is like no other.
+pub(in crate::rules) fn of_misspelt(view: &View<'_>, file: &FileFacts, unknown: &UnknownKey) -> Option<Consequence> {
+    match view {
+        View::Makehuman2(view) => makehuman2_keys::of_misspelt(view, file, unknown),
         View::Makehuman1(_) | View::Mpfb(_) => None,
     }
 }

@@ -1,0 +1,78 @@
+//! What becomes of what a misspelt key was meant for: a table by format and key (formats/makehuman2.md §3.1, §4.1, §5.1, §7).
+
+use super::Consequence;
+use crate::diag::Level;
+use crate::discover::Kind;
+use crate::json::UnknownKey;
+use crate::repo::FileFacts;
+use crate::repo::makehuman2::View;
+
+use Kind::{BaseJson, ModellingJson, TargetCategories};
+use Level::{Error, Info, Warning};
+
+/// A key that is not read, and what is lost with it.
+struct Row {
+    kind: Kind,
+    meant: &'static str,
+    consequence: Consequence,
+}
+
+const fn row(kind: Kind, meant: &'static str, level: Level, effect: &'static str) -> Row {
+    Row { kind, meant, consequence: Consequence::new(level, effect) }
+}
+
+const NO_HINT: &str = "ignores the key; nothing else is lost";
+const NO_PARTNER: &str = "ignores the key: the slider has no partner, and symmetry leaves the other side as it is";
+const ONE_SIDED: &str = "ignores the key: no slider has two sides";
+const RANDOM_STOPS: &str =
+    "ignores the key: no slider has two sides, and the random character view stops with a KeyError";
+
+#[rustfmt::skip]
+static ROWS: [Row; 22] = [
+    row(ModellingJson, "group", Warning, "ignores the key and shows the slider nowhere"),
+    row(ModellingJson, "macro_influence", Warning,
+        "ignores the key: all macros vanish from the figure as soon as the slider is opened"),
+    row(ModellingJson, "barycentric_diffuse", Warning, "ignores the key: the skin keeps its colour"),
+    row(ModellingJson, "default", Warning, "ignores the key: the slider is reset to 0"),
+    row(ModellingJson, "measure", Warning, "ignores the key: nothing is measured"),
+    row(ModellingJson, "display", Warning, "ignores the key: the value is not shown as a text"),
+    row(ModellingJson, "rsym", Warning, NO_PARTNER),
+    row(ModellingJson, "lsym", Warning, NO_PARTNER),
+    row(ModellingJson, "lsym` or `rsym", Warning, NO_PARTNER),
+    row(ModellingJson, "icon", Warning, "ignores the key: the button has no picture of its own"),
+    row(ModellingJson, "name", Warning, "ignores the key: the slider is called by its key"),
+    row(ModellingJson, "tip", Info, NO_HINT),
+    row(TargetCategories, "items", Warning, "ignores the key: the headline is empty, and its sliders are shown nowhere"),
+    row(TargetCategories, "group", Warning, "ignores the key: the sliders of the category are shown nowhere"),
+    row(BaseJson, "equipment", Warning, "ignores the key and offers clothes only"),
+    row(BaseJson, "pose-skeleton", Error,
+        "ignores the key: no poses and no bone weights for assets, a message at every visit to poses and rigs"),
+    row(BaseJson, "mhm", Warning, "ignores the key: the default material is shown, and no target is applied at start"),
+    row(BaseJson, "modifier-presets", Warning, "ignores the key: the sliders start at 0"),
+    row(BaseJson, "measure", Warning, "ignores the key and shows no sizes"),
+    row(BaseJson, "head-pattern", Warning, "ignores the key: loading a head loads the whole character"),
+    row(BaseJson, "random", Warning, "ignores the key: a random character has neither groups nor rules"),
+    row(BaseJson, "numverts", Info, NO_HINT),
+];
+
+pub(super) fn of_misspelt(view: &View<'_>, file: &FileFacts, unknown: &UnknownKey) -> Option<Consequence> {
+    let meant = unknown.nearest.as_deref()?;
+    if file.kind == BaseJson && meant == "target-opposites" {
+        return Some(without_opposites(view, file));
+    }
+    let row = ROWS.iter().find(|row| row.kind == file.kind && row.meant == meant);
+    let matters = matches!(file.kind, ModellingJson | TargetCategories | BaseJson);
+    let usual = matters.then_some(Consequence { level: Warning, effect: None });
+    row.map(|row| row.consequence).or(usual)
+}
+
+/// The random character view looks a partner up by the pattern that a pair would have.
+fn without_opposites(view: &View<'_>, file: &FileFacts) -> Consequence {
+    let mut own = view.bases.iter().filter(|base| base.own_json.is_some_and(|(json, _)| std::ptr::eq(json, file)));
+    let has_partner = own.any(|base| {
+        let mut pairs = base.sliders.iter().filter(|bound| bound.is_undeclared_pair());
+        pairs.any(|bound| bound.slider.lsym.is_some() || bound.slider.rsym.is_some())
+    });
+    let (level, effect) = if has_partner { (Error, RANDOM_STOPS) } else { (Warning, ONE_SIDED) };
+    Consequence::new(level, effect)
+}
