@@ -37,7 +37,7 @@ pub enum FaultKind {
     Syntax,
     /// Python raises an exception each time.
     Raises,
-    /// Python raises a TypeError each time: an operator that is not for numbers with decimals.
+    /// Python raises a `TypeError` each time: an operator that is not for numbers with decimals.
     Mistyped,
     /// Python makes a pair of it, which is never exactly false.
     Pair,

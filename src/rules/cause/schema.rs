@@ -24,13 +24,11 @@ pub(in crate::rules) fn misspelt<'f>(file: &'f FileFacts, key: &str) -> Option<&
 /// and the only one that is unknown there.
 pub(in crate::rules) fn stands_for(file: &FileFacts, unknown: &UnknownKey, missing: &str) -> bool {
     let owner = |key: &UnknownKey| key.pointer.rsplit_once('/').map(|(owner, _)| owner.to_owned());
-    match &unknown.nearest {
-        Some(nearest) => nearest == missing,
-        None => {
-            let beside = file.schema.unknown.iter().filter(|other| owner(other) == owner(unknown));
-            !unknown.is_object && beside.count() == 1
-        }
+    if let Some(nearest) = &unknown.nearest {
+        return nearest == missing;
     }
+    let beside = file.schema.unknown.iter().filter(|other| owner(other) == owner(unknown));
+    !unknown.is_object && beside.count() == 1
 }
 
 /// Whether a member of the whole is there with a fault in it, or under a misspelt key.

@@ -6,8 +6,8 @@ use super::super::{Check, Rule, RuleCx};
 use super::{asked_for, parent};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::side;
-use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, View};
+use crate::repo::{FileFacts, Reference};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -50,7 +50,7 @@ fn paired<'v>(view: &'v View<'_>, base: &'v Base<'_>) -> BTreeSet<&'v str> {
         partner.is_some_and(|partner| base.slider(partner).is_some())
     };
     let references = view.references_of(base).filter(|one| one.kind.is_target() && has_partner(one.owner));
-    references.filter_map(|one| one.found()).map(|file| file.path.as_str()).collect()
+    references.filter_map(Reference::found).map(|file| file.path.as_str()).collect()
 }
 
 /// Both halves of a slider lack their partners for one reason.
