@@ -7,7 +7,7 @@ use std::ops::Range;
 use super::naming::named_end;
 
 /// Deepest nesting that is read. Python gives up at about 1000; no asset needs ten.
-pub(super) const DEEPEST: u32 = 256;
+pub(super) const DEEPEST: u32 = 990;
 
 /// What the first side of a merge conflict begins with.
 const CONFLICT: &[u8] = b"<<<<<<< ";

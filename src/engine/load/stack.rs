@@ -1,9 +1,11 @@
 //! Which data roots lie over which: system data below, user data on top, for each application on its own.
 
+use std::collections::BTreeSet;
+
 use super::data::Loaded;
 use super::place::Place;
 use crate::diag::Application;
-use crate::discover::{Layout, Role};
+use crate::discover::{Kind, Layout, Role};
 use crate::repo::{Layer, Layers};
 
 /// The parts that a data root plays, for each application whose data it is.
@@ -19,6 +21,7 @@ pub(super) fn roles<'a, 't: 'a>(places: impl Iterator<Item = &'a Place<'t>> + Cl
         let is_system_of_two =
             |at: usize| places.clone().nth(at).is_some_and(|one| (layout.is_system_of_two)(&one.below));
         choose_system(&mut own, is_system_of_two);
+        demote(&mut own, |at| places.clone().nth(at).map(|place| Owners::of(place, application)).unwrap_or_default());
         for (at, role) in own {
             roles.get_mut(at).into_iter().for_each(|roles| roles.push((application, role)));
         }
@@ -33,6 +36,48 @@ fn choose_system(roles: &mut [(usize, Role)], is_system_of_two: impl Fn(usize) -
         if let (Some((_, only)), None) = (systems.next(), systems.next()) {
             *only = Role::System;
         }
+    }
+}
+
+/// The base meshes that a root has, and those that it has sliders or targets for.
+#[derive(Default)]
+struct Owners<'p> {
+    has: BTreeSet<&'p str>,
+    adds_to: BTreeSet<&'p str>,
+}
+
+impl<'p> Owners<'p> {
+    fn of(place: &'p Place<'_>, application: Application) -> Self {
+        let mut owners = Self::default();
+        let uses = place.below.iter().flat_map(|one| &one.uses).filter(|one| one.application == application);
+        for one in uses {
+            let Some(owner) = one.owner.as_deref() else { continue };
+            match one.kind {
+                Kind::BaseJson | Kind::BaseMesh => drop(owners.has.insert(owner)),
+                Kind::Target | Kind::ModellingJson | Kind::TargetCategories => drop(owners.adds_to.insert(owner)),
+                _ => {}
+            }
+        }
+        owners
+    }
+}
+
+/// A root that adds to a base mesh of another system, which it does not have itself, is a user's, whatever else it has.
+fn demote<'p>(roles: &mut [(usize, Role)], owners: impl Fn(usize) -> Owners<'p>) {
+    let systems: Vec<usize> = roles.iter().filter(|(_, role)| *role == Role::System).map(|(at, _)| *at).collect();
+    if systems.len() < 2 {
+        return;
+    }
+    let all: Vec<(usize, Owners<'p>)> = systems.into_iter().map(|at| (at, owners(at))).collect();
+    let leans = |(at, own): &(usize, Owners<'p>)| {
+        let added = own.adds_to.difference(&own.has);
+        let others = all.iter().filter(|(other, _)| other != at);
+        added.into_iter().any(|base| others.clone().any(|(_, other)| other.has.contains(base)))
+    };
+    let users: Vec<usize> = all.iter().filter(|one| leans(one)).map(|(at, _)| *at).collect();
+    // Two that lean on each other are no layers.
+    if users.len() < all.len() {
+        roles.iter_mut().filter(|(at, _)| users.contains(at)).for_each(|(_, role)| *role = Role::User);
     }
 }
 

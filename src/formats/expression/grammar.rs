@@ -15,6 +15,8 @@ const DEEPEST: u32 = 100;
 const LARGEST_EXPONENT: f64 = 16.0;
 /// Most digits `round` is asked for; a double has seventeen.
 const MOST_DIGITS: f64 = 20.0;
+/// Digits of a width and a precision with the point between them, that are taken for a layout and not for a bomb.
+const LONGEST_LAYOUT: usize = 4;
 /// Keywords that cannot begin an operand.
 const KEYWORDS: [&str; 30] = [
     "if", "else", "elif", "and", "or", "not", "in", "is", "for", "while", "import", "from", "def", "class", "return",
@@ -48,6 +50,27 @@ pub fn results(text: &str, variable: &str) -> Result<Results, Fault> {
         Some(span) => Err(Parser::raises(span, format!("divides by `{variable}`, which can be 0"))),
         None => Ok(operand.results),
     }
+}
+
+/// Whether a text in quotes has one `%` layout for a number, narrower than a thousand.
+fn is_layout(text: &str) -> bool {
+    let mut rest = text;
+    let mut layouts = 0;
+    while let Some((_, after)) = rest.split_once('%') {
+        if let Some(after) = after.strip_prefix('%') {
+            rest = after;
+            continue;
+        }
+        let layout = after.trim_start_matches(['-', '+', ' ', '0', '#']);
+        let digits = layout.len() - layout.trim_start_matches(|c: char| c.is_ascii_digit() || c == '.').len();
+        let Some(code) = layout.get(digits..).and_then(|code| code.chars().next()) else { return false };
+        if digits > LONGEST_LAYOUT || !"dieEfFgGs".contains(code) {
+            return false;
+        }
+        layouts += 1;
+        rest = layout.get(digits + 1..).unwrap_or_default();
+    }
+    layouts == 1
 }
 
 struct Parser<'a> {
@@ -193,6 +216,10 @@ impl<'a> Parser<'a> {
             let right = self.factor()?;
             match operator {
                 "*" if left.may_be_text() || right.may_be_text() => return Err(Self::endless(span, "repeats a text")),
+                "%" if left.is_layout && !right.may_be_text() => {
+                    left = Operand { power: left.power, ..Operand::TEXT };
+                    continue;
+                }
                 "%" if left.may_be_text() => return Err(Self::endless(span, "formats a text with `%`")),
                 _ if left.is_text() || right.is_text() => return Err(Self::raises(span, "divides with a text")),
                 "/" | "//" | "%" if right.literal.is_some_and(|(value, _)| value == 0.0) => {
@@ -255,10 +282,13 @@ impl<'a> Parser<'a> {
                 Operand { literal: Some((value, integer)), ..Operand::of(results) }
             }
             Token::Text => {
+                let span = self.advance()?;
+                let is_single = self.next.token != Token::Text;
                 while self.next.token == Token::Text {
                     self.advance()?;
                 }
-                Operand::TEXT
+                let is_layout = is_single && is_layout(self.lexer.slice(&span));
+                Operand { is_layout, ..Operand::TEXT }
             }
             Token::Name => self.name()?,
             Token::Operator("(") => self.parenthesis()?,

@@ -75,6 +75,8 @@ mod tests {
             "1if val else 2.",
             "1 / val if val > 0 else 0",
             "val and 1 / val",
+            "'%d' % (val * 100)",
+            "'%5.1f%%' % (val * 100) + ' old'",
         ] {
             assert_eq!(check(text, "val"), Ok(()), "{text}");
         }
@@ -135,9 +137,18 @@ mod tests {
 
     #[test]
     fn bombs_are_endless() {
-        for text in
-            ["9**9**9", "(9**9)**9", "9 ** round(val * 1e9)", "'a' * 99999", "'%99999d' % 1", "round(5, -99999999)"]
-        {
+        for text in [
+            "9**9**9",
+            "(9**9)**9",
+            "9 ** round(val * 1e9)",
+            "'a' * 99999",
+            "'%99999d' % 1",
+            "'%d %d' % val",
+            "'%d' 'x' % val",
+            "'%*d' % val",
+            "'%d' % str(val)",
+            "round(5, -99999999)",
+        ] {
             assert_eq!(kind(text), Some(FaultKind::Endless), "{text}");
         }
     }

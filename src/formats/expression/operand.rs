@@ -53,6 +53,8 @@ pub(super) struct Operand {
     pub(super) variable: bool,
     /// A power is somewhere in it.
     pub(super) power: bool,
+    /// Is a text in quotes with one short `%` layout for a number.
+    pub(super) is_layout: bool,
 }
 
 impl Operand {
@@ -62,7 +64,7 @@ impl Operand {
     pub(super) const TEXT: Self = Self::of(Results::TEXT);
 
     pub(super) const fn of(results: Results) -> Self {
-        Self { results, literal: None, variable: false, power: false }
+        Self { results, literal: None, variable: false, power: false, is_layout: false }
     }
 
     /// One or the other.

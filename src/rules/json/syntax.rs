@@ -1,6 +1,6 @@
 //! The text of a JSON must be JSON.
 
-use super::super::cause::consequence::{Damage, consequence};
+use super::super::cause::consequence::{Damage, consequence, of_special};
 use super::super::cause::is_ignored_override;
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
@@ -94,7 +94,7 @@ fn help(fault: &SyntaxFault) -> &'static str {
 fn special_numbers(view: &View<'_>, file: &FileFacts) -> Option<Finding> {
     let specials = &file.json.specials;
     let first = specials.first()?;
-    let consequence = consequence(view, &file.rel, Damage::Special)?;
+    let consequence = of_special(view, file)?;
     let message = match specials.len() {
         1 => "a number that JSON does not have (`NaN` or `Infinity`)".to_owned(),
         count => format!("{count} numbers that JSON does not have (`NaN` or `Infinity`)"),

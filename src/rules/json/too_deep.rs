@@ -12,9 +12,9 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "stops with a RecursionError when the nesting passes Python's limit of about 1000 levels",
+            "stops with a RecursionError: the nesting passes Python's limit of about 1000 levels",
         )],
-        docs: "No format of the family nests deeper than a handful of levels. A file that goes beyond 256 was not made for \
+        docs: "No format of the family nests deeper than a handful of levels. A file that goes beyond 990 was not made for \
             any of them: it is damaged, or meant to bring a reader down.\n\n`mhlint` stops reading there, so nothing else \
             can be said about the file. Python's reader gives up at about 1000 levels with an exception that MakeHuman 2 \
             does not expect.\n\nReplace the file.",

@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::super::cause::is_generated_for;
+use super::super::cause::overlay::{SystemFolder, system_folder};
 use super::super::{Check, Rule, RuleCx};
 use super::missing::{self, Group, Neighbours};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
@@ -29,6 +30,13 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let is_target = |kind| matches!(kind, ReferenceKind::Incr | ReferenceKind::Decr);
+    // Without any folder to load from the program does not get as far as the targets (`overlay-partial-override`).
+    if !base.macros.is_overridden()
+        && base.user_modelling.file().is_some()
+        && system_folder(view, base) == SystemFolder::Absent
+    {
+        return;
+    }
     if base.has_foreign_sliders() {
         out.extend(foreign(view, base));
         return;

@@ -127,7 +127,12 @@ fn user_targets_alone<'a>(base: &Base<'a>, system: SystemFolder) -> Option<(&'a 
     let message =
         format!("user targets, but neither `contarget/{0}/macro.json` nor `target/{0}` in the system data", base.name);
     let effect = "stops at start (FileNotFoundError): it wants to write an archive into the system's folder";
-    let help = "add a macro.json to contarget; without macros write `{\"components\": {}, \"macrodef\": []}`";
+    let own = base.user_targets.and_then(|folder| folder.layer.file(&format!("{}/macro.json", folder.rel())));
+    let help = if own.is_some() {
+        "move the folder to `contarget/`: in `target/` of the user MakeHuman 2 looks for additions to a base of the system"
+    } else {
+        "add a macro.json to contarget; without macros write `{\"components\": {}, \"macrodef\": []}`"
+    };
     dead.then_some((file, (Level::Error, message, effect, help)))
 }
 

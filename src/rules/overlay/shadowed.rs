@@ -1,7 +1,7 @@
 //! A file that is there and not read, because another one replaces it.
 
 use super::super::{Check, Rule, RuleCx, counted};
-use super::{Override, is_complete, overrides};
+use super::{Override, SystemFolder, is_complete, overrides, system_folder};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 
@@ -28,7 +28,9 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
         out.extend(replaced_by_contarget(base, &replaced));
     }
     out.extend(contarget_of_system(view, base));
-    let layer = base.user_targets.map(|folder| folder.layer);
+    // Where the system has no such folder the program stops before that, and `overlay-partial-override` says why.
+    let is_asked_for = system_folder(view, base) != SystemFolder::Absent;
+    let layer = base.user_targets.map(|folder| folder.layer).filter(|_| is_asked_for);
     if let Some(file) = layer.and_then(|layer| layer.file(&format!("target/{}/macro.json", base.name))) {
         let message = format!("`{}` of the user's folder is never read", file.rel);
         out.push(

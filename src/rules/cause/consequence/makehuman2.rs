@@ -89,7 +89,8 @@ const ROWS: &[Row] = &[
         cell(Dangling, Info, "leaves it out when it packs the targets of the folder"),
         cell(Empty, Warning, "loads it; nothing moves"),
     ]),
-    anywhere(Kind::PackedTarget, Never, &[BINARY]),
+    // There is no gzip in it at all.
+    anywhere(Kind::PackedTarget, Never, &[nothing(Pointer)]),
     anywhere(Kind::TargetArchive, Start,
         &[cell(Pointer, Error, "stops at every start with a ValueError: a pointer is no archive")]),
     row(Kind::TargetIcon, Generated, Start, &[

@@ -132,6 +132,14 @@ pub(super) fn of_value(view: &View<'_>, file: &FileFacts, fault: &SchemaFault) -
     ROWS.iter().find(fits).map(|row| row.consequence)
 }
 
+/// What numbers come to that JSON does not have, where a slider is reset to one.
+pub(super) fn of_special(file: &FileFacts) -> Option<Consequence> {
+    let Content::Modelling(model) = &*file.content else { return None };
+    let is_reset_to_one = model.sliders.iter().any(|slider| slider.default.is_some_and(|default| !default.is_finite()));
+    let effect = "resets the slider to no number, and stops with a ValueError at every text on sizes after that";
+    is_reset_to_one.then(|| Consequence::new(Error, effect))
+}
+
 /// Whether the macro definition of an incomplete combination has no complete one.
 fn is_lost(file: &FileFacts, fault: &SchemaFault) -> bool {
     let Content::Macro(macros) = &*file.content else { return false };

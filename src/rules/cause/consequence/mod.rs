@@ -127,6 +127,12 @@ pub(in crate::rules) fn of_value(view: &View<'_>, file: &FileFacts, fault: &Sche
     }
 }
 
+/// What numbers come to that JSON does not have.
+pub(in crate::rules) fn of_special(view: &View<'_>, file: &FileFacts) -> Option<Consequence> {
+    let own = if let View::Makehuman2(_) = view { makehuman2_values::of_special(file) } else { None };
+    own.or_else(|| consequence(view, &file.rel, Damage::Special))
+}
+
 /// What becomes of what a misspelt key was meant for; nothing if the key is like no other.
 pub(in crate::rules) fn of_misspelt(view: &View<'_>, file: &FileFacts, unknown: &UnknownKey) -> Option<Consequence> {
     match view {
