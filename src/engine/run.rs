@@ -165,7 +165,7 @@ impl Asked<'_> {
         let placed = self.check_all(data, measures, &mut ignores, &mut coverage, outcome);
         coverage.conclude(outcome);
         let idle = idle(self.options, side.trees(), &self.scope);
-        self.settle(placed, data, &ignores, idle, outcome)
+        self.settle(placed, side, data, &ignores, idle, outcome)
     }
 
     /// What is to be reported of every repository. `measures` has those of each.
@@ -202,13 +202,14 @@ impl Asked<'_> {
     fn settle(
         &self,
         found: Vec<Placed>,
+        side: &Side,
         data: &Data<'_>,
         ignores: &Ignores<'_>,
         idle: Vec<IdleGlob>,
         outcome: &mut Outcome,
     ) -> Result<Found, Error> {
         let Self { options, selection, scope, .. } = self;
-        let uses = ignores.uses(selection, scope);
+        let uses = ignores.uses(selection, scope, side.trees());
         let mut upkeep = Upkeep { ignores: uses, unknown: ignores.unknown(), idle, ..Upkeep::default() };
         let mut all: Vec<Finding> = Vec::new();
         if options.compare.is_some() {

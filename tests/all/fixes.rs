@@ -125,7 +125,7 @@ fn all_bytes_but_the_fault_stay() {
     edit(root, OVAL, "339 0 .001 .001\n", "339 0 .001 .001\n# kept  as is\r\n600  0\t0 -0.000\r\n");
     edit(root, MACRO, "\"t\": \"coastal-male\"", "\"t\" :\t\"coastal-male.target\"");
     edit(root, WEIGHTS, "[158, 1.0], [159, 1.0]", "[158, 0.5], [158,0.5], [159, 2.5e-1]");
-    let output = check(root, &["--fix"]);
+    let output = check(root, &["--fix", "--unsafe-fixes"]);
     let told = text(&output.stderr);
     assert!(told.contains("mhlint: 4 fixed in 3 files: "), "{told}");
     assert!(told.contains("weights-duplicate-vertex (1), weights-not-normalized (1)"), "{told}");
@@ -236,7 +236,7 @@ fn a_file_that_may_not_be_written_stops_all() {
     edit(root, WEIGHTS, "[158, 1.0]", "[158, 0.5]");
     fs::set_permissions(root.join(OVAL), fs::Permissions::from_mode(0o444)).unwrap();
     let before = content(root);
-    let output = check(root, &["--fix"]);
+    let output = check(root, &["--fix", "--unsafe-fixes"]);
     assert_eq!((output.status.code(), content(root) == before), (Some(2), true));
     let told = text(&output.stderr);
     assert!(told.contains("cannot change `data/target/figure/head/head-oval.target`: it is read-only"), "{told}");

@@ -183,3 +183,19 @@ fn every_format_with_comments_holds_ignores_of_its_own() {
     let told = told_of_text("hat.mhclo", "// mhlint: ignore file-not-utf8 no comment here");
     assert!(matches!(told.as_slice(), [line] if line.contains("[file-not-utf8]")), "{told:#?}");
 }
+
+#[test]
+fn an_ignore_for_nothing_is_reported_in_a_run_over_a_part_of_the_folder_too() {
+    let repository = example();
+    let ignore = |path: &str| format!("[[ignore]]\nrule = \"target-*\"\npath = \"{path}\"\nreason = \"once\"\n");
+    let run = |path: &str| {
+        fs::write(repository.path().join("mhlint.toml"), ignore(path)).unwrap();
+        stdout(&mhlint(repository.path(), &["data/target/figure/head", "--report", "concise"]))
+    };
+    let gone = run("data/target/figure/gone/**");
+    assert!(gone.contains("config-unused-ignore"), "{gone}");
+    // Whether there is something to hide elsewhere cannot be told, nor what lies in another folder.
+    for path in ["data/target/figure/arms/**", "elsewhere/**"] {
+        assert!(!run(path).contains("config-unused-ignore"), "{path}");
+    }
+}

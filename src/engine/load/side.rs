@@ -50,7 +50,7 @@ impl Side {
     }
 
     /// Every tree, that of the system data last.
-    pub(in crate::engine) fn trees(&self) -> impl Iterator<Item = &Tree> {
+    pub(in crate::engine) fn trees(&self) -> impl Iterator<Item = &Tree> + Clone {
         self.inputs.iter().map(|input| &input.tree).chain(&self.system)
     }
 

@@ -43,6 +43,18 @@ pub(in crate::engine) fn idle<'t>(
     idle.collect()
 }
 
+/// Whether a glob is for a part of what was listed and fits nothing of it, so that it cannot fit in any run.
+pub(super) fn fits_nothing<'t>(
+    config: &Config,
+    glob: &PathGlob,
+    mut trees: impl Iterator<Item = &'t Tree> + Clone,
+) -> bool {
+    let Some(file) = &config.file else { return false };
+    let is_inside = |tree: &Tree| file.folder.lies_in(glob.folder(), tree.label());
+    let fits = |path: String| file.relative(&path).is_some_and(|rel| glob.fits(&rel));
+    !is_hidden(&glob.text) && trees.clone().any(is_inside) && !trees.any(|tree| paths(tree).any(fits))
+}
+
 impl<'c> Waiting<'c> {
     fn new(setting: &'static str, glob: &'c PathGlob) -> Self {
         let anywhere = PathGlob::new(&format!("**/{}", glob.text), glob.span.clone()).ok();

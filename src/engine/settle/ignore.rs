@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::idle::fits_nothing;
 use super::scope::Scope;
 use super::select::{Selection, cannot_be_ignored};
 use crate::config::{Config, Date, Ignore, Selector};
@@ -9,6 +10,7 @@ use crate::diag::{IgnoreState, IgnoreUse, Place, UnknownRule, nearest};
 use crate::engine::catalogue::listed;
 use crate::repo::FileFacts;
 use crate::rules::RULES;
+use crate::source::Tree;
 
 /// The ignores of a run, and what became of them so far.
 pub(in crate::engine) struct Ignores<'c> {
@@ -74,7 +76,12 @@ impl<'c> Ignores<'c> {
     }
 
     /// All ignores with what became of them.
-    pub(in crate::engine) fn uses(&self, selection: &Selection<'_>, scope: &Scope<'_>) -> Vec<IgnoreUse> {
+    pub(in crate::engine) fn uses<'t>(
+        &self,
+        selection: &Selection<'_>,
+        scope: &Scope<'_>,
+        trees: impl Iterator<Item = &'t Tree> + Clone,
+    ) -> Vec<IgnoreUse> {
         let file = self.config.file.iter();
         let ignores = file.flat_map(|file| file.ignores.iter().zip(&self.hits).map(move |each| (file, each)));
         let mut uses: Vec<IgnoreUse> = ignores
@@ -86,6 +93,7 @@ impl<'c> Ignores<'c> {
                     None => match ignore.until.filter(|until| *until < self.today) {
                         Some(until) => IgnoreState::Expired { until: until.to_string() },
                         None if is_silenced(&ignore.rule.text, selection) => IgnoreState::NotChecked,
+                        None if fits_nothing(self.config, &ignore.path, trees.clone()) => IgnoreState::Unused,
                         None if !scope.covers(&file.folder, ignore.path.folder()) => IgnoreState::NotChecked,
                         None => IgnoreState::Unused,
                     },

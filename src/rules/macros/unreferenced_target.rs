@@ -36,10 +36,13 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
     let suspects = suspects(view, base, &free);
     let crowds = by_file(&suspects).into_values().filter(|all| is_crowd(all)).flatten();
     let crowd: BTreeSet<&str> = crowds.map(|suspect| suspect.link.link.name.as_str()).collect();
+    // `macro-alias-suspect` names the file that an entry should have.
+    let better: BTreeSet<&str> = suspects.iter().map(|suspect| suspect.better.rel.as_str()).collect();
     // `macro-missing-combination` names the files of its holes.
     let surveys = macros.macrodefs.iter().filter_map(|macrodef| survey(base, macrodef, &free));
     let awaited: BTreeSet<&str> = surveys.flat_map(|survey| survey.files).map(|file| file.rel.as_str()).collect();
-    for file in free.iter().filter(|file| !awaited.contains(file.rel.as_str())) {
+    let is_told = |file: &&&FileFacts| awaited.contains(file.rel.as_str()) || better.contains(file.rel.as_str());
+    for file in free.iter().filter(|file| !is_told(file)) {
         let holders: Vec<&Macrodef> =
             macros.macrodefs.iter().filter(|macrodef| is_in_folder(base, macrodef, file)).collect();
         let fitting = fitting_names(&holders, &values_of(file.stem()));
@@ -62,10 +65,6 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
         };
         if !fitting.is_empty() {
             finding = finding.evidence(Evidence::of_cases(&fitting));
-        }
-        for suspect in suspects.iter().filter(|suspect| suspect.better.rel == file.rel) {
-            let text = format!("`{}` names `{}` instead", suspect.link.link.name, suspect.link.reference.text);
-            finding = finding.related(&macro_file.path, suspect.link.place(), text);
         }
         out.push(finding);
     }

@@ -36,7 +36,9 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     #[expect(clippy::cast_possible_truncation, reason = "a factor set by people")]
     let ratio = cx.option(&RULE, "ratio") as f32;
     for (_, file, facts) in targets(body) {
-        let Some(largest) = facts.largest else { continue };
+        // A vertex that does not exist has a finding of its own.
+        let exists = |largest: &Largest| facts.out_of_range.count == 0 || is_vertex(body, largest);
+        let Some(largest) = facts.largest.filter(exists) else { continue };
         let lengths = Lengths { longest: largest.length, median: facts.median_length, tail: facts.tail_length };
         let shown = || shown_by(body, file).map(|setting| format!(" at {setting}")).unwrap_or_default();
         match oversize(lengths, size, ratio) {
@@ -54,6 +56,11 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         }
     }
     out.extend(beyond_neighbours(body, size, ratio));
+}
+
+/// Whether the row that goes farthest moves a vertex of the mesh.
+fn is_vertex(body: &Body<'_>, largest: &Largest) -> bool {
+    body.mesh.is_some_and(|(_, mesh)| usize::try_from(largest.index).is_ok_and(|vertex| vertex < mesh.facts.vertices))
 }
 
 /// Details of a folder are of one kind and of one order: one that goes much farther than all others was exported in

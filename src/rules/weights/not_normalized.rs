@@ -12,7 +12,8 @@ use crate::repo::{Body, BodyWeights};
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(Application::Makehuman2, "divides the weights of every vertex by their sum, so nothing happens")],
-        fix: FixKind::Safe,
+        // Every line of the file changes for nothing that anybody sees today.
+        fix: FixKind::Unsafe,
         docs: "The weights of a vertex over all bones should add up to 1. Where they do not, and nobody repairs it, \
             the vertex is pulled to the origin (less than 1) or pushed away from it (more) as soon as a skeleton \
             is used.\n\nMakeHuman 2 divides by the sum when it loads the file, so this is a remark only \
