@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use crate::scratch::{edit, example, findings, mhlint, stderr};
+use crate::scratch::{edit, example, findings, mhlint, stderr, stdout};
 
 const A: &str = "data/target/figure/head/head-oval.target";
 const B: &str = "data/target/figure/torso/belly-trans-in.target";
