@@ -81,7 +81,8 @@ fn advice(view: &View<'_>, first: &FileFacts, others: &[&FileFacts]) -> String {
     match references.find(|reference| reference.found().is_some()) {
         // With another target the slider would have another name in saved models.
         Some(reference) if matches!(reference.kind, ReferenceKind::Incr | ReferenceKind::Decr) => format!(
-            "`{}` in {} moves the same as something else: give it a target of its own, or remove the entry",
+            "if `{}` in {} is meant to move the same, leave both files: saved models know the slider by the name of its \
+             target; otherwise give it a shape of its own",
             reference.owner,
             reference.from.file_name()
         ),

@@ -39,7 +39,8 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
     for (file, target) in hidden.iter().skip(1) {
         finding = finding.related(&file.path, Place::File, moved(target.joints, target.helpers));
     }
-    out.push(finding.help("if the body should change, make the shape on the visible mesh"));
+    out.push(finding.help("right for what is drawn in place of helpers, such as genitals or clothes; if the body should change, make the shape on the \
+                     visible mesh"));
 }
 
 fn moved(joints: usize, helpers: usize) -> String {
