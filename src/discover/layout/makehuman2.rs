@@ -48,7 +48,7 @@ const ALONE: &str = "(loose)";
 
 fn sign(parts: &[&str]) -> Option<(Sign, usize)> {
     match parts {
-        [.., "base", _, "base.json" | "base.obj"] => Some((Sign::Strong, 3)),
+        [.., "base", _, "base.json" | "base.obj" | "base.mhbin"] => Some((Sign::Strong, 3)),
         [
             ..,
             "target" | "contarget",
@@ -72,6 +72,7 @@ fn place<'p>(parts: &[&'p str]) -> (Kind, Option<&'p str>) {
     let kind = match parts {
         ["base", _, "base.json"] => Kind::BaseJson,
         ["base", _, "base.obj"] => Kind::BaseMesh,
+        ["base", _, "base.mhbin"] => Kind::MeshArchive,
         ["base", _, "geometry.json"] => Kind::Geometry,
         ["rigs", .., file] if extension(file) == "mhw" => Kind::Weights,
         ["target" | "contarget", _, rest @ ..] if !rest.is_empty() => in_target_folder(rest),
@@ -170,6 +171,8 @@ mod tests {
         for (path, kind, base) in [
             ("base/hm08/base.json", Kind::BaseJson, Some("hm08")),
             ("base/hm08/base.obj", Kind::BaseMesh, Some("hm08")),
+            ("base/hm08/base.mhbin", Kind::MeshArchive, Some("hm08")),
+            ("base/hm08/helper.mhbin", Kind::Packed, Some("hm08")),
             ("base/hm08/helper.obj", Kind::AssetMesh, Some("hm08")),
             ("target/hm08/macro.json", Kind::MacroJson, Some("hm08")),
             ("contarget/x/a/b/c.target", Kind::Target, Some("x")),

@@ -8,7 +8,7 @@ use super::input::Input;
 use super::place::Place;
 use crate::config::Config;
 use crate::diag::{Application, EXAMPLES, NotChecked, Note, Outcome, RootSummary, Unchecked};
-use crate::discover::{Kind, Layout, find_roots};
+use crate::discover::{Layout, find_roots};
 use crate::source::{EntryKind, Tree};
 
 /// What a run reads.
@@ -145,7 +145,7 @@ fn base_for<'b>(bases: &'b BTreeSet<String>, options: &Config) -> Option<&'b str
 }
 
 fn base_meshes(place: &Place<'_>) -> BTreeSet<String> {
-    let meshes = place.files().filter(|file| file.kind() == Kind::BaseMesh);
+    let meshes = place.files().filter(|file| file.kind().is_base_mesh());
     meshes.filter_map(|file| file.owner().map(str::to_owned)).collect()
 }
 
