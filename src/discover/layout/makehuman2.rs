@@ -134,7 +134,8 @@ fn role(below: &[Candidate<'_>]) -> Role {
             .and_then(|rest| rest.split_once('/'))
             .is_some_and(|(_, rest)| !rest.is_empty())
     };
-    match (below.iter().any(is_base), below.iter().any(is_override)) {
+    let has_base = below.iter().any(|one| is_base(one) || is_packed_base(one, below));
+    match (has_base, below.iter().any(is_override)) {
         (true, false) => Role::System,
         (true, true) => Role::Both,
         (false, _) => Role::User,
@@ -143,6 +144,17 @@ fn role(below: &[Candidate<'_>]) -> Role {
 
 fn is_base(one: &Candidate<'_>) -> bool {
     matches!(one.kind_in(LAYOUT.application), Kind::BaseJson | Kind::BaseMesh)
+}
+
+/// A packed mesh alone may be a user's, over the system's base. With macros in `target/`, where no user has any, it is the
+/// system's.
+fn is_packed_base(one: &Candidate<'_>, below: &[Candidate<'_>]) -> bool {
+    let is_macros = |other: &Candidate<'_>| {
+        other.kind_in(LAYOUT.application) == Kind::MacroJson
+            && other.rel.starts_with("target/")
+            && other.owner() == one.owner()
+    };
+    one.kind_in(LAYOUT.application) == Kind::MeshArchive && below.iter().any(is_macros)
 }
 
 /// Beside another root, the one whose bases have sliders or macros in `target/` is the system, and its `contarget/`

@@ -245,6 +245,14 @@ impl<'a> Base<'a> {
         self.rigs.iter().find(|rig| rig.is_default).and_then(|rig| Some((rig, rig.skeleton()?)))
     }
 
+    /// The OBJ of the mesh: the mesh itself, or what lies beside an archive to be packed anew.
+    pub(crate) fn obj(&self) -> Option<(&'a FileFacts, &'a Mesh)> {
+        match self.mesh_files.archive() {
+            Some(_) => self.mesh_files.beside().and_then(|text| Some((text.file, text.sound()?))),
+            None => self.mesh,
+        }
+    }
+
     /// The macro file in use.
     pub(crate) fn macro_file(&self) -> Option<(&'a FileFacts, &'a MacroFile)> {
         self.macros.winner()

@@ -58,6 +58,11 @@ impl<'a> MeshFiles<'a> {
         self.read.filter(|file| file.kind_in(OWN) == Kind::MeshArchive)
     }
 
+    /// The OBJ in the folder of the archive.
+    pub(super) fn beside(&self) -> Option<&UnreadMesh<'a>> {
+        self.unread.iter().find(|text| text.lies == Lies::Beside)
+    }
+
     /// The mesh that is read, if the application gets through it.
     pub(super) fn sound(&self) -> Option<(&'a FileFacts, &'a Mesh)> {
         self.read.and_then(|file| Some((file, sound_mesh(file)?)))

@@ -99,6 +99,7 @@ impl<'a> View<'a> {
             let mut body = Body::new(base.name, view, targets);
             let weights = base.weights.iter().zip(unbound::unbound(base));
             body.mesh = base.mesh;
+            body.obj = base.obj();
             body.has_foreign_mesh = base.foreign_mesh.is_some();
             let settings = base.settings().map(|(_, settings)| settings);
             body.visible_groups = settings.and_then(|settings| settings.visible_groups.as_deref());
