@@ -61,9 +61,9 @@ fn fitting(layout: &Layout, width: usize, cells: &[Cell]) -> Result<Vec<Scalar>,
     if fields.len() != cells.len() || layout.is_plain() && width != cells.len() {
         return Err(NpyFault::Shape);
     }
-    let scalar = |(field, cell): (&&Field, &Cell)| match field.values == 1 && cell.takes(field.scalar) {
-        true => Ok(field.scalar),
-        false => Err(NpyFault::WrongType("", field.type_text.clone())),
+    let scalar = |(field, cell): (&&Field, &Cell)| {
+        let is_fit = field.values == 1 && cell.takes(field.scalar);
+        is_fit.then_some(field.scalar).ok_or_else(|| NpyFault::WrongType("", field.type_text.clone()))
     };
     fields.iter().zip(cells).map(scalar).collect()
 }
