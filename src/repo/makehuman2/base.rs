@@ -76,9 +76,10 @@ pub(super) fn base_names(layers: Layers<'_>) -> BTreeSet<&str> {
 }
 
 /// A single root that does not hold a base is a user's folder as far as that base goes: the system's part of it is
-/// elsewhere.
+/// elsewhere. A packed mesh alone is no base: it lies over one.
 fn layers_of<'a>(base: &str, layers: Layers<'a>) -> Layers<'a> {
-    let is_here = layers.checked.below(&format!("base/{base}")).next().is_some();
+    let mut files = layers.checked.below(&format!("base/{base}"));
+    let is_here = files.any(|file| file.kind_in(OWN) != Kind::MeshArchive);
     if layers.is_one_root() && !is_here { Layers { system: None, ..layers } } else { layers }
 }
 
