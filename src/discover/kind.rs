@@ -7,6 +7,8 @@ pub enum Kind {
     BaseJson,
     /// `base.obj`.
     BaseMesh,
+    /// `base.mhbin` of MakeHuman 2: the same, packed.
+    MeshArchive,
     /// `geometry.json` of MakeHuman 2.
     Geometry,
     /// `macro.json` of MakeHuman 2.
@@ -72,6 +74,11 @@ const BY_EXTENSION: [(Kind, &[&str]); 12] = [
 ];
 
 impl Kind {
+    /// Whether it is a base mesh, in whatever form.
+    pub(crate) const fn is_base_mesh(self) -> bool {
+        matches!(self, Self::BaseMesh | Self::MeshArchive)
+    }
+
     /// The kind of a file of which nothing but its name counts. Extensions are compared as the applications do:
     /// `X.TARGET` is no target.
     pub(super) fn by_extension(file: &str) -> Self {

@@ -59,6 +59,7 @@ mod tests {
             [("data".to_owned(), Application::Makehuman2)]
         );
         assert_eq!(found(&["base/hm08/base.obj"]), [(String::new(), Application::Makehuman2)]);
+        assert_eq!(found(&["base/hm08/base.mhbin"]), [(String::new(), Application::Makehuman2)]);
         assert_eq!(found(&["x/targets/target.json", "x/mesh_metadata/a.json"]), [("x".to_owned(), Application::Mpfb)]);
         assert_eq!(
             found(&["data/modifiers/modeling_modifiers.json", "data/3dobjs/base.obj"]),

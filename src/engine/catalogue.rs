@@ -15,6 +15,7 @@ pub(super) const fn has_rules(application: Application, kind: Kind) -> bool {
             kind,
             Kind::BaseJson
                 | Kind::BaseMesh
+                | Kind::MeshArchive
                 | Kind::Geometry
                 | Kind::MacroJson
                 | Kind::ModellingJson

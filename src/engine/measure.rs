@@ -7,7 +7,6 @@ use super::caught::caught;
 use super::load::{Data, Loaded};
 use crate::config::Config;
 use crate::diag::{Application, FailedStep};
-use crate::discover::Kind;
 use crate::eval::measures::Measures;
 use crate::evaluate::{self, Rows, is_evaluated};
 use crate::formats::Content;
@@ -121,7 +120,7 @@ fn names(data: &Data<'_>) -> BTreeSet<Option<String>> {
     let mut names = BTreeSet::new();
     for root in data.all() {
         names.extend(root.place.target_bases().into_iter().map(|base| base.map(str::to_owned)));
-        let with_mesh = root.layer.files.values().filter(|file| file.kind == Kind::BaseMesh && file.mesh().is_some());
+        let with_mesh = root.layer.files.values().filter(|file| file.mesh().is_some());
         names.extend(with_mesh.map(|file| file.base().map(str::to_owned)));
     }
     names

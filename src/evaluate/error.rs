@@ -116,12 +116,17 @@ impl fmt::Display for Error {
             Self::NoData(path) => {
                 let titles: Vec<&str> = evaluated().map(Application::title).collect();
                 let titles = titles.join(" or ");
-                write!(f, "`{path}` holds no {titles} data (a folder with base/<name>/base.obj in it is wanted)")
+                write!(
+                    f,
+                    "`{path}` holds no {titles} data (a folder with base/<name>/base.obj or base.mhbin in it is wanted)"
+                )
             }
             Self::SeveralRoots(paths) => {
                 write!(f, "several data folders hold this base; give one of them: {}", paths.join(", "))
             }
-            Self::BaseNeeded { known, .. } if known.is_empty() => f.write_str("there is no base mesh (base.obj) here"),
+            Self::BaseNeeded { known, .. } if known.is_empty() => {
+                f.write_str("there is no base mesh (base.obj or base.mhbin) here")
+            }
             Self::BaseNeeded { known, .. } => {
                 write!(f, "which base mesh? Give it with --base: {}", known.join(", "))
             }

@@ -7,11 +7,17 @@ use std::collections::BTreeSet;
 use super::data::SkeletonFile;
 use super::error::Error;
 use super::files::read_cause;
+use crate::discover::extension;
 use crate::eval::scene::Scene;
 use crate::eval::skeleton::Formulas;
 use crate::formats::macro_json::MacroFile;
+use crate::formats::mhbin;
+use crate::formats::obj_text::text_of;
 use crate::formats::target::MeshSize;
 use crate::source::{Entry, Limits, Tree};
+
+/// What is said of a file without a mesh that can be used.
+pub(super) const NO_MESH: &str = "there is no mesh in it";
 
 /// A base mesh ready for settings.
 #[derive(Debug)]
@@ -50,7 +56,7 @@ impl Evaluation {
         &self.scene
     }
 
-    /// Path of `base.obj`.
+    /// Path of the mesh: `base.obj`, or the archive that is read in its place.
     pub fn mesh_path(&self) -> &str {
         &self.mesh_path
     }
@@ -64,7 +70,7 @@ impl Evaluation {
         self.skeleton.as_ref().map_err(missing)
     }
 
-    /// The bytes of `base.obj`.
+    /// The mesh as OBJ text: the bytes of `base.obj`, or what an archive comes to.
     ///
     /// # Errors
     /// When it cannot be read any more.
@@ -72,7 +78,12 @@ impl Evaluation {
         let gone = || Error::file(&self.mesh_path, "is gone");
         let (tree, entry) = self.entry(&self.mesh_path).ok_or_else(gone)?;
         let read = tree.read(entry, &self.limits);
-        read.map_err(|fault| Error::file(&self.mesh_path, read_cause(&fault)))
+        let bytes = read.map_err(|fault| Error::file(&self.mesh_path, read_cause(&fault)))?;
+        if extension(&self.mesh_path) != "mhbin" {
+            return Ok(bytes);
+        }
+        let mesh = mhbin::parse(&bytes, &self.limits);
+        Ok(text_of(&mesh.map_err(|_| Error::file(&self.mesh_path, NO_MESH))?).into_bytes())
     }
 
     /// The listed file at a printed path.

@@ -4,6 +4,7 @@ use super::base_json::BaseJson;
 use super::geometry::Geometry;
 use super::json_file::JsonFault;
 use super::macro_json::MacroFile;
+use super::mhbin::MeshFault;
 use super::mhmat::Material;
 use super::mhskel::Skeleton;
 use super::mhw::Weights;
@@ -42,6 +43,8 @@ pub enum Content {
     Weights(Box<Weights>),
     /// `.obj` of a base mesh.
     Mesh(Box<Mesh>),
+    /// `base.mhbin`: its mesh, or why it cannot be loaded.
+    MeshArchive(Box<Result<Mesh, MeshFault>>),
     /// `.target`.
     Target(Box<TargetFacts>),
     /// `.mhmat`.

@@ -1,16 +1,14 @@
-//! `.npy`: one array of target rows as `NumPy` stores it, read without `NumPy`'s dangers.
+//! `.npy`: an array as `NumPy` stores it, read without `NumPy`'s dangers.
 //!
-//! Gets the bytes of a stream, returns the number of rows and the hash of their content, or why the
-//! application could not use them (formats/makehuman2.md §6.2). Object arrays are refused by their
-//! header: loading them would mean running a pickle. No size in the header is trusted.
+//! Gets the bytes of a stream, returns what the array is made of, and its bytes where they are asked for, or why it
+//! cannot be used. Object arrays are refused by their header: loading them would mean running a pickle. No size in the
+//! header is trusted.
 
 use std::io::{ErrorKind, Read};
 
-use super::content_hash::ContentHash;
 use super::npy_header::{Literal, parse_header};
-use super::stored;
 
-/// Why an array cannot be used as a target.
+/// Why an array cannot be used for what it is in the archive for.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum NpyFault {
     /// No array of `NumPy`.
@@ -21,23 +19,14 @@ pub enum NpyFault {
     Object,
     /// No field of this name.
     MissingField(&'static str),
-    /// A field of another type or length than a target needs, with its type.
+    /// A field of another type or length than needed, with its type. A plain array is a field without a name.
     WrongType(&'static str, String),
-    /// Not one row behind the other.
+    /// Not one row behind the other, or rows of another length than needed.
     Shape,
     /// Ends before its last row.
     Truncated,
     /// Cannot be unpacked.
     Damaged(String),
-}
-
-/// What an array holds.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Rows {
-    /// How many rows.
-    pub count: u64,
-    /// Hash as of a text target with the same rows.
-    pub content: u64,
 }
 
 const MAGIC: &[u8] = b"\x93NUMPY";
@@ -46,47 +35,40 @@ const HEADER_BYTES: usize = 10_000;
 /// A row of a target has 16 bytes, 32 in the widest types; a stranger's row may hold more fields.
 const ROW_BYTES: usize = 4096;
 
-/// Reads an array to its end.
-pub(super) fn read(reader: &mut impl Read) -> Result<Rows, NpyFault> {
-    let layout = read_layout(reader)?;
-    let mut row = vec![0; layout.row_bytes];
-    let mut hash = ContentHash::default();
-    for _ in 0..layout.rows {
-        fill(reader, &mut row).map_err(|fault| fault.unwrap_or(NpyFault::Truncated))?;
-        let (index, delta) = layout.row(&row).ok_or(NpyFault::Header)?;
-        if let Ok(index) = u32::try_from(index) {
-            hash.add(index, delta);
-        }
-    }
-    // The checksum of a zip member is only compared at its end.
-    std::io::copy(reader, &mut std::io::sink()).map_err(|error| NpyFault::Damaged(error.to_string()))?;
-    Ok(Rows { count: layout.rows, content: hash.finish() })
+/// What an array is made of.
+pub(super) struct Layout {
+    /// Numbers of elements, for each dimension.
+    pub(super) shape: Vec<u64>,
+    /// Fields of an element; one without a name if it is a plain value.
+    pub(super) fields: Vec<Field>,
+    /// Bytes of an element.
+    pub(super) bytes: usize,
+    /// Whether the elements of a column stand together, not those of a row.
+    pub(super) by_column: bool,
 }
 
-/// Fills the buffer; the fault is `None` where the stream just ends.
-fn fill(reader: &mut impl Read, buffer: &mut [u8]) -> Result<(), Option<NpyFault>> {
-    reader.read_exact(buffer).map_err(|error| match error.kind() {
-        ErrorKind::UnexpectedEof => None,
-        _ => Some(NpyFault::Damaged(error.to_string())),
-    })
+/// A field of an element.
+#[derive(Debug)]
+pub(super) struct Field {
+    pub(super) name: String,
+    /// Its type as the header writes it.
+    pub(super) type_text: String,
+    /// How many values it has.
+    pub(super) values: usize,
+    pub(super) scalar: Scalar,
 }
 
-struct Layout {
-    rows: u64,
-    row_bytes: usize,
-    index: Field,
-    vector: Field,
-}
-
-#[derive(Clone, Copy)]
-struct Field {
+/// One value in the bytes of an element.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Scalar {
     offset: usize,
     kind: u8,
     bytes: usize,
     big_endian: bool,
 }
 
-fn read_layout(reader: &mut impl Read) -> Result<Layout, NpyFault> {
+/// Reads the header of an array, up to its first row.
+pub(super) fn read_layout(reader: &mut impl Read) -> Result<Layout, NpyFault> {
     let none_is = |fault: NpyFault| move |found: Option<NpyFault>| found.unwrap_or(fault);
     let mut start = [0; 8];
     fill(reader, &mut start).map_err(none_is(NpyFault::NotNpy))?;
@@ -103,55 +85,62 @@ fn read_layout(reader: &mut impl Read) -> Result<Layout, NpyFault> {
     }
     let mut text = vec![0; length];
     fill(reader, &mut text).map_err(none_is(NpyFault::Truncated))?;
-    layout(&parse_header(&text).ok_or(NpyFault::Header)?)
+    Layout::of(&parse_header(&text).ok_or(NpyFault::Header)?)
 }
 
-fn layout(header: &Literal) -> Result<Layout, NpyFault> {
-    let descr = header.get("descr").ok_or(NpyFault::Header)?;
-    if descr.any_text(&|text| text.trim_start_matches(['<', '>', '|', '=']).starts_with('O')) {
-        return Err(NpyFault::Object);
-    }
-    let mut row_bytes = 0_usize;
-    let (mut index, mut vector) = (None, None);
-    for field in descr.items() {
-        let [name, kind, shape @ ..] = field.items() else { return Err(NpyFault::Header) };
-        let (Some(name), Some(kind)) = (name.text(), kind.text()) else { return Err(NpyFault::Header) };
-        let values = shape
-            .first()
-            .map_or(Some(1), |shape| shape.items().iter().try_fold(1_u64, |all, part| all.checked_mul(part.number()?)));
-        let values = values.and_then(|values| usize::try_from(values).ok()).ok_or(NpyFault::Header)?;
-        let scalar = Field::of(kind, row_bytes).ok_or(NpyFault::Header)?;
-        match name {
-            "index" => index = Some((scalar.integer(values), kind)),
-            "vector" => vector = Some((scalar.number(values), kind)),
-            _ => {}
-        }
-        row_bytes =
-            values.checked_mul(scalar.bytes).and_then(|bytes| bytes.checked_add(row_bytes)).unwrap_or(usize::MAX);
-    }
-    let usable = |name: &'static str, found: Option<(Option<Field>, &str)>| {
-        let (field, kind) = found.ok_or(NpyFault::MissingField(name))?;
-        field.ok_or_else(|| NpyFault::WrongType(name, kind.to_owned()))
-    };
-    let (index, vector) = (usable("index", index)?, usable("vector", vector)?);
-    let [rows] = header.get("shape").map(Literal::items).unwrap_or_default() else { return Err(NpyFault::Shape) };
-    let rows = rows.number().ok_or(NpyFault::Header)?;
-    if row_bytes > ROW_BYTES { Err(NpyFault::Header) } else { Ok(Layout { rows, row_bytes, index, vector }) }
+/// Fills the buffer; the fault is `None` where the stream just ends.
+pub(super) fn fill(reader: &mut impl Read, buffer: &mut [u8]) -> Result<(), Option<NpyFault>> {
+    reader.read_exact(buffer).map_err(|error| match error.kind() {
+        ErrorKind::UnexpectedEof => None,
+        _ => Some(NpyFault::Damaged(error.to_string())),
+    })
+}
+
+/// Reads what is left: the checksum of a zip member is only compared at its end.
+pub(super) fn finish(reader: &mut impl Read) -> Result<(), NpyFault> {
+    std::io::copy(reader, &mut std::io::sink()).map(drop).map_err(|error| NpyFault::Damaged(error.to_string()))
 }
 
 impl Layout {
-    fn row(&self, row: &[u8]) -> Option<(i64, [f32; 3])> {
-        let index = self.index.value(row, 0)?;
-        let mut delta = [0.0; 3];
-        for (at, part) in delta.iter_mut().enumerate() {
-            *part = stored(self.vector.value(row, at)?);
+    fn of(header: &Literal) -> Result<Self, NpyFault> {
+        let descr = header.get("descr").ok_or(NpyFault::Header)?;
+        if descr.any_text(&|text| text.trim_start_matches(['<', '>', '|', '=']).starts_with('O')) {
+            return Err(NpyFault::Object);
         }
-        #[expect(clippy::cast_possible_truncation, reason = "saturates; indices fit 32 bits or are left out")]
-        Some((index as i64, delta))
+        let mut bytes = 0;
+        let fields = match descr.text() {
+            Some(plain) => Field::new("", plain, 1, &mut bytes).map(|field| vec![field]),
+            None => descr.items().iter().map(|field| Field::of(field, &mut bytes)).collect(),
+        };
+        let shape = header.get("shape").map(Literal::items).unwrap_or_default();
+        let shape: Option<Vec<u64>> = shape.iter().map(Literal::number).collect();
+        let by_column = header.get("fortran_order").and_then(Literal::text) == Some("True");
+        match (fields, shape) {
+            (Some(fields), Some(shape)) if bytes <= ROW_BYTES => Ok(Self { shape, fields, bytes, by_column }),
+            _ => Err(NpyFault::Header),
+        }
     }
 }
 
 impl Field {
+    /// A field as a header writes it: name, type, and how many values it has if that is not one.
+    fn of(field: &Literal, offset: &mut usize) -> Option<Self> {
+        let [name, kind, shape @ ..] = field.items() else { return None };
+        let values = shape
+            .first()
+            .map_or(Some(1), |shape| shape.items().iter().try_fold(1_u64, |all, part| all.checked_mul(part.number()?)));
+        Self::new(name.text()?, kind.text()?, usize::try_from(values?).ok()?, offset)
+    }
+
+    /// A field behind the first `offset` bytes of an element, which then are more.
+    fn new(name: &str, type_text: &str, values: usize, offset: &mut usize) -> Option<Self> {
+        let scalar = Scalar::of(type_text, *offset)?;
+        *offset = values.checked_mul(scalar.bytes).and_then(|bytes| bytes.checked_add(*offset)).unwrap_or(usize::MAX);
+        Some(Self { name: name.to_owned(), type_text: type_text.to_owned(), values, scalar })
+    }
+}
+
+impl Scalar {
     /// The scalar type of a type text such as `<u4`.
     fn of(text: &str, offset: usize) -> Option<Self> {
         let big_endian = text.starts_with('>');
@@ -162,18 +151,27 @@ impl Field {
         Some(Self { offset, kind, bytes: if kind == b'U' { bytes * 4 } else { bytes }, big_endian })
     }
 
-    fn integer(self, values: usize) -> Option<Self> {
-        (values == 1 && matches!((self.kind, self.bytes), (b'u' | b'i', 1 | 2 | 4 | 8))).then_some(self)
+    pub(super) fn is_integer(self) -> bool {
+        matches!((self.kind, self.bytes), (b'u' | b'i', 1 | 2 | 4 | 8))
     }
 
-    fn number(self, values: usize) -> Option<Self> {
-        (values == 3 && matches!((self.kind, self.bytes), (b'f', 4 | 8) | (b'u' | b'i', 1 | 2 | 4 | 8))).then_some(self)
+    pub(super) fn is_number(self) -> bool {
+        self.is_integer() || matches!((self.kind, self.bytes), (b'f', 4 | 8))
     }
 
-    /// Value number `at` of the field. 64 bit integers beyond 2^53 are rounded: far beyond any vertex.
-    fn value(self, row: &[u8], at: usize) -> Option<f64> {
-        let start = self.offset + at * self.bytes;
-        let stored = row.get(start..start + self.bytes)?;
+    /// Whether it is a truth value, or a number that can be taken for one.
+    pub(super) fn is_flag(self) -> bool {
+        self.is_number() || matches!((self.kind, self.bytes), (b'b', 1))
+    }
+
+    /// Whether it is a text of single bytes.
+    pub(super) fn is_text(self) -> bool {
+        self.kind == b'S'
+    }
+
+    /// Number `at` of the values of the field. 64 bit integers beyond 2^53 are rounded: far beyond any vertex.
+    pub(super) fn value(self, element: &[u8], at: usize) -> Option<f64> {
+        let stored = self.stored(element, at)?;
         let mut bytes = [0; 8];
         for (to, from) in bytes.iter_mut().zip(0..self.bytes) {
             *to = *stored.get(if self.big_endian { self.bytes - 1 - from } else { from })?;
@@ -186,5 +184,11 @@ impl Field {
             (b'i', _) => ((bits << unused).cast_signed() >> unused) as f64,
             _ => bits as f64,
         })
+    }
+
+    /// The bytes of a value.
+    pub(super) fn stored(self, element: &[u8], at: usize) -> Option<&[u8]> {
+        let start = self.offset.checked_add(at.checked_mul(self.bytes)?)?;
+        element.get(start..start.checked_add(self.bytes)?)
     }
 }

@@ -4,11 +4,14 @@
 //! loads every member at start and asks the archive before the text file (formats/makehuman2.md §1.3,
 //! §6.2). Gets bytes and limits, returns the members with the hashes of their rows; keeps no rows.
 
-use std::io::{BufReader, Cursor, Read};
+use std::io::{BufReader, Cursor, Read, Take};
 
 use zip::ZipArchive;
+use zip::read::ZipFile;
 
-pub use super::npy::{NpyFault, Rows};
+pub use super::npy::NpyFault;
+use super::packed_rows;
+pub use super::packed_rows::Rows;
 use crate::source::Limits;
 
 /// A parsed archive.
@@ -55,14 +58,10 @@ impl Archive {
 /// Reads an archive within `limits`.
 pub fn parse(bytes: &[u8], limits: &Limits) -> Archive {
     let mut archive = Archive::default();
-    if bytes.is_empty() {
-        archive.fault = Some(ArchiveFault::Empty);
-        return archive;
-    }
-    let mut zip = match ZipArchive::new(Cursor::new(bytes)) {
+    let mut zip = match open(bytes) {
         Ok(zip) => zip,
-        Err(error) => {
-            archive.fault = Some(ArchiveFault::NotZip(error.to_string()));
+        Err(fault) => {
+            archive.fault = Some(fault);
             return archive;
         }
     };
@@ -70,59 +69,62 @@ pub fn parse(bytes: &[u8], limits: &Limits) -> Archive {
     let limit = limits.unpacked_limit(packed);
     let mut room = limit;
     for index in 0..zip.len() {
-        let (member, used) = read_member(&mut zip, index, room);
+        let name = member_name(&zip, index);
+        let (rows, used) = read_member(&mut zip, index, room, |reader| packed_rows::read(reader));
         if used > room {
             archive.bomb = Some((packed, limit - room + used));
             break;
         }
         room -= used;
-        archive.members.push(member);
+        archive.members.push(Member { name, rows });
     }
     archive
 }
 
-/// A member and the bytes it unpacked to, one more than `room` if it goes beyond.
-fn read_member(zip: &mut ZipArchive<Cursor<&[u8]>>, index: usize, room: u64) -> (Member, u64) {
-    let name = zip.name_for_index(index).and_then(Result::ok).map_or_else(|| format!("#{index}"), |name| key(&name));
+/// A zip of arrays.
+pub(super) type Zip<'b> = ZipArchive<Cursor<&'b [u8]>>;
+/// The stream of a member, up to what may be unpacked of it.
+pub(super) type Unpacked<'z, 'b> = BufReader<Take<ZipFile<'z, Cursor<&'b [u8]>>>>;
+
+/// Opens an archive.
+pub(super) fn open(bytes: &[u8]) -> Result<Zip<'_>, ArchiveFault> {
+    if bytes.is_empty() {
+        return Err(ArchiveFault::Empty);
+    }
+    ZipArchive::new(Cursor::new(bytes)).map_err(|error| ArchiveFault::NotZip(error.to_string()))
+}
+
+/// The key of a member.
+pub(super) fn member_name(zip: &Zip<'_>, index: usize) -> String {
+    let name = zip.name_for_index(index).and_then(Result::ok);
+    name.map_or_else(|| format!("#{index}"), |name| name.strip_suffix(".npy").unwrap_or(&name).to_owned())
+}
+
+/// What `read` makes of a member, and the bytes that it unpacked to, one more than `room` if it goes beyond.
+pub(super) fn read_member<'b, T>(
+    zip: &mut Zip<'b>,
+    index: usize,
+    room: u64,
+    read: impl FnOnce(&mut Unpacked<'_, 'b>) -> Result<T, NpyFault>,
+) -> (Result<T, NpyFault>, u64) {
     match zip.by_index(index) {
         Ok(file) => {
             let allowed = room.saturating_add(1);
             let mut reader = BufReader::new(file.take(allowed));
-            let rows = super::npy::read(&mut reader);
-            (Member { name, rows }, allowed - reader.into_inner().limit())
+            let found = read(&mut reader);
+            (found, allowed - reader.into_inner().limit())
         }
-        Err(error) => (Member { name, rows: Err(NpyFault::Damaged(error.to_string())) }, 0),
+        Err(error) => (Err(NpyFault::Damaged(error.to_string())), 0),
     }
-}
-
-fn key(name: &str) -> String {
-    name.strip_suffix(".npy").unwrap_or(name).to_owned()
 }
 
 #[cfg(test)]
 mod tests {
-    use std::io::Write;
-
     use proptest::prelude::*;
-    use zip::write::{SimpleFileOptions, ZipWriter};
 
     use super::*;
+    use crate::formats::npz_samples::{npy, zip_of};
     use crate::formats::target;
-
-    fn npy(descr: &str, shape: &str, data: &[u8]) -> Vec<u8> {
-        let header = format!("{{'descr': {descr}, 'fortran_order': False, 'shape': {shape}, }}\n");
-        let length = u16::try_from(header.len()).unwrap().to_le_bytes();
-        [b"\x93NUMPY\x01\x00".as_slice(), &length, header.as_bytes(), data].concat()
-    }
-
-    fn zip_of(members: &[(&str, Vec<u8>)]) -> Vec<u8> {
-        let mut writer = ZipWriter::new(Cursor::new(Vec::new()));
-        for (name, bytes) in members {
-            writer.start_file(*name, SimpleFileOptions::default()).unwrap();
-            writer.write_all(bytes).unwrap();
-        }
-        writer.finish().unwrap().into_inner()
-    }
 
     const USUAL: &str = "[('index', '<u4'), ('vector', '<f4', (3,))]";
 

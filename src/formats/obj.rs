@@ -16,10 +16,10 @@ use crate::source::lines;
 /// The group of faces before any `g`.
 pub const DEFAULT_GROUP: &str = "mh_default";
 /// Stands for a corner without texture coordinate.
-pub(super) const NO_UV: u32 = u32::MAX;
+pub const NO_UV: u32 = u32::MAX;
 
 /// A mesh.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Mesh {
     /// Vertex positions in file order, decimetres.
     pub positions: Vec<[f32; 3]>,
@@ -27,6 +27,8 @@ pub struct Mesh {
     pub uvs: Vec<[f32; 2]>,
     /// Vertex indices of all faces, one after the other, from 0.
     pub corners: Vec<u32>,
+    /// The texture coordinate of each corner, [`NO_UV`] for none.
+    pub corner_uvs: Vec<u32>,
     /// Faces.
     pub faces: Vec<Face>,
     /// Groups in order of their opening, the default group first if it has faces.
@@ -84,6 +86,17 @@ impl Mesh {
             && !self.faces.is_empty()
     }
 
+    /// Makes a face of the corners from `start` on.
+    pub(super) fn push_face(&mut self, start: usize, group: u32) {
+        let corners = self.corners.get(start..).unwrap_or_default();
+        if let Some(group) = self.groups.get_mut(group as usize) {
+            group.faces += 1;
+            group.vertices = widened(group.vertices, corners);
+        }
+        let bounded = |value: usize| u32::try_from(value).unwrap_or(u32::MAX);
+        self.faces.push(Face { start: bounded(start), len: bounded(corners.len()), group });
+    }
+
     /// How many vertices there are to be moved.
     pub fn size(&self) -> MeshSize {
         let vertices = self.facts.vertices;
@@ -101,7 +114,8 @@ struct Parser {
     /// Name of the last `g`, and its place in [`MeshFacts::reopened`] with 1 if faces now stray.
     named: String,
     reopened: Option<(usize, usize)>,
-    side: Side,
+    /// Line of every face, needed once all vertices are known.
+    lines: Vec<u32>,
 }
 
 impl Mesh {
@@ -121,15 +135,6 @@ impl Mesh {
         }
         groups
     }
-}
-
-/// What is needed to check the faces once all vertices are known, and dropped then.
-#[derive(Default)]
-pub(super) struct Side {
-    /// Texture coordinate of every corner, [`NO_UV`] for none.
-    pub(super) uvs: Vec<u32>,
-    /// Line of every face.
-    pub(super) lines: Vec<u32>,
 }
 
 impl Parser {
@@ -202,11 +207,11 @@ impl Parser {
         let fault = words.map(|word| self.corner(word)).find_map(Result::err);
         let len = self.mesh.corners.len() - start;
         if fault.is_none() && len >= 3 {
-            self.add_face(start, len);
+            self.add_face(start);
             return;
         }
         self.mesh.corners.truncate(start);
-        self.side.uvs.truncate(start);
+        self.mesh.corner_uvs.truncate(start);
         let name = |_: &Mesh| row_name(&fields(line));
         match fault {
             Some(BadCorner::Number(number)) => self.mesh.facts.face_out_of_range.add(self.line, number),
@@ -220,28 +225,23 @@ impl Parser {
     fn corner(&mut self, word: &[u8]) -> Result<(), BadCorner> {
         let (vertex, uv) = corner(word)?;
         self.mesh.corners.push(vertex);
-        self.side.uvs.push(uv);
+        self.mesh.corner_uvs.push(uv);
         Ok(())
     }
 
-    fn add_face(&mut self, start: usize, len: usize) {
+    fn add_face(&mut self, start: usize) {
         let group = match self.current {
             Some(group) => group,
             None => self.open(DEFAULT_GROUP.to_owned(), 0),
         };
-        if let Some(group) = self.mesh.groups.get_mut(group as usize) {
-            group.faces += 1;
-            group.vertices = widened(group.vertices, self.mesh.corners.get(start..).unwrap_or_default());
-        }
         if let Some((at, strays)) = self.reopened
             && let Some(reopened) = self.mesh.facts.reopened.get_mut(at)
         {
             reopened.faces += 1;
             reopened.strayed += strays;
         }
-        let bounded = |value: usize| u32::try_from(value).unwrap_or(u32::MAX);
-        self.side.lines.push(self.line);
-        self.mesh.faces.push(Face { start: bounded(start), len: bounded(len), group });
+        self.lines.push(self.line);
+        self.mesh.push_face(start, group);
     }
 
     fn bad(&mut self, line: &[u8], what: &'static str, name: impl FnOnce(&Mesh) -> String) {
@@ -258,7 +258,7 @@ impl Parser {
 
     fn finish(mut self) -> Mesh {
         let mut facts = std::mem::take(&mut self.mesh.facts);
-        facts.complete(&self.mesh, &self.side);
+        facts.complete(&self.mesh, &self.lines);
         self.mesh.facts = facts;
         self.mesh
     }

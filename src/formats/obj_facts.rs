@@ -1,10 +1,10 @@
 //! Facts on a mesh: what is counted when all its lines have been read (formats/makehuman2.md §8).
 //!
-//! Gets the mesh and what the parser kept beside it, completes the facts; checks nothing.
+//! Gets the mesh and the lines of its faces, completes the facts; checks nothing.
 
 use std::collections::BTreeSet;
 
-use super::obj::{Face, Mesh, NO_UV, Side};
+use super::obj::{Face, Mesh, NO_UV};
 use crate::diag::{Few, Tally};
 
 /// Two texture coordinates of one vertex farther apart than this make a duplicate.
@@ -106,22 +106,22 @@ impl MeshFacts {
         at
     }
 
-    /// Counts what only the whole mesh shows.
-    pub(super) fn complete(&mut self, mesh: &Mesh, side: &Side) {
+    /// Counts what only the whole mesh shows; `lines` are those of the faces, 0 where they have none.
+    pub(super) fn complete(&mut self, mesh: &Mesh, lines: &[u32]) {
         self.vertices = mesh.positions.len();
         self.reopened.retain(|reopened| reopened.faces > 0);
-        self.check_faces(mesh, side);
-        self.repeating = repeating(mesh, side);
-        self.partial_uv = partial_uv(mesh, side);
+        self.check_faces(mesh, lines);
+        self.repeating = repeating(mesh, lines);
+        self.partial_uv = partial_uv(mesh, lines);
         self.count_unused(mesh);
-        self.seam_duplicates = count_seams(mesh, side);
+        self.seam_duplicates = count_seams(mesh);
     }
 
     /// Faces may name vertices that come later in the file, so ranges are known only now.
-    fn check_faces(&mut self, mesh: &Mesh, side: &Side) {
-        for (face, line) in mesh.faces.iter().zip(&side.lines) {
+    fn check_faces(&mut self, mesh: &Mesh, lines: &[u32]) {
+        for (face, line) in mesh.faces.iter().zip(lines) {
             let corners = run(&mesh.corners, *face);
-            let uvs = run(&side.uvs, *face);
+            let uvs = run(&mesh.corner_uvs, *face);
             let bad_vertex = corners.iter().find(|vertex| **vertex as usize >= mesh.positions.len());
             let bad_uv = uvs.iter().find(|uv| **uv != NO_UV && **uv as usize >= mesh.uvs.len());
             if let Some(bad) = bad_vertex.or(bad_uv) {
@@ -148,28 +148,28 @@ fn run(values: &[u32], face: Face) -> &[u32] {
     values.get(start..start.saturating_add(face.len as usize)).unwrap_or_default()
 }
 
-fn repeating(mesh: &Mesh, side: &Side) -> Vec<Repeating> {
+fn repeating(mesh: &Mesh, lines: &[u32]) -> Vec<Repeating> {
     let mut seen = BTreeSet::new();
     let mut repeated = |face: Face| {
         seen.clear();
         run(&mesh.corners, face).iter().copied().find(|vertex| !seen.insert(*vertex))
     };
-    let faces = mesh.faces.iter().zip(&side.lines);
+    let faces = mesh.faces.iter().zip(lines);
     faces
         .filter_map(|(face, line)| Some(Repeating { line: *line, vertex: repeated(*face)?, group: face.group }))
         .collect()
 }
 
 /// Texture coordinates are stored group by group; the loader counts on one list per face, or none at all.
-fn partial_uv(mesh: &Mesh, side: &Side) -> Vec<PartialUv> {
+fn partial_uv(mesh: &Mesh, lines: &[u32]) -> Vec<PartialUv> {
     let blank = |group: &super::obj::Group| PartialUv { name: group.name.clone(), faces: 0, without: 0, line: 0 };
     let mut groups: Vec<PartialUv> = mesh.groups.iter().map(blank).collect();
     let mut with = vec![false; groups.len()];
-    for (face, line) in mesh.faces.iter().zip(&side.lines) {
+    for (face, line) in mesh.faces.iter().zip(lines) {
         let (Some(group), Some(with)) = (groups.get_mut(face.group as usize), with.get_mut(face.group as usize)) else {
             continue;
         };
-        let uvs = run(&side.uvs, *face);
+        let uvs = run(&mesh.corner_uvs, *face);
         group.faces += 1;
         *with |= uvs.iter().any(|uv| *uv != NO_UV);
         if uvs.contains(&NO_UV) {
@@ -183,10 +183,10 @@ fn partial_uv(mesh: &Mesh, side: &Side) -> Vec<PartialUv> {
 
 /// The first texture coordinate of a vertex is its own; each other one that is far enough from it makes a
 /// duplicate, told apart by index alone.
-fn count_seams(mesh: &Mesh, side: &Side) -> usize {
+fn count_seams(mesh: &Mesh) -> usize {
     let mut first: Vec<u32> = vec![NO_UV; mesh.positions.len()];
     let mut others: BTreeSet<(u32, u32)> = BTreeSet::new();
-    for (vertex, uv) in mesh.corners.iter().zip(&side.uvs).filter(|(_, uv)| **uv != NO_UV) {
+    for (vertex, uv) in mesh.corners.iter().zip(&mesh.corner_uvs).filter(|(_, uv)| **uv != NO_UV) {
         let Some(known) = first.get_mut(*vertex as usize) else { continue };
         if *known == NO_UV {
             *known = *uv;

@@ -6,7 +6,7 @@ use super::inline_ignore::{self, InlineIgnore};
 use super::json_file::{self, JsonFacts, JsonFault};
 use super::table::{Format, Reader, Syntax};
 use super::target::{self, MeshSize, Row};
-use super::{Content, mhmat, mhw, npz, obj};
+use super::{Content, mhbin, mhmat, mhw, npz, obj};
 use crate::json::{self, Document, SchemaFaults};
 use crate::source::{Encoding, GzipFault, Limits, try_gunzip, zip_bomb};
 
@@ -108,6 +108,15 @@ pub(super) fn mesh(input: &Input<'_>) -> Parsed {
     let mut parsed = hashed(input);
     if !input.encoding.blank && !input.encoding.only_comments {
         parsed.content = Content::Mesh(Box::new(obj::parse(input.bytes)));
+    }
+    parsed
+}
+
+/// A packed base mesh. What unpacks beyond all limits is not looked into.
+pub(super) fn mesh_archive(input: &Input<'_>) -> Parsed {
+    let mut parsed = zip(input);
+    if parsed.gzip_fault.is_none() {
+        parsed.content = Content::MeshArchive(Box::new(mhbin::parse(input.bytes, input.limits)));
     }
     parsed
 }

@@ -1,6 +1,6 @@
 //! The table of formats: what is to be known of each kind of file before and while it is read.
 
-use super::readers::{archive, material, mesh, packed, target, weights, zip};
+use super::readers::{archive, material, mesh, mesh_archive, packed, target, weights, zip};
 use super::{Content, Input, Parsed, base_json, geometry, macro_json, mhskel, modelling, target_cat, target_catalog};
 use crate::discover::Kind;
 use crate::json::Document;
@@ -85,9 +85,10 @@ const fn mhw(kind: Kind, needs: Needs) -> Format {
 }
 
 /// All formats, one a kind, in the order of [`Kind`].
-pub(crate) static FORMATS: [Format; 25] = [
+pub(crate) static FORMATS: [Format; 26] = [
     json(Kind::BaseJson, "base.json", "base", |json| Content::BaseJson(Box::new(base_json::read(json)))),
     read(Kind::BaseMesh, "base mesh", Syntax::Text, mesh),
+    read(Kind::MeshArchive, "packed base mesh", Syntax::Binary, mesh_archive),
     json(Kind::Geometry, "geometry.json", "geometry", |json| Content::Geometry(Box::new(geometry::read(json)))),
     json(Kind::MacroJson, "macro.json", "macro", |json| Content::Macro(Box::new(macro_json::read(json)))),
     json(Kind::ModellingJson, "modelling.json", "modelling", |json| {

@@ -18,6 +18,8 @@ pub(crate) struct Body<'v> {
     pub layers: Layers<'v>,
     /// The mesh, if the application gets through it.
     pub mesh: Option<(&'v FileFacts, &'v Mesh)>,
+    /// The OBJ of the mesh: the mesh itself, or what lies beside an archive to be packed anew.
+    pub obj: Option<(&'v FileFacts, &'v Mesh)>,
     /// Whether the mesh is left out because the rest of the data is made for another number of vertices.
     pub has_foreign_mesh: bool,
     /// Groups of the mesh that are shown, if that is said anywhere.
@@ -112,13 +114,15 @@ impl<'v> Body<'v> {
     /// A body with nothing but targets.
     pub(super) fn new(name: &'v str, view: &'v View<'v>, targets: Vec<Target<'v>>) -> Self {
         let by_path = targets.iter().enumerate().map(|(at, target)| (target.file.path.as_str(), at)).collect();
-        let (mesh, visible_groups, one_sided_endings, macros, rigs) = (None, None, None, None, [].as_slice());
+        let (mesh, obj, visible_groups, one_sided_endings, macros, rigs) =
+            (None, None, None, None, None, [].as_slice());
         let (weights, layers) = (Vec::new(), view.layers());
         let has_foreign_mesh = false;
         Self {
             name,
             layers,
             mesh,
+            obj,
             has_foreign_mesh,
             visible_groups,
             one_sided_endings,

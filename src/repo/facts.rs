@@ -6,6 +6,7 @@ use crate::diag::Application;
 use crate::discover::{Kind, Use, kind_in, owner_of};
 use crate::formats::inline_ignore::InlineIgnore;
 use crate::formats::json_file::JsonFacts;
+use crate::formats::mhbin::MeshFault;
 use crate::formats::mhmat::Material;
 use crate::formats::mhskel::Skeleton;
 use crate::formats::mhw::Weights;
@@ -146,8 +147,17 @@ impl FileFacts {
         if let Content::Material(material) = &*self.content { Some(material) } else { None }
     }
 
-    /// The mesh, if it is one that could be read.
+    /// The mesh, if it is one that could be read, as text or packed.
     pub fn mesh(&self) -> Option<&Mesh> {
-        if let Content::Mesh(mesh) = &*self.content { Some(mesh) } else { None }
+        match &*self.content {
+            Content::Mesh(mesh) => Some(mesh),
+            Content::MeshArchive(packed) => packed.as_ref().as_ref().ok(),
+            _ => None,
+        }
+    }
+
+    /// Why a packed mesh cannot be loaded.
+    pub fn mesh_fault(&self) -> Option<&MeshFault> {
+        if let Content::MeshArchive(packed) = &*self.content { packed.as_ref().as_ref().err() } else { None }
     }
 }

@@ -113,6 +113,14 @@ impl<'a> View<'a> {
         }
     }
 
+    /// Whether the application reads another file in place of what is at this path of the checked layer.
+    pub(crate) fn is_replaced(&self, rel: &str) -> bool {
+        match self {
+            Self::Makehuman2(view) => view.is_replaced(rel),
+            Self::Makehuman1(_) | Self::Mpfb(_) => false,
+        }
+    }
+
     /// Whether the application does as well without this file.
     pub(crate) fn does_without(&self, file: &FileFacts) -> bool {
         match self {

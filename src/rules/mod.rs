@@ -97,6 +97,7 @@ pub(crate) static RULES: &[&Rule] = &[
     &mesh::non_finite::RULE,
     &mesh::partial_uv::RULE,
     &mesh::reopened_group::RULE,
+    &mesh::stale_binary::RULE,
     &mesh::syntax::RULE,
     &mesh::unused_vertex::RULE,
     &modelling::barycentric_arity::RULE,

@@ -5,6 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Output;
 
+use crate::scratch::pack::packed;
 use crate::scratch::{copy_folder, corpus, mhlint, project, stderr, stdout};
 use serde_json::{Value, json};
 
@@ -129,6 +130,32 @@ fn a_written_mesh_reloads_to_the_same_coordinates() {
     let reloaded = json_of(&eval(&["mesh", root, "--format", "json", "--vertices", "0,17,100"]));
     assert_eq!(reloaded["outputs"]["vertices"], morphed["outputs"]["vertices"]);
     assert_eq!(reloaded["outputs"]["bbox"], morphed["outputs"]["bbox"]);
+}
+
+#[test]
+fn a_packed_mesh_is_evaluated_in_place_of_the_obj() {
+    let folder = copy();
+    let root = text(folder.path());
+    let [mesh, archive] = ["base.obj", "base.mhbin"].map(|name| folder.path().join("base/figure").join(name));
+    let morphed = |more: &[&str]| {
+        let set = ["mesh", root, "--set", "head/head-size-decr|incr=-0.5", "--set", "macrodetails/Gender=0.9"];
+        stdout(&eval(&[&set, more].concat()))
+    };
+    let json = ["--format", "json", "--vertices", "0,17,100"];
+    let before = [morphed(&json), morphed(&[])];
+    fs::write(&archive, packed(&fs::read(&mesh).unwrap())).unwrap();
+    for broken in ["v 1 2 3\nv x\n", "v 1 2 3\nv 4 5 6\nv 7 8 9\nf 1 2 3\n"] {
+        fs::write(&mesh, broken).unwrap();
+        assert_eq!(morphed(&json), before[0]);
+    }
+    fs::remove_file(&mesh).unwrap();
+    let vertices =
+        |text: &str| text.lines().filter(|line| line.starts_with("v ")).map(str::to_owned).collect::<Vec<_>>();
+    assert_eq!(vertices(&morphed(&[])), vertices(&before[1]));
+    fs::write(&archive, "not a zip\n").unwrap();
+    assert!(error_of(&["mesh", root, "--base", "figure"]).contains("there is no base mesh `figure`"));
+    fs::copy(project(DATA).join("base/figure/base.obj"), &mesh).unwrap();
+    assert!(error_of(&["mesh", root, "--base", "figure"]).contains("base.mhbin"));
 }
 
 #[test]

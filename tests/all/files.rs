@@ -76,8 +76,13 @@ fn a_bomb_is_given_up_at_the_ratio() {
 
 #[test]
 fn an_archive_is_checked_by_the_sizes_in_its_directory() {
+    for path in ["data/hair/figure/curls/curls.mhbin", "data/base/figure/base.mhbin"] {
+        is_checked_by_its_directory(path);
+    }
+}
+
+fn is_checked_by_its_directory(path: &str) {
     let root = example();
-    let path = "data/hair/figure/curls/curls.mhbin";
     fs::create_dir_all(root.path().join(path).parent().unwrap()).unwrap();
     let mut zip = zip::ZipWriter::new(fs::File::create(root.path().join(path)).unwrap());
     zip.start_file("coord.npy", zip::write::SimpleFileOptions::default()).unwrap();

@@ -51,7 +51,7 @@ fn every_rule_has_its_section_on_the_page_of_its_family() {
 /// What the rules of a family check.
 fn about(family: &str) -> &'static str {
     match family {
-        "archive" => "archives of targets (`compressedtargets.npz`)",
+        "archive" => "archives of targets (`compressedtargets.npz`) and of base meshes (`base.mhbin`)",
         "base" => "the settings of a base mesh: `base.json`, `geometry.json` and what they name",
         "baseline" => "the baseline of mhlint itself",
         "catalog" => "sliders of MPFB: `target.json` and the targets it names",
@@ -60,7 +60,7 @@ fn about(family: &str) -> &'static str {
         "json" => "JSON as such: syntax, schema, keys",
         "macro" => "macro targets: `macro.json` and the combinations it names",
         "material" => "materials (`.mhmat`) and the textures they name",
-        "mesh" => "meshes (`.obj`)",
+        "mesh" => "base meshes (`base.obj`, packed in `base.mhbin`)",
         "modelling" => "sliders: `modelling.json` and `target_cat.json`",
         "numeric" => "the evaluated figure: shapes, joints and weights over the range of the sliders",
         "overlay" => "user data over system data",

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 
+use crate::scratch::pack::packed;
 use crate::scratch::{example, findings, mhlint, project, stderr};
 use flate2::{Compression, write::GzEncoder};
 use mhlint::{Config, Outcome, Tree, lint_trees};
@@ -88,6 +89,25 @@ fn truncation_of_lines_never_fails() {
         }
     }
     assert!(per_format.len() >= 3, "{per_format:?}");
+}
+
+#[test]
+fn a_packed_mesh_that_is_cut_or_changed_is_named_or_harmless() {
+    let files = files();
+    let path = "base/figure/base.mhbin";
+    let whole = packed(&files["base/figure/base.obj"]);
+    assert_eq!(run(&files, path, whole.clone()).findings, []);
+    let step = whole.len() / 40;
+    let cuts: Vec<usize> = (0..whole.len()).step_by(step).chain([1, whole.len() - 1]).collect();
+    cuts.par_iter().for_each(|cut| {
+        assert!(speaks(&run(&files, path, whole[..*cut].to_vec()), path), "cut at {cut} of {}", whole.len());
+    });
+    cuts.par_iter().for_each(|at| {
+        let mut changed = whole.clone();
+        changed[*at] ^= 0x55;
+        // Some bytes say nothing of the mesh: times, attributes.
+        run(&files, path, changed);
+    });
 }
 
 /// Pointers to every value; of long lists only the first two entries and the last.

@@ -27,6 +27,7 @@ pub(super) struct Case {
     rename: Vec<[String; 2]>,
     copy: Vec<[String; 2]>,
     write: Vec<Written>,
+    pack: Vec<Packed>,
     link: Vec<[String; 2]>,
     folder: Vec<String>,
 }
@@ -46,6 +47,17 @@ struct Written {
     hex: String,
     times: Option<usize>,
     gzip: bool,
+}
+
+/// A mesh that is packed.
+#[derive(Debug, Clone, Default, Deserialize)]
+#[serde(default)]
+struct Packed {
+    file: String,
+    from: String,
+    find: String,
+    replace: String,
+    without: Vec<String>,
 }
 
 /// The cases of a rule, sorted by name.
@@ -72,6 +84,7 @@ impl Case {
         lines.extend(self.copy.iter().map(|[from, to]| format!("  {from} copied to {to}")));
         lines.extend(self.remove.iter().map(|path| format!("  {path} removed")));
         self.write.iter().for_each(|written| written.push_lines(&mut lines));
+        self.pack.iter().for_each(|packed| packed.push_lines(&mut lines));
         self.edit.iter().for_each(|edit| edit.push_lines(&mut lines));
         lines.extend(self.folder.iter().map(|path| format!("  {path}/ made")));
         lines.extend(self.link.iter().map(|[path, to]| format!("  {path} linked to {to}")));
@@ -115,6 +128,21 @@ impl Written {
         lines.extend(all.iter().take(SHOWN_LINES).map(|line| format!("    + {}", shorten(line))));
         if all.len() > SHOWN_LINES {
             lines.push(format!("      ... {} lines more", all.len() - SHOWN_LINES));
+        }
+    }
+}
+
+impl Packed {
+    fn push_lines(&self, lines: &mut Vec<String>) {
+        let without = match self.without.as_slice() {
+            [] => String::new(),
+            members => format!(", without `{}`", members.join("`, `")),
+        };
+        lines.push(format!("  {} (packed from {}{without})", self.file, self.from));
+        if !self.find.is_empty() {
+            lines.push("    with".to_owned());
+            lines.extend(self.find.lines().map(|line| format!("    - {}", shorten(line))));
+            lines.extend(self.replace.lines().map(|line| format!("    + {}", shorten(line))));
         }
     }
 }

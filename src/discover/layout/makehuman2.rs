@@ -48,7 +48,7 @@ const ALONE: &str = "(loose)";
 
 fn sign(parts: &[&str]) -> Option<(Sign, usize)> {
     match parts {
-        [.., "base", _, "base.json" | "base.obj"] => Some((Sign::Strong, 3)),
+        [.., "base", _, "base.json" | "base.obj" | "base.mhbin"] => Some((Sign::Strong, 3)),
         [
             ..,
             "target" | "contarget",
@@ -72,6 +72,7 @@ fn place<'p>(parts: &[&'p str]) -> (Kind, Option<&'p str>) {
     let kind = match parts {
         ["base", _, "base.json"] => Kind::BaseJson,
         ["base", _, "base.obj"] => Kind::BaseMesh,
+        ["base", _, "base.mhbin"] => Kind::MeshArchive,
         ["base", _, "geometry.json"] => Kind::Geometry,
         ["rigs", .., file] if extension(file) == "mhw" => Kind::Weights,
         ["target" | "contarget", _, rest @ ..] if !rest.is_empty() => in_target_folder(rest),
@@ -136,7 +137,8 @@ fn role(below: &[Candidate<'_>]) -> Role {
             .and_then(|rest| rest.split_once('/'))
             .is_some_and(|(_, rest)| !rest.is_empty())
     };
-    match (below.iter().any(is_base), below.iter().any(is_override)) {
+    let has_base = below.iter().any(|one| is_base(one) || is_packed_base(one, below));
+    match (has_base, below.iter().any(is_override)) {
         (true, false) => Role::System,
         (true, true) => Role::Both,
         (false, _) => Role::User,
@@ -145,6 +147,17 @@ fn role(below: &[Candidate<'_>]) -> Role {
 
 fn is_base(one: &Candidate<'_>) -> bool {
     matches!(one.kind_in(LAYOUT.application), Kind::BaseJson | Kind::BaseMesh)
+}
+
+/// A packed mesh alone may be a user's, over the system's base. With macros in `target/`, where no user has any, it is the
+/// system's.
+fn is_packed_base(one: &Candidate<'_>, below: &[Candidate<'_>]) -> bool {
+    let is_macros = |other: &Candidate<'_>| {
+        other.kind_in(LAYOUT.application) == Kind::MacroJson
+            && other.rel.starts_with("target/")
+            && other.owner() == one.owner()
+    };
+    one.kind_in(LAYOUT.application) == Kind::MeshArchive && below.iter().any(is_macros)
 }
 
 /// Beside another root, the one whose bases have sliders or macros in `target/` is the system, and its `contarget/`
@@ -173,6 +186,8 @@ mod tests {
         for (path, kind, base) in [
             ("base/hm08/base.json", Kind::BaseJson, Some("hm08")),
             ("base/hm08/base.obj", Kind::BaseMesh, Some("hm08")),
+            ("base/hm08/base.mhbin", Kind::MeshArchive, Some("hm08")),
+            ("base/hm08/helper.mhbin", Kind::Packed, Some("hm08")),
             ("base/hm08/helper.obj", Kind::AssetMesh, Some("hm08")),
             ("target/hm08/macro.json", Kind::MacroJson, Some("hm08")),
             ("contarget/x/a/b/c.target", Kind::Target, Some("x")),

@@ -16,12 +16,22 @@ use super::read;
 use crate::discover::{Candidate, Kind};
 use crate::evaluate::Rows;
 use crate::formats::Needs;
+use crate::formats::obj::Mesh;
 use crate::formats::target::{MeshSize, Row};
 use crate::repo::{FileFacts, Layer};
 use crate::source::{Limits, Tree, WalkFault, WalkFaultKind};
 
 /// Sizes of base meshes by name.
-pub(in crate::engine) type MeshSizes = BTreeMap<String, MeshSize>;
+pub(in crate::engine) type MeshSizes = BTreeMap<String, KnownMesh>;
+
+/// The base mesh that targets and weights are measured against.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::engine) struct KnownMesh {
+    /// Its size. Against a damaged mesh every index would be wrong; the mesh itself is the fault then.
+    size: Option<MeshSize>,
+    /// Whether it is an archive, which is read before any OBJ, in whatever layer that is.
+    is_packed: bool,
+}
 
 /// What reads the files of a data root.
 #[derive(Clone, Copy)]
@@ -35,7 +45,7 @@ pub(super) struct Reader<'r> {
 pub(super) fn load(place: &Place<'_>, reader: Reader<'_>, mut sizes: MeshSizes) -> (Layer, MeshSizes) {
     let of = |needs: Needs| place.files().filter(|file| file.kind().format().needs == needs).collect();
     let (mut files, _) = read_all(place.tree, of(Needs::Nothing), reader, &sizes, None);
-    sizes.extend(own_sizes(&files));
+    add_own(&mut sizes, &files);
     files.append(&mut read_all(place.tree, of(Needs::Mesh), reader, &sizes, None).0);
     hash_equal_sizes(place, &mut files, reader.limits);
     let folders = place.below.iter().filter(|one| !one.is_file()).map(|folder| folder.rel.to_string()).collect();
@@ -91,14 +101,20 @@ pub(super) fn read_all(
 /// Size of the mesh that a file is measured against.
 pub(super) fn size_for(file: &Candidate<'_>, sizes: &MeshSizes) -> Option<MeshSize> {
     let is_measured = file.kind().format().needs != Needs::Nothing;
-    sizes.get(file.owner().filter(|_| is_measured)?).copied()
+    sizes.get(file.owner().filter(|_| is_measured)?)?.size
 }
 
-fn own_sizes(files: &ByRel) -> MeshSizes {
-    let own = files.values().filter(|file| file.kind == Kind::BaseMesh);
-    let meshes = own.filter_map(|file| Some((file.base()?.to_owned(), file.mesh()?)));
-    // Against a damaged mesh every index would be wrong; the mesh itself is the fault then.
-    meshes.filter(|(_, mesh)| mesh.is_sound()).map(|(base, mesh)| (base, mesh.size())).collect()
+/// Puts the meshes of a data root over those below it.
+fn add_own(sizes: &mut MeshSizes, files: &ByRel) {
+    for file in files.values().filter(|file| file.kind.is_base_mesh()) {
+        let Some(base) = file.base() else { continue };
+        let is_packed = file.kind == Kind::MeshArchive;
+        let size = file.mesh().filter(|mesh| mesh.is_sound()).map(Mesh::size);
+        let is_behind_archive = || sizes.get(base).is_some_and(|other| other.is_packed);
+        if is_packed || size.is_some() && !is_behind_archive() {
+            sizes.insert(base.to_owned(), KnownMesh { size, is_packed });
+        }
+    }
 }
 
 /// Pictures are compared by content only where their sizes are equal; others need no reading.

@@ -9,7 +9,7 @@ use super::loose::loose;
 use super::place::Place;
 use crate::config::Config;
 use crate::diag::{Application, NotChecked, Note, Outcome, RootSummary, Unchecked};
-use crate::discover::{Kind, Layout, find_roots, is_asset_anywhere};
+use crate::discover::{Layout, find_roots, is_asset_anywhere};
 use crate::source::{EntryKind, Tree, WalkFaultKind, is_below};
 
 /// What a run reads.
@@ -122,7 +122,7 @@ pub(super) fn system_places<'t>(tree: &'t Tree, applications: &[Application]) ->
 }
 
 fn base_meshes(place: &Place<'_>) -> BTreeSet<String> {
-    let meshes = place.files().filter(|file| file.kind() == Kind::BaseMesh);
+    let meshes = place.files().filter(|file| file.kind().is_base_mesh());
     meshes.filter_map(|file| file.owner().map(str::to_owned)).collect()
 }
 

@@ -53,7 +53,7 @@ impl<'p> Owners<'p> {
         for one in uses {
             let Some(owner) = one.owner.as_deref() else { continue };
             match one.kind {
-                Kind::BaseJson | Kind::BaseMesh => drop(owners.has.insert(owner)),
+                Kind::BaseJson | Kind::BaseMesh | Kind::MeshArchive => drop(owners.has.insert(owner)),
                 Kind::Target | Kind::ModellingJson | Kind::TargetCategories => drop(owners.adds_to.insert(owner)),
                 _ => {}
             }

@@ -7,6 +7,7 @@ use serde_json::{Value, json};
 use crate::eval::scene::Scene;
 use crate::eval::skeleton::Formulas;
 use crate::eval::vector::Point;
+use crate::evaluate::opened::NO_MESH;
 use crate::evaluate::outputs::rounded;
 use crate::evaluate::{Error, Evaluation};
 use crate::formats::macro_json::MacroFile;
@@ -17,7 +18,6 @@ use crate::source::Limits;
 use super::compose::compose;
 use super::stops;
 use crate::diag::Application;
-use crate::discover::Kind;
 use crate::evaluate::Rows;
 use crate::evaluate::data::SkeletonFile;
 
@@ -26,17 +26,18 @@ const OWN: Application = Application::Makehuman2;
 /// Names of the bases that have a mesh.
 pub(in crate::evaluate) fn with_mesh(layers: Layers<'_>) -> BTreeSet<&str> {
     let files = layers.strongest_first().flat_map(|layer| layer.files.values());
-    let own = files.filter(|file| file.kind_in(OWN) == Kind::BaseMesh && file.mesh().is_some());
+    let own = files.filter(|file| file.kind_in(OWN).is_base_mesh() && file.mesh().is_some());
     own.filter_map(|file| file.base_in(OWN)).collect()
 }
 
 /// Takes what the files of a base hold, but for the rows of its targets.
 ///
 /// # Errors
-/// An unusable `base.obj`.
+/// An unusable mesh.
 pub(in crate::evaluate) fn open(base: &Base<'_>, limits: Limits) -> Result<Evaluation, Error> {
     let name = base.name;
-    let no_mesh = || Error::file(format!("base/{name}/base.obj"), "there is no mesh in it");
+    let read = base.mesh_files.read.map_or_else(|| format!("base/{name}/base.obj"), |file| file.path.clone());
+    let no_mesh = || Error::file(&read, NO_MESH);
     let (file, mesh) = base.mesh.ok_or_else(no_mesh)?;
     if let Some(bad) = mesh.facts.unreadable.first() {
         return Err(Error::file(&file.path, format!("line {}: {} (`{}`)", bad.line, bad.what, bad.text)));

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::foreign::is_foreign;
 use super::intent::Intent;
 use super::rigs;
-use super::{BoundSlider, Candidate, OWN, Overlaid, Pattern, TargetFolder};
+use super::{BoundSlider, Candidate, MeshFiles, OWN, Overlaid, Pattern, TargetFolder};
 use crate::discover::Kind;
 use crate::formats::Content;
 use crate::formats::base_json::BaseJson;
@@ -25,7 +25,9 @@ pub(crate) struct Base<'a> {
     pub has_system: bool,
     /// `base.json`, user before system; the model only if it could be read.
     pub own_json: Option<(&'a FileFacts, Option<&'a BaseJson>)>,
-    /// `base.obj`, user before system, if the application gets through it.
+    /// The files of the mesh.
+    pub mesh_files: MeshFiles<'a>,
+    /// The mesh that is read, if the application gets through it.
     pub mesh: Option<(&'a FileFacts, &'a Mesh)>,
     /// The same where the rest of the data is made for another number of vertices; then there is no mesh to judge by.
     pub foreign_mesh: Option<(&'a FileFacts, &'a Mesh)>,
@@ -74,9 +76,10 @@ pub(super) fn base_names(layers: Layers<'_>) -> BTreeSet<&str> {
 }
 
 /// A single root that does not hold a base is a user's folder as far as that base goes: the system's part of it is
-/// elsewhere.
+/// elsewhere. A packed mesh alone is no base: it lies over one.
 fn layers_of<'a>(base: &str, layers: Layers<'a>) -> Layers<'a> {
-    let is_here = layers.checked.below(&format!("base/{base}")).next().is_some();
+    let mut files = layers.checked.below(&format!("base/{base}"));
+    let is_here = files.any(|file| file.kind_in(OWN) != Kind::MeshArchive);
     if layers.is_one_root() && !is_here { Layers { system: None, ..layers } } else { layers }
 }
 
@@ -94,10 +97,6 @@ fn overlaid<'a, T>(
             found => found,
         },
     }
-}
-
-fn sound_mesh(file: &FileFacts) -> Option<&Mesh> {
-    file.mesh().filter(|mesh| mesh.is_sound() && file.encoding.invalid_utf8_at.is_none())
 }
 
 fn model_of_base(file: &FileFacts) -> Option<&BaseJson> {
@@ -180,12 +179,13 @@ impl<'a> Base<'a> {
         let settings = own_json.and_then(|(file, model)| Some((file, model?)));
         let named = settings.map(|settings| rigs::named_by_settings(name, layers, settings)).unwrap_or_default();
         let rigs = rigs::rigs(name, layers, &named, in_rigs(Kind::Skeleton));
-        let mesh = layers.first_existing(&format!("base/{name}/base.obj"));
+        let mesh_files = MeshFiles::of(name, layers);
         let mut base = Base {
             name,
             has_system: system.is_some(),
             own_json,
-            mesh: mesh.and_then(|file| Some((file, sound_mesh(file)?))),
+            mesh: mesh_files.sound(),
+            mesh_files,
             foreign_mesh: None,
             macros,
             modelling,
@@ -244,6 +244,14 @@ impl<'a> Base<'a> {
     /// The rig that poses the base, if its skeleton could be read.
     pub(crate) fn pose_rig(&self) -> Option<(&Rig<'a>, &'a Skeleton)> {
         self.rigs.iter().find(|rig| rig.is_default).and_then(|rig| Some((rig, rig.skeleton()?)))
+    }
+
+    /// The OBJ of the mesh: the mesh itself, or what lies beside an archive to be packed anew.
+    pub(crate) fn obj(&self) -> Option<(&'a FileFacts, &'a Mesh)> {
+        match self.mesh_files.archive() {
+            Some(_) => self.mesh_files.beside().and_then(|text| Some((text.file, text.sound()?))),
+            None => self.mesh,
+        }
     }
 
     /// The macro file in use.

@@ -60,6 +60,21 @@ impl<'a> View<'a> {
         user && !layers.is_one_root() && rel.starts_with("target/")
     }
 
+    /// Whether another file is read as the base mesh in place of what is at a path of the checked layer: an OBJ behind an
+    /// archive, or an archive that is no file, which counts as none.
+    pub(in crate::repo) fn is_replaced(&self, rel: &str) -> bool {
+        let checked = self.layers.checked;
+        let exists = |name: &str| {
+            let folder = rel.rsplit_once('/').map_or("", |(folder, _)| folder);
+            self.layers.first_existing(&format!("{folder}/{name}")).is_some()
+        };
+        match checked.kind_at(rel, OWN) {
+            Kind::BaseMesh => exists("base.mhbin"),
+            Kind::MeshArchive => checked.file(rel).is_none() && (exists("base.mhbin") || exists("base.obj")),
+            _ => false,
+        }
+    }
+
     /// Whether the file is the `macro.json` of a base without a macro slider.
     pub(in crate::repo) fn does_without(&self, file: &FileFacts) -> bool {
         let base = file.base_in(OWN).and_then(|name| self.base(name));
@@ -84,6 +99,7 @@ impl<'a> View<'a> {
             let mut body = Body::new(base.name, view, targets);
             let weights = base.weights.iter().zip(unbound::unbound(base));
             body.mesh = base.mesh;
+            body.obj = base.obj();
             body.has_foreign_mesh = base.foreign_mesh.is_some();
             let settings = base.settings().map(|(_, settings)| settings);
             body.visible_groups = settings.and_then(|settings| settings.visible_groups.as_deref());

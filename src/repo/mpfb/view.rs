@@ -57,6 +57,7 @@ impl<'a> View<'a> {
         let targets = files.filter(|file| matches!(file.kind_in(OWN), Kind::Target | Kind::PackedTarget));
         let mut body = Body::new(self.body_name()?, view, targets.map(|file| self.target(file)).collect());
         body.mesh = self.mesh;
+        body.obj = self.mesh;
         Some(body)
     }
 

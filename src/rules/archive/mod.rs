@@ -1,3 +1,4 @@
 //! Rules on binary archives.
 
 pub(super) mod malformed;
+mod words;

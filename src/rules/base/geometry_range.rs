@@ -39,13 +39,13 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
         let found = mesh.groups.iter().find(|other| other.name == group);
         out.extend(match found {
             None => Some(without_group(file, range, mesh)),
-            Some(found) => unlike(file, JOINTS, range, mesh, Some(found)),
+            Some(found) => unlike(file, base, (JOINTS, range), mesh, Some(found)),
         });
     }
     for range in &geometry.geometry_ranges {
         // Parts may be made of several groups; only a group of the same name can be compared.
         let found = mesh.groups.iter().find(|other| other.name == range.name);
-        out.extend(unlike(file, GEOMETRY, range, mesh, found));
+        out.extend(unlike(file, base, (GEOMETRY, range), mesh, found));
     }
 }
 
@@ -69,7 +69,13 @@ fn without_group(file: &FileFacts, range: &Range, mesh: &Mesh) -> Finding {
     RULE.at(file, Place::key([JOINTS, &range.name]), message).key(format!("{JOINTS} {}", range.name)).help(help)
 }
 
-fn unlike(file: &FileFacts, section: &str, range: &Range, mesh: &Mesh, group: Option<&Group>) -> Option<Finding> {
+fn unlike(
+    file: &FileFacts,
+    base: &Base<'_>,
+    (section, range): (&str, &Range),
+    mesh: &Mesh,
+    group: Option<&Group>,
+) -> Option<Finding> {
     let (first, last) = range.ends?;
     let at = |message: String| {
         let place = Place::pointer([section, &range.name]);
@@ -81,7 +87,7 @@ fn unlike(file: &FileFacts, section: &str, range: &Range, mesh: &Mesh, group: Op
         return Some(at(message).help("a range is the first and the last vertex, counted from 0"));
     }
     // Faces with vertices that do not exist make a group look larger than it is; they are reported for themselves.
-    let group = group.filter(|group| mesh.facts.face_out_of_range.count == 0 && !is_mixed(mesh, &group.name))?;
+    let group = group.filter(|group| mesh.facts.face_out_of_range.count == 0 && !is_mixed(base, &group.name))?;
     let (lowest, highest) = group.vertices.map(|(lowest, highest)| (i64::from(lowest), i64::from(highest)))?;
     if (lowest, highest) == (first, last) {
         return None;
@@ -91,10 +97,11 @@ fn unlike(file: &FileFacts, section: &str, range: &Range, mesh: &Mesh, group: Op
     Some(at(message).help(format!("write {lowest} and {highest}")))
 }
 
-/// Whether the application puts faces of another group into this one, or the reverse.
-fn is_mixed(mesh: &Mesh, group: &str) -> bool {
-    mesh.facts
-        .reopened
-        .iter()
-        .any(|reopened| reopened.name == group || reopened.lands_in.iter().any(|name| name == group))
+/// Whether the application puts faces of another group into this one, or the reverse. An archive has them where it put
+/// them; which ones these are only its OBJ can tell.
+fn is_mixed(base: &Base<'_>, group: &str) -> bool {
+    base.obj().is_none_or(|(_, obj)| {
+        let mut reopened = obj.facts.reopened.iter();
+        reopened.any(|reopened| reopened.name == group || reopened.lands_in.iter().any(|name| name == group))
+    })
 }

@@ -83,7 +83,7 @@ fn unnamed(view: &View<'_>, base: &Base<'_>) -> Option<Finding> {
             let finding = RULE.in_layer(checked, &format!("{folder}/base.json"), message).key("mesh");
             Some(finding.help(format!("add `{folder}/base.obj`")))
         }
-        (false, true) if has_base => {
+        (false, true) if has_base && base.has_system => {
             let message = format!("the base `{}` has no base.json", base.name);
             let finding = RULE.in_layer(checked, &format!("{folder}/base.json"), message).key("base.json");
             Some(finding.help(format!("add `{folder}/base.json`")))

@@ -79,7 +79,7 @@ fn visible(file: &FileFacts, groups: &[String], mesh: &Mesh, out: &mut Vec<Findi
         [first, ..] => format!("`{first}` and {} other visible groups are not in the mesh", unknown.len() - 1),
     };
     let near = unknown.first().and_then(|name| nearest(name, drawn(mesh)));
-    let help = did_you_mean(near, "name groups (`g`) of base.obj that have faces");
+    let help = did_you_mean(near, "name groups (`g`) of the mesh that have faces");
     let finding = RULE.at(file, Place::pointer([MEMBER]), message).key(MEMBER).help(help);
     let finding = finding.evidence(Evidence::of_cases(&unknown).out_of(groups.len()));
     out.push(if nothing_left {

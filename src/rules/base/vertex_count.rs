@@ -3,8 +3,10 @@
 use super::super::cause::schema::misspelt;
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Case, Finding, Level, Place, RuleInfo};
+use crate::discover::Kind;
+use crate::formats::obj::Mesh;
 use crate::repo::FileFacts;
-use crate::repo::makehuman2::{Base, View};
+use crate::repo::makehuman2::{Base, UnreadMesh, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -18,7 +20,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
             such assets are worn together. Nothing warns when the binaries are built. Without the key `compile_meshes.py` refuses the base.\n\n\
             Where the weights for poses are made for the number that `numverts` says, it is the mesh that was exported anew: with fewer \
             vertices MakeHuman 2 stops at start, with more everything behind the first new vertex moves another one. Nothing else is \
-            judged against such a mesh.\n\nWrite the number of vertices of the mesh, and build binary assets anew; or export the mesh \
+            judged against such a mesh. The mesh is that of `base.mhbin` where there is one: packed from another base, it stops the program at \
+            start with an IndexError (bone.py:268).\n\nWrite the number of vertices of the mesh, and build binary assets anew; or export the mesh \
             with the vertices that everything else is made for.",
         ..RuleInfo::new("base-vertex-count", Level::Error, "`numverts` differs from the base mesh, or is missing")
     },
@@ -33,6 +36,11 @@ const ABSENT: Case = &[(
 
 const TOO_FEW: Case =
     &[(Application::Makehuman2, Level::Error, "stops at start with an IndexError while it loads the weights")];
+const PACKED_TOO_FEW: Case = &[(
+    Application::Makehuman2,
+    Level::Error,
+    "stops at start with an IndexError: targets, joints and weights name vertices that the archive lacks",
+)];
 const TOO_MANY: Case = &[(
     Application::Makehuman2,
     Level::Error,
@@ -42,7 +50,9 @@ const TOO_MANY: Case = &[(
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if let (Some((file, settings)), Some((mesh_file, mesh))) = (base.settings(), base.foreign_mesh) {
         let claimed = settings.numverts.unwrap_or_default();
-        return out.push(foreign(view, (file, claimed), (mesh_file, mesh.facts.vertices)));
+        let has_weights = base.pose_rig().is_some_and(|(rig, _)| rig.weights().is_some());
+        let others = if has_weights { "the weights" } else { "base.obj" };
+        return out.push(foreign(view, (file, claimed, others), (mesh_file, mesh.facts.vertices)));
     }
     let (Some((file, settings)), Some((mesh_file, mesh))) = (base.settings(), base.mesh) else { return };
     let vertices = mesh.facts.vertices;
@@ -52,6 +62,11 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
     }
     let Some(claimed) = settings.numverts.filter(|_| mesh.facts.unreadable_lines == 0) else { return };
     if i64::try_from(vertices).is_ok_and(|vertices| vertices == claimed) {
+        return;
+    }
+    // The OBJ behind an archive has them: it is the archive that is out of date (`mesh-stale-binary`).
+    let has_claimed = |text: &Mesh| i64::try_from(text.facts.vertices).is_ok_and(|vertices| vertices == claimed);
+    if base.mesh_files.unread.iter().filter_map(UnreadMesh::sound).any(has_claimed) {
         return;
     }
     let message = format!("`numverts` is {claimed}, but the base mesh has {vertices} vertices");
@@ -64,15 +79,28 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
 }
 
 /// All the data are made for one mesh, and another one is there.
-fn foreign(view: &View<'_>, (file, claimed): (&FileFacts, i64), (mesh_file, vertices): (&FileFacts, usize)) -> Finding {
+fn foreign(
+    view: &View<'_>,
+    (file, claimed, others): (&FileFacts, i64, &str),
+    (mesh_file, vertices): (&FileFacts, usize),
+) -> Finding {
     let is_short = i64::try_from(vertices).is_ok_and(|vertices| vertices < claimed);
-    let message = format!("base.obj has {vertices} vertices, but `numverts` and the weights are made for {claimed}");
+    let is_packed = mesh_file.kind == Kind::MeshArchive;
+    let name = mesh_file.file_name();
+    let message = format!("{name} has {vertices} vertices, but `numverts` and {others} are made for {claimed}");
     // Of two layers it is told in the one that is checked.
     let is_own = view.layers.is_checked(mesh_file);
     let (at, place) = if is_own { (mesh_file, Place::File) } else { (file, Place::pointer(["numverts"])) };
-    RULE.at(at, place, message)
-        .key("mesh")
-        .case(if is_short { TOO_FEW } else { TOO_MANY })
-        .help("export the mesh again without adding or removing vertices, in the same order")
-        .related(file.path.clone(), Place::pointer(["numverts"]), format!("says {claimed}"))
+    let case = match (is_short, is_packed) {
+        (true, true) => PACKED_TOO_FEW,
+        (true, false) => TOO_FEW,
+        (false, _) => TOO_MANY,
+    };
+    let help = if is_packed {
+        "delete the archive, or pack the mesh that the others are made for with compile_meshes.py"
+    } else {
+        "export the mesh again without adding or removing vertices, in the same order"
+    };
+    let finding = RULE.at(at, place, message).key("mesh").case(case).help(help);
+    finding.related(file.path.clone(), Place::pointer(["numverts"]), format!("says {claimed}"))
 }

@@ -7,7 +7,7 @@ pub(super) mod component;
 pub(super) mod consequence;
 mod file;
 mod generated;
-mod mesh;
+pub(super) mod mesh;
 pub(super) mod overlay;
 pub(super) mod schema;
 pub(super) mod weights;

@@ -15,7 +15,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
         breaks: &[(Application::Makehuman2, "finds it on Windows and macOS, on Linux it does not exist")],
         docs: "The name is written with other capitals than the file has. On Windows and on most Macs that makes no difference, on Linux it \
             does, and inside `compressedtargets.npz` everywhere.\n\nWhat follows is what follows from a missing file: an exception when \
-            the slider moves, a refused skeleton, an empty button, a colour instead of a texture.\n\nThe same goes for base.json, base.obj, macro.json, modelling.json and target_cat.json, which are looked for by these names alone.\n\nAccented letters can be written in two forms that \
+            the slider moves, a refused skeleton, an empty button, a colour instead of a texture.\n\nThe same goes for base.json, base.obj (or base.mhbin), macro.json, modelling.json and target_cat.json, which are looked for by these names alone.\n\nAccented letters can be written in two forms that \
             look alike, as one letter or as a letter and a mark (Unicode normalisation). macOS finds either, other systems only what is written.\n\nWrite the name exactly as the file is called, or rename \
             the file. A folder whose name differs is reported once for the file that refers into it.",
         ..RuleInfo::new("file-case-mismatch", Level::Error, "a reference that differs from its file in case")

@@ -20,7 +20,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
                 default: 4.0,
                 docs: "largest target in MB; all 19158 vertices of hm08 need 0.6",
             },
-            OptionInfo { name: "mesh", default: 32.0, docs: "largest mesh (.obj) in MB; hm08 has 2" },
+            OptionInfo { name: "mesh", default: 32.0, docs: "largest mesh (.obj, base.mhbin) in MB; hm08 has 2" },
             OptionInfo {
                 name: "picture",
                 default: 32.0,
@@ -64,7 +64,7 @@ fn option(file: &FileFacts) -> &'static str {
     match file.kind {
         kind if kind.is_json() => "json",
         Kind::Target | Kind::PackedTarget => "target",
-        Kind::BaseMesh | Kind::AssetMesh => "mesh",
+        Kind::BaseMesh | Kind::MeshArchive | Kind::AssetMesh => "mesh",
         Kind::Image | Kind::TargetIcon => "picture",
         _ => "other",
     }

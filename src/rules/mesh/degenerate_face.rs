@@ -34,12 +34,16 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             format!("{count} of {} faces have a vertex twice, the first vertex {}", mesh.faces.len(), first.vertex)
         }
     };
-    let lines = told.iter().map(|face| format!("line {}", face.line));
+    // Packed faces have no lines.
+    let (place, told_by): (_, fn(&&Repeating) -> String) = match first.line {
+        0 => (Place::File, |face| format!("vertex {}", face.vertex)),
+        line => (Place::Line(line), |face| format!("line {}", face.line)),
+    };
     let finding = RULE
-        .at(file, Place::Line(first.line), message)
+        .at(file, place, message)
         .help("name the corner that was meant, or write a triangle")
         .parts(told.iter().map(|face| face.vertex))
-        .evidence(Evidence::of_unnamed(lines).out_of(mesh.faces.len()));
+        .evidence(Evidence::of_unnamed(told.iter().map(told_by)).out_of(mesh.faces.len()));
     out.push(if is_hidden { finding.case(HIDDEN) } else { finding });
 }
 

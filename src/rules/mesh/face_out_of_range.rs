@@ -1,7 +1,10 @@
 //! Faces must use what exists.
 
+use super::super::cause::mesh::weigh;
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Case, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Case, Finding, Level, Place, RuleInfo, Tally};
+use crate::discover::Kind;
+use crate::formats::obj::Mesh;
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -22,18 +25,34 @@ pub(in crate::rules) static RULE: Rule = Rule {
 const BELOW_ONE: Case =
     &[(Application::Makehuman2, Level::Error, "stops with an OverflowError while it loads the base")];
 
-fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(mesh) = file.mesh() else { return };
     let tally = &mesh.facts.face_out_of_range;
     let Some((line, number)) = tally.first.first() else { return };
-    let more = if tally.count > 1 { format!(" ({} faces like it)", tally.count) } else { String::new() };
+    if file.kind == Kind::MeshArchive {
+        return out.push(packed(file, mesh, tally, *number));
+    }
     let (vertices, uvs) = (mesh.facts.vertices, mesh.uvs.len());
     let message =
-        format!("a face uses number {number}, but there are {vertices} vertices and {uvs} texture coordinates{more}");
+        format!("a face uses number {number}, but there are {vertices} vertices and {uvs} texture coordinates");
     let lines = tally.first.iter().map(|(line, _)| format!("line {line}"));
     let finding = RULE
-        .at(file, Place::Line(*line), message)
+        .at(file, Place::Line(*line), message + &more(tally))
         .help("number vertices from 1; export the mesh again if lines are missing")
         .evidence(tally.evidence(mesh.faces.len()).showing(lines));
-    out.push(if *number < 1 { finding.case(BELOW_ONE) } else { finding });
+    let finding = if *number < 1 { finding.case(BELOW_ONE) } else { finding };
+    out.push(weigh(view, file, finding));
+}
+
+/// Packed faces are numbered from 0, with the copies of vertices at seams behind the vertices.
+fn packed(file: &FileFacts, mesh: &Mesh, tally: &Tally, number: i64) -> Finding {
+    let positions = mesh.size().with_seams;
+    let message = format!("a face uses position {number}, but there are {positions} positions{}", more(tally));
+    RULE.at(file, Place::File, message)
+        .help("pack the mesh anew with compile_meshes.py")
+        .evidence(tally.evidence(mesh.faces.len() + tally.first.len()))
+}
+
+fn more(tally: &Tally) -> String {
+    if tally.count > 1 { format!(" ({} faces like it)", tally.count) } else { String::new() }
 }

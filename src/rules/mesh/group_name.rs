@@ -1,7 +1,9 @@
 //! Names of groups must be ASCII.
 
+use super::super::cause::mesh::weigh;
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::discover::Kind;
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -15,13 +17,14 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::File(run),
 };
 
-fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(mesh) = file.mesh() else { return };
+fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    // An archive has them packed, and unpacking does not mind.
+    let Some(mesh) = file.mesh().filter(|_| file.kind == Kind::BaseMesh) else { return };
     for group in mesh.groups.iter().filter(|group| group.faces > 0 && !group.name.is_ascii()) {
-        out.push(
-            RULE.at(file, Place::Line(group.line), format!("the name of group `{}` is not ASCII", group.name))
-                .key(&group.name)
-                .help("use letters a to z, digits, `-` and `_`"),
-        );
+        let finding = RULE
+            .at(file, Place::Line(group.line), format!("the name of group `{}` is not ASCII", group.name))
+            .key(&group.name)
+            .help("use letters a to z, digits, `-` and `_`");
+        out.push(weigh(view, file, finding));
     }
 }

@@ -1,4 +1,4 @@
-//! Rules on the OBJ of a base mesh.
+//! Rules on a base mesh, as OBJ or packed.
 
 pub(super) mod degenerate_face;
 pub(super) mod face_out_of_range;
@@ -7,5 +7,6 @@ pub(super) mod no_faces;
 pub(super) mod non_finite;
 pub(super) mod partial_uv;
 pub(super) mod reopened_group;
+pub(super) mod stale_binary;
 pub(super) mod syntax;
 pub(super) mod unused_vertex;

@@ -1,5 +1,6 @@
 //! A mesh has faces.
 
+use super::super::cause::mesh::{is_in_archive, weigh};
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::obj::Mesh;
@@ -19,14 +20,17 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::File(run),
 };
 
-fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(mesh) = file.mesh().filter(|mesh| is_cloud(mesh)) else { return };
+    if is_in_archive(view, file, is_cloud) {
+        return;
+    }
     let vertices = mesh.facts.vertices;
-    out.push(
-        RULE.at(file, Place::File, format!("the mesh has {vertices} vertices and no face"))
-            .help("export the mesh again, with its faces")
-            .evidence(Evidence::counted(vertices).out_of(vertices)),
-    );
+    let finding = RULE
+        .at(file, Place::File, format!("the mesh has {vertices} vertices and no face"))
+        .help("export the mesh again, with its faces")
+        .evidence(Evidence::counted(vertices).out_of(vertices));
+    out.push(weigh(view, file, finding));
 }
 
 /// Faces that could not be read would be some, too.

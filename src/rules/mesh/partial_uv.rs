@@ -1,5 +1,6 @@
 //! Texture coordinates must be complete in a group.
 
+use super::super::cause::mesh::weigh;
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::{FileFacts, View};
@@ -15,17 +16,17 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::File(run),
 };
 
-fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(mesh) = file.mesh() else { return };
     for group in &mesh.facts.partial_uv {
         let message =
             format!("{} of {} faces of group `{}` have no texture coordinates", group.without, group.faces, group.name);
         let evidence = Evidence::counted(group.without);
-        out.push(
-            RULE.at(file, Place::Line(group.line), message)
-                .key(&group.name)
-                .help("unwrap all faces of the group, or none")
-                .evidence(evidence.out_of(group.faces)),
-        );
+        let finding = RULE
+            .at(file, Place::Line(group.line), message)
+            .key(&group.name)
+            .help("unwrap all faces of the group, or none")
+            .evidence(evidence.out_of(group.faces));
+        out.push(weigh(view, file, finding));
     }
 }

@@ -1,8 +1,9 @@
 //! A face group must be opened once.
 
+use super::super::cause::consequence::UNREAD_MESH;
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
-use crate::formats::obj::Reopened;
+use crate::formats::obj::{Mesh, Reopened};
 use crate::repo::{Body, FileFacts};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -15,7 +16,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
             understands the start only. After the second `g` of a name the faces stay in the group that was \
             opened last before it. Among invisible helpers this is hardly noticed; faces of a group that \
             `base.json` shows (`visible groups`) vanish when they end up in one that is not shown \
-            (`error`).\n\nSort the faces so that each group comes once; exporters have an option for it.",
+            (`error`). An archive (`base.mhbin`) that was packed from the OBJ has them there as well; one that was packed before harms \
+            nobody today (an info).\n\nSort the faces so that each group comes once; exporters have an option for it.",
         ..RuleInfo::new("mesh-reopened-group", Level::Warning, "a face group is opened a second time")
     },
     check: Check::Body(run),
@@ -25,15 +27,27 @@ const VANISHING: Case =
     &[(Application::Makehuman2, Level::Error, "loses visible faces: they end up in a group that is not shown")];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some((file, mesh)) = body.mesh else { return };
+    let Some((file, mesh)) = body.obj else { return };
+    // An archive that was packed from this OBJ has the faces where it put them.
+    let is_in_use = body.mesh.is_some_and(|(_, used)| has_faces_of(used, mesh));
     let visible = body.visible_groups.unwrap_or_default();
     let is_visible = |group: &str| visible.iter().any(|name| name == group);
     let vanishes = |group: &&Reopened| is_visible(&group.name) && !group.lands_in.iter().all(|name| is_visible(name));
     let (vanishing, others): (Vec<&Reopened>, Vec<&Reopened>) = mesh.facts.reopened.iter().partition(vanishes);
+    let weighed = |finding: Finding, case| finding.case(if is_in_use { case } else { UNREAD_MESH });
     if let Some(finding) = finding(file, &vanishing, mesh.faces.len()) {
-        out.push(finding.key("visible").case(VANISHING));
+        out.push(weighed(finding.key("visible"), VANISHING));
     }
-    out.extend(finding(file, &others, mesh.faces.len()));
+    out.extend(finding(file, &others, mesh.faces.len()).map(|finding| weighed(finding, &[])));
+}
+
+/// Whether one mesh has as many faces in each group as another.
+fn has_faces_of(one: &Mesh, other: &Mesh) -> bool {
+    let faces = |mesh: &'_ Mesh| -> Vec<(String, usize)> {
+        let groups = mesh.groups.iter().filter(|group| group.faces > 0);
+        groups.map(|group| (group.name.clone(), group.faces)).collect()
+    };
+    faces(one) == faces(other)
 }
 
 /// One cause: the order in which the exporter wrote the faces.

@@ -1,5 +1,6 @@
 //! Every line of a mesh must be readable.
 
+use super::super::cause::mesh::weigh;
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::{FileFacts, View};
@@ -16,7 +17,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::File(run),
 };
 
-fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(mesh) = file.mesh() else { return };
     let Some(first) = mesh.facts.unreadable.first() else { return };
     let more = if mesh.facts.unreadable_lines > 1 {
@@ -27,10 +28,10 @@ fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let cases = mesh.facts.unreadable.iter().map(|bad| format!("line {}", bad.line));
     let mut evidence = Evidence::of_unnamed(cases);
     evidence.count = mesh.facts.unreadable_lines;
-    out.push(
-        RULE.at(file, Place::Line(first.line), format!("`{}`: {}{more}", first.text, first.what))
-            .help("correct the line, or export the mesh again")
-            .parts(mesh.facts.unreadable_names.names())
-            .evidence(evidence),
-    );
+    let finding = RULE
+        .at(file, Place::Line(first.line), format!("`{}`: {}{more}", first.text, first.what))
+        .help("correct the line, or export the mesh again")
+        .parts(mesh.facts.unreadable_names.names())
+        .evidence(evidence);
+    out.push(weigh(view, file, finding));
 }

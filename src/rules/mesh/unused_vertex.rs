@@ -17,7 +17,11 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::File(run),
 };
 
-fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    // Behind an archive it is told of that one.
+    if view.is_replaced(&file.rel) {
+        return;
+    }
     // Faces that could not be read may be the ones that use them; a mesh without faces has a finding of its own.
     let can_be_read = |mesh: &Mesh| mesh.facts.unreadable_lines == 0 && mesh.facts.face_out_of_range.count == 0;
     let is_whole = |mesh: &&Mesh| can_be_read(mesh) && !mesh.faces.is_empty();

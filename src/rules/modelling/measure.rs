@@ -52,7 +52,7 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                     .evidence(Evidence::of_cases(negative.iter().copied()).out_of(line.len())),
             );
         } else if let Some(first) = line.iter().find(|vertex| **vertex >= vertices) {
-            let message = format!("measures vertex {first}, a copy at a seam: base.obj has {vertices}");
+            let message = format!("measures vertex {first}, a copy at a seam: the mesh has {vertices}");
             let effect = "measures to a copy of a vertex at a texture seam and shows a wrong length";
             out.push(finding(bound, &message, effect).level(Level::Warning));
         } else if is_circumference(bound) {

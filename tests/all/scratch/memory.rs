@@ -114,6 +114,9 @@ impl Memory {
         for write in &case.write {
             self.put(&write.file, write.bytes().into());
         }
+        for pack in &case.pack {
+            self.put(&pack.file, pack.bytes().into());
+        }
         for edit in &case.edit {
             let text = std::str::from_utf8(self.get(&edit.file)).unwrap();
             let edited = edit.edited(text);

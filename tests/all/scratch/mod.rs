@@ -2,6 +2,7 @@
 #![allow(unreachable_pub, reason = "a program has no other crates")]
 
 pub mod memory;
+pub mod pack;
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -38,6 +39,9 @@ pub struct Case {
     /// Files to write.
     #[serde(default)]
     pub write: Vec<Write>,
+    /// Meshes to pack as MakeHuman 2 does.
+    #[serde(default)]
+    pub pack: Vec<pack::Pack>,
     /// Symbolic links: path, then what it points to.
     #[serde(default)]
     pub link: Vec<[String; 2]>,
@@ -97,6 +101,10 @@ impl Case {
         }
         for write in &self.write {
             write.apply(root);
+        }
+        for pack in &self.pack {
+            make_parent(&root.join(&pack.file));
+            fs::write(root.join(&pack.file), pack.bytes()).unwrap();
         }
         for edit in &self.edit {
             edit.apply(root);

@@ -77,7 +77,9 @@ pub(super) fn misnamed(rel: &str, exists: &dyn Fn(&str) -> bool) -> Option<Strin
     let lower = name.to_lowercase();
     let is_wanted = match folder.split('/').collect::<Vec<_>>().as_slice() {
         ["target" | "contarget", _] => matches!(&*lower, "macro.json" | "modelling.json" | "target_cat.json"),
+        // With one of both the other is not missed.
         ["base", _] if lower == "base.obj" => !exists(&format!("{folder}/base.mhbin")),
+        ["base", _] if lower == "base.mhbin" => !exists(&format!("{folder}/base.obj")),
         ["base", _] => lower == "base.json",
         _ => false,
     };

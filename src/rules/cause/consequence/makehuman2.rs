@@ -2,7 +2,7 @@
 //! §11, §12, §17, §19, §20, §21).
 
 use super::super::overlay::{SystemFolder, system_folder};
-use super::table::At::{Below, Generated, Named, Path};
+use super::table::At::{Below, Generated, Named, Path, Replaced};
 use super::table::{Cell, Row, Table, anywhere, cell, level, nothing, row};
 use super::{Consequence, Damage, Moment};
 use crate::diag::Level::{Error, Info, Warning};
@@ -25,6 +25,10 @@ pub(super) const ARCHIVED: Case = &[(
     Warning,
     "stops at start as soon as the archive of the folder is deleted to be made anew",
 )];
+
+/// What a mesh does that an archive is read in place of.
+pub(super) const UNREAD_MESH: Case = &[(Application::Makehuman2, Info, UNREAD)];
+const UNREAD: &str = "reads base.mhbin in its place; compile_meshes.py, which makes that anew, stops";
 
 pub(super) const NOT_READ: &str = "never reads this file; the scripts that align joint cubes stop";
 pub(super) const NO_WEIGHTS_LOADED: &str = "loads no weights at all: in pose mode the mesh collapses to the origin";
@@ -58,8 +62,23 @@ const ROWS: &[Row] = &[
         cell(Refused, Error, NO_BASE),
         cell(Syntax, Error, "does not load the base mesh; the window opens without one"),
     ]),
+    row(Kind::BaseMesh, Replaced, Use, &[
+        cell(Closed, Info, UNREAD),
+        cell(Pointer, Info, UNREAD),
+        cell(Empty, Info, UNREAD),
+        cell(NotUtf8, Info, UNREAD),
+        cell(MarkedWord, Info, UNREAD),
+    ]),
     anywhere(Kind::BaseMesh, Start,
         &[cell(Absent, Error, NO_BASE), cell(Empty, Error, "stops at start: there is no base mesh")]),
+    row(Kind::MeshArchive, Replaced, Use,
+        &[cell(Closed, Info, "takes it for no file, and reads the mesh elsewhere")]),
+    anywhere(Kind::MeshArchive, Start, &[
+        cell(Absent, Error, NO_BASE),
+        cell(Closed, Error, "stops at every start: it reads no other mesh while the archive is there"),
+        cell(Pointer, Error, "takes the pointer for the mesh and stops at every start with a ValueError"),
+        cell(Empty, Error, "stops at every start with an EOFError until the file is deleted by hand"),
+    ]),
     anywhere(Kind::Geometry, Tools, &[cell(Syntax, Warning, NOT_READ)]),
     row(Kind::MacroJson, Generated, Never, &[cell(Syntax, Info, "never reads this file")]),
     anywhere(Kind::MacroJson, Start, &[
@@ -127,10 +146,6 @@ const ROWS: &[Row] = &[
     ]),
     anywhere(Kind::MotionMeta, Scan, &[DROPS, cell(Empty, Warning, "names the pose after its file")]),
     anywhere(Kind::AssetMesh, Use, &[NO_ATTACHMENT]),
-    row(Kind::Packed, Below(&["base"], &["mhbin"]), Start, &[
-        BINARY,
-        cell(Empty, Error, "stops with an EOFError when it loads the base"),
-    ]),
     row(Kind::Packed, Below(&[], &["mhbin"]), Scan, &[BINARY, cell(Empty, Error, SCAN)]),
     anywhere(Kind::Packed, Use, &[BINARY]),
     anywhere(Kind::Image, Use, NO_PICTURE),

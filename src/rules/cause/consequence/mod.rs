@@ -9,7 +9,7 @@ mod mpfb;
 mod table;
 
 pub(in crate::rules) use makehuman2::ignored_override;
-use table::{Row, Table};
+use table::{Row, Standing, Table};
 
 use crate::diag::{Application, Case, Finding, Level};
 use crate::json::{SchemaFault, UnknownKey};
@@ -75,6 +75,9 @@ pub(in crate::rules) struct Consequence {
 /// What a text that cannot be parsed does while an archive stands for it.
 pub(in crate::rules) const ARCHIVED: Case = makehuman2::ARCHIVED;
 
+/// What a mesh comes to that an archive is read in place of, whatever is wrong with it.
+pub(in crate::rules) const UNREAD_MESH: Case = makehuman2::UNREAD_MESH;
+
 impl Consequence {
     const fn new(level: Level, effect: &'static str) -> Self {
         Self { level, effect: Some(effect) }
@@ -99,7 +102,12 @@ const fn table(application: Application) -> &'static Table {
 /// The table for a view, and its row for a path.
 fn asked(view: &View<'_>, rel: &str) -> (&'static Table, &'static Row) {
     let table = table(view.application());
-    (table, table.row(view.kind_at(rel), rel, view.is_generated(rel)))
+    let standing = match view.is_generated(rel) {
+        true => Standing::Generated,
+        false if view.is_replaced(rel) => Standing::Replaced,
+        false => Standing::Usual,
+    };
+    (table, table.row(view.kind_at(rel), rel, standing))
 }
 
 /// When the application opens a file of this path.
@@ -152,7 +160,7 @@ mod tests {
     fn every_kind_that_is_read_has_a_consequence_in_every_application() {
         for (format, application) in FORMATS.iter().flat_map(|format| Application::ALL.map(|one| (format, one))) {
             let table = table(application);
-            let row = table.row(format.kind, "x", false);
+            let row = table.row(format.kind, "x", Standing::Usual);
             let lost = if format.kind.is_json() { Damage::Syntax } else { Damage::Packed };
             for damage in [Damage::Closed, Damage::Pointer, Damage::NotUtf8, lost] {
                 let found = table.consequence(row, row.moment(Layout::of(application), "x"), damage);
@@ -167,8 +175,13 @@ mod tests {
         let unknown = &table::UNKNOWN;
         assert_eq!(unknown.consequence(&own, Moment::Use, Damage::Syntax), None);
         assert!(unknown.consequence(&own, Moment::Use, Damage::NotUtf8).is_some());
-        let special =
-            |kind| makehuman2::TABLE.consequence(makehuman2::TABLE.row(kind, "x", false), Moment::Use, Damage::Special);
+        let special = |kind| {
+            makehuman2::TABLE.consequence(
+                makehuman2::TABLE.row(kind, "x", Standing::Usual),
+                Moment::Use,
+                Damage::Special,
+            )
+        };
         assert!(special(Kind::AssetWeights).is_none() && special(Kind::Skeleton).is_some());
     }
 

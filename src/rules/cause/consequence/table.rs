@@ -26,12 +26,24 @@ pub(super) struct Row {
     pub(super) cells: &'static [Cell],
 }
 
+/// What an application takes a file for, besides its kind.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Standing {
+    Usual,
+    /// It makes the file itself.
+    Generated,
+    /// It reads another one in its place.
+    Replaced,
+}
+
 /// Where files of a role lie.
 pub(super) enum At {
     /// Wherever the kind is.
     Anywhere,
     /// In the target folder of a user, whose JSON the program writes itself.
     Generated,
+    /// Where another file is read in their place.
+    Replaced,
     /// At this path; `*` is any one folder.
     Path(&'static [&'static str]),
     /// Under this name.
@@ -94,8 +106,8 @@ static USED: Row = anywhere(Kind::Other, Moment::Use, &[]);
 
 impl Table {
     /// The row for a file. One of which nothing more is known is opened when it is used.
-    pub(super) fn row(&self, kind: Kind, rel: &str, is_generated: bool) -> &Row {
-        self.rows.iter().find(|row| row.kind == kind && row.at.holds(rel, is_generated)).unwrap_or(&USED)
+    pub(super) fn row(&self, kind: Kind, rel: &str, standing: Standing) -> &Row {
+        self.rows.iter().find(|row| row.kind == kind && row.at.holds(rel, standing)).unwrap_or(&USED)
     }
 
     pub(super) fn consequence(&self, row: &Row, moment: Moment, damage: Damage) -> Option<Consequence> {
@@ -116,10 +128,11 @@ impl Row {
 }
 
 impl At {
-    fn holds(&self, rel: &str, is_generated: bool) -> bool {
+    fn holds(&self, rel: &str, standing: Standing) -> bool {
         match self {
             Self::Anywhere => true,
-            Self::Generated => is_generated,
+            Self::Generated => standing == Standing::Generated,
+            Self::Replaced => standing == Standing::Replaced,
             Self::Path(parts) => {
                 rel.split('/').count() == parts.len()
                     && rel.split('/').zip(*parts).all(|(own, part)| *part == "*" || own == *part)

@@ -1,0 +1,127 @@
+//! `base.mhbin` and the OBJ that it was packed from are the same mesh.
+
+use super::super::{Check, Rule, RuleCx, counted};
+use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
+use crate::formats::mesh_difference::MeshDifference;
+use crate::formats::obj::Mesh;
+use crate::repo::FileFacts;
+use crate::repo::makehuman2::{Base, Lies, UnreadMesh, View};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(
+            Application::Makehuman2,
+            "shows the mesh of the archive and never looks at the OBJ, whichever is newer",
+        )],
+        docs: "`compile_meshes.py` packs `base.obj` into `base.mhbin`, and from then on MakeHuman 2 loads that: it looks for the user's \
+            base.mhbin, then the system's, and only then for a base.obj (`prepareClass` in core/baseobj.py); an OBJ that it chose gives way to an archive \
+            beside it (`importObjFromFile` in obj3d/fops_binary.py). Dates are not compared: a mesh that was exported anew stays without \
+            effect, silently, until the archive is deleted or made anew.\n\nReported is one finding for each archive with what differs: the number of vertices, \
+            vertices that lie elsewhere and the farthest of them, faces, groups, texture coordinates. The order of faces makes no \
+            difference, nor does a vertex that is less than 0.0001 units (0.001 cm) away. All other rules check the mesh of the archive; \
+            what is wrong with an OBJ behind it harms nobody as long as the archive is there, and is an info.\n\nAn OBJ of the user behind the \
+            archive of the system is never read, either. The reverse, an archive of the user over the OBJ of the system, can be \
+            meant, and is an info. An archive with another number of vertices than all the rest is made for is the matter of `base-vertex-count`.\n\n\
+            Delete the archive, or pack the mesh anew with `compile_meshes.py`.",
+        ..RuleInfo::new("mesh-stale-binary", Level::Warning, "a packed base mesh that differs from its OBJ")
+    },
+    check: Check::Makehuman2(run),
+};
+
+const ABOVE: Case =
+    &[(Application::Makehuman2, Level::Warning, "shows the system's base.mhbin: the user's base.obj is never read")];
+const BELOW: Case = &[(Application::Makehuman2, Level::Info, "shows the user's mesh in place of the system's")];
+
+/// A mesh unit is a decimetre, and MakeHuman 2 shows centimetres.
+const CM_PER_UNIT: f32 = 10.0;
+
+fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let (Some(archive), Some((_, packed))) = (base.mesh_files.archive(), base.mesh) else { return };
+    for text in &base.mesh_files.unread {
+        let at = if text.lies == Lies::Above { text.file } else { archive };
+        let Some(mesh) = text.sound().filter(|mesh| is_whole(mesh) && view.layers.is_checked(at)) else { continue };
+        let difference = MeshDifference::between(packed, mesh);
+        if !difference.is_none() {
+            out.push(finding(at, archive, text, &Told { packed, difference: &difference }));
+        }
+    }
+}
+
+/// Whether the OBJ has no fault that keeps it from being packed.
+fn is_whole(mesh: &Mesh) -> bool {
+    let facts = &mesh.facts;
+    let named = mesh.groups.iter().all(|group| group.faces == 0 || group.name.is_ascii());
+    facts.non_finite.count == 0 && facts.partial_uv.is_empty() && named
+}
+
+/// What an archive is reported for.
+struct Told<'m> {
+    packed: &'m Mesh,
+    difference: &'m MeshDifference,
+}
+
+fn finding(at: &FileFacts, archive: &FileFacts, text: &UnreadMesh<'_>, told: &Told<'_>) -> Finding {
+    let kinds = told.kinds();
+    let what: Vec<&str> = kinds.iter().map(|(_, what)| what.as_str()).collect();
+    let (case, help, other): (Case, _, _) = match text.lies {
+        Lies::Beside => (&[], "delete base.mhbin, or pack base.obj anew with compile_meshes.py", text.file),
+        Lies::Above => (ABOVE, "pack the user's base.obj as well: compile_meshes.py -u", archive),
+        Lies::Below => (BELOW, "delete base.mhbin if the system's mesh is meant", text.file),
+    };
+    let message = format!("base.mhbin differs from base.obj: {}", what.join("; "));
+    let finding = RULE.at(at, Place::File, message).case(case).help(help);
+    let finding =
+        finding.parts(kinds.iter().map(|(kind, _)| *kind)).related(other.path.clone(), Place::File, "not the same");
+    match told.difference.farthest {
+        Some((vertex, distance)) => {
+            let moved = Evidence::counted(told.difference.moved).out_of(told.packed.facts.vertices);
+            finding.evidence(moved.with_worst(f64::from(distance), format!("vertex {vertex}")))
+        }
+        None => finding,
+    }
+}
+
+impl Told<'_> {
+    /// Everything that differs: a name for it, and words.
+    fn kinds(&self) -> Vec<(&'static str, String)> {
+        let found = self.difference;
+        let kinds = [
+            ("vertices", found.vertices.map(|[packed, text]| format!("{packed} vertices instead of {text}"))),
+            ("positions", found.farthest.map(|farthest| self.moved(farthest))),
+            ("faces", found.faces.map(|[packed, text]| format!("{packed} faces instead of {text}"))),
+            ("corners", several(found.other_faces, "with other corners")),
+            ("groups", self.groups()),
+            ("grouping", several(found.regrouped, "in another group")),
+            ("texture", several(found.retextured, "with other texture coordinates")),
+        ];
+        kinds.into_iter().filter_map(|(kind, words)| Some((kind, words?))).collect()
+    }
+
+    fn moved(&self, (vertex, distance): (u32, f32)) -> String {
+        let vertices = self.packed.facts.vertices;
+        let groups = self.packed.groups_of(&[vertex]);
+        let group = groups.keys().next().map(|group| format!(" (`{group}`)")).unwrap_or_default();
+        let by = length(distance);
+        let moved = self.difference.moved;
+        format!("{moved} of {vertices} vertices moved, the farthest by {by}: vertex {vertex}{group}")
+    }
+
+    fn groups(&self) -> Option<String> {
+        let [packed, text] = &self.difference.groups;
+        match (packed.first(), text.first()) {
+            (None, None) => None,
+            (Some(own), None) => Some(format!("{} more, first `{own}`", counted(packed.len(), "group"))),
+            (None, Some(other)) => Some(format!("without {}, first `{other}`", counted(text.len(), "group"))),
+            (Some(own), Some(other)) => Some(format!("group `{own}` instead of `{other}`")),
+        }
+    }
+}
+
+fn length(units: f32) -> String {
+    let cm = units * CM_PER_UNIT;
+    if cm < 0.1 { format!("{cm:.3} cm ({units:.4})") } else { format!("{cm:.1} cm ({units:.3})") }
+}
+
+fn several(faces: usize, what: &str) -> Option<String> {
+    (faces > 0).then(|| format!("{} {what}", counted(faces, "face")))
+}
