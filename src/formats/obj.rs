@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::faulty_rows::row_name;
 use super::fields::fields;
-pub use super::obj_facts::{BadLine, MeshFacts, Reopened, Repeating};
+pub use super::obj_facts::{BadLine, MeshFacts, Reopened, Repeating, ShortFace};
 use super::target::MeshSize;
 use super::{python_float, python_int, stored};
 use crate::source::lines;
@@ -218,7 +218,18 @@ impl Parser {
             Some(BadCorner::Text) => {
                 self.bad(line, "a face corner is `vertex`, `vertex/uv` or `vertex/uv/normal` in whole numbers", name);
             }
-            None => self.bad(line, "a face needs three corners", name),
+            None => self.short_face(line),
+        }
+    }
+
+    /// Only faces that are drawn need three corners.
+    fn short_face(&mut self, line: &[u8]) {
+        let group = self.current.and_then(|group| self.mesh.groups.get(group as usize));
+        let group = group.map_or(DEFAULT_GROUP, |group| group.name.as_str()).to_owned();
+        let faces = &mut self.mesh.facts.short_faces;
+        // One of each run of a group is enough to tell.
+        if faces.last().is_none_or(|last| last.group != group) {
+            faces.push(ShortFace { line: self.line, text: shortened(line), group });
         }
     }
 
@@ -251,8 +262,7 @@ impl Parser {
         let facts = &mut self.mesh.facts;
         facts.unreadable_lines += 1;
         if facts.unreadable.len() < BAD_LINES_KEPT {
-            let text = String::from_utf8_lossy(line);
-            facts.unreadable.push(BadLine { line: self.line, text: text.chars().take(LONGEST_TEXT).collect(), what });
+            facts.unreadable.push(BadLine { line: self.line, text: shortened(line), what });
         }
     }
 
@@ -262,6 +272,10 @@ impl Parser {
         self.mesh.facts = facts;
         self.mesh
     }
+}
+
+fn shortened(line: &[u8]) -> String {
+    String::from_utf8_lossy(line).chars().take(LONGEST_TEXT).collect()
 }
 
 fn widened(range: Option<(u32, u32)>, corners: &[u32]) -> Option<(u32, u32)> {

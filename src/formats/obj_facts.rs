@@ -29,6 +29,8 @@ pub struct MeshFacts {
     pub unreadable_names: Few<String>,
     /// Faces with a vertex or texture coordinate that does not exist (line, number as written).
     pub face_out_of_range: Tally,
+    /// Faces with fewer than three corners, which are left out; the loader stops at those that it draws.
+    pub short_faces: Vec<ShortFace>,
     /// Faces with a vertex twice.
     pub repeating: Vec<Repeating>,
     /// Vertices with NaN or infinity (line, vertex).
@@ -63,6 +65,17 @@ pub struct Repeating {
     pub vertex: u32,
     /// Index of the group of the face.
     pub group: u32,
+}
+
+/// A face with fewer than three corners.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ShortFace {
+    /// Line of the face.
+    pub line: u32,
+    /// The line, shortened.
+    pub text: String,
+    /// Name of the group of the face.
+    pub group: String,
 }
 
 /// A group of which some faces have texture coordinates.

@@ -113,6 +113,14 @@ impl<'a> View<'a> {
         }
     }
 
+    /// Whether the faces of a group are drawn; true where nobody can tell.
+    pub(crate) fn draws(&self, mesh: &FileFacts, group: &str) -> bool {
+        match self {
+            Self::Makehuman2(view) => view.draws(mesh, group),
+            Self::Makehuman1(_) | Self::Mpfb(_) => true,
+        }
+    }
+
     /// Whether the application reads another file in place of what is at this path of the checked layer.
     pub(crate) fn is_replaced(&self, rel: &str) -> bool {
         match self {

@@ -3,6 +3,7 @@
 use super::super::cause::mesh::weigh;
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::formats::obj::Mesh;
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -10,7 +11,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
         breaks: &[(Application::Makehuman2, "stops with an exception while it loads the base")],
         docs: "A mesh consists of lines `v x y z`, `vt u v`, `f a b c …` and `g name`; all others are ignored. A \
             corner of a face is `vertex`, `vertex/uv`, `vertex//normal` or `vertex/uv/normal` in whole numbers; \
-            a face has at least three.\n\nMakeHuman 2 reads the numbers without checking and stops on the first \
+            a face that is drawn has at least three (in hidden groups MakeHuman 2 does not mind).\n\nMakeHuman 2 reads the numbers without checking and stops on the first \
             that is missing or no number.\n\nExport the mesh again, or correct the line.",
         ..RuleInfo::new("mesh-syntax", Level::Error, "a line of a mesh cannot be read")
     },
@@ -19,6 +20,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(mesh) = file.mesh() else { return };
+    out.extend(short_face(view, file, mesh).map(|finding| weigh(view, file, finding)));
     let Some(first) = mesh.facts.unreadable.first() else { return };
     let more = if mesh.facts.unreadable_lines > 1 {
         format!(" ({} lines cannot be read)", mesh.facts.unreadable_lines)
@@ -34,4 +36,13 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
         .parts(mesh.facts.unreadable_names.names())
         .evidence(evidence);
     out.push(weigh(view, file, finding));
+}
+
+/// The first face with one or two corners among those that are drawn.
+fn short_face(view: &View<'_>, file: &FileFacts, mesh: &Mesh) -> Option<Finding> {
+    let mut drawn = mesh.facts.short_faces.iter().filter(|face| view.draws(file, &face.group));
+    let first = drawn.next()?;
+    let message = format!("`{}`: a face needs three corners", first.text);
+    let help = "correct the line, or export the mesh again without edges and points";
+    Some(RULE.at(file, Place::Line(first.line), message).key("corners").help(help))
 }

@@ -23,7 +23,8 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
         return;
     }
     // Faces that could not be read may be the ones that use them; a mesh without faces has a finding of its own.
-    let can_be_read = |mesh: &Mesh| mesh.facts.unreadable_lines == 0 && mesh.facts.face_out_of_range.count == 0;
+    let facts = |mesh: &Mesh| (mesh.facts.unreadable_lines, mesh.facts.face_out_of_range.count);
+    let can_be_read = |mesh: &Mesh| facts(mesh) == (0, 0) && mesh.facts.short_faces.is_empty();
     let is_whole = |mesh: &&Mesh| can_be_read(mesh) && !mesh.faces.is_empty();
     let Some(mesh) = file.mesh().filter(is_whole) else { return };
     let tally = &mesh.facts.unused;

@@ -46,19 +46,15 @@ const NO_WEIGHTS: &[Cell] = &[
     nothing(Special),
 ];
 const NO_ATTACHMENT: Cell = cell(Empty, Error, "cannot attach the asset");
-const NO_PICTURE: &[Cell] = &[
-    level(Closed, Warning),
-    level(Dangling, Warning),
-    level(Pointer, Warning),
-    cell(Empty, Warning, "shows no picture"),
-];
+const NO_PICTURE: &[Cell] =
+    &[level(Closed, Warning), level(Pointer, Warning), cell(Empty, Warning, "shows no picture")];
 const NO_USER_ICON: &str = "stops at start with a FileNotFoundError, where the picture is a link to nothing";
 const BINARY: Cell = level(Pointer, Warning);
 
 #[rustfmt::skip]
 const ROWS: &[Row] = &[
     anywhere(Kind::BaseJson, Start, &[
-        cell(Absent, Error, NO_BASE),
+        cell(Absent, Error, "stops with a TypeError when it loads the base"),
         cell(Refused, Error, NO_BASE),
         cell(Syntax, Error, "does not load the base mesh; the window opens without one"),
     ]),
@@ -70,7 +66,8 @@ const ROWS: &[Row] = &[
         cell(MarkedWord, Info, UNREAD),
     ]),
     anywhere(Kind::BaseMesh, Start,
-        &[cell(Absent, Error, NO_BASE), cell(Empty, Error, "stops at start: there is no base mesh")]),
+        &[cell(Absent, Error, "stops with an AttributeError when it loads the base"),
+          cell(Empty, Error, "stops at start: there is no base mesh")]),
     row(Kind::MeshArchive, Replaced, Use,
         &[cell(Closed, Info, "takes it for no file, and reads the mesh elsewhere")]),
     anywhere(Kind::MeshArchive, Start, &[
@@ -82,6 +79,8 @@ const ROWS: &[Row] = &[
     anywhere(Kind::Geometry, Tools, &[cell(Syntax, Warning, NOT_READ)]),
     row(Kind::MacroJson, Generated, Never, &[cell(Syntax, Info, "never reads this file")]),
     anywhere(Kind::MacroJson, Start, &[
+        cell(Absent, Error, "takes it as missing: no macros, and targets are looked for in the folder of the system; without one it \
+            stops at start with a FileNotFoundError"),
         cell(Refused, Error, "logs a line and takes it as missing: the base has no macros"),
         cell(Syntax, Error, "logs a line and treats the file as absent: the base has no macros"),
         cell(Needless, Info, "takes it as missing, as it may be: no slider needs macros"),
@@ -114,7 +113,6 @@ const ROWS: &[Row] = &[
         &[cell(Pointer, Error, "stops at every start with a ValueError: a pointer is no archive")]),
     row(Kind::TargetIcon, Generated, Start, &[
         cell(Closed, Error, NO_USER_ICON),
-        cell(Dangling, Error, NO_USER_ICON),
         level(Pointer, Warning),
         cell(Empty, Warning, "shows no picture"),
     ]),
@@ -162,7 +160,6 @@ const AT_MOMENT: &[(Moment, Cell)] = &[
 
 const IN_GENERAL: &[Cell] = &[
     level(Closed, Error),
-    level(Dangling, Error),
     level(Pointer, Error),
     cell(Refused, Warning, "takes it as missing, if it reads it at all"),
     cell(MarkedRow, Error, "takes the first line for a row and stops at start with a ValueError"),

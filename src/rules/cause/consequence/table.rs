@@ -89,7 +89,6 @@ pub(super) static UNKNOWN: Table = Table { rows: &[], at_moment: &[], in_general
 /// What is lost with a file that cannot be read, where the application says no more.
 pub(super) const LOST: &[Cell] = &[
     level(Damage::Closed, Level::Error),
-    level(Damage::Dangling, Level::Error),
     level(Damage::Pointer, Level::Error),
     level(Damage::Empty, Level::Warning),
     level(Damage::Refused, Level::Error),
@@ -111,6 +110,9 @@ impl Table {
     }
 
     pub(super) fn consequence(&self, row: &Row, moment: Moment, damage: Damage) -> Option<Consequence> {
+        // A link to nothing is closed as any other file, where its role does not say more.
+        let is_own = row.cells.iter().any(|cell| cell.damage == damage);
+        let damage = if damage == Damage::Dangling && !is_own { Damage::Closed } else { damage };
         let at_moment = self.at_moment.iter().filter(|(at, _)| *at == moment).map(|(_, cell)| cell);
         at_moment.chain(row.cells).chain(self.in_general).find(|cell| cell.damage == damage)?.consequence
     }
