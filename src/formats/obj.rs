@@ -363,7 +363,9 @@ mod tests {
     fn bad_lines_and_ranges_are_counted() {
         let text = format!("{SQUARE}v 1 2\nv nan 0 0\nf 1 2\nf -1 2 3\nf 1 2 9\nf 1/1 2/1 3/1\nf 1 2 x\nf\nv\ng\n");
         let facts = parse(text.as_bytes()).facts;
-        assert_eq!((facts.unreadable_lines, facts.vertices), (3, 6));
+        assert_eq!((facts.unreadable_lines, facts.vertices), (2, 6));
+        let short = ShortFace { line: 7, text: "f 1 2".to_owned(), group: DEFAULT_GROUP.to_owned() };
+        assert_eq!(facts.short_faces, [short]);
         assert_eq!(facts.face_out_of_range.first, [(8, -1), (9, 9), (10, 1)]);
         assert_eq!(facts.non_finite.first, [(6, 5)]);
         assert_eq!(facts.unused.first, [(0, 3), (0, 4), (0, 5)]);

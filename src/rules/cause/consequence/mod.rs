@@ -164,7 +164,10 @@ mod tests {
             let lost = if format.kind.is_json() { Damage::Syntax } else { Damage::Packed };
             for damage in [Damage::Closed, Damage::Pointer, Damage::NotUtf8, lost] {
                 let found = table.consequence(row, row.moment(Layout::of(application), "x"), damage);
-                assert!(found.is_some(), "{application:?} {:?} {damage:?}", format.kind);
+                // It never opens a packed target.
+                let is_never = (application, format.kind, damage)
+                    == (Application::Makehuman2, Kind::PackedTarget, Damage::Pointer);
+                assert!(found.is_some() || is_never, "{application:?} {:?} {damage:?}", format.kind);
             }
         }
     }
