@@ -198,8 +198,8 @@ fn only_what_is_reported_is_fixed() {
     for (args, file) in [
         (&["check", ".", "--fix", "--only", "target-*"][..], OVAL),
         (&["check", ".", "--fix", "--skip", "weights-*"][..], OVAL),
-        (&["check", ".", "--fix", "--level", "target-zero-delta=off"][..], WEIGHTS),
-        (&["check", "data/rigs", "--fix"][..], WEIGHTS),
+        (&["check", ".", "--fix", "--unsafe-fixes", "--level", "target-zero-delta=off"][..], WEIGHTS),
+        (&["check", "data/rigs", "--fix", "--unsafe-fixes"][..], WEIGHTS),
     ] {
         let repository = damaged();
         let before = content(repository.path());

@@ -45,6 +45,13 @@ pub enum FaultKind {
     Layout,
 }
 
+impl FaultKind {
+    /// Whether `str.format` refuses such a text without running anything of it.
+    pub const fn is_of_layout(self) -> bool {
+        matches!(self, Self::Layout | Self::Raises | Self::Syntax)
+    }
+}
+
 impl Fault {
     fn new(kind: FaultKind, span: Range<usize>, what: impl Into<String>) -> Self {
         Self { span, kind, what: what.into() }

@@ -1,7 +1,6 @@
 //! The layout in `display.text` is for what the formula gives.
 
 use super::super::{Check, Rule, RuleCx};
-use super::unsafe_formula::is_of_layout;
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 
@@ -21,7 +20,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for bound in &base.sliders {
         let fault = bound.slider.display.as_ref().and_then(|display| display.text_fault.as_ref());
-        let Some(fault) = fault.filter(|fault| is_of_layout(fault.kind)) else { continue };
+        let Some(fault) = fault.filter(|fault| fault.kind.is_of_layout()) else { continue };
         let key = bound.slider.key.as_str();
         let message = format!("the text of `{key}` {}", fault.what);
         let help =

@@ -1,12 +1,12 @@
 //! `incr` and `decr` must name targets that exist.
 
-use std::collections::BTreeSet;
-
 use super::super::cause::is_generated_for;
 use super::super::cause::overlay::{SystemFolder, system_folder};
 use super::super::{Check, Rule, RuleCx};
+use super::foreign;
+use super::marks;
 use super::missing::{self, Group, Neighbours};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Evidence, Finding, Level, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 use crate::repo::{FileFacts, Reference, ReferenceKind};
 
@@ -38,7 +38,7 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
         return;
     }
     if base.has_foreign_sliders() {
-        out.extend(foreign(view, base));
+        out.extend(foreign::sliders(&RULE, view, base));
         return;
     }
     let neighbours = Neighbours::of(view);
@@ -49,43 +49,12 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
             _ => out.extend(finding(view, base, &group, &neighbours)),
         }
     }
-    out.extend(users(&marked));
-}
-
-/// No target at all is there of those that the sliders name, but others are.
-fn foreign(view: &View<'_>, base: &Base<'_>) -> Option<Finding> {
-    let (file, _) = base.modelling.winner().filter(|(file, _)| view.layers.is_checked(file))?;
-    let folder = base.targets?;
-    let names: BTreeSet<&str> = base
-        .sliders
-        .iter()
-        .flat_map(|bound| [&bound.slider.incr, &bound.slider.decr])
-        .flatten()
-        .map(String::as_str)
-        .collect();
-    let folder = folder.layer.display(&folder.rel());
-    let message = format!("none of the {} targets that the sliders name is in `{folder}`", names.len());
-    let finding = RULE.at(file, Place::File, message).key("foreign").evidence(Evidence::of_cases(names));
-    Some(finding.help(format!("is it the modelling.json of another base? Restore that of `{}`", base.name)))
+    out.extend(marks::needless(&RULE, &marked));
 }
 
 /// Whether the name stands in an entry of the system with the key `user`.
 fn is_marked(base: &Base<'_>, reference: &Reference<'_>) -> bool {
     base.entry(reference.owner).is_some_and(|bound| base.is_marked_as_users(bound))
-}
-
-/// Sliders of the system that say that their targets are a user's.
-fn users(marked: &[&Reference<'_>]) -> Option<Finding> {
-    let first = marked.first()?;
-    let owners: BTreeSet<&str> = marked.iter().map(|reference| reference.owner).collect();
-    let more = if owners.len() > 1 { format!(" ({} entries like it)", owners.len()) } else { String::new() };
-    let key = first.owner;
-    let message = format!("`{key}` has the key `user`: `{}` is looked for among the user's targets{more}", first.text);
-    let finding = RULE.at(first.from, Place::key([key, "user"]), message).key("user");
-    let effect =
-        "does not find the target in the user's folder, and stops with an AttributeError when the slider moves";
-    let help = "remove the key, whatever its value: it belongs into the file that MakeHuman 2 makes of user targets";
-    Some(finding.effect(effect).help(help).evidence(Evidence::of_cases(owners)))
 }
 
 fn finding(
@@ -96,7 +65,7 @@ fn finding(
 ) -> Option<Finding> {
     let first = group.references.first()?;
     let count = group.references.len();
-    if let Some(finding) = unmarked(base, first, count) {
+    if let Some(finding) = marks::missing(&RULE, base, first, count) {
         return Some(finding);
     }
     let (message, key) = match &group.folder {
@@ -109,7 +78,7 @@ fn finding(
         .evidence(Evidence::of_cases(group.references.iter().map(|reference| reference.text)));
     finding = finding.help(help(view, first, neighbours));
     if is_generated_for(base, first.from) {
-        finding = finding.effect(OF_GENERATED).help(ANEW);
+        finding = finding.effect(marks::OF_GENERATED).help(marks::ANEW);
     } else if is_unused(base, first) {
         finding = finding.level(Level::Warning).effect(
             "writes a line into its log; the targets of an entry with `macro` or `barycentric` are never applied",
@@ -117,29 +86,6 @@ fn finding(
     }
     Some(finding)
 }
-
-/// A target of the user in an entry that does not say so.
-fn unmarked(base: &Base<'_>, first: &Reference<'_>, count: usize) -> Option<Finding> {
-    let own = base.user_targets.filter(|_| is_generated_for(base, first.from))?;
-    own.target(first.text)?;
-    let system =
-        base.targets.map_or_else(|| format!("target/{}", base.name), |folder| folder.layer.display(&folder.rel()));
-    let more = if count > 1 { format!(" ({count} names like it)") } else { String::new() };
-    let message = format!("`{}` lacks `user`: `{}` is looked for in `{system}`{more}", first.owner, first.text);
-    let finding = RULE.at(first.from, first.place.clone(), message).key(format!("{} {}", first.owner, side(first)));
-    let effect = "takes targets of entries without `user` from the folder of the system only, and stops with an \
-        AttributeError when the slider moves";
-    Some(
-        finding
-            .effect(effect)
-            .help(format!("{ANEW}; sliders and macros of your own belong in `contarget/{}`", base.name)),
-    )
-}
-
-/// What becomes of an entry of the generated file whose target is gone.
-const OF_GENERATED: &str = "stops with an AttributeError when the slider moves; where the folder is newer than the file, it makes the \
-    file anew and the slider is gone";
-const ANEW: &str = "delete both JSON files beside it: MakeHuman 2 makes them anew of the user's targets";
 
 fn side(reference: &Reference<'_>) -> &'static str {
     if reference.kind == ReferenceKind::Incr { "incr" } else { "decr" }

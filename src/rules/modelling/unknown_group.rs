@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
+use super::foreign;
 use super::groups::{self, Groups, Renamed};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::FileFacts;
@@ -22,13 +23,9 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     two_bars(base, out);
-    if base.has_foreign_sliders() {
-        return;
-    }
-    if let Some(groups) = groups::of(base) {
-        if let Some(finding) = none_shown(view, base, &groups) {
-            out.push(finding);
-            return;
+    if let Some(groups) = groups::of(base).filter(|_| !base.has_foreign_sliders()) {
+        if let Some(finding) = foreign::categories(&RULE, view, base, &groups) {
+            return out.push(finding);
         }
         let mut lost: BTreeMap<&str, Vec<&BoundSlider<'_>>> = BTreeMap::new();
         for (group, sliders) in groups.unknown.iter().filter(|(group, _)| group.matches('|').count() < 2) {
@@ -43,28 +40,6 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
         out.extend(lost.iter().filter_map(|(category, sliders)| lost_category(view, base, category, sliders)));
     }
     no_categories(view, base, out);
-}
-
-/// Groups of which none is offered, from this many on, have one fault between them.
-const FOREIGN: usize = 3;
-
-/// No slider at all is shown although there are categories: they are those of another base.
-fn none_shown(view: &View<'_>, base: &Base<'_>, groups: &Groups<'_, '_>) -> Option<Finding> {
-    let mut shown = groups::hand_made(base).filter_map(|bound| bound.as_meant().group.as_deref());
-    let is_offered = |group: &str| groups.offered.contains(group);
-    if groups.unknown.len() < FOREIGN || groups.offered.is_empty() || shown.any(is_offered) {
-        return None;
-    }
-    let lost: Vec<&BoundSlider<'_>> = groups.unknown.values().flatten().copied().collect();
-    let keys = Evidence::of_cases(lost.iter().map(|slider| &slider.slider.key));
-    let message = format!("{} never shown: target_cat.json has none of their groups", are(&lost));
-    let own = base.categories.winner().filter(|(file, _)| view.layers.is_checked(file));
-    let (file, place) = match own {
-        Some((file, _)) => (file, Place::File),
-        None => whose(view, base, lost.first()?)?,
-    };
-    let help = format!("is it the target_cat.json of another base? Restore that of `{}`", base.name);
-    Some(RULE.at(file, place, message).key("foreign").help(help).evidence(keys))
 }
 
 /// Beginning of a message on these sliders.
@@ -143,17 +118,14 @@ fn whose<'a>(view: &View<'_>, base: &Base<'a>, slider: &BoundSlider<'a>) -> Opti
 /// Shown or not, the random character view splits the group in two.
 fn two_bars(base: &Base<'_>, out: &mut Vec<Finding>) {
     for slider in groups::hand_made(base) {
-        let Some(group) = slider.slider.group.as_deref().filter(|group| group.matches('|').count() > 1) else {
-            continue;
-        };
         let key = slider.slider.key.as_str();
-        out.push(
-            RULE.at(slider.file, Place::pointer([key, "group"]), format!("`{key}` has a group of more than two parts"))
-                .key(key)
-                .level(Level::Error)
-                .effect("stops with a ValueError when a random character is made")
-                .help(format!("`{group}` must be `category|subcategory`")),
-        );
+        let group = slider.slider.group.as_deref().filter(|group| group.matches('|').count() > 1);
+        out.extend(group.map(|group| {
+            let message = format!("`{key}` has a group of more than two parts");
+            let finding = RULE.at(slider.file, Place::pointer([key, "group"]), message).key(key).level(Level::Error);
+            let effect = "stops with a ValueError when a random character is made";
+            finding.effect(effect).help(format!("`{group}` must be `category|subcategory`"))
+        }));
     }
 }
 
@@ -164,8 +136,8 @@ fn no_categories(view: &View<'_>, base: &Base<'_>, out: &mut Vec<Finding>) {
     // Written with other capitals it is a finding of its own.
     let misnamed = view.layers.strongest_first().any(|layer| layer.file_ignoring_case(&rel).is_some());
     // Only system data can prove that there is none.
-    if !absent || misnamed || view.layers.system.is_none() || view.layers.is_one_root() || modelling.sliders.is_empty()
-    {
+    let is_proven = view.layers.system.is_some() && !view.layers.is_one_root();
+    if !absent || misnamed || !is_proven || modelling.sliders.is_empty() {
         return;
     }
     let message = format!("there is no target_cat.json: none of {} sliders is shown", modelling.sliders.len());

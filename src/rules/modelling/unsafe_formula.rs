@@ -29,16 +29,11 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for bound in &base.sliders {
         let Some(display) = &bound.slider.display else { continue };
         for (member, fault) in [("formula", &display.formula_fault), ("text", &display.text_fault)] {
-            let is_of_layout = |fault: &&Fault| member == "text" && is_of_layout(fault.kind);
+            let is_of_layout = |fault: &&Fault| member == "text" && fault.kind.is_of_layout();
             let fault = fault.as_ref().filter(|fault| !is_of_layout(fault));
             out.extend(fault.map(|fault| finding(bound, member, fault)));
         }
     }
-}
-
-/// What `str.format` refuses is harmless code.
-pub(super) const fn is_of_layout(kind: FaultKind) -> bool {
-    matches!(kind, FaultKind::Layout | FaultKind::Raises | FaultKind::Syntax)
 }
 
 fn finding(bound: &BoundSlider<'_>, member: &str, fault: &Fault) -> Finding {
