@@ -5,6 +5,7 @@ mod base;
 mod foreign;
 mod intent;
 mod known;
+mod misnamed;
 mod overlay;
 mod references;
 mod rigs;
@@ -18,6 +19,8 @@ pub(crate) mod user_scan;
 mod view;
 
 pub(crate) use base::{Base, is_beneath};
+pub(crate) use foreign::{ForeignMesh, ForeignSign};
+pub(crate) use misnamed::MisnamedFolder;
 pub(crate) use overlay::{Candidate, Overlaid};
 pub(crate) use slider::{BoundSlider, Pattern};
 pub(crate) use target_folder::TargetFolder;

@@ -4,7 +4,7 @@ use super::super::cause::schema::misspelt;
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Case, Finding, Level, Place, RuleInfo};
 use crate::repo::FileFacts;
-use crate::repo::makehuman2::{Base, View};
+use crate::repo::makehuman2::{Base, ForeignSign, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -15,7 +15,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
         docs: "`numverts` is the number of `v` lines of `base.obj`.\n\nMakeHuman 2 itself never reads it, but its command line tools do. \
             `compile_meshes.py` makes the mask of hidden vertices of every binary asset that long; `adapt_morphs.py` counts by it. \
             A mask that is too long cannot be combined with those of other assets, and the program stops with a ValueError as soon as two \
-            such assets are worn together. Nothing warns when the binaries are built. Without the key `compile_meshes.py` refuses the base.\n\n\
+            such assets are worn together. Nothing warns when the binaries are built. \
+            A number that is too large is a warning: with one that is too small `compile_meshes.py` itself stops, too. Without the key `compile_meshes.py` refuses the base.\n\n\
             Where the weights for poses are made for the number that `numverts` says, it is the mesh that was exported anew: with fewer \
             vertices MakeHuman 2 stops at start, with more everything behind the first new vertex moves another one. Nothing else is \
             judged against such a mesh.\n\nWrite the number of vertices of the mesh, and build binary assets anew; or export the mesh \
@@ -31,6 +32,12 @@ const ABSENT: Case = &[(
     "cannot build binary assets for this base: compile_meshes.py refuses it with exit code 2",
 )];
 
+const TOO_LARGE: Case = &[(
+    Application::Makehuman2,
+    Level::Warning,
+    "builds binary assets whose delete masks are too long: wearing them with others ends in a ValueError",
+)];
+
 const TOO_FEW: Case =
     &[(Application::Makehuman2, Level::Error, "stops at start with an IndexError while it loads the weights")];
 const TOO_MANY: Case = &[(
@@ -40,9 +47,12 @@ const TOO_MANY: Case = &[(
 )];
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    if let (Some((file, settings)), Some((mesh_file, mesh))) = (base.settings(), base.foreign_mesh) {
-        let claimed = settings.numverts.unwrap_or_default();
-        return out.push(foreign(view, (file, claimed), (mesh_file, mesh.facts.vertices)));
+    if let (Some((file, settings)), Some(other)) = (base.settings(), base.foreign_mesh) {
+        if other.sign == ForeignSign::Count {
+            let claimed = settings.numverts.unwrap_or_default();
+            out.push(foreign(view, (file, claimed), (other.file, other.mesh.facts.vertices)));
+        }
+        return;
     }
     let (Some((file, settings)), Some((mesh_file, mesh))) = (base.settings(), base.mesh) else { return };
     let vertices = mesh.facts.vertices;
@@ -55,12 +65,13 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
         return;
     }
     let message = format!("`numverts` is {claimed}, but the base mesh has {vertices} vertices");
-    out.push(
-        RULE.at(file, Place::pointer(["numverts"]), message)
-            .key("numverts")
-            .help(format!("write {vertices}, and compile binary assets of this base anew"))
-            .related(mesh_file.path.clone(), Place::File, format!("has {vertices} vertices")),
-    );
+    let is_larger = i64::try_from(vertices).is_ok_and(|vertices| vertices < claimed);
+    let finding = RULE
+        .at(file, Place::pointer(["numverts"]), message)
+        .key("numverts")
+        .help(format!("write {vertices}, and compile binary assets of this base anew"))
+        .related(mesh_file.path.clone(), Place::File, format!("has {vertices} vertices"));
+    out.push(if is_larger { finding.case(TOO_LARGE) } else { finding });
 }
 
 /// All the data are made for one mesh, and another one is there.

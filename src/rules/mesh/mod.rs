@@ -9,3 +9,4 @@ pub(super) mod partial_uv;
 pub(super) mod reopened_group;
 pub(super) mod syntax;
 pub(super) mod unused_vertex;
+pub(super) mod vertex_order;
