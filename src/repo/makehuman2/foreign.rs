@@ -3,7 +3,7 @@
 use super::Base;
 use crate::formats::mhskel::Joint;
 use crate::formats::mhw::Weights;
-use crate::formats::obj::Mesh;
+use crate::formats::obj::{Group, Mesh, Reopened};
 use crate::repo::FileFacts;
 
 /// A mesh that nothing can be measured against.
@@ -55,14 +55,21 @@ fn vertices_of(weights: &Weights) -> Option<usize> {
 /// Whether most joints of the skeleton for poses have none of their vertices in their cube. A few may be meant so, or are
 /// slips of the skeleton.
 fn order(mesh: &Mesh, base: &Base<'_>) -> Option<ForeignSign> {
-    let (_, skeleton) = base.pose_rig().filter(|_| mesh.facts.reopened.is_empty())?;
-    let cubes: Vec<(&str, (u32, u32))> = mesh.groups.iter().filter_map(cube).collect();
+    let (_, skeleton) = base.pose_rig()?;
+    let cubes: Vec<(&str, (u32, u32))> =
+        mesh.groups.iter().filter(|group| !is_mixed(mesh, group)).filter_map(cube).collect();
     let strays: Vec<bool> = skeleton.joints.iter().filter_map(|joint| is_stray(joint, &cubes)).collect();
     let (strayed, of) = (strays.iter().filter(|stray| **stray).count(), strays.len());
     (of >= FEWEST_JOINTS && 2 * strayed > of).then_some(ForeignSign::Order { strayed, of })
 }
 
-fn cube(group: &crate::formats::obj::Group) -> Option<(&str, (u32, u32))> {
+/// Whether faces of another group are put into this one, or the reverse: its vertices say nothing.
+fn is_mixed(mesh: &Mesh, group: &Group) -> bool {
+    let is_in = |reopened: &Reopened| reopened.name == group.name || reopened.lands_in.contains(&group.name);
+    mesh.facts.reopened.iter().any(is_in)
+}
+
+fn cube(group: &Group) -> Option<(&str, (u32, u32))> {
     Some((group.name.strip_prefix(CUBE)?, group.vertices?))
 }
 
