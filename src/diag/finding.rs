@@ -38,6 +38,9 @@ pub struct Finding {
     pub fix: Option<Fix>,
     /// What it is about: its identity.
     pub subject: Subject,
+    /// The other files of some that do not fit one another: where its own file is not the one that is checked, the
+    /// finding belongs to the first of these that is.
+    pub against: Vec<String>,
     /// Files that have one fault between them, written as paths are: it is gone when fewer than two are left.
     pub between: Vec<String>,
     /// Where only some of [`Finding::files`] are ignored; filled by the engine.
@@ -114,6 +117,7 @@ impl Finding {
             related: Vec::new(),
             fix: None,
             subject: Subject::default(),
+            against: Vec::new(),
             between: Vec::new(),
             ignored: None,
             fingerprint: String::new(),
@@ -170,6 +174,13 @@ impl Finding {
             named.push((name, file));
         }
         self.parts_in(named)
+    }
+
+    /// Names another file that this one does not fit.
+    #[must_use]
+    pub fn against(mut self, path: impl Into<String>) -> Self {
+        self.against.push(path.into());
+        self
     }
 
     /// Names the files that have the fault between them.

@@ -73,6 +73,11 @@ pub fn recognise(text: &[u8]) -> Option<Recognised> {
     has_row.then_some(Recognised { basemesh: None })
 }
 
+/// Whether a line that is no row was to be one: prose begins with a word.
+fn begins_a_row(fields: &[(usize, &[u8])]) -> bool {
+    fields.first().is_some_and(|(_, first)| python_float(first).is_some())
+}
+
 /// The name in a header `# basemesh NAME`.
 fn basemesh_of(comment: &[u8]) -> Option<String> {
     let text = String::from_utf8_lossy(comment);
@@ -121,6 +126,9 @@ fn parse_by(fast: impl Fn(&[u8]) -> (Option<Row>, usize), text: &[u8], mesh: Opt
     parser.finish()
 }
 
+/// What begins and ends a merge conflict; what stands between may be a line under a heading.
+pub(crate) const MARKERS: [&str; 2] = ["<<<<<<<", ">>>>>>>"];
+
 struct Parser {
     target: Target,
     mesh: Option<MeshSize>,
@@ -136,6 +144,9 @@ impl Parser {
     fn slow_line(&mut self, line: u32, rest: &[u8], offset: usize) -> usize {
         let (text, length) = first_line(rest);
         let fields = fields(text);
+        if let Some((_, first)) = fields.first() {
+            self.marker(line, first);
+        }
         match fields.as_slice() {
             [] => {}
             [(_, first), ..] if first.starts_with(b"#") => self.comment(line, text),
@@ -143,10 +154,19 @@ impl Parser {
             other => {
                 let count = i64::try_from(other.len()).unwrap_or(i64::MAX);
                 self.target.facts.field_count.add(line, count);
+                self.target.facts.broken_rows += u64::from(begins_a_row(other));
                 self.target.facts.field_count_names.add(|| row_name(other));
             }
         }
         length
+    }
+
+    /// What git leaves around both sides of a conflict.
+    fn marker(&mut self, line: u32, first: &[u8]) {
+        let facts = &mut self.target.facts;
+        if facts.conflict.is_none() && MARKERS.iter().any(|marker| marker.as_bytes() == first) {
+            facts.conflict = Some((line, String::from_utf8_lossy(first).into_owned()));
+        }
     }
 
     fn comment(&mut self, line: u32, text: &[u8]) {
@@ -278,6 +298,7 @@ impl Parser {
         let replaced = repeats.replaced.iter().filter_map(|at| self.target.rows.get(*at));
         let is_counted = |row: &&Row| moves(row) && row.1.iter().all(|part| part.is_finite());
         facts.moving -= replaced.filter(is_counted).count();
+        facts.repeats_are_equal = facts.duplicate.count > 0 && !repeats.differ;
         facts.displacement = repeats.displacement(&self.target.rows);
         let zeros = self.zeros.iter().filter(|(_, index)| repeats.vertices.binary_search(index).is_err());
         zeros.for_each(|(line, index)| facts.zero.add(*line, *index));

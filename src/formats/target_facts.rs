@@ -17,6 +17,10 @@ pub struct TargetFacts {
     pub field_count: Tally,
     /// What these lines are known by.
     pub field_count_names: Few<String>,
+    /// How many of these lines begin with an integer, as a row does.
+    pub broken_rows: u64,
+    /// Line and text of the first marker of a merge conflict, `<<<<<<<` or `>>>>>>>`.
+    pub conflict: Option<(u32, String)>,
     /// Negative indices.
     pub negative: Tally,
     /// Indices at or beyond the vertex count of the mesh, seam duplicates included.
@@ -28,6 +32,8 @@ pub struct TargetFacts {
     pub seam: Tally,
     /// Indices that occurred before in the file, of vertices that a row moves.
     pub duplicate: Tally,
+    /// Whether all of these are the row of before, number by number: nothing is lost.
+    pub repeats_are_equal: bool,
     /// Rows with NaN or infinity.
     pub non_finite: Tally,
     /// Rows that move nothing, of vertices that no row moves: a zero beside another row of its vertex undoes that or

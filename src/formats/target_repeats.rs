@@ -12,6 +12,8 @@ pub(super) struct Repeats {
     pub(super) rows: Vec<usize>,
     /// Positions of the rows of these vertices that a later one replaces, in order.
     pub(super) replaced: Vec<usize>,
+    /// Whether one of these is unlike the one that replaces it.
+    pub(super) differ: bool,
 }
 
 impl Repeats {
@@ -40,6 +42,8 @@ pub(super) fn repeats(rows: &[Row]) -> Repeats {
         if again.is_empty() || !of_vertex.iter().any(|(_, at)| rows.get(*at).is_some_and(moves)) {
             continue;
         }
+        let values = |(_, at): &(u32, usize)| rows.get(*at).map(|row| row.1);
+        repeats.differ |= of_vertex.iter().any(|row| values(row) != of_vertex.last().and_then(values));
         repeats.vertices.push(i64::from(*index));
         repeats.rows.extend(again.iter().map(|(_, at)| *at));
         repeats.replaced.extend(of_vertex.iter().take(again.len()).map(|(_, at)| *at));

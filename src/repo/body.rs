@@ -160,6 +160,11 @@ impl<'v> Body<'v> {
         self.target(&file.path).map_or_else(|| parent(&file.rel), |target| target.folder)
     }
 
+    /// Whether a target lies where the folder of a base mesh is missing, so that the name of its folder says nothing.
+    pub(crate) fn is_unsorted(&self, file: &FileFacts) -> bool {
+        matches!(self.view, View::Makehuman2(view) if view.is_unsorted(file))
+    }
+
     /// A setting at which a target is applied fully; `None` if nothing uses it.
     pub(crate) fn shown_at(&self, file: &FileFacts) -> Option<Shown<'v>> {
         self.view.shown_at(file)

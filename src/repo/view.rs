@@ -77,6 +77,14 @@ impl<'a> View<'a> {
         }
     }
 
+    /// Folders of the checked layer in which that of a base mesh is left out, each with a file that shows it.
+    pub(crate) fn unsorted(&self) -> Vec<(&'static str, &'a FileFacts)> {
+        match self {
+            Self::Makehuman2(view) => view.unsorted().collect(),
+            Self::Makehuman1(_) | Self::Mpfb(_) => Vec::new(),
+        }
+    }
+
     /// The names of its bodies.
     pub(crate) fn body_names(&self) -> Vec<&'a str> {
         match self {

@@ -87,7 +87,7 @@ fn data_of_another_application_are_named_as_not_checked() {
 fn loose_assets_are_checked_alone_and_against_the_system_data() {
     let folder = tempfile::tempdir().unwrap();
     fs::create_dir(folder.path().join("mine")).unwrap();
-    fs::write(folder.path().join("mine/wide.target"), "1 0.1 0.2 0.3\n99999 0 0 1\nabc\n").unwrap();
+    fs::write(folder.path().join("mine/wide.target"), "1 0.1 0.2 0.3\n99999 0 0 1\n2 0.1\n").unwrap();
     let alone = mhlint(folder.path(), &["mine/wide.target", "--report", "concise"]);
     assert_eq!(code(&alone), Some(0), "{}", stderr(&alone));
     assert!(stdout(&alone).contains("mine/wide.target:3:1: warning[target-field-count]"), "{}", stdout(&alone));

@@ -108,7 +108,15 @@ fn is_target_folder(folder: &str) -> bool {
 fn reads_hidden(path: &HiddenPath<'_>) -> bool {
     // A name for the base mesh stands between.
     let above = path.visible.split_last().map_or(path.visible, |(_, above)| above);
-    above.iter().any(|part| is_target_folder(part)) && (path.is_folder || extension(path.name) == "target")
+    let is_target = path.is_folder || extension(path.name) == "target";
+    above.iter().any(|part| is_target_folder(part)) && is_target || is_scanned_though_hidden(path)
+}
+
+/// The asset scan takes files by their suffix, hidden or not; macOS leaves such beside each of its own (§19).
+fn is_scanned_though_hidden(path: &HiddenPath<'_>) -> bool {
+    let Some(at) = path.visible.iter().rposition(|part| SCANNED.contains(part)) else { return false };
+    let below = path.visible.get(at..).unwrap_or_default().join("/");
+    !path.is_folder && path.name.starts_with('.') && opened::is_scanned(&format!("{below}/{}", path.name))
 }
 
 /// A loose target, skeleton or weights file is checked as if its owner had already copied it into a user
@@ -129,13 +137,12 @@ fn loose_place(path: &str, base: Option<&str>) -> Option<String> {
     Some(place)
 }
 
-/// Base meshes make a root the system, or both with `contarget/`, which is read in the user's folder only (§1.1).
+/// Base meshes make a root the system, or both with `contarget/`, which is read in the user's folder only (§1.1). Capitals
+/// make no difference: which part is meant is clear.
 fn role(below: &[Candidate<'_>]) -> Role {
-    let is_override = |one: &Candidate<'_>| {
-        one.rel
-            .strip_prefix("contarget/")
-            .and_then(|rest| rest.split_once('/'))
-            .is_some_and(|(_, rest)| !rest.is_empty())
+    let is_override = |one: &Candidate<'_>| match one.rel.split('/').collect::<Vec<_>>().as_slice() {
+        [folder, _, _, ..] => folder.eq_ignore_ascii_case("contarget"),
+        _ => false,
     };
     let has_base = below.iter().any(|one| is_base(one) || is_packed_base(one, below));
     match (has_base, below.iter().any(is_override)) {
@@ -147,6 +154,10 @@ fn role(below: &[Candidate<'_>]) -> Role {
 
 fn is_base(one: &Candidate<'_>) -> bool {
     matches!(one.kind_in(LAYOUT.application), Kind::BaseJson | Kind::BaseMesh)
+        || matches!(
+            one.rel.split('/').collect::<Vec<_>>().as_slice(),
+            [folder, _, "base.json" | "base.obj"] if folder.eq_ignore_ascii_case("base")
+        )
 }
 
 /// A packed mesh alone may be a user's, over the system's base. With macros in `target/`, where no user has any, it is the
@@ -208,7 +219,7 @@ mod tests {
     }
 
     #[test]
-    fn hidden_targets_are_read_and_nothing_else_that_is_hidden() {
+    fn of_what_is_hidden_targets_and_files_of_the_scan_are_read() {
         for (path, is_folder, read) in [
             ("target/b/._a.target", false, true),
             ("data/contarget/b/a/.hidden/c.target", false, true),
@@ -220,7 +231,14 @@ mod tests {
             ("target/.cache", true, false),
             (".venv", true, false),
             (".venv/target/b/a.target", false, false),
-            ("rigs/b/._a.mhskel", false, false),
+            ("rigs/b/._a.mhskel", false, true),
+            ("data/rigs/b/sub/._a.mhskel", false, true),
+            ("data/rigs/b/sub/deep/._a.mhskel", false, false),
+            ("rigs/._a.mhskel", false, false),
+            ("rigs/b/.hidden", true, false),
+            ("rigs/b/.hidden/a.mhskel", false, false),
+            ("rigs/b/._a.mhw", false, false),
+            ("clothes/b/x/._x.mhclo", false, true),
         ] {
             assert_eq!(is_read_though_hidden(path, is_folder), read, "{path}");
         }

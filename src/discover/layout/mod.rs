@@ -117,6 +117,12 @@ impl Layout {
         None
     }
 
+    /// The folder at the top of a data root that differs from this name in its capitals alone.
+    pub(crate) fn folder_in_other_case(&self, name: &str) -> Option<&'static str> {
+        let mut known = self.folders.iter().copied().flatten().copied();
+        known.find(|folder| *folder != name && folder.eq_ignore_ascii_case(name))
+    }
+
     /// Whether a path below a data root is that of an asset, or would be one outside of any.
     pub(crate) fn is_asset(&self, rel: &str) -> bool {
         let folder = rel.rsplit_once('/').map_or("", |(folder, _)| folder);

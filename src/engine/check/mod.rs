@@ -1,8 +1,9 @@
 //! The rules over the views of the same data, and at the end over the ignores and the baseline.
 
 mod merge;
+mod pair;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -16,7 +17,7 @@ use super::settle::{Ignores, Selection, Verdict};
 use crate::config::Config;
 use crate::diag::{Finding, Outcome, Timed, Timing, Upkeep, fingerprint};
 use crate::eval::measures::Measures;
-use crate::repo::{Body, FileFacts, View};
+use crate::repo::{Body, FileFacts, Layers, View};
 use crate::rules::{Check, RULES, Rule, RuleCx};
 
 /// A view with what is computed once for all rules.
@@ -80,7 +81,24 @@ fn check_view(
             findings.extend(done.findings);
         }
     }
+    let of_system = |names: &BTreeSet<&'static str>| alone(view, &rules, names, &cx, options);
+    let findings = pair::at_checked(findings, view.layers(), of_system);
     findings.into_iter().map(|finding| finding.only_in(&[application])).collect()
+}
+
+/// What these rules find in the system data alone.
+fn alone(
+    view: &View<'_>,
+    rules: &[&Rule],
+    names: &BTreeSet<&'static str>,
+    cx: &RuleCx<'_>,
+    options: &Config,
+) -> Vec<Finding> {
+    let Some(system) = view.layers().system else { return Vec::new() };
+    let view = View::connect(view.application(), Layers { system: Some(system), user: None, checked: system });
+    let checked = Checked { view: &view, files: Vec::new(), bodies: view.bodies(), measures: None };
+    let asked = rules.iter().filter(|rule| names.contains(rule.info.id));
+    asked.flat_map(|rule| run_caught(|out| run_rule(rule, &checked, cx, options, out)).findings).collect()
 }
 
 impl Done {

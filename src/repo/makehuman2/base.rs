@@ -2,8 +2,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::foreign::is_foreign;
+use super::foreign::{ForeignMesh, sign_of};
 use super::intent::Intent;
+use super::misnamed::without_misnamed;
 use super::rigs;
 use super::{BoundSlider, Candidate, MeshFiles, OWN, Overlaid, Pattern, TargetFolder};
 use crate::discover::Kind;
@@ -29,8 +30,8 @@ pub(crate) struct Base<'a> {
     pub mesh_files: MeshFiles<'a>,
     /// The mesh that is read, if the application gets through it.
     pub mesh: Option<(&'a FileFacts, &'a Mesh)>,
-    /// The same where the rest of the data is made for another number of vertices; then there is no mesh to judge by.
-    pub foreign_mesh: Option<(&'a FileFacts, &'a Mesh)>,
+    /// The same where the rest of the data is made for another mesh; then there is no mesh to judge by.
+    pub foreign_mesh: Option<ForeignMesh<'a>>,
     /// `macro.json`.
     pub macros: Overlaid<'a, MacroFile>,
     /// `modelling.json` without the user's additions.
@@ -69,10 +70,11 @@ pub(crate) struct Base<'a> {
 /// Names of all bases in the layers.
 pub(super) fn base_names(layers: Layers<'_>) -> BTreeSet<&str> {
     let files = layers.strongest_first().flat_map(|layer| layer.files.values());
-    files
+    let names = files
         .filter(|file| ["base/", "target/", "contarget/", "rigs/"].iter().any(|folder| file.rel.starts_with(folder)))
         .filter_map(|file| file.base_in(OWN))
-        .collect()
+        .collect();
+    without_misnamed(layers, names)
 }
 
 /// A single root that does not hold a base is a user's folder as far as that base goes: the system's part of it is
@@ -204,8 +206,9 @@ impl<'a> Base<'a> {
             rigs,
             weights: in_rigs(Kind::Weights).collect(),
         };
-        if base.mesh.is_some_and(|(_, mesh)| is_foreign(mesh, &base)) {
-            base.foreign_mesh = base.mesh.take();
+        let foreign = base.mesh.and_then(|(file, mesh)| Some(ForeignMesh { file, mesh, sign: sign_of(mesh, &base)? }));
+        if foreign.is_some() {
+            (base.mesh, base.foreign_mesh) = (None, foreign);
         }
         base.intent = Intent::of(&base);
         base

@@ -1,14 +1,48 @@
-//! A base mesh that the rest of the data is not made for: exported anew with vertices more or less, or packed from
-//! another one.
+//! A base mesh that the rest of the data is not made for: exported anew with vertices more or less, or in another order,
+//! or packed from another one.
 
 use super::{Base, UnreadMesh};
+use crate::formats::mhskel::Joint;
 use crate::formats::mhw::Weights;
-use crate::formats::obj::Mesh;
+use crate::formats::obj::{Group, Mesh, Reopened};
+use crate::repo::FileFacts;
+
+/// A mesh that nothing can be measured against.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct ForeignMesh<'a> {
+    /// Its file.
+    pub file: &'a FileFacts,
+    /// The mesh.
+    pub mesh: &'a Mesh,
+    /// What tells.
+    pub sign: ForeignSign,
+}
+
+/// What shows that a mesh is foreign.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum ForeignSign {
+    /// The number of its vertices.
+    Count,
+    /// The joints of the skeleton: so many of so many lie in no cube of theirs.
+    Order { strayed: usize, of: usize },
+}
+
+/// What begins the names of the groups that are cubes of joints.
+const CUBE: &str = "joint-";
+/// Vertices of a cube.
+const CORNERS: usize = 8;
+/// Fewer joints show nothing.
+const FEWEST_JOINTS: usize = 4;
+
+/// What shows that the mesh of a base is foreign, if anything does.
+pub(super) fn sign_of(mesh: &Mesh, base: &Base<'_>) -> Option<ForeignSign> {
+    if has_other_count(mesh, base) { Some(ForeignSign::Count) } else { order(mesh, base) }
+}
 
 /// Whether `base.json` and the weights for poses, which know each vertex, agree on another number of vertices than the mesh
 /// has. Where they disagree between themselves nobody can tell which of them is wrong. Beside an archive without such
 /// weights it is the OBJ that knows.
-pub(super) fn is_foreign(mesh: &Mesh, base: &Base<'_>) -> bool {
+fn has_other_count(mesh: &Mesh, base: &Base<'_>) -> bool {
     let claimed = base.settings().and_then(|(_, settings)| usize::try_from(settings.numverts?).ok());
     let weights = base.pose_rig().and_then(|(rig, _)| rig.weights());
     let mut texts = base.mesh_files.unread.iter().filter_map(UnreadMesh::sound);
@@ -22,4 +56,44 @@ pub(super) fn is_foreign(mesh: &Mesh, base: &Base<'_>) -> bool {
 fn vertices_of(weights: &Weights) -> Option<usize> {
     let vertices = weights.bones.iter().flat_map(|bone| &bone.pairs).map(|pair| pair.vertex);
     vertices.max().and_then(|last| usize::try_from(last).ok()).map(|last| last.saturating_add(1))
+}
+
+/// Whether most joints of the skeleton for poses have none of their vertices in their cube. A few may be meant so, or are
+/// slips of the skeleton.
+fn order(mesh: &Mesh, base: &Base<'_>) -> Option<ForeignSign> {
+    let (_, skeleton) = base.pose_rig()?;
+    let cubes: Vec<(&str, (u32, u32))> =
+        mesh.groups.iter().filter(|group| !is_mixed(mesh, group)).filter_map(cube).collect();
+    let strays: Vec<bool> = skeleton.joints.iter().filter_map(|joint| is_stray(joint, &cubes)).collect();
+    let (strayed, of) = (strays.iter().filter(|stray| **stray).count(), strays.len());
+    (of >= FEWEST_JOINTS && 2 * strayed > of).then_some(ForeignSign::Order { strayed, of })
+}
+
+/// Whether faces of another group are put into this one, or the reverse: its vertices say nothing.
+fn is_mixed(mesh: &Mesh, group: &Group) -> bool {
+    let is_in = |reopened: &Reopened| reopened.name == group.name || reopened.lands_in.contains(&group.name);
+    mesh.facts.reopened.iter().any(is_in)
+}
+
+fn cube(group: &Group) -> Option<(&str, (u32, u32))> {
+    Some((group.name.strip_prefix(CUBE)?, group.vertices?))
+}
+
+/// Whether a joint lies in no cube: in that of its name, or where there is none in any. Nothing where it seems not to be
+/// meant for one.
+fn is_stray(joint: &Joint, cubes: &[(&str, (u32, u32))]) -> Option<bool> {
+    let vertices = joint.vertices.as_deref()?;
+    let lies_in = |(_, (first, last)): &(&str, (u32, u32))| {
+        vertices.iter().any(|vertex| (i64::from(*first)..=i64::from(*last)).contains(vertex))
+    };
+    match cubes.iter().find(|(name, _)| *name == joint.name) {
+        Some(own) => (!vertices.is_empty()).then(|| !lies_in(own)),
+        None => (is_run(vertices) && !cubes.is_empty()).then(|| !cubes.iter().any(lies_in)),
+    }
+}
+
+/// Whether these are the vertices of a cube as programs number them; eight around a limb are not in a row.
+fn is_run(vertices: &[i64]) -> bool {
+    vertices.len() == CORNERS
+        && vertices.windows(2).all(|pair| matches!(pair, [one, next] if one.checked_add(1) == Some(*next)))
 }

@@ -6,6 +6,7 @@ mod foreign;
 mod intent;
 mod known;
 mod meshes;
+mod misnamed;
 mod overlay;
 mod references;
 mod rigs;
@@ -19,7 +20,9 @@ pub(crate) mod user_scan;
 mod view;
 
 pub(crate) use base::{Base, is_beneath};
+pub(crate) use foreign::{ForeignMesh, ForeignSign};
 pub(crate) use meshes::{Lies, MeshFiles, UnreadMesh};
+pub(crate) use misnamed::MisnamedFolder;
 pub(crate) use overlay::{Candidate, Overlaid};
 pub(crate) use slider::{BoundSlider, Pattern};
 pub(crate) use target_folder::TargetFolder;

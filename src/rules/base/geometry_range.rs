@@ -1,9 +1,10 @@
 //! The ranges of `geometry.json` must be those of the mesh.
 
+use super::super::cause::consequence::{NEVER_OPENED, is_opened_by_scripts};
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, nearest};
 use crate::formats::Content;
-use crate::formats::geometry::Range;
+use crate::formats::geometry::{Geometry, Range};
 use crate::formats::obj::{DEFAULT_GROUP, Group, Mesh};
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, View};
@@ -18,9 +19,9 @@ pub(in crate::rules) static RULE: Rule = Rule {
         breaks: &[(Application::Makehuman2, "aligns the wrong vertices, or none, with its scripts for joint cubes")],
         docs: "`geometry.json` repeats which vertices of the OBJ belong to a part (`geometry-ranges`) and to a joint cube (`joint-ranges`, \
             the group's name without `joint-`).\n\nMakeHuman 2 itself never reads it, but the scripts that align joint cubes move exactly \
-            these vertices. A joint without a group of that name, or a range unlike the group's, moves the wrong ones.\n\n\
-            Correct the name or the range.",
-        ..RuleInfo::new("base-geometry-range", Level::Warning, "`geometry.json` differs from the groups of the mesh")
+            these vertices of the base `hm08`. The file of any other base is opened by nothing: what is wrong with it is one finding.\n\n\
+            Correct the name or the range, or remove the file.",
+        ..RuleInfo::new("base-geometry-range", Level::Info, "`geometry.json` differs from the groups of the mesh")
     },
     check: Check::Makehuman2(run),
 };
@@ -31,22 +32,38 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
     if mesh.facts.unreadable_lines > 0 {
         return;
     }
+    let found = faults(file, base, geometry, mesh);
+    if is_opened_by_scripts(&file.rel) { out.extend(found) } else { out.extend(never_opened(found)) }
+}
+
+fn faults(file: &FileFacts, base: &Base<'_>, geometry: &Geometry, mesh: &Mesh) -> Vec<Finding> {
     if !mesh.groups.iter().any(|group| group.name.starts_with(PREFIX)) && geometry.joint_ranges.len() > 1 {
-        return out.extend(without_joints(file, base, &geometry.joint_ranges, mesh));
+        return without_joints(file, base, &geometry.joint_ranges, mesh).into_iter().collect();
     }
-    for range in &geometry.joint_ranges {
+    let joints = geometry.joint_ranges.iter().filter_map(|range| {
         let group = format!("{PREFIX}{}", range.name);
-        let found = mesh.groups.iter().find(|other| other.name == group);
-        out.extend(match found {
+        match mesh.groups.iter().find(|other| other.name == group) {
             None => Some(without_group(file, range, mesh)),
             Some(found) => unlike(file, base, (JOINTS, range), mesh, Some(found)),
-        });
-    }
-    for range in &geometry.geometry_ranges {
-        // Parts may be made of several groups; only a group of the same name can be compared.
+        }
+    });
+    // Parts may be made of several groups; only a group of the same name can be compared.
+    let parts = geometry.geometry_ranges.iter().filter_map(|range| {
         let found = mesh.groups.iter().find(|other| other.name == range.name);
-        out.extend(unlike(file, base, (GEOMETRY, range), mesh, found));
+        unlike(file, base, (GEOMETRY, range), mesh, found)
+    });
+    joints.chain(parts).collect()
+}
+
+/// All that is wrong with a file that nothing opens.
+fn never_opened(found: Vec<Finding>) -> Option<Finding> {
+    let keys: Vec<String> = found.iter().map(|finding| finding.subject.key.clone()).collect();
+    let mut first = found.into_iter().next()?;
+    if keys.len() > 1 {
+        first.message = format!("{} ({} ranges like it)", first.message, keys.len());
+        first = first.help("correct the ranges, or remove the file");
     }
+    Some(first.key("ranges").effect(NEVER_OPENED).evidence(Evidence::of_cases(&keys)))
 }
 
 /// A mesh without any joint group: one fault of the mesh. Where it has no group at all and another is to be shown,

@@ -56,7 +56,11 @@ fn named(view: &View<'_>, base: &Base<'_>, reference: &Reference<'_>) -> Option<
     let names: Vec<&str> = files.map(FileFacts::file_name).filter(|name| name.ends_with(extension)).collect();
     let help = did_you_mean(
         nearest(reference.text, names.iter().copied()).or_else(|| names.first().copied()),
-        format!("add the file to `{folder}`, or remove the key"),
+        // Without the key there are no poses either.
+        match reference.kind {
+            ReferenceKind::PoseSkeleton => format!("add the file to `{folder}`, or name one that is there"),
+            _ => format!("add the file to `{folder}`, or remove the key"),
+        },
     );
     let finding = finding.help(help);
     Some(match reference.kind {
@@ -81,12 +85,14 @@ fn unnamed(view: &View<'_>, base: &Base<'_>) -> Option<Finding> {
         (true, false) if has_base => {
             let message = format!("the base `{}` has no mesh: neither base.obj nor base.mhbin", base.name);
             let finding = RULE.in_layer(checked, &format!("{folder}/base.json"), message).key("mesh");
-            Some(finding.help(format!("add `{folder}/base.obj`")))
+            let effect = "stops with an AttributeError when the base is loaded";
+            Some(finding.effect(effect).help(format!("add `{folder}/base.obj`")))
         }
         (false, true) if has_base && base.has_system => {
             let message = format!("the base `{}` has no base.json", base.name);
             let finding = RULE.in_layer(checked, &format!("{folder}/base.json"), message).key("base.json");
-            Some(finding.help(format!("add `{folder}/base.json`")))
+            let effect = "stops with a TypeError when the base is loaded";
+            Some(finding.effect(effect).help(format!("add `{folder}/base.json`")))
         }
         // One root with `contarget/` may be a user's folder whose system data was not given.
         (false, false) if !view.layers.is_one_root() => orphan(checked, base),

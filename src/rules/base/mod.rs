@@ -5,6 +5,7 @@ pub(super) mod barycentric_presets;
 pub(super) mod geometry_range;
 pub(super) mod missing_file;
 mod names;
+mod other_base;
 pub(super) mod rule_without_effect;
 mod sliders;
 pub(super) mod unknown_equipment;

@@ -39,13 +39,15 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         out.push(RULE.at(file, Place::File, "`visible groups` is missing").key(MEMBER).help(help));
         return;
     }
-    let Some((_, mesh)) = base.mesh.filter(|(_, mesh)| mesh.facts.unreadable_lines == 0) else { return };
+    let Some((mesh_file, mesh)) = base.mesh.filter(|(_, mesh)| mesh.facts.unreadable_lines == 0) else { return };
+    let earlier = out.len();
     if let Some(text) = &settings.visible_text {
         out.push(plain_text(file, text, mesh));
     }
     if let Some(groups) = &settings.visible_groups {
         visible(file, groups, mesh, out);
     }
+    out.iter_mut().skip(earlier).for_each(|finding| finding.against.push(mesh_file.path.clone()));
 }
 
 fn equipment(file: &FileFacts, settings: &BaseJson, out: &mut Vec<Finding>) {
@@ -83,7 +85,9 @@ fn visible(file: &FileFacts, groups: &[String], mesh: &Mesh, out: &mut Vec<Findi
     let finding = RULE.at(file, Place::pointer([MEMBER]), message).key(MEMBER).help(help);
     let finding = finding.evidence(Evidence::of_cases(&unknown).out_of(groups.len()));
     out.push(if nothing_left {
-        finding.effect("shows an invisible character of height 0, without a message")
+        finding.effect(
+            "shows an invisible character of height 0, without a message; the glTF export stops with a ValueError",
+        )
     } else {
         finding.level(Level::Warning).effect("does not draw the group, without a message")
     });
@@ -97,7 +101,8 @@ fn plain_text(file: &FileFacts, text: &str, mesh: &Mesh) -> Finding {
         RULE.at(file, Place::pointer([MEMBER]), message).key(MEMBER).help(help)
     };
     if shown.is_empty() {
-        let effect = "shows an invisible character of height 0, without a message";
+        let effect =
+            "shows an invisible character of height 0, without a message; the glTF export stops with a ValueError";
         return finding(format!("no group of the mesh is part of the text `{text}`")).effect(effect);
     }
     let level = if shown == [text] { Level::Info } else { Level::Warning };

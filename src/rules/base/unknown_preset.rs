@@ -4,6 +4,7 @@ use super::super::cause::overlay::has_sliders;
 use super::super::{Check, Rule, RuleCx};
 use super::NO_MEASURE;
 use super::names::{Names, Unknown};
+use super::other_base::of_other_base;
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::formats::base_json::{BaseJson, Random};
 use crate::repo::FileFacts;
@@ -28,19 +29,27 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, settings)) = base.settings().filter(|_| has_sliders(base)) else { return };
-    let checks_macros = base.macro_file().is_some_and(|(file, _)| view.layers.is_checked(file));
+    // A user's sliders over the system's macros are checked against these, too.
+    let sliders = base.modelling.winner().map(|(file, _)| file);
+    let macros = base.macro_file().map(|(file, _)| file);
+    let checks_macros =
+        macros.is_some() && [sliders, macros].into_iter().flatten().any(|file| view.layers.is_checked(file));
     let names = Names { base, checks_macros };
+    let mut found = Vec::new();
     for (pattern, _) in &settings.presets {
-        out.extend(names.pattern(pattern).map(|unknown| unknown_name(file, &["modifier-presets", pattern], unknown)));
+        found.extend(names.pattern(pattern).map(|unknown| unknown_name(file, &["modifier-presets", pattern], unknown)));
     }
-    measures(file, &names, settings, out);
+    measures(file, &names, settings, &mut found);
     for (index, head) in settings.head_pattern.iter().flatten().enumerate() {
         let at = ["head-pattern", &index.to_string()];
-        out.extend(names.head(head).map(|unknown| unknown_name(file, &at, unknown)));
+        found.extend(names.head(head).map(|unknown| unknown_name(file, &at, unknown)));
     }
     if let Some(random) = &settings.random {
-        randomizer(file, &names, random, out);
+        randomizer(file, &names, random, &mut found);
     }
+    let of_sliders = base.modelling.winner().map(|(sliders, _)| sliders.path.clone());
+    found.iter_mut().for_each(|finding| finding.against.extend(of_sliders.clone()));
+    out.extend(of_other_base(view, base, settings, found));
 }
 
 fn finding(file: &FileFacts, at: &[&str], message: String, name: &str) -> Finding {
@@ -57,7 +66,7 @@ fn finding(file: &FileFacts, at: &[&str], message: String, name: &str) -> Findin
 }
 
 fn unknown_name(file: &FileFacts, at: &[&str], unknown: Unknown) -> Finding {
-    finding(file, at, unknown.message, &unknown.name).help(unknown.help)
+    finding(file, at, unknown.message, &unknown.name).help(unknown.help).parts([&unknown.name])
 }
 
 fn measures(file: &FileFacts, names: &Names<'_, '_>, settings: &BaseJson, out: &mut Vec<Finding>) {

@@ -6,7 +6,7 @@ use crate::diag::{Application, Case, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
 use crate::formats::obj::Mesh;
 use crate::repo::FileFacts;
-use crate::repo::makehuman2::{Base, UnreadMesh, View};
+use crate::repo::makehuman2::{Base, ForeignSign, UnreadMesh, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -17,7 +17,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
         docs: "`numverts` is the number of `v` lines of `base.obj`.\n\nMakeHuman 2 itself never reads it, but its command line tools do. \
             `compile_meshes.py` makes the mask of hidden vertices of every binary asset that long; `adapt_morphs.py` counts by it. \
             A mask that is too long cannot be combined with those of other assets, and the program stops with a ValueError as soon as two \
-            such assets are worn together. Nothing warns when the binaries are built. Without the key `compile_meshes.py` refuses the base.\n\n\
+            such assets are worn together. Nothing warns when the binaries are built. \
+            A number that is too large is a warning: with one that is too small `compile_meshes.py` itself stops, too. Without the key `compile_meshes.py` refuses the base.\n\n\
             Where the weights for poses are made for the number that `numverts` says, it is the mesh that was exported anew: with fewer \
             vertices MakeHuman 2 stops at start, with more everything behind the first new vertex moves another one. Nothing else is \
             judged against such a mesh. The mesh is that of `base.mhbin` where there is one: packed from another base, it stops the program at \
@@ -34,6 +35,12 @@ const ABSENT: Case = &[(
     "cannot build binary assets for this base: compile_meshes.py refuses it with exit code 2",
 )];
 
+const TOO_LARGE: Case = &[(
+    Application::Makehuman2,
+    Level::Warning,
+    "builds binary assets whose delete masks are too long: wearing them with others ends in a ValueError",
+)];
+
 const TOO_FEW: Case =
     &[(Application::Makehuman2, Level::Error, "stops at start with an IndexError while it loads the weights")];
 const PACKED_TOO_FEW: Case = &[(
@@ -48,11 +55,14 @@ const TOO_MANY: Case = &[(
 )];
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    if let (Some((file, settings)), Some((mesh_file, mesh))) = (base.settings(), base.foreign_mesh) {
-        let claimed = settings.numverts.unwrap_or_default();
-        let has_weights = base.pose_rig().is_some_and(|(rig, _)| rig.weights().is_some());
-        let others = if has_weights { "the weights" } else { "base.obj" };
-        return out.push(foreign(view, (file, claimed, others), (mesh_file, mesh.facts.vertices)));
+    if let (Some((file, settings)), Some(other)) = (base.settings(), base.foreign_mesh) {
+        if other.sign == ForeignSign::Count {
+            let claimed = settings.numverts.unwrap_or_default();
+            let has_weights = base.pose_rig().is_some_and(|(rig, _)| rig.weights().is_some());
+            let others = if has_weights { "the weights" } else { "base.obj" };
+            out.push(foreign(view, (file, claimed, others), (other.file, other.mesh.facts.vertices)));
+        }
+        return;
     }
     let (Some((file, settings)), Some((mesh_file, mesh))) = (base.settings(), base.mesh) else { return };
     let vertices = mesh.facts.vertices;
@@ -70,12 +80,13 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
         return;
     }
     let message = format!("`numverts` is {claimed}, but the base mesh has {vertices} vertices");
-    out.push(
-        RULE.at(file, Place::pointer(["numverts"]), message)
-            .key("numverts")
-            .help(format!("write {vertices}, and compile binary assets of this base anew"))
-            .related(mesh_file.path.clone(), Place::File, format!("has {vertices} vertices")),
-    );
+    let is_larger = i64::try_from(vertices).is_ok_and(|vertices| vertices < claimed);
+    let finding = RULE
+        .at(file, Place::pointer(["numverts"]), message)
+        .key("numverts")
+        .help(format!("write {vertices}, and compile binary assets of this base anew"))
+        .related(mesh_file.path.clone(), Place::File, format!("has {vertices} vertices"));
+    out.push(if is_larger { finding.case(TOO_LARGE) } else { finding });
 }
 
 /// All the data are made for one mesh, and another one is there.

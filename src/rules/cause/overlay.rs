@@ -1,8 +1,8 @@
 //! Overrides that are not in use, and what is in use instead of what was meant.
 
 use super::schema::is_of_wrong_type;
-use crate::repo::Layer;
 use crate::repo::makehuman2::{Base, Overlaid, View};
+use crate::repo::{Layer, fold};
 
 /// Whether one of the files is refused. What is then in use is not what the author meant, and everything
 /// that follows from it follows from the damage.
@@ -53,6 +53,8 @@ pub(in crate::rules) enum SystemFolder {
 pub(in crate::rules) fn system_folder(view: &View<'_>, base: &Base<'_>) -> SystemFolder {
     let rel = format!("target/{}", base.name);
     let Some(system) = view.layers.system.filter(|_| base.has_system) else { return SystemFolder::Unknown };
-    let exists = system.folders.contains(&rel) || system.below(&rel).next().is_some();
+    let is_here = || system.folders.contains(&rel) || system.below(&rel).next().is_some();
+    // One with other capitals has a finding of its own.
+    let exists = is_here() || system.folders.iter().any(|folder| fold(folder) == fold(&rel));
     if exists { SystemFolder::Exists } else { SystemFolder::Absent }
 }

@@ -12,8 +12,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
         fix: FixKind::Safe,
         breaks: &[(Application::Makehuman2, "finds it on Windows only, and never in compressedtargets.npz")],
         docs: "The name separates folders by `\\`. Only Windows takes that for a separator; on Linux and macOS it is a letter of the name, and \
-            the file is not found. The keys of `compressedtargets.npz` have `/` everywhere.\n\nWhere the file exists with `/` it is a \
-            warning, because the asset works for its author. Where it does not, it is an error: nobody finds it.\n\nWrite `/`.",
+            the file is not found. The keys of `compressedtargets.npz` have `/` everywhere.\n\nWhat follows is what \
+            follows from a missing file: an exception when the slider moves, a refused skeleton. Where the file does not exist with `/` either, nobody finds it.\n\nWrite `/`.",
         ..RuleInfo::new("file-backslash-path", Level::Warning, "a backslash in the name of a file")
     },
     check: Check::Repository(run),
@@ -53,7 +53,6 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         // A picture may be found with `/` where no system looks for it with a backslash.
         let has_backslash = cause.references.first().is_some_and(|first| first.rel.contains('\\'));
         let systems = if has_backslash { "on Linux and macOS" } else { "" };
-        let finding = cause.unfound(view, finding.fix(fix), systems).help(format!("write `{slashed}`"));
-        out.push(if exists { finding.at_most(Level::Warning) } else { finding });
+        out.push(cause.unfound(view, finding.fix(fix), systems).help(format!("write `{slashed}`")));
     }
 }

@@ -1,9 +1,10 @@
 //! References that only a file system without regard to case resolves.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::cause::consequence::{Damage, consequence};
 use super::super::{Check, Rule, RuleCx};
+use super::folders;
 use super::named::{Cause, causes, differs_in_form, written};
 use super::spelling::{as_on_disk, differing, folder_on_disk, found, plain, respelled};
 use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Place, RuleInfo};
@@ -15,7 +16,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
         breaks: &[(Application::Makehuman2, "finds it on Windows and macOS, on Linux it does not exist")],
         docs: "The name is written with other capitals than the file has. On Windows and on most Macs that makes no difference, on Linux it \
             does, and inside `compressedtargets.npz` everywhere.\n\nWhat follows is what follows from a missing file: an exception when \
-            the slider moves, a refused skeleton, an empty button, a colour instead of a texture.\n\nThe same goes for base.json, base.obj (or base.mhbin), macro.json, modelling.json and target_cat.json, which are looked for by these names alone.\n\nAccented letters can be written in two forms that \
+            the slider moves, a refused skeleton, an empty button, a colour instead of a texture.\n\nThe same goes for base.json, base.obj (or base.mhbin), macro.json, modelling.json and target_cat.json, which are looked for by these names alone, and for the folders of a data root and those of a base mesh in \
+            them: `Target` is not `target`.\n\nAccented letters can be written in two forms that \
             look alike, as one letter or as a letter and a mark (Unicode normalisation). macOS finds either, other systems only what is written.\n\nWrite the name exactly as the file is called, or rename \
             the file. A folder whose name differs is reported once for the file that refers into it.",
         ..RuleInfo::new("file-case-mismatch", Level::Error, "a reference that differs from its file in case")
@@ -25,6 +27,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     fixed_names(view, out);
+    let mut told = BTreeSet::new();
     for cause in causes(view, |reference| found(reference).map(|found| differing(&plain(&reference.rel), found).0)) {
         let Some(first) = cause.references.first() else { continue };
         let Some(target) = found(first) else { continue };
@@ -32,6 +35,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let (name, on_disk) = differing(&written, target);
         let holder = view.layers().strongest_first().find(|layer| layer.file(target).is_some());
         let in_form = differs_in_form(first);
+        told.insert(on_disk.clone());
         let finding = cause.finding(&RULE, |_| {
             if in_form {
                 return format!("`{name}` and the name on disk differ only in Unicode normalisation");
@@ -72,6 +76,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let fix = fix(view, &cause, &format!("write `{meant}`"));
         out.push(finding.fix(fix).help(format!("write `{meant}`, or rename the {what}")));
     }
+    out.extend(folders::findings(&RULE, view, &told));
 }
 
 /// Whether the names are the same up to the extension of a target, which is not written in what names it.

@@ -4,8 +4,10 @@ use std::collections::BTreeMap;
 
 use super::super::cause::consequence::{Damage, consequence};
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Evidence, Finding, Level, RuleInfo};
-use crate::repo::{FileFacts, View};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::discover::Kind;
+use crate::repo::{FileFacts, View, parent};
+use crate::source::is_below;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -14,8 +16,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
             "reads the text of the pointer: JSON is refused, a target moves nothing, a picture cannot be shown",
         )],
         docs: "Git LFS keeps large files elsewhere and leaves a small text in their place until the content is fetched. Without it \
-            the asset is not there, although a file of its name is.\n\nThe finding counts the stand-ins of a folder. It is an error \
-            where the content must be parsed (JSON, targets, meshes, weights, skeletons), a warning for pictures and the rest. \
+            the asset is not there, although a file of its name is.\n\nOne finding counts the stand-ins of a data root, folder by folder. It is an error \
+            where some of them must be parsed (JSON, targets, meshes, weights, skeletons), a warning for pictures and the rest. \
             Nothing else is said about these files.\n\nRun `git lfs pull`, or in a CI job check out with LFS switched on.",
         ..RuleInfo::new("file-lfs-pointer", Level::Warning, "a Git LFS pointer stands where the content should be")
     },
@@ -24,30 +26,66 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers().checked;
-    let mut folders: BTreeMap<(&str, bool), Vec<&FileFacts>> = BTreeMap::new();
-    for file in view.files().filter(|file| file.encoding.lfs_pointer) {
-        let folder = file.rel.rsplit_once('/').map_or("", |(folder, _)| folder);
-        folders.entry((folder, file.kind.is_text())).or_default().push(file);
+    let with_loss = |file: &FileFacts| consequence(view, &file.rel, Damage::Pointer).map(|loss| loss.level);
+    let files: Vec<&FileFacts> = view.files().filter(|file| file.encoding.lfs_pointer).collect();
+    let files: Vec<&FileFacts> = files.into_iter().filter(|file| with_loss(file).is_some()).collect();
+    let (Some(first), Some(worst)) = (files.first(), files.iter().filter_map(|file| with_loss(file)).max()) else {
+        return;
+    };
+    let mut folders: BTreeMap<&str, usize> = BTreeMap::new();
+    files.iter().for_each(|file| *folders.entry(parent(&file.rel)).or_default() += 1);
+    let above = common(folders.keys().copied());
+    let finding = match files.as_slice() {
+        [file] => RULE.in_layer(layer, &file.rel, format!("`{}` is a Git LFS pointer", file.file_name())),
+        _ if above.is_empty() => RULE.at(first, Place::File, message(&files, &folders)),
+        _ => RULE.in_layer(layer, above, message(&files, &folders)),
+    };
+    let counts = folders.iter().map(|(folder, count)| format!("{folder}: {count}"));
+    let mut evidence = Evidence::of_unnamed(counts);
+    evidence.count = files.len() as u64;
+    out.push(
+        finding
+            .level_in(view.application(), worst)
+            .effect_in(view.application(), effect(&files))
+            .asset(layer.display(parent(&first.rel)))
+            .parts_in(files.iter().map(|file| (file.file_name(), &file.path)))
+            .evidence(evidence)
+            .help("run `git lfs pull`"),
+    );
+}
+
+fn message(files: &[&FileFacts], folders: &BTreeMap<&str, usize>) -> String {
+    let count = files.len();
+    match folders.len() {
+        1 => format!("{count} files of this folder are Git LFS pointers"),
+        several => format!("{count} files in {several} folders are Git LFS pointers"),
     }
-    for ((folder, parsed), files) in folders {
-        let losses = files.iter().filter_map(|file| consequence(view, &file.rel, Damage::Pointer));
-        let Some(loss) = losses.max_by_key(|loss| loss.level) else { continue };
-        let finding = match files.as_slice() {
-            [file] => RULE.in_layer(layer, &file.rel, format!("`{}` is a Git LFS pointer", file.file_name())),
-            several => {
-                let what = if parsed { "files of this folder that must be parsed" } else { "files of this folder" };
-                let message = format!("{} {what} are Git LFS pointers", several.len());
-                RULE.in_layer(layer, folder, message)
-            }
-        };
-        let evidence = Evidence::of_cases(files.iter().map(|file| file.file_name()));
-        out.push(
-            loss.of(view, finding)
-                .asset(layer.display(folder))
-                .key(if parsed { "parsed" } else { "" })
-                .parts_in(files.iter().map(|file| (file.file_name(), &file.path)))
-                .evidence(evidence)
-                .help("run `git lfs pull`"),
-        );
+}
+
+/// The deepest folder that holds all of these.
+fn common<'f>(mut folders: impl Iterator<Item = &'f str>) -> &'f str {
+    let first = folders.next().unwrap_or_default();
+    folders.fold(first, |common, folder| {
+        let mut common = common;
+        while !is_below(folder, common) {
+            common = parent(common);
+        }
+        common
+    })
+}
+
+/// What the application makes of the text of a pointer, for what is concerned.
+fn effect(files: &[&FileFacts]) -> String {
+    let has = |of: &dyn Fn(Kind) -> bool| files.iter().any(|file| of(file.kind));
+    let concerned = [
+        (has(&|kind| kind == Kind::Target), "targets move nothing"),
+        (has(&Kind::is_json), "JSON is refused"),
+        (has(&|kind| matches!(kind, Kind::BaseMesh | Kind::AssetMesh)), "meshes have no vertices"),
+        (has(&|kind| matches!(kind, Kind::Image | Kind::TargetIcon)), "pictures cannot be shown"),
+    ];
+    let seen: Vec<&str> = concerned.iter().filter(|(is_here, _)| *is_here).map(|(_, what)| *what).collect();
+    match seen.as_slice() {
+        [] => "reads the text of the pointer, which is not what it looks for".to_owned(),
+        seen => format!("reads the text of the pointer: {}", seen.join(", ")),
     }
 }

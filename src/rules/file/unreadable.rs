@@ -26,7 +26,8 @@ const FAILED: &str = "cannot be read: mhlint itself failed on this file; please 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers().checked;
     let finding = |rel: &str, damage: Damage, message: String| {
-        let finding = RULE.in_layer(layer, rel, message);
+        let help = "mend the link or the permissions, or put a file in its place";
+        let finding = RULE.in_layer(layer, rel, message).help(help);
         consequence(view, rel, damage).map(|loss| loss.of(view, finding))
     };
     for fault in &layer.walk_faults {

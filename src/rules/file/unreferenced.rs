@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx};
 use super::icons;
-use crate::diag::{Application, Evidence, Finding, Level, RuleInfo};
+use crate::diag::{Application, Case, Evidence, Finding, Level, RuleInfo};
 use crate::discover::{Kind, Layout, extension};
 use crate::repo::makehuman2::{Base, View};
 use crate::repo::{FileFacts, Reference, ReferenceKind, Resolution};
@@ -24,6 +24,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 /// Folders with one for each base mesh in them of which it is known what the loaders open.
 const FOLDERS: [&str; 4] = ["target", "contarget", "rigs", "base"];
+
+/// Of the user's targets every one that is called so becomes a slider.
+const NO_SLIDER: Case =
+    &[(Application::Makehuman2, Level::Warning, "makes no slider of it: the extension has to be `.target`")];
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let references = References::of(view, base);
@@ -54,6 +58,8 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
         };
         let help = "give it the name that is looked for, refer to it, or remove it";
         let asset = view.layers.checked.display(folder);
+        let is_lost = reason.0.ends_with(".target") && base.user_targets.is_some() && folder.starts_with("target/");
+        let finding = if is_lost { finding.case(NO_SLIDER) } else { finding };
         out.push(finding.key(reason.0).asset(asset).parts_in(parts).evidence(Evidence::of_cases(names)).help(help));
     }
 }

@@ -19,7 +19,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
         breaks: &[(Application::Makehuman2, "ignores the key without a word")],
         docs: "Every loader takes the keys it knows and leaves the others, so a misspelt key is as good as none: the slider \
             has no partner, the bone no parent. In the files of the sliders and of the base a key that is nearly a known one \
-            is a warning. Where the known key is one that must be there, the finding on the missing key names the misspelt \
+            is a warning, and so is a misspelt `rotation_plane` of a bone, which then rolls otherwise. Where the known key is one that must be there, the finding on the missing key names the misspelt \
             one, and nothing is said here.\n\nThe usual trap is `sym`: sliders have `rsym` on the left side (it names \
             the right partner) and `lsym` on the right side.\n\nCorrect the key, or remove it. Notes are welcome under \
             `comment` or `description`.",
@@ -30,6 +30,13 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 /// Something slipped inside another thing of its kind.
 const NESTED: Case = &[(Application::Makehuman2, Level::Warning, "ignores all that is in it, without a word")];
+
+/// Whoever has no plane takes the vertical, which changes the rest pose (formats/makehuman2.md §10.1).
+const NO_PLANE: Case = &[(
+    Application::Makehuman2,
+    Level::Warning,
+    "ignores the key: the bones have no plane and roll as if the vertical were its normal",
+)];
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if file.schema.unknown.is_empty() || is_ignored_override(file) {
@@ -124,7 +131,9 @@ fn finding(view: &View<'_>, file: &FileFacts, all: &[&UnknownKey]) -> Option<Fin
         .help(did_you_mean(first.nearest.as_deref(), "remove it, or keep notes under `comment`"))
         .parts(all.iter().map(|unknown| &unknown.name))
         .evidence(Evidence::of_cases(all.iter().map(|unknown| &unknown.pointer)));
-    if let Some(loss) = of_misspelt(view, file, first) {
+    if file.kind == Kind::Skeleton && first.nearest.as_deref() == Some("rotation_plane") {
+        finding = finding.case(NO_PLANE);
+    } else if let Some(loss) = of_misspelt(view, file, first) {
         finding = loss.of(view, finding);
     } else if let Some(noun) = nested(file, first) {
         finding = finding.case(NESTED).help(format!("a {noun} inside another one? Move it one level up"));

@@ -70,6 +70,9 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             let effect = "skips this corner of the triangle without a word; the targets of its value are never applied";
             finding = finding.effect(effect);
         }
+        if let Some((sliders, _)) = base.modelling.winner() {
+            finding = finding.against(&sliders.path);
+        }
         out.push(weigh(finding.evidence(Evidence::of_cases(&unknown).out_of(read.len())), macros, component));
     }
 }

@@ -10,3 +10,4 @@ pub(super) mod reopened_group;
 pub(super) mod stale_binary;
 pub(super) mod syntax;
 pub(super) mod unused_vertex;
+pub(super) mod vertex_order;

@@ -8,7 +8,7 @@ use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "stops with an exception while it loads the base")],
+        breaks: &[(Application::Makehuman2, "stops with a ValueError or IndexError while it loads the base")],
         docs: "A mesh consists of lines `v x y z`, `vt u v`, `f a b c …` and `g name`; all others are ignored. A \
             corner of a face is `vertex`, `vertex/uv`, `vertex//normal` or `vertex/uv/normal` in whole numbers; \
             a face that is drawn has at least three (in hidden groups MakeHuman 2 does not mind).\n\nMakeHuman 2 reads the numbers without checking and stops on the first \

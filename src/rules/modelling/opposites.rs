@@ -57,7 +57,8 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
         return;
     }
     for (endings, sliders) in by_endings {
-        out.extend(of_endings(base, &settings.opposites, endings, &sliders));
+        let found = of_endings(base, &settings.opposites, endings, &sliders);
+        out.extend(found.map(|finding| finding.against(&file.path)));
     }
 }
 

@@ -17,6 +17,7 @@ pub(super) mod collapsed_faces;
 pub(super) mod dead_range;
 pub(super) mod discontinuity;
 pub(super) mod exploded_vertex;
+pub(super) mod implausible_size;
 pub(super) mod joint_drift;
 pub(super) mod non_finite;
 pub(super) mod rest_skinning;

@@ -1,5 +1,6 @@
 //! Rules on overrides: contarget over target, user over system (formats/makehuman2.md §1.2).
 
+pub(super) mod base_folder_missing;
 pub(super) mod broken_override;
 pub(super) mod empty_target_folder;
 pub(super) mod partial_override;

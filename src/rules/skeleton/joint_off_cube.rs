@@ -8,7 +8,7 @@ use crate::diag::{Application, Confidence, Evidence, Finding, Level, Place, Rule
 use crate::eval::target_measure::cubes_of;
 use crate::formats::mhskel::Joint;
 use crate::formats::obj::Mesh;
-use crate::repo::Body;
+use crate::repo::{Body, FileFacts};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -20,7 +20,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
             cube and lies at their mean.\n\nReported is a joint that lists half of a cube or more, but not all of it, together with \
             vertices that do not belong to it, and no cube as a whole. MakeHuman 2 takes the mean of them all without a word: the joint is off its \
             place, and more so where a slider moves the strangers elsewhere. Mostly the numbers were counted from 1, as in \
-            the OBJ file, or one of them is mistyped. Two opposite corners, single vertices and the mean of several \
+            the OBJ file, or one of them is mistyped. Joints that list the cubes of one another are reported, too. Two opposite corners, single vertices and the mean of several \
             whole cubes are fine.\n\nList the vertices of the cube, counted from 0.",
         ..RuleInfo::new(
             "skeleton-joint-off-cube",
@@ -40,6 +40,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let cube_of: BTreeMap<u32, usize> =
         cubes.iter().enumerate().flat_map(|(cube, (_, all))| all.iter().map(move |vertex| (*vertex, cube))).collect();
     for rig in rigs(body) {
+        out.extend(exchanged(rig.file, &rig.skeleton.joints, &cubes, &cube_of));
         let joints = rig.skeleton.joints.iter();
         let off: Vec<OffCube<'_>> = joints.filter_map(|joint| off_cube(joint, &cubes, &cube_of)).collect();
         let Some((joint, cube, listed, all)) = off.first() else { continue };
@@ -61,6 +62,35 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 ),
         );
     }
+}
+
+/// Joints that list the whole cube of one another, where each has a cube of its own name. Where most do, it is the order of
+/// the mesh (`mesh-vertex-order`).
+fn exchanged(
+    file: &FileFacts,
+    joints: &[Joint],
+    cubes: &[(String, Vec<u32>)],
+    cube_of: &BTreeMap<u32, usize>,
+) -> Option<Finding> {
+    let named = |cube: usize| cubes.get(cube).and_then(|(name, _)| name.strip_prefix("joint-"));
+    let whole = |joint: &Joint| {
+        let touched = touched(joint.vertices.as_deref()?.iter().copied(), cube_of);
+        let (cube, count) = touched.first_key_value().filter(|_| touched.len() == 1)?;
+        cubes.get(*cube).is_some_and(|(_, all)| all.len() == *count).then(|| named(*cube)).flatten()
+    };
+    let lists: BTreeMap<&str, &str> = joints.iter().filter_map(|one| Some((one.name.as_str(), whole(one)?))).collect();
+    let has_cube = |joint: &str| (0..cubes.len()).any(|cube| named(cube) == Some(joint));
+    let strays = |joint: &str| lists.get(joint).is_some_and(|other| *other != joint);
+    let exchanged = lists.iter().filter(|(joint, other)| strays(joint) && strays(other) && has_cube(joint));
+    let exchanged: Vec<(&str, &str)> = exchanged.map(|(joint, other)| (*joint, *other)).collect();
+    let (joint, other) = exchanged.first()?;
+    let more = if exchanged.len() > 1 { format!(" ({} joints like it)", exchanged.len()) } else { String::new() };
+    let message = format!("joint `{joint}` lists the vertices of the group `joint-{other}`{more}");
+    let finding = RULE.at(file, Place::pointer(["joints", joint]), message).key("exchanged");
+    let help =
+        "list the vertices of the group with the name of the joint; or were vertices of base.obj put in another order?";
+    let evidence = Evidence::of_cases(exchanged.iter().map(|(joint, _)| joint)).out_of(joints.len());
+    Some(finding.confidence(Confidence::Medium).help(help).evidence(evidence))
 }
 
 /// The joint cubes that share no vertex with another one.

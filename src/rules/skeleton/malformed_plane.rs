@@ -1,8 +1,10 @@
 //! A plane is three joints.
 
+use std::collections::BTreeMap;
+
 use super::super::{Check, Rule, RuleCx};
-use super::rigs;
-use crate::diag::{Application, Case, Finding, Level, Place, RuleInfo};
+use super::{Rig, SINGLE, rigs};
+use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::mhskel::Plane;
 use crate::repo::Body;
 
@@ -28,18 +30,46 @@ const NOT_USED: Case = &[(Application::Makehuman2, Level::Info, "never looks at 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for rig in rigs(body) {
         let asked = rig.asked_planes();
+        let mut faults: BTreeMap<(String, Outcome), Vec<&str>> = BTreeMap::new();
         for plane in &rig.skeleton.planes {
             let Some((what, error)) = fault(plane) else { continue };
-            let finding = RULE
-                .at(rig.file, Place::pointer(["planes", &plane.name]), format!("plane `{}` {what}", plane.name))
-                .key(&plane.name)
-                .help("name three joints that are not in one line, or remove the plane and let the bones use the vertical");
-            out.push(match error {
-                _ if !asked.contains(plane.name.as_str()) => finding.case(NOT_USED),
-                Some(error) => rig.stops_with(error, finding),
-                None => finding.case(REFUSED),
-            });
+            let outcome = if asked.contains(plane.name.as_str()) { Outcome::Asked(error) } else { Outcome::NotUsed };
+            faults.entry((what, outcome)).or_default().push(&plane.name);
         }
+        for ((what, outcome), planes) in &faults {
+            if planes.len() > SINGLE {
+                let message = format!("{} planes are malformed, the first: `{}` {what}", planes.len(), name(planes));
+                let evidence = Evidence::of_cases(planes).out_of(rig.skeleton.planes.len());
+                out.push(finding(&rig, name(planes), *outcome, message).key(what).evidence(evidence));
+                continue;
+            }
+            let each = planes.iter().map(|plane| finding(&rig, plane, *outcome, format!("plane `{plane}` {what}")));
+            out.extend(each);
+        }
+    }
+}
+
+/// What becomes of a plane that is malformed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Outcome {
+    /// A bone uses it: the exception that follows, if one does.
+    Asked(Option<&'static str>),
+    NotUsed,
+}
+
+fn name<'p>(planes: &[&'p str]) -> &'p str {
+    planes.first().copied().unwrap_or_default()
+}
+
+fn finding(rig: &Rig<'_>, plane: &str, outcome: Outcome, message: String) -> Finding {
+    let finding = RULE
+        .at(rig.file, Place::pointer(["planes", plane]), message)
+        .key(plane)
+        .help("name three joints that are not in one line, or remove the plane and let the bones use the vertical");
+    match outcome {
+        Outcome::NotUsed => finding.case(NOT_USED),
+        Outcome::Asked(Some(error)) => rig.stops_with(error, finding),
+        Outcome::Asked(None) => finding.case(REFUSED),
     }
 }
 

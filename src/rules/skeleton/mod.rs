@@ -34,6 +34,9 @@ use crate::diag::{Application, Finding};
 use crate::formats::mhskel::{RotationPlane, Skeleton};
 use crate::repo::{self, Body, FileFacts};
 
+/// More faults of one kind than this in a skeleton have one cause.
+const SINGLE: usize = 3;
+
 /// A skeleton that the application finds.
 struct Rig<'a> {
     file: &'a FileFacts,

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
-use super::{Rig, rigs};
+use super::{Rig, SINGLE, rigs};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, Suggestions};
 use crate::formats::mhskel::Section;
 use crate::repo::Body;
@@ -31,7 +31,12 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             out.extend(without_joints(&rig));
             continue;
         }
-        for (joint, uses) in uses(&rig).into_iter().filter(|(joint, _)| !known.contains(joint)) {
+        let unknown: BTreeMap<_, _> = uses(&rig).into_iter().filter(|(joint, _)| !known.contains(joint)).collect();
+        if unknown.len() > SINGLE {
+            out.extend(many(&rig, &unknown, &known));
+            continue;
+        }
+        for (joint, uses) in unknown {
             let Some((place, owner)) = uses.first() else { continue };
             let message = match uses.len() {
                 1 => format!("{owner} names joint `{joint}`, which does not exist"),
@@ -46,6 +51,44 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             out.push(rig.stops_with("a KeyError", finding));
         }
     }
+}
+
+/// One finding for more joints than anybody mistypes.
+fn many(rig: &Rig<'_>, unknown: &BTreeMap<&str, Vec<(Place, String)>>, known: &BTreeSet<&str>) -> Option<Finding> {
+    let (first, uses) = unknown.first_key_value()?;
+    let (place, _) = uses.first()?;
+    let message = format!("bones and planes name {} joints that do not exist, such as `{first}`", unknown.len());
+    let help = match other_beginning(unknown.keys().copied(), known) {
+        Some((with, "")) => {
+            format!("write the names as in `joints`, with `{with}` in front")
+        }
+        Some((_, without)) => format!("write the names as in `joints`, without `{without}` in front"),
+        None => "name joints of `joints`; is it the section of another skeleton?".to_owned(),
+    };
+    let finding = RULE.at(rig.file, place.clone(), message).key("joints").help(help);
+    Some(
+        rig.stops_with(
+            "a KeyError",
+            finding.evidence(Evidence::of_cases(unknown.keys()).out_of(self::uses(rig).len())),
+        ),
+    )
+}
+
+/// What the joints have in front of these names, and what the names have in front of the joints, where that is all that
+/// differs.
+fn other_beginning<'n>(
+    names: impl Iterator<Item = &'n str> + Clone,
+    known: &BTreeSet<&'n str>,
+) -> Option<(&'n str, &'n str)> {
+    let first = names.clone().next()?;
+    let differs = |joint: &&'n str| {
+        joint.strip_suffix(first).map(|with| (with, "")).or_else(|| first.strip_suffix(*joint).map(|own| ("", own)))
+    };
+    known.iter().filter_map(differs).find(|(with, without)| {
+        names
+            .clone()
+            .all(|name| name.strip_prefix(without).is_some_and(|rest| known.contains(format!("{with}{rest}").as_str())))
+    })
 }
 
 /// One finding where the skeleton has no joint at all.

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx};
-use super::{Rig, rigs};
+use super::{Rig, SINGLE, rigs};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, Suggestions};
 use crate::formats::mhskel::{Bone, RotationPlane, Section};
 use crate::json::UnknownKey;
@@ -26,11 +26,12 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     // `planes` of another type has a finding of its own.
     for rig in rigs(body).filter(|rig| rig.skeleton.planes_section != Section::Misshapen) {
         let known: BTreeSet<&str> = rig.skeleton.planes.iter().map(|plane| plane.name.as_str()).collect();
-        if known.is_empty() && rig.asked_planes().len() > 1 {
-            out.extend(without_planes(&rig));
+        let unknown: BTreeSet<&str> = rig.asked_planes().into_iter().filter(|plane| !known.contains(plane)).collect();
+        if known.is_empty() && unknown.len() > 1 || unknown.len() > SINGLE {
+            out.extend(many(&rig, &unknown, known.is_empty()));
             continue;
         }
-        for plane in rig.asked_planes().into_iter().filter(|plane| !known.contains(plane)) {
+        for plane in unknown {
             let names_it = |bone: &&Bone| matches!(&bone.rotation_plane, RotationPlane::Named(name) if name == plane);
             let bones: Vec<&str> = rig.skeleton.bones.iter().filter(names_it).map(|bone| bone.name.as_str()).collect();
             let Some(first) = bones.first() else { continue };
@@ -53,13 +54,15 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
 }
 
-/// One finding where the skeleton has no plane at all.
-fn without_planes(rig: &Rig<'_>) -> Option<Finding> {
-    let names_one = |bone: &&Bone| matches!(bone.rotation_plane, RotationPlane::Named(_));
+/// One finding where the skeleton has none of the planes, or lacks more than anybody mistypes.
+fn many(rig: &Rig<'_>, unknown: &BTreeSet<&str>, has_none: bool) -> Option<Finding> {
+    let names_one =
+        |bone: &&Bone| matches!(&bone.rotation_plane, RotationPlane::Named(name) if unknown.contains(name.as_str()));
     let bones: Vec<&str> = rig.skeleton.bones.iter().filter(names_one).map(|bone| bone.name.as_str()).collect();
     let first = bones.first()?;
-    let (count, planes) = (bones.len(), rig.asked_planes().len());
-    let message = format!("{count} bones name {planes} planes, but the skeleton has none");
+    let (count, planes) = (bones.len(), unknown.len());
+    let what = if has_none { "planes, but the skeleton has none" } else { "planes that do not exist" };
+    let message = format!("{count} bones name {planes} {what}");
     let finding = RULE.at(rig.file, Place::pointer(["bones", first, "rotation_plane"]), message).key("planes");
     let help = misspelt_planes(rig);
     let finding =

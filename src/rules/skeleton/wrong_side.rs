@@ -24,6 +24,9 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Numeric(run),
 };
 
+/// More bones than this are not all on the wrong side by mistake.
+const MIRRORED: usize = 3;
+
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     out.extend(measured(body, measures).iter().filter(|rig| rig.measure.is_centred).filter_map(finding));
 }
@@ -42,9 +45,15 @@ fn finding(rig: &Measured<'_>) -> Option<Finding> {
         named(&bones),
         f32::midpoint(measure.head[0], measure.tail[0])
     );
+    let sided = rig.bones().filter(|(bone, _)| side::of_bone(&bone.name).is_some()).count();
+    let help = if bones.len() == sided && sided > MIRRORED {
+        "all of them: was base.obj mirrored when it was exported?"
+    } else {
+        "exchange the joints of left and right, or name those of this side in `head` and `tail`"
+    };
     Some(
         RULE.at(rig.file, Place::key(["bones", first]), message)
-            .help("exchange the joints of left and right, or name those of this side in `head` and `tail`")
+            .help(help)
             .evidence(Evidence::of_cases(&bones).out_of(rig.skeleton.bones.len())),
     )
 }

@@ -27,10 +27,12 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    // What a folder is called says nothing where that of the base mesh is missing (`overlay-base-folder-missing`).
     let mut found: BTreeMap<(&str, &str), Vec<(&FileFacts, u32)>> = BTreeMap::new();
     for (_, file, facts) in targets(body) {
         if let (Some(base), Some((line, named))) = (file.base(), &facts.basemesh)
             && !named.eq_ignore_ascii_case(base)
+            && !body.is_unsorted(file)
         {
             found.entry((body.folder_of(file), named)).or_default().push((file, *line));
         }

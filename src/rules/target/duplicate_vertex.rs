@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::{first_row, targets};
-use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Rewrite, RuleInfo};
+use crate::diag::{Application, Case, Change, Finding, Fix, FixKind, Level, Rewrite, RuleInfo};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -10,17 +10,25 @@ pub(in crate::rules) static RULE: Rule = Rule {
         fix: FixKind::Unsafe,
         breaks: &[(Application::Makehuman2, "applies only the last row of the vertex, not the sum")],
         docs: "One vertex on two rows of a target.\n\nMakeHuman 2 hands all rows to NumPy at once, which keeps the last one and \
-            forgets the others. Other programs add them up, so the same file gives two shapes.\n\nKeep one row for each \
+            forgets the others. Other programs add them up, so the same file gives two shapes. Where the rows of a vertex are \
+            equal, MakeHuman 2 loses nothing (an info).\n\nKeep one row for each \
             vertex: the last, if the shape in MakeHuman 2 is right, or the sum, if it was made elsewhere.",
         ..RuleInfo::new("target-duplicate-vertex", Level::Warning, "a vertex twice in a target")
     },
     check: Check::Body(run),
 };
 
+const EQUAL: Case =
+    &[(Application::Makehuman2, Level::Info, "applies one of the rows; programs that add them up get twice the shape")];
+
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (target, file, facts) in targets(body) {
-        let Some((_, index)) = facts.duplicate.first.first() else { continue };
+        let Some((_, index)) = facts.duplicate.first.first().filter(|_| facts.conflict.is_none()) else { continue };
         let message = match facts.duplicate.count {
+            1 if facts.repeats_are_equal => format!("vertex {index} is named twice, with the same numbers"),
+            count if facts.repeats_are_equal => {
+                format!("{count} rows repeat one that was there before, the first that of vertex {index}")
+            }
             1 => format!("vertex {index} is named twice; only the last row counts"),
             count => {
                 format!("{count} rows name a vertex again, the first vertex {index}; only the last row of each counts")
@@ -30,11 +38,11 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         if target.packed_in.is_none() {
             fix = fix.step(&file.path, Change::Rewrite(Rewrite::KeepLastRows));
         }
-        out.push(
-            RULE.at(file, first_row(&facts.duplicate), message)
-                .help("keep one row for each vertex")
-                .fix(fix)
-                .evidence(facts.duplicate.evidence(facts.rows)),
-        );
+        let finding = RULE
+            .at(file, first_row(&facts.duplicate), message)
+            .help("keep one row for each vertex")
+            .fix(fix)
+            .evidence(facts.duplicate.evidence(facts.rows));
+        out.push(if facts.repeats_are_equal { finding.case(EQUAL) } else { finding });
     }
 }

@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx, counted};
 use super::decoded;
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -10,16 +10,33 @@ pub(in crate::rules) static RULE: Rule = Rule {
         breaks: &[(Application::Makehuman2, "skips the line without a word: the vertex does not move")],
         docs: "A row of a target is `INDEX X Y Z`, four fields between blanks.\n\nMakeHuman 2 takes lines of exactly four fields \
             for rows, and drops every other line that is no comment without a message. A remark behind a row \
-            (`12 .1 .2 .3 # nose`) makes five and more fields of it, and the row is lost; a lost number makes three.\n\n\
+            (`12 .1 .2 .3 # nose`) makes five and more fields of it, and the row is lost; a lost number makes three. \
+            A line that does not begin with a number was no row: that is an info as long as there are rows. Markers of a merge conflict are one finding.\n\n\
             Give the line four fields, put remarks on lines of their own that begin with `#`, or remove the line.",
         ..RuleInfo::new("target-field-count", Level::Warning, "a line of a target without exactly four fields")
     },
     check: Check::File(run),
 };
 
+const PROSE: Case = &[(Application::Makehuman2, Level::Info, "skips the line, which is no row, without a word")];
+const BOTH_SIDES: Case = &[(
+    Application::Makehuman2,
+    Level::Warning,
+    "skips the markers and takes the rows of both sides; of a vertex the last",
+)];
+
 fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(facts) = decoded(file) else { return };
     let Some((line, fields)) = facts.field_count.first.first() else { return };
+    // A marker of four words stops the program: `target-syntax`.
+    if facts.conflict.is_some() && facts.unreadable_rows > 0 {
+        return;
+    }
+    if let Some((line, marker)) = &facts.conflict {
+        let message = format!("a merge conflict was not resolved: `{marker}`");
+        let finding = RULE.at(file, Place::Line(*line), message).key("conflict").case(BOTH_SIDES);
+        return out.push(finding.help("keep one side, and remove the lines `<<<<<<<`, `=======` and `>>>>>>>`"));
+    }
     let count = facts.field_count.count;
     let fields = counted(fields.unsigned_abs(), "field");
     let message = match (facts.rows, count) {
@@ -31,10 +48,11 @@ fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let mut evidence = Evidence::of_unnamed(cases);
     evidence.count = count;
     let total = facts.rows.saturating_add(usize::try_from(count).unwrap_or(usize::MAX));
-    out.push(
-        RULE.at(file, Place::Line(*line), message)
-            .help("write rows as `INDEX X Y Z`, remarks on lines that begin with `#`")
-            .parts(facts.field_count_names.names())
-            .evidence(evidence.out_of(total)),
-    );
+    let finding = RULE
+        .at(file, Place::Line(*line), message)
+        .help("write rows as `INDEX X Y Z`, remarks on lines that begin with `#`")
+        .parts(facts.field_count_names.names())
+        .evidence(evidence.out_of(total));
+    let is_prose = facts.rows > 0 && facts.broken_rows == 0;
+    out.push(if is_prose { finding.case(PROSE) } else { finding });
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
-use super::{asked_for, parent};
+use super::{asked_for, parent, user_pairs};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo, nearest};
 use crate::discover::Kind;
 use crate::repo::FileFacts;
@@ -19,7 +19,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
             half of a slider. Here one of them is missing, in a folder that has complete pairs of the same kind, or it is there under a \
             name that makes no pair: without its ending, with a misspelt one, or with other capitals.\n\n\
             MakeHuman 2 makes the sliders of user targets from the file names: a pair becomes one slider with two halves, a \
-            single file becomes a slider with one half.\n\nMake the other direction, or give the file a name without the \
+            single file becomes a slider with one half. A pair without a `-` before its endings gets one side only, and one with `incr` \
+            elsewhere in its name is none, because every `incr` is replaced to find the other half.\n\nMake the other direction, or give the file a name without the \
             ending. Where modelling.json lists a target as single, it is meant to be single and nothing is reported.",
         ..RuleInfo::new("target-missing-opposite", Level::Warning, "a target for one direction without its opposite")
     },
@@ -27,6 +28,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    out.extend(user_pairs::findings(&RULE, view, base));
     let (pairs, asked) = (pairs(base), asked_for(view, base));
     let unlisted = base.modelling.winner().is_none() && !base.modelling.is_broken();
     let folders = [base.user_targets, base.targets.filter(|_| unlisted)];

@@ -28,6 +28,7 @@ pub(super) mod stale_binary;
 pub(super) mod syntax;
 mod unreadable_fields;
 pub(super) mod unreferenced;
+mod user_pairs;
 pub(super) mod vertex_out_of_range;
 pub(super) mod without_effect;
 pub(super) mod zero_delta;

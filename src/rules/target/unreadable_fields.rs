@@ -2,14 +2,19 @@
 
 use super::super::Rule;
 use crate::diag::{Evidence, Finding, Place};
-use crate::formats::target::TargetFacts;
+use crate::formats::target::{MARKERS, TargetFacts, UnreadableField};
 use crate::repo::FileFacts;
 
 /// The finding on the unreadable fields of a target, if there are any.
 pub(super) fn finding(rule: &Rule, file: &FileFacts, facts: &TargetFacts) -> Option<Finding> {
     let first = facts.unreadable.first()?;
     let rows = facts.unreadable_rows;
-    let message = if rows == 1 {
+    let is_marker = |field: &UnreadableField| MARKERS.contains(&field.field.as_str());
+    let are_markers = facts.unreadable.iter().all(is_marker);
+    let conflict = facts.conflict.as_ref().map(|(_, marker)| marker).filter(|_| are_markers);
+    let message = if let Some(marker) = conflict {
+        format!("a merge conflict was not resolved: `{marker}` …")
+    } else if rows == 1 {
         format!("`{}` is no number", first.field)
     } else {
         format!("`{}` is no number ({rows} rows like it)", first.field)
@@ -19,5 +24,8 @@ pub(super) fn finding(rule: &Rule, file: &FileFacts, facts: &TargetFacts) -> Opt
     evidence.count = rows;
     let finding =
         rule.at(file, place, message).parts(facts.unreadable_names.names()).evidence(evidence.out_of(facts.rows));
+    if conflict.is_some() {
+        return Some(finding.help("keep one side, and remove the lines `<<<<<<<`, `=======` and `>>>>>>>`"));
+    }
     Some(finding.help("a row is `INDEX X Y Z`: an integer and three decimals with a point"))
 }

@@ -25,7 +25,7 @@ const NEVER_APPLIED: Case =
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for BodyWeights { file, .. } in &body.weights {
         let Some(weights) = file.weights() else { continue };
-        let Some(Binding { known, is_posed }) = binding(body, file) else { continue };
+        let Some(Binding { known, is_posed, skeleton }) = binding(body, file) else { continue };
         let unknown = weights.bones.iter().filter(|bone| bone.listed > 0 && !known.contains(bone.name.as_str()));
         let unknown: Vec<&str> = unknown.map(|bone| bone.name.as_str()).collect();
         let Some(first) = unknown.first() else { continue };
@@ -40,6 +40,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let finding = RULE
             .at(file, Place::key(["weights", first]), message)
             .help(help)
+            .against(&skeleton.path)
             .evidence(Evidence::of_cases(&unknown).out_of(weights.bones.len()));
         out.push(if is_posed { finding } else { finding.case(NEVER_APPLIED) });
     }
@@ -49,6 +50,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 struct Binding<'a> {
     known: BTreeSet<&'a str>,
     is_posed: bool,
+    skeleton: &'a FileFacts,
 }
 
 /// The rigs that use a weights file; of these the one for poses alone, if it is among them.
@@ -59,6 +61,7 @@ fn binding<'v>(body: &Body<'v>, file: &FileFacts) -> Option<Binding<'v>> {
         Some(default) => (vec![*default], true),
         None => (users, false),
     };
+    let skeleton = chosen.first()?.file;
     let mut known = BTreeSet::new();
     for user in chosen {
         // Without the bones of every user nothing can be said.
@@ -67,5 +70,5 @@ fn binding<'v>(body: &Body<'v>, file: &FileFacts) -> Option<Binding<'v>> {
         // A bone that is missing as a parent is reported as such (`skeleton-unknown-parent`).
         known.extend(skeleton.bones.iter().filter_map(|bone| bone.parent.as_deref()));
     }
-    (!known.is_empty()).then_some(Binding { known, is_posed })
+    (!known.is_empty()).then_some(Binding { known, is_posed, skeleton })
 }

@@ -29,7 +29,10 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     let tally = &weights.facts.out_of_range;
     let (Some((bone, _, vertex, _)), Some(place)) = (tally.first.first(), pair_place(tally)) else { return };
     let vertices = weights.facts.sums.len();
-    let size = if vertices > 0 { format!(", but the mesh has {vertices}") } else { String::new() };
+    let size = match vertices.checked_sub(1) {
+        Some(last) => format!(", but the mesh has vertices 0 to {last}"),
+        None => String::new(),
+    };
     let message = match tally.count {
         1 => format!("bone `{bone}` weights vertex {vertex}{size}"),
         count => format!(

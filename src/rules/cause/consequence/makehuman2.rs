@@ -31,7 +31,11 @@ pub(super) const UNREAD_MESH: Case = &[(Application::Makehuman2, Info, UNREAD)];
 const UNREAD: &str = "reads base.mhbin in its place; compile_meshes.py, which makes that anew, stops";
 
 pub(super) const NOT_READ: &str = "never reads this file; the scripts that align joint cubes stop";
+pub(in crate::rules) const NEVER_OPENED: &str =
+    "never opens it; of all geometry.json its scripts open that of `hm08` alone";
 pub(super) const NO_WEIGHTS_LOADED: &str = "loads no weights at all: in pose mode the mesh collapses to the origin";
+const NO_POSE_SKELETON: &str = "shows a message at every visit to poses and rigs, has no bone weights for assets, and stops \
+    with an AttributeError in the editors and the glTF export";
 const NO_BASE: &str = "does not load the base mesh";
 const SCAN: &str = "stops at start while it scans the assets";
 const SCAN_SYNTAX: Cell = cell(Syntax, Error, "stops at start, while it scans the assets (AttributeError)");
@@ -66,8 +70,10 @@ const ROWS: &[Row] = &[
         cell(MarkedWord, Info, UNREAD),
     ]),
     anywhere(Kind::BaseMesh, Start,
-        &[cell(Absent, Error, "stops with an AttributeError when it loads the base"),
-          cell(Empty, Error, "stops at start: there is no base mesh")]),
+        &[
+            cell(Absent, Error, "stops with an AttributeError when it loads the base"),
+            cell(Empty, Error, "stops at start: there is no base mesh"),
+        ]),
     row(Kind::MeshArchive, Replaced, Use,
         &[cell(Closed, Info, "takes it for no file, and reads the mesh elsewhere")]),
     anywhere(Kind::MeshArchive, Start, &[
@@ -76,7 +82,16 @@ const ROWS: &[Row] = &[
         cell(Pointer, Error, "takes the pointer for the mesh and stops at every start with a ValueError"),
         cell(Empty, Error, "stops at every start with an EOFError until the file is deleted by hand"),
     ]),
-    anywhere(Kind::Geometry, Tools, &[cell(Syntax, Warning, NOT_READ)]),
+    row(Kind::Geometry, Path(&["base", "hm08", "geometry.json"]), Tools, &[cell(Syntax, Warning, NOT_READ)]),
+    anywhere(Kind::Geometry, Use, &[
+        cell(Closed, Info, NEVER_OPENED),
+        cell(Pointer, Info, NEVER_OPENED),
+        cell(Refused, Info, NEVER_OPENED),
+        cell(NotUtf8, Info, NEVER_OPENED),
+        cell(Syntax, Info, NEVER_OPENED),
+        cell(Special, Info, NEVER_OPENED),
+        cell(TooDeep, Info, NEVER_OPENED),
+    ]),
     row(Kind::MacroJson, Generated, Never, &[cell(Syntax, Info, "never reads this file")]),
     anywhere(Kind::MacroJson, Start, &[
         cell(Absent, Error, "takes it as missing: no macros, and targets are looked for in the folder of the system; without one it \
@@ -152,8 +167,8 @@ const ROWS: &[Row] = &[
 
 const AT_MOMENT: &[(Moment, Cell)] = &[
     (Start, cell(NotUtf8, Error, "stops at start with a UnicodeDecodeError")),
-    (Scan, cell(NotUtf8, Error, SCAN)),
-    (Scan, cell(Refused, Error, SCAN)),
+    (Scan, cell(NotUtf8, Error, "stops at start with a UnicodeDecodeError while it scans the assets")),
+    (Scan, cell(Refused, Error, "stops at start with an AttributeError while it scans the assets")),
     (Tools, cell(NotUtf8, Warning, TOOLS)),
     (Tools, cell(Refused, Warning, TOOLS)),
 ];
@@ -181,12 +196,15 @@ const UNFOUND: &[(&[ReferenceKind], Consequence)] = &[
         "does not find the target: stops with an AttributeError when its slider moves, at start if the start model sets it")),
     (&[Icon], Consequence::new(Warning, "shows a button without a picture")),
     (&[WeightsFile], Consequence::new(Error, "refuses the skeleton")),
-    (&[PoseSkeleton], Consequence::new(Error,
-        "has no poses and no bone weights for assets: a message at every visit to poses and rigs, and an AttributeError in \
-         the editors and in the glTF export")),
+    (&[PoseSkeleton], Consequence::new(Error, NO_POSE_SKELETON)),
     (&[Model], Consequence::new(Error, "stops at start with a TypeError")),
     (&[Texture], Consequence::new(Warning, "goes without the texture, without a message")),
 ];
+
+/// Whether the scripts that align joint cubes open this `geometry.json`: they know one base mesh.
+pub(in crate::rules) fn is_opened_by_scripts(rel: &str) -> bool {
+    rel == "base/hm08/geometry.json"
+}
 
 /// What becomes of a base whose override of this name is ignored, with or without a file of the system's behind it.
 pub(in crate::rules) fn ignored_override(view: &View<'_>, base: &Base<'_>, name: &str, has_system: bool) -> String {

@@ -2,7 +2,7 @@
 //! place (formats/makehuman2.md §3.1, §4, §5.1, §7, §9, §10, §11, §19).
 
 use super::Consequence;
-use super::makehuman2::{NO_WEIGHTS_LOADED, NOT_READ};
+use super::makehuman2::{NEVER_OPENED, NO_WEIGHTS_LOADED, NOT_READ, is_opened_by_scripts};
 use crate::diag::Level;
 use crate::discover::Kind;
 use crate::formats::Content;
@@ -120,6 +120,9 @@ fn is_for_poses(view: &View<'_>, file: &FileFacts) -> bool {
 pub(super) fn of_value(view: &View<'_>, file: &FileFacts, fault: &SchemaFault) -> Option<Consequence> {
     if is_note(file.kind, fault) {
         return Some(Consequence::new(Level::Info, "nothing: it takes the note for an entry that no window shows"));
+    }
+    if file.kind == Geometry && !is_opened_by_scripts(&file.rel) {
+        return Some(Consequence::new(Level::Info, NEVER_OPENED));
     }
     let kind = if file.kind == Kind::AssetWeights { Weights } else { file.kind };
     if kind == Skeleton && is_reference(fault) && is_for_poses(view, file) {

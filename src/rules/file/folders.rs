@@ -1,0 +1,39 @@
+//! Folders with other capitals than those that are listed.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::super::{Rule, counted};
+use crate::diag::{Evidence, Finding};
+use crate::repo::View;
+use crate::repo::makehuman2::MisnamedFolder;
+
+/// One finding for each name, but for folders that a finding on a name in a file names already.
+pub(super) fn findings(rule: &Rule, view: &View<'_>, told: &BTreeSet<String>) -> Vec<Finding> {
+    let View::Makehuman2(own) = view else { return Vec::new() };
+    let mut by_name: BTreeMap<String, Vec<MisnamedFolder>> = BTreeMap::new();
+    for folder in own.misnamed_folders() {
+        let name = folder.rel.rsplit('/').next().unwrap_or_default().to_owned();
+        by_name.entry(name).or_default().push(folder);
+    }
+    let is_new = |folders: &&Vec<MisnamedFolder>| !folders.iter().any(|folder| told.contains(&folder.rel));
+    by_name.values().filter(is_new).filter_map(|folders| finding(rule, view, folders)).collect()
+}
+
+fn finding(rule: &Rule, view: &View<'_>, folders: &[MisnamedFolder]) -> Option<Finding> {
+    let first = folders.first()?;
+    let files: usize = folders.iter().map(|folder| folder.files).sum();
+    let right = first.right.rsplit('/').next().unwrap_or_default();
+    let more = match folders.len() {
+        1 => String::new(),
+        count => format!(" ({} like it)", counted(count - 1, "more folder")),
+    };
+    let message = format!("`{}` is looked for as `{}`{more}", first.rel, first.right);
+    let effect = format!("on Linux: does not read the folder; {} in it as good as missing", files_are(files));
+    let finding = rule.in_layer(view.layers().checked, &first.rel, message).key("folder");
+    let evidence = Evidence::of_cases(folders.iter().map(|folder| &folder.rel));
+    Some(finding.effect_in(view.application(), effect).help(format!("rename it to `{right}`")).evidence(evidence))
+}
+
+fn files_are(count: usize) -> String {
+    if count == 1 { "1 file is".to_owned() } else { format!("{count} files are") }
+}

@@ -1,0 +1,64 @@
+//! A body is as large as something that walks on two legs.
+
+use super::super::{Check, Rule, RuleCx};
+use crate::diag::{Application, Confidence, Evidence, Finding, Level, Place, RuleInfo};
+use crate::formats::obj::Mesh;
+use crate::repo::{Body, Rig};
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(
+            Application::Makehuman2,
+            "shows a body of this size, without a message; targets, clothes and poses do not fit it",
+        )],
+        docs: "Numbers in `base.obj` are decimetres: a figure of 1.70 m is 17 high. Programs that count in metres or centimetres write a mesh \
+            that is ten times smaller or larger, and targets made before move its vertices ten times too far, or hardly.\n\nReported is a mesh with a \
+            skeleton for poses of which the shown groups are no more than 20 cm, or at least 6 m, at their largest. \
+            Everything between is taken to be meant.\n\nExport the mesh in decimetres (scale 0.1 or 10).",
+        ..RuleInfo::new("numeric-implausible-size", Level::Warning, "a body of a few centimetres or many metres")
+    },
+    check: Check::Body(run),
+};
+
+/// Decimetres. A tenth of an adult is 17 cm, ten times a small figure 10 m; the smallest known base has 32 cm.
+const SMALLEST: f32 = 2.0;
+const LARGEST: f32 = 60.0;
+
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some((file, mesh)) = body.mesh.filter(|(_, mesh)| mesh.facts.non_finite.count == 0) else { return };
+    let has_rig = body.default_rig().and_then(Rig::skeleton).is_some_and(|skeleton| !skeleton.bones.is_empty());
+    let Some(extent) = extent(mesh, body.visible_groups.unwrap_or_default()).filter(|_| has_rig) else { return };
+    if extent > SMALLEST && extent < LARGEST {
+        return;
+    }
+    let (length, help) = (10.0 * extent, if extent < LARGEST { "10" } else { "0.1" });
+    let message = format!("the shown part of the mesh is {length:.1} cm ({extent:.3}) at its largest");
+    out.push(
+        RULE.at(file, Place::File, message)
+            .confidence(Confidence::Medium)
+            .help(format!("export the mesh in decimetres; is the scale {help} missing?"))
+            .evidence(Evidence::of_unnamed([format!("{length:.1} cm")])),
+    );
+}
+
+/// The largest extent of the shown groups along an axis.
+fn extent(mesh: &Mesh, shown: &[String]) -> Option<f32> {
+    let is_shown = |group: u32| {
+        let name = mesh.groups.get(group as usize).map(|group| &group.name);
+        name.is_some_and(|name| shown.is_empty() || shown.contains(name))
+    };
+    let faces = mesh.faces.iter().filter(|face| is_shown(face.group));
+    let corners = faces.flat_map(|face| {
+        let start = face.start as usize;
+        mesh.corners.get(start..start.saturating_add(face.len as usize)).unwrap_or_default()
+    });
+    let mut ends: Option<[(f32, f32); 3]> = None;
+    for position in corners.filter_map(|vertex| mesh.positions.get(*vertex as usize)) {
+        let ends = ends.get_or_insert_with(|| position.map(|part| (part, part)));
+        for ((lowest, highest), part) in ends.iter_mut().zip(position) {
+            *lowest = lowest.min(*part);
+            *highest = highest.max(*part);
+        }
+    }
+    ends.map(|ends| ends.iter().fold(0.0, |most: f32, (lowest, highest)| most.max(highest - lowest)))
+}

@@ -1,0 +1,49 @@
+//! What belongs to a base mesh lies in a folder of its name.
+
+use std::collections::BTreeMap;
+
+use super::super::{Check, Rule, RuleCx, counted};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::repo::View;
+
+pub(in crate::rules) static RULE: Rule = Rule {
+    info: RuleInfo {
+        breaks: &[(
+            Application::Makehuman2,
+            "never reads it, nor the targets beside it: it looks in the folder of the base mesh",
+        )],
+        docs: "`contarget` and `target` have a folder for each base mesh, and in it stand macro.json, modelling.json, target_cat.json and the folders of \
+            targets.\n\nWhere these stand in `contarget` or `target` itself, MakeHuman 2 finds none of them: a base that has its sliders \
+            there has none.\n\nMove everything into a folder with the name of the base mesh.",
+        ..RuleInfo::new(
+            "overlay-base-folder-missing",
+            Level::Error,
+            "sliders and targets that lie in no folder of a base mesh",
+        )
+    },
+    check: Check::Repository(run),
+};
+
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let layer = view.layers().checked;
+    for (folder, file) in view.unsorted() {
+        let message =
+            format!("`{}` lies in `{folder}` itself: the folder of the base mesh is missing", file.file_name());
+        let finding = RULE.at(file, Place::File, message).key(folder).asset(layer.display(folder));
+        let targets = layer.below(folder).filter(|file| file.target().is_some()).count();
+        let what = if targets > 0 { format!(", with {}", counted(targets, "target")) } else { String::new() };
+        let base = base_of(view, folder).unwrap_or("<base>");
+        out.push(finding.help(format!("move what lies in `{folder}` to `{folder}/{base}`{what}")));
+    }
+}
+
+/// The base mesh that most of the targets name.
+fn base_of<'a>(view: &View<'a>, folder: &str) -> Option<&'a str> {
+    let mut named: BTreeMap<&str, usize> = BTreeMap::new();
+    let targets = view.layers().checked.below(folder).filter_map(|file| file.target());
+    for (_, name) in targets.filter_map(|facts| facts.basemesh.as_ref()) {
+        *named.entry(name).or_default() += 1;
+    }
+    let (name, _) = named.into_iter().max_by_key(|(_, count)| *count)?;
+    view.body_names().into_iter().find(|base| base.eq_ignore_ascii_case(name))
+}
