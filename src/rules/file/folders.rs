@@ -28,12 +28,8 @@ fn finding(rule: &Rule, view: &View<'_>, folders: &[MisnamedFolder]) -> Option<F
         count => format!(" ({} like it)", counted(count - 1, "more folder")),
     };
     let message = format!("`{}` is looked for as `{}`{more}", first.rel, first.right);
-    let effect = format!("on Linux: does not read the folder; {} in it as good as missing", files_are(files));
+    let effect = format!("on Linux: does not read the folder with its {}", counted(files, "file"));
     let finding = rule.in_layer(view.layers().checked, &first.rel, message).key("folder");
     let evidence = Evidence::of_cases(folders.iter().map(|folder| &folder.rel));
     Some(finding.effect_in(view.application(), effect).help(format!("rename it to `{right}`")).evidence(evidence))
-}
-
-fn files_are(count: usize) -> String {
-    if count == 1 { "1 file is".to_owned() } else { format!("{count} files are") }
 }
