@@ -101,6 +101,13 @@ fn overlaid<'a, T>(
     }
 }
 
+/// Whether the application stops at a face of the mesh that it draws: one with too few corners.
+pub(super) fn breaks_off(mesh: &Mesh, settings: Option<&BaseJson>) -> bool {
+    let visible = settings.and_then(|settings| settings.visible_groups.as_ref());
+    let is_drawn = |group: &String| visible.is_none_or(|visible| visible.contains(group));
+    mesh.facts.short_faces.iter().any(|face| is_drawn(&face.group))
+}
+
 fn model_of_base(file: &FileFacts) -> Option<&BaseJson> {
     match &*file.content {
         Content::BaseJson(model) if !file.json.falsy && !file.is_misshapen() => Some(model),
@@ -186,7 +193,7 @@ impl<'a> Base<'a> {
             name,
             has_system: system.is_some(),
             own_json,
-            mesh: mesh_files.sound(),
+            mesh: mesh_files.sound().filter(|(_, mesh)| !breaks_off(mesh, settings.map(|(_, settings)| settings))),
             mesh_files,
             foreign_mesh: None,
             macros,

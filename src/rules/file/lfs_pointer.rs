@@ -26,7 +26,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers().checked;
-    let with_loss = |file: &FileFacts| consequence(view, &file.rel, Damage::Pointer).map(|loss| loss.level);
+    let loss = |file: &FileFacts| consequence(view, &file.rel, Damage::Pointer);
+    let with_loss = |file: &FileFacts| loss(file).map(|loss| loss.level);
     let files: Vec<&FileFacts> = view.files().filter(|file| file.encoding.lfs_pointer).collect();
     let files: Vec<&FileFacts> = files.into_iter().filter(|file| with_loss(file).is_some()).collect();
     let (Some(first), Some(worst)) = (files.first(), files.iter().filter_map(|file| with_loss(file)).max()) else {
@@ -40,13 +41,16 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         _ if above.is_empty() => RULE.at(first, Place::File, message(&files, &folders)),
         _ => RULE.in_layer(layer, above, message(&files, &folders)),
     };
+    // One file alone, or those of the worst kind, may have more to say.
+    let mut worst_files = files.iter().filter(|file| with_loss(file) == Some(worst));
+    let own = worst_files.find_map(|file| loss(file)?.effect);
     let counts = folders.iter().map(|(folder, count)| format!("{folder}: {count}"));
     let mut evidence = Evidence::of_unnamed(counts);
     evidence.count = files.len() as u64;
     out.push(
         finding
             .level_in(view.application(), worst)
-            .effect_in(view.application(), effect(&files))
+            .effect_in(view.application(), own.map_or_else(|| effect(&files), str::to_owned))
             .asset(layer.display(parent(&first.rel)))
             .parts_in(files.iter().map(|file| (file.file_name(), &file.path)))
             .evidence(evidence)
