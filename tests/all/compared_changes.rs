@@ -317,10 +317,7 @@ const CHANGES: [Change; 57] = [
             "\"t\": \"child-minmuscle-averageweight-averagecup-maxfirmness\" },\n\t\t\t{ \"name\": \
              \"female-child-minmuscle-averageweight-averagecup-minfirmness\"",
         )],
-        brings: &[
-            "gone macro-alias-suspect hm08/macro.json",
-            "gone macro-unreferenced-target averagecup-maxfirmness.target",
-        ],
+        brings: &["gone macro-alias-suspect hm08/macro.json"],
         ..CHANGE
     },
     Change { name: "line ends of a JSON", edits: &[Crlf(MACRO)], ..CHANGE },

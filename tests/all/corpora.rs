@@ -84,9 +84,10 @@ fn makehuman2_shows_its_known_defects() {
         let fits = said.len() == texts.len() && said.iter().zip(texts).all(|(said, text)| said.contains(text));
         assert!(fits, "{rule} {path}: {said:?}");
     }
+    // The two files that nothing uses are those that the suspect entries should name: one cause.
     for side in ["maxfirmness", "minfirmness"] {
         let path = format!("target/hm08/macro_fembreast/child-minmuscle-averageweight-averagecup-{side}.target");
-        assert_eq!(said(&report, "macro-unreferenced-target", &path).len(), 1, "{path}");
+        assert_eq!(said(&report, "macro-unreferenced-target", &path), Vec::<&str>::new(), "{path}");
     }
 }
 
@@ -99,20 +100,17 @@ fn nothing_else_in_makehuman2_is_an_error_or_a_warning() {
     let mut rules: Vec<&str> = loud.map(|finding| finding["rule"].as_str().unwrap()).collect();
     rules.sort_unstable();
     let known = [
-        "base-geometry-range",
         "base-unknown-preset",
         "base-vertex-count",
         "macro-alias-suspect",
         "macro-alias-suspect",
-        "macro-unreferenced-target",
-        "macro-unreferenced-target",
         "mesh-reopened-group",
         "modelling-measure",
         "modelling-measure",
         "modelling-measure",
     ];
     assert_eq!(rules, known);
-    assert_eq!(mhlint(&corpus, &["data", "--no-eval"]).status.code(), Some(1), "one real error");
+    assert_eq!(mhlint(&corpus, &["data", "--no-eval"]).status.code(), Some(0), "no error");
     let systematic = said(&report, "macro-missing-combination", "target/hm08/macro.json");
     assert!(systematic.iter().all(|message| message.contains("systematically")), "{systematic:?}");
 }
