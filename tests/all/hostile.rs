@@ -276,12 +276,12 @@ fn four_gibibytes_of_zeros_need_no_memory() {
         command.current_dir(root.path()).output().unwrap()
     };
     let output = limited(768);
-    assert_eq!(output.status.code(), Some(1), "{}", stderr(&output));
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
     let lines = findings(&output);
     let named = |line: &&String| line.contains("zeros.target.gz") && line.contains("[file-decompression-bomb]");
     assert_eq!(lines.iter().filter(named).count(), 1, "{lines:?}");
     // That the limit is one: with too little room the program does not get anywhere.
-    assert_ne!(limited(4).status.code(), Some(1));
+    assert_ne!(limited(4).status.code(), Some(0));
 }
 
 #[cfg(unix)]

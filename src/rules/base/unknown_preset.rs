@@ -108,7 +108,7 @@ fn randomizer(file: &FileFacts, names: &Names<'_, '_>, random: &Random, out: &mu
             earlier.filter(|(other, _)| group.split_once('|').is_some_and(|(category, _)| category == other));
         match whole.next_back() {
             Some((category, also)) => out.push(nested(file, group, category, *selected && *also)),
-            None => out.extend(random_group(file, names, group)),
+            None => out.extend(random_group(file, names, group, *selected)),
         }
     }
     for (key, conditions) in &random.rules {
@@ -124,13 +124,17 @@ fn randomizer(file: &FileFacts, names: &Names<'_, '_>, random: &Random, out: &mu
     }
 }
 
-fn random_group(file: &FileFacts, names: &Names<'_, '_>, group: &str) -> Option<Finding> {
+fn random_group(file: &FileFacts, names: &Names<'_, '_>, group: &str, selected: bool) -> Option<Finding> {
     let at = ["random", "groups", group];
     if group.matches('|').count() < 2 {
         return names.group(group).map(|unknown| unknown_name(file, &at, unknown));
     }
     let message = format!("the random group `{group}` has more than two parts");
-    let effect = "stops with a ValueError when a random character is made";
+    let effect = if selected {
+        "stops at start with a ValueError: the group is selected from the beginning"
+    } else {
+        "stops with a ValueError when a random character is made with the group selected"
+    };
     let finding = finding(file, &at, message, group).level(Level::Error).effect(effect);
     Some(finding.help("write `category` or `category|subcategory`"))
 }
@@ -138,8 +142,11 @@ fn random_group(file: &FileFacts, names: &Names<'_, '_>, group: &str) -> Option<
 /// A whole category that stands before one of its own groups.
 fn nested(file: &FileFacts, group: &str, category: &str, selected: bool) -> Finding {
     let message = format!("the random group `{group}` follows its whole category `{category}`");
-    let effect = "stops with an AttributeError when a random character is made with both selected";
-    let level = if selected { Level::Error } else { Level::Warning };
+    let (level, effect) = if selected {
+        (Level::Error, "stops at start with an AttributeError: both are selected from the beginning")
+    } else {
+        (Level::Warning, "stops with an AttributeError when a random character is made with both selected")
+    };
     let finding = finding(file, &["random", "groups", group], message, group).level(level);
     finding.effect(effect).help("list either the category or its groups")
 }

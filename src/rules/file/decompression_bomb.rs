@@ -1,5 +1,6 @@
 //! Packed files that unpack to more than anybody wants in memory.
 
+use super::super::cause::consequence::{Moment, moment};
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::repo::{FileFacts, View};
@@ -22,8 +23,16 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::File(run),
 };
 
-fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(GzipFault::Bomb { packed, unpacked }) = file.gzip_fault else { return };
     let message = format!("{packed} bytes unpack to {unpacked} bytes or more");
-    out.push(RULE.at(file, Place::File, message).help("do not open it; ask where it comes from"));
+    let finding = RULE.at(file, Place::File, message).help("do not open it; ask where it comes from");
+    // An application without gzip never opens it; people may.
+    let is_opened = moment(view, &file.rel) != Moment::Never;
+    let application = view.application();
+    out.push(if is_opened {
+        finding
+    } else {
+        finding.level_in(application, Level::Info).effect_in(application, "never opens it, as it has no gzip")
+    });
 }

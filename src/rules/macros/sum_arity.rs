@@ -46,7 +46,11 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let mut finding = RULE.at(file, Place::pointer(["components", name, "sum"]), message).key(name);
         finding =
             finding.help("give `values` and `sum` three entries each, in the order of `barycentric` of the slider");
-        if !stops(base, component, sum) {
+        if values > ends {
+            finding = finding.effect("stops with an IndexError at the first value without an entry");
+        } else if has_fourth(base, component, sum) {
+            finding = finding.effect("stops with a TypeError at the fourth value: a triangle gives three weights");
+        } else {
             let effect = "never reads the surplus, or the corners without a value";
             finding = finding.level(Level::Warning).effect(effect);
         }
@@ -54,9 +58,9 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
 }
 
-/// Whether something is read beyond its list: `sum`, or the three weights at the fourth value that resolves.
-fn stops(base: &Base<'_>, component: &Component, sum: &[String]) -> bool {
+/// Whether a fourth value resolves, for which there is no weight.
+fn has_fourth(base: &Base<'_>, component: &Component, sum: &[String]) -> bool {
     let pattern = component.pattern.as_deref().unwrap_or_default();
     let mut surplus = sum.iter().take(component.values.len()).skip(CORNERS);
-    component.values.len() > sum.len() || surplus.any(|end| base.slider(&format!("{pattern}{end}")).is_some())
+    surplus.any(|end| base.slider(&format!("{pattern}{end}")).is_some())
 }

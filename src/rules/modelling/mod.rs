@@ -11,6 +11,7 @@ pub(super) mod display_text;
 pub(super) mod duplicate_pattern;
 pub(super) mod empty_category;
 mod foreign;
+mod generated;
 mod groups;
 pub(super) mod macro_without_influence;
 mod marks;

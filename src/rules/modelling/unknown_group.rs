@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
 use super::foreign;
+use super::generated;
 use super::groups::{self, Groups, Renamed};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::FileFacts;
@@ -23,6 +24,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     two_bars(base, out);
+    out.extend(generated::hidden(&RULE, base));
     if let Some(groups) = groups::of(base).filter(|_| !base.has_foreign_sliders()) {
         if let Some(finding) = foreign::categories(&RULE, view, base, &groups) {
             return out.push(finding);

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::{Rig, rigs};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, nearest};
+use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo, nearest};
 use crate::formats::mhskel::Bone;
 use crate::repo::Body;
 
@@ -29,28 +29,35 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(pose) = body.default_rig().and_then(crate::repo::Rig::skeleton) else { return };
+    let Some(default) = body.default_rig() else { return };
+    let Some(pose) = default.skeleton() else { return };
     let known: BTreeSet<&str> = pose.bones.iter().map(|bone| bone.name.as_str()).collect();
     if known.is_empty() {
         return;
     }
     for rig in rigs(body) {
-        let mut unknown = Vec::new();
+        let (mut unknown, mut found) = (Vec::new(), Vec::new());
         for bone in &rig.skeleton.bones {
             for (member, names) in [("reference", &bone.reference), ("weights_reference", &bone.weights_reference)] {
                 let text = bone.text_references.iter().find(|(key, _)| *key == member);
                 let names: Vec<&String> =
                     names.iter().flatten().filter(|name| !known.contains(name.as_str())).collect();
                 match text {
-                    Some((_, text)) if !names.is_empty() => out.push(spelled_out(&rig, bone, member, text)),
+                    Some((_, text)) if !names.is_empty() => found.push(spelled_out(&rig, bone, member, text)),
                     Some(_) => {}
                     None => unknown.extend(names.into_iter().map(|name| (bone.name.as_str(), member, name.as_str()))),
                 }
             }
         }
-        out.extend(finding(&rig, &unknown, &known));
+        found.extend(finding(&rig, &unknown, &known));
+        // Others refer to the default skeleton; what it refers to itself is never read.
+        let is_default = std::ptr::eq(rig.file, default.file);
+        out.extend(found.into_iter().map(|one| if is_default { one.case(OF_DEFAULT) } else { one }));
     }
 }
+
+const OF_DEFAULT: Case =
+    &[(Application::Makehuman2, Level::Info, "never reads the references of the skeleton that the others refer to")];
 
 fn spelled_out(rig: &Rig<'_>, bone: &Bone, member: &str, text: &str) -> Finding {
     let message = format!("`{member}` of bone `{}` is the text `{text}`, which is read letter by letter", bone.name);

@@ -219,7 +219,11 @@ pub(in crate::rules) fn ignored_override(view: &View<'_>, base: &Base<'_>, name:
             "{instead}, then stops (FileNotFoundError): it looks for the targets in `target/{}` of the system",
             base.name
         ),
-        ("macro.json", _) => format!("{instead}, and searches all targets of the base in the system's folder"),
+        ("macro.json", _) => format!(
+            "{instead}, and looks for all targets of the base in the system's folder: stops with an AttributeError where one is \
+             missing there"
+        ),
+        ("target_cat.json", _) if !has_system => format!("{instead}: no slider can be reached"),
         _ => instead.to_owned(),
     }
 }

@@ -27,6 +27,7 @@ const LIST: Test = |found| matches!(found, Some(Found::List { .. }));
 const TEXT_OR_LIST: Test = |found| TEXT(found) || LIST(found);
 const NUMBER: Test = |found| matches!(found, Some(Found::Number(_)));
 const OBJECT: Test = |found| found == Some(&Found::Object);
+const TRUTH: Test = |found| matches!(found, Some(Found::Bool(_)));
 const NULL: Test = |found| found == Some(&Found::Null);
 /// What Python takes for false, and the loader for no file.
 const EMPTY: Test = |found| match found {
@@ -50,7 +51,7 @@ use Kind::{BaseJson, Geometry, MacroJson, ModellingJson, Skeleton, TargetCategor
 use Level::{Error, Warning};
 
 #[rustfmt::skip]
-static ROWS: [Row; 44] = [
+static ROWS: [Row; 45] = [
     row(Geometry, "", ANY, Warning, NOT_READ),
     row(MacroJson, "/type", ANY, Error, "stops at start with a TypeError"),
     row(MacroJson, "/allOf/", ANY, Error, "stops at start with a KeyError"),
@@ -91,6 +92,8 @@ static ROWS: [Row; 44] = [
     row(Skeleton, "/$defs/bone/type", TEXT, Error, "refuses the skeleton with a line in its log"),
     row(Skeleton, "/properties/planes/type", ANY, Error, "stops with a TypeError at the first bone that names a plane"),
     row(Skeleton, "/type", ANY, Error, "stops at start, while it scans the assets"),
+    row(Skeleton, "/properties/joints/additionalProperties/items", TRUTH, Warning,
+        "counts `true` as vertex 1 and `false` as vertex 0, without a word"),
     row(Skeleton, "/properties/name/type", ANY, Error, "stops at start, while it scans the assets (TypeError)"),
     row(Skeleton, "/properties/tags/type", TEXT, Warning, "makes a tag of every letter"),
     row(Skeleton, "/properties/tags/type", OBJECT, Level::Info, "takes the keys of the object for tags"),
