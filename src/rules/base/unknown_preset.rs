@@ -130,11 +130,8 @@ fn random_group(file: &FileFacts, names: &Names<'_, '_>, group: &str, selected: 
         return names.group(group).map(|unknown| unknown_name(file, &at, unknown));
     }
     let message = format!("the random group `{group}` has more than two parts");
-    let effect = if selected {
-        "stops at start with a ValueError: the group is selected from the beginning"
-    } else {
-        "stops with a ValueError when a random character is made with the group selected"
-    };
+    let when = if selected { "at start, as the group is selected" } else { "when the group is selected" };
+    let effect = format!("stops {when}, with a ValueError");
     let finding = finding(file, &at, message, group).level(Level::Error).effect(effect);
     Some(finding.help("write `category` or `category|subcategory`"))
 }
