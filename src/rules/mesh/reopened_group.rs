@@ -73,7 +73,10 @@ fn finding(file: &FileFacts, groups: &[&Reopened], faces: usize) -> Option<Findi
     Some(
         RULE.at(file, place, message)
             .parts(parts)
-            .help("sort the faces so that each group comes once")
+            .help(
+                "leave it where both groups are hidden, as nothing shows; otherwise give the later faces a group name of \
+                 their own",
+            )
             .evidence(evidence),
     )
 }
