@@ -17,7 +17,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
             the header of such an array and nothing else.\n\nDelete the archive; the program makes it anew. It does not \
             belong into version control.\n\n`base.mhbin` is a base mesh that `compile_meshes.py` packed: `header`, `grpNames`, \
             `coord`, `uvs`, `overflow`, `groupinfo`, `vertsperface` and `faceverts`. While it is there MakeHuman 2 loads it in place \
-            of `base.obj` (`prepareClass` in core/baseobj.py, `importObjFromFile` in obj3d/fops_binary.py). A file that is no zip ends in a \
+            of `base.obj`. A file that is no zip ends in a \
             ValueError (fops_binary.py:153), one of 0 bytes in an EOFError (`file-empty`), one that lacks a member is refused, and members \
             that do not fit together end in an IndexError. Behind a position that is a copy of no vertex the surface tears (a \
             warning). What else is wrong with a mesh is for the rules on meshes. Delete the archive, or pack the mesh anew.",

@@ -14,8 +14,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
             "shows the mesh of the archive and never looks at the OBJ, whichever is newer",
         )],
         docs: "`compile_meshes.py` packs `base.obj` into `base.mhbin`, and from then on MakeHuman 2 loads that: it looks for the user's \
-            base.mhbin, then the system's, and only then for a base.obj (`prepareClass` in core/baseobj.py); an OBJ that it chose gives way to an archive \
-            beside it (`importObjFromFile` in obj3d/fops_binary.py). Dates are not compared: a mesh that was exported anew stays without \
+            base.mhbin, then the system's, and only then for a base.obj; an OBJ that it chose gives way to an archive \
+            beside it. Dates are not compared: a mesh that was exported anew stays without \
             effect, silently, until the archive is deleted or made anew.\n\nReported is one finding for each archive with what differs: the number of vertices, \
             vertices that lie elsewhere and the farthest of them, faces, groups, texture coordinates. The order of faces makes no \
             difference, nor does a vertex that is less than 0.0001 units (0.001 cm) away. All other rules check the mesh of the archive; \
@@ -65,7 +65,7 @@ fn finding(at: &FileFacts, archive: &FileFacts, text: &UnreadMesh<'_>, told: &To
     let what: Vec<&str> = kinds.iter().map(|(_, what)| what.as_str()).collect();
     let (case, help, other): (Case, _, _) = match text.lies {
         Lies::Beside => (&[], "delete base.mhbin, or pack base.obj anew with compile_meshes.py", text.file),
-        Lies::Above => (ABOVE, "pack the user's base.obj as well: compile_meshes.py -u", archive),
+        Lies::Above => (ABOVE, "pack the user's base.obj as well", archive),
         Lies::Below => (BELOW, "delete base.mhbin if the system's mesh is meant", text.file),
     };
     let message = format!("base.mhbin differs from base.obj: {}", what.join("; "));
