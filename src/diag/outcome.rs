@@ -1,7 +1,6 @@
 //! What a run gives back: plain data, made for several applications.
 
-use std::cmp::Reverse;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::time::Duration;
 
 use serde::Serialize;
@@ -102,9 +101,9 @@ pub struct NotChecked {
     pub count: usize,
     /// The first few, by path.
     pub examples: Vec<String>,
-    /// How many there are of each extension, the most first.
+    /// All of them.
     #[serde(skip)]
-    pub extensions: Vec<(String, usize)>,
+    pub paths: BTreeSet<String>,
 }
 
 /// What was not checked of a file, and why.
@@ -223,16 +222,8 @@ pub struct Untouched {
 impl NotChecked {
     /// An entry for these files, or names of files.
     pub(crate) fn of(application: Option<Application>, what: Unchecked, paths: BTreeSet<String>) -> Self {
-        let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
-        for path in &paths {
-            let name = path.rsplit('/').next().unwrap_or(path);
-            *counts.entry(name.rsplit_once('.').map_or("", |(_, extension)| extension)).or_default() += 1;
-        }
-        let mut extensions: Vec<(String, usize)> =
-            counts.into_iter().map(|(extension, count)| (extension.to_owned(), count)).collect();
-        extensions.sort_by_key(|(_, count)| Reverse(*count));
-        let count = paths.len();
-        Self { application, what, count, examples: paths.into_iter().take(EXAMPLES).collect(), extensions }
+        let examples = paths.iter().take(EXAMPLES).cloned().collect();
+        Self { application, what, count: paths.len(), examples, paths }
     }
 }
 

@@ -69,26 +69,23 @@ impl<'r> Coverage<'r> {
 
     /// Says what was not checked.
     pub(super) fn conclude(self, outcome: &mut Outcome) {
-        let unchecked: BTreeSet<&str> =
-            outcome.roots.iter().filter(|root| !root.checked).map(|root| root.path.as_str()).collect();
-        let kinds: Vec<&String> =
-            self.left.iter().filter(|((_, what), _)| *what == Unchecked::Kind).flat_map(|(_, paths)| paths).collect();
-        let named = outcome.not_checked.iter().filter(|entry| entry.what == Unchecked::Kind);
-        let kinds: Vec<&String> = kinds.into_iter().chain(named.flat_map(|entry| &entry.examples)).collect();
+        let left = self.left.into_iter().map(|((application, what), paths)| NotChecked::of(application, what, paths));
+        outcome.not_checked.extend(left);
+        outcome.not_checked.sort_by_key(|entry| (entry.application, entry.what));
+        let is_below_it = |entry: &NotChecked, path: &str| entry.paths.iter().any(|other| is_below(other, path));
         let why = |path: &str| {
-            if unchecked.iter().any(|root| is_below(path, root) || is_below(root, path) || *root == shown(path)) {
-                Some(Unchecked::Application)
-            } else {
-                kinds.iter().any(|file| is_below(file, path)).then_some(Unchecked::Kind)
-            }
+            let whole = outcome.not_checked.iter().filter(|entry| is_of_whole_files(entry.what));
+            whole.rev().find(|entry| is_below_it(entry, path)).map(|entry| entry.what)
         };
         let untouched = self.untouched.iter();
         outcome.nothing_in =
             untouched.map(|path| Untouched { path: shown(path).to_owned(), what: why(path) }).collect();
-        let left = self.left.into_iter().map(|((application, what), paths)| NotChecked::of(application, what, paths));
-        outcome.not_checked.extend(left);
-        outcome.not_checked.sort_by_key(|entry| (entry.application, entry.what));
     }
+}
+
+/// Whether nothing at all was checked of the files.
+const fn is_of_whole_files(what: Unchecked) -> bool {
+    matches!(what, Unchecked::Kind | Unchecked::Application)
 }
 
 impl Asked<'_> {

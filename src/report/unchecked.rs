@@ -1,5 +1,8 @@
 //! What was not checked, in words.
 
+use std::cmp::Reverse;
+use std::collections::BTreeMap;
+
 use super::count;
 use crate::diag::{NotChecked, Outcome, Unchecked};
 
@@ -37,12 +40,19 @@ fn clause(entry: &NotChecked) -> String {
 
 /// `12 .bvh, 3 .blend and 5 more files`.
 fn by_extension(entry: &NotChecked) -> String {
-    let named = entry.extensions.iter().take(NAMED).map(|(extension, count)| match extension.as_str() {
+    let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
+    for path in &entry.paths {
+        let name = path.rsplit('/').next().unwrap_or(path);
+        *counts.entry(name.rsplit_once('.').map_or("", |(_, extension)| extension)).or_default() += 1;
+    }
+    let mut counts: Vec<(&str, usize)> = counts.into_iter().collect();
+    counts.sort_by_key(|(_, count)| Reverse(*count));
+    let named = counts.iter().take(NAMED).map(|(extension, count)| match *extension {
         "" => format!("{count} without extension"),
         extension => format!("{count} .{extension}"),
     });
     let mut words = named.collect::<Vec<_>>().join(", ");
-    let more: usize = entry.extensions.iter().skip(NAMED).map(|(_, count)| count).sum();
+    let more: usize = counts.iter().skip(NAMED).map(|(_, count)| count).sum();
     if more > 0 {
         words = format!("{words} and {}", count(more, "more file"));
     }
