@@ -178,9 +178,10 @@ fn write_reports(
 
 /// Says on standard error what no report on standard output says.
 fn tell(outcome: &Outcome, args: &CheckArgs, targets: &[Target], err: &mut dyn Write) -> Result<(), Failure> {
-    let is_printed = |shows: fn(Format) -> bool, target: &Target| shows(target.format) && target.file.is_none();
     let mut lines: Vec<String> = Vec::new();
-    if is_empty(outcome) || (!args.quiet && !targets.iter().any(|target| is_printed(Format::shows_notes, target))) {
+    if is_empty(outcome)
+        || (!args.quiet && !targets.iter().any(|target| target.file.is_none() && target.format.shows_notes()))
+    {
         lines.extend(outcome.notes.iter().map(report::note));
     }
     if is_empty(outcome) || (!args.quiet && !targets.iter().any(|target| target.format.shows_unchecked())) {

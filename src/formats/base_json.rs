@@ -36,6 +36,13 @@ pub struct BaseJson {
     pub head_pattern: Option<Vec<String>>,
 }
 
+impl BaseJson {
+    /// Whether a group of the mesh is drawn.
+    pub fn shows(&self, group: &str) -> bool {
+        self.visible_groups.as_ref().is_none_or(|visible| visible.iter().any(|name| name == group))
+    }
+}
+
 /// `random` of a base.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Random {

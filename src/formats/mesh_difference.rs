@@ -1,6 +1,7 @@
 //! How two meshes differ for those who see them: not in the order of faces, nor in the last digit of a position.
 
 use std::cmp::Ordering;
+use std::collections::BTreeSet;
 
 use super::obj::{Face, Mesh};
 use super::stored;
@@ -95,9 +96,12 @@ fn distance(a: &[f32; 3], b: &[f32; 3]) -> f32 {
 
 /// Groups with faces that the other mesh has not.
 fn missing(one: &Mesh, other: &Mesh) -> Vec<String> {
-    let has = |name: &str| other.groups.iter().any(|group| group.faces > 0 && group.name == name);
-    let own = one.groups.iter().filter(|group| group.faces > 0);
-    own.filter(|group| !has(&group.name)).map(|group| group.name.clone()).collect()
+    let others: BTreeSet<&str> = groups_with_faces(other).collect();
+    groups_with_faces(one).filter(|name| !others.contains(name)).map(str::to_owned).collect()
+}
+
+fn groups_with_faces(mesh: &Mesh) -> impl Iterator<Item = &str> {
+    mesh.groups.iter().filter(|group| group.faces > 0).map(|group| group.name.as_str())
 }
 
 /// A face from its lowest vertex on, whichever of its corners came first.

@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::faulty_rows::row_name;
 use super::fields::fields;
-pub use super::obj_facts::{BadLine, MeshFacts, Reopened, Repeating, ShortFace};
+pub use super::obj_facts::{BadLine, Bounds, MeshFacts, Reopened, Repeating, ShortFace, joined};
 use super::target::MeshSize;
 use super::{python_float, python_int, stored};
 use crate::source::lines;

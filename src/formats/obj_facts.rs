@@ -39,7 +39,12 @@ pub struct MeshFacts {
     pub unused: Tally,
     /// Groups that mix faces with and without texture coordinates.
     pub partial_uv: Vec<PartialUv>,
+    /// Lowest and highest coordinate along each axis, mesh units, of the vertices that the faces of each group use.
+    pub bounds: Vec<Option<Bounds>>,
 }
+
+/// Lowest and highest coordinate along each axis.
+pub type Bounds = [(f32, f32); 3];
 
 /// A group name that was opened again after another one.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -126,6 +131,7 @@ impl MeshFacts {
         self.check_faces(mesh, lines);
         self.repeating = repeating(mesh, lines);
         self.partial_uv = partial_uv(mesh, lines);
+        self.bounds = bounds(mesh);
         self.count_unused(mesh);
         self.seam_duplicates = count_seams(mesh);
     }
@@ -159,6 +165,24 @@ impl MeshFacts {
 fn run(values: &[u32], face: Face) -> &[u32] {
     let start = face.start as usize;
     values.get(start..start.saturating_add(face.len as usize)).unwrap_or_default()
+}
+
+fn bounds(mesh: &Mesh) -> Vec<Option<Bounds>> {
+    let mut bounds: Vec<Option<Bounds>> = vec![None; mesh.groups.len()];
+    for face in &mesh.faces {
+        let Some(bounds) = bounds.get_mut(face.group as usize) else { continue };
+        for position in run(&mesh.corners, *face).iter().filter_map(|vertex| mesh.positions.get(*vertex as usize)) {
+            let own = position.map(|part| (part, part));
+            *bounds = Some(bounds.map_or(own, |known| joined(&known, &own)));
+        }
+    }
+    bounds
+}
+
+/// What holds both.
+pub fn joined([ax, ay, az]: &Bounds, [bx, by, bz]: &Bounds) -> Bounds {
+    let axis = |one: &(f32, f32), other: &(f32, f32)| (one.0.min(other.0), one.1.max(other.1));
+    [axis(ax, bx), axis(ay, by), axis(az, bz)]
 }
 
 fn repeating(mesh: &Mesh, lines: &[u32]) -> Vec<Repeating> {

@@ -145,6 +145,11 @@ impl<'v> Body<'v> {
         self.default_rig()?.weights_file()
     }
 
+    /// Whether a group of the mesh is shown; where that is said nowhere, all of them are.
+    pub(crate) fn shows(&self, group: &str) -> bool {
+        self.visible_groups.is_none_or(|visible| visible.iter().any(|name| name == group))
+    }
+
     /// The mesh, if every line of it could be read. Otherwise vertices have other numbers than their author meant.
     pub(crate) fn whole_mesh(&self) -> Option<&'v Mesh> {
         self.mesh.map(|(_, mesh)| mesh).filter(|mesh| mesh.facts.unreadable_lines == 0)

@@ -103,8 +103,7 @@ fn overlaid<'a, T>(
 
 /// Whether the application stops at a face of the mesh that it draws: one with too few corners.
 pub(super) fn breaks_off(mesh: &Mesh, settings: Option<&BaseJson>) -> bool {
-    let visible = settings.and_then(|settings| settings.visible_groups.as_ref());
-    let is_drawn = |group: &String| visible.is_none_or(|visible| visible.contains(group));
+    let is_drawn = |group: &str| settings.is_none_or(|settings| settings.shows(group));
     mesh.facts.short_faces.iter().any(|face| is_drawn(&face.group))
 }
 

@@ -56,8 +56,7 @@ impl<'a> View<'a> {
     /// Whether the base that a mesh belongs to shows the group.
     pub(in crate::repo) fn draws(&self, mesh: &FileFacts, group: &str) -> bool {
         let base = self.bases.iter().find(|base| Some(base.name) == mesh.base_in(OWN));
-        let visible = base.and_then(|base| base.settings()?.1.visible_groups.as_ref());
-        visible.is_none_or(|visible| visible.iter().any(|name| name == group))
+        base.and_then(Base::settings).is_none_or(|(_, settings)| settings.shows(group))
     }
 
     /// Whether a path lies in the target folder of a user, whose JSON `MakeHuman` 2 writes itself.

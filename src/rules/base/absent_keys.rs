@@ -1,13 +1,10 @@
 //! Keys that `base.json` needs for what the base mesh has.
 
 use super::super::Rule;
+use super::super::cause::consequence::NO_POSE_SKELETON;
 use super::super::cause::schema::is_faulty;
 use crate::diag::{Finding, Level, Place};
 use crate::repo::makehuman2::{Base, View};
-
-/// What becomes of a base without a skeleton for poses.
-pub(super) const NO_SKELETON: &str =
-    "shows a message whenever poses or rigs are opened; its editors and the glTF export stop with an AttributeError";
 
 /// Keys of `base.json` without which a part of the base is silently not used. A base without sliders needs no start
 /// model, and one without skeletons no skeleton.
@@ -28,7 +25,7 @@ pub(super) fn findings(rule: &Rule, view: &View<'_>, base: &Base<'_>) -> Vec<Fin
     if let (None, [rig, ..], false) = (&settings.pose_skeleton, &*base.rigs, is_faulty(file, "pose-skeleton")) {
         let message = format!("the base `{}` has skeletons, but names none as `pose-skeleton`", base.name);
         let own = base.rigs.iter().find(|rig| rig.file.stem() == "default").unwrap_or(rig);
-        found.push(finding("pose-skeleton", message, NO_SKELETON, own.file.file_name()).level(Level::Error));
+        found.push(finding("pose-skeleton", message, NO_POSE_SKELETON, own.file.file_name()).level(Level::Error));
     }
     found
 }

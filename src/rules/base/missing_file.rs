@@ -1,5 +1,6 @@
 //! A base needs its `base.json`, its mesh, and what `base.json` names.
 
+use super::super::cause::consequence::NO_POSE_SKELETON;
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::absent_keys;
 use super::sliders::{self, Gap};
@@ -64,7 +65,7 @@ fn named(view: &View<'_>, base: &Base<'_>, reference: &Reference<'_>) -> Option<
     );
     let finding = finding.help(help);
     Some(match reference.kind {
-        ReferenceKind::PoseSkeleton => finding.effect(absent_keys::NO_SKELETON),
+        ReferenceKind::PoseSkeleton => finding.effect(NO_POSE_SKELETON),
         _ => finding.effect("stops with a TypeError when the base is loaded"),
     })
 }

@@ -50,6 +50,11 @@ pub(in crate::rules) enum SystemFolder {
     Unknown,
 }
 
+/// Whether the program looks for targets in a folder of the system that is not there; it stops before it asks for one.
+pub(in crate::rules) fn lacks_folder(view: &View<'_>, base: &Base<'_>) -> bool {
+    !base.macros.is_overridden() && system_folder(view, base) == SystemFolder::Absent
+}
+
 pub(in crate::rules) fn system_folder(view: &View<'_>, base: &Base<'_>) -> SystemFolder {
     let rel = format!("target/{}", base.name);
     let Some(system) = view.layers.system.filter(|_| base.has_system) else { return SystemFolder::Unknown };

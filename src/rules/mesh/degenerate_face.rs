@@ -49,5 +49,5 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 
 fn is_visible(body: &Body<'_>, mesh: &Mesh, face: &Repeating) -> bool {
     let group = mesh.groups.get(face.group as usize);
-    body.visible_groups.is_none_or(|visible| group.is_some_and(|group| visible.contains(&group.name)))
+    group.is_some_and(|group| body.shows(&group.name))
 }

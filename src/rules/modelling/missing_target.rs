@@ -1,7 +1,7 @@
 //! `incr` and `decr` must name targets that exist.
 
 use super::super::cause::is_generated_for;
-use super::super::cause::overlay::{SystemFolder, system_folder};
+use super::super::cause::overlay::lacks_folder;
 use super::super::{Check, Rule, RuleCx};
 use super::foreign;
 use super::marks;
@@ -31,10 +31,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let is_target = |kind| matches!(kind, ReferenceKind::Incr | ReferenceKind::Decr);
     // Without any folder to load from the program does not get as far as the targets (`overlay-partial-override`).
-    if !base.macros.is_overridden()
-        && base.user_modelling.file().is_some()
-        && system_folder(view, base) == SystemFolder::Absent
-    {
+    if lacks_folder(view, base) && base.user_modelling.file().is_some() {
         return;
     }
     if base.has_foreign_sliders() {

@@ -53,7 +53,7 @@ fn finding(bound: &BoundSlider<'_>, member: &str, fault: &Fault) -> Finding {
         }
     };
     let help = match member {
-        _ if fault.what.contains("`^`") => "write `**` for a power",
+        _ if fault.kind == FaultKind::Mistyped => "write `**` for a power, `and` and `or` between conditions",
         _ if fault.kind == FaultKind::Pair => "write a point in a number: `0.5`",
         "text" => "use `{}` for the result, with a layout such as `{:.1f}` if need be",
         _ => "use numbers, `val`, arithmetic, comparisons, `if`/`else`, `round`, `str` and texts joined with `+`",

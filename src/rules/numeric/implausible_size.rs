@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Confidence, Evidence, Finding, Level, Place, RuleInfo};
-use crate::formats::obj::Mesh;
+use crate::formats::obj::{Mesh, joined};
 use crate::repo::{Body, Rig};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -27,7 +27,7 @@ const LARGEST: f32 = 60.0;
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, mesh)) = body.mesh.filter(|(_, mesh)| mesh.facts.non_finite.count == 0) else { return };
     let has_rig = body.default_rig().and_then(Rig::skeleton).is_some_and(|skeleton| !skeleton.bones.is_empty());
-    let Some(extent) = extent(mesh, body.visible_groups.unwrap_or_default()).filter(|_| has_rig) else { return };
+    let Some(extent) = extent(body, mesh).filter(|_| has_rig) else { return };
     if extent > SMALLEST && extent < LARGEST {
         return;
     }
@@ -42,23 +42,9 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 }
 
 /// The largest extent of the shown groups along an axis.
-fn extent(mesh: &Mesh, shown: &[String]) -> Option<f32> {
-    let is_shown = |group: u32| {
-        let name = mesh.groups.get(group as usize).map(|group| &group.name);
-        name.is_some_and(|name| shown.is_empty() || shown.contains(name))
-    };
-    let faces = mesh.faces.iter().filter(|face| is_shown(face.group));
-    let corners = faces.flat_map(|face| {
-        let start = face.start as usize;
-        mesh.corners.get(start..start.saturating_add(face.len as usize)).unwrap_or_default()
-    });
-    let mut ends: Option<[(f32, f32); 3]> = None;
-    for position in corners.filter_map(|vertex| mesh.positions.get(*vertex as usize)) {
-        let ends = ends.get_or_insert_with(|| position.map(|part| (part, part)));
-        for ((lowest, highest), part) in ends.iter_mut().zip(position) {
-            *lowest = lowest.min(*part);
-            *highest = highest.max(*part);
-        }
-    }
-    ends.map(|ends| ends.iter().fold(0.0, |most: f32, (lowest, highest)| most.max(highest - lowest)))
+fn extent(body: &Body<'_>, mesh: &Mesh) -> Option<f32> {
+    let groups = mesh.groups.iter().zip(&mesh.facts.bounds);
+    let shown = groups.filter(|(group, _)| body.shows(&group.name)).filter_map(|(_, bounds)| *bounds);
+    let bounds = shown.reduce(|one, other| joined(&one, &other))?;
+    Some(bounds.iter().fold(0.0, |most: f32, (lowest, highest)| most.max(highest - lowest)))
 }

@@ -9,7 +9,9 @@ pub(super) mod targets_not_in_layer;
 pub(super) mod user_key_clash;
 pub(super) mod user_target_too_deep;
 
-use super::cause::overlay::{SystemFolder, has_broken_override, has_misnamed_override, is_active, system_folder};
+use super::cause::overlay::{
+    SystemFolder, has_broken_override, has_misnamed_override, is_active, lacks_folder, system_folder,
+};
 use crate::repo::makehuman2::{Base, Candidate, Overlaid, View};
 use crate::repo::{FileFacts, Reference, Resolution};
 

@@ -2,7 +2,8 @@
 
 use super::super::{Check, Rule, RuleCx, counted};
 use super::{
-    SystemFolder, has_broken_override, has_misnamed_override, in_other_layer, overrides, system_folder, user_sliders,
+    SystemFolder, has_broken_override, has_misnamed_override, in_other_layer, lacks_folder, overrides, system_folder,
+    user_sliders,
 };
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::repo::FileFacts;
@@ -31,11 +32,8 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
     // What follows from a broken file, or shows as targets in the wrong layer, is said by those rules.
     let system = system_folder(view, base);
     let [macros, sliders, categories] = overrides(base);
-    let stops = !macros.active && system == SystemFolder::Absent;
-    if has_broken_override(base)
-        || has_misnamed_override(view, base)
-        || !stops && in_other_layer(view, base).next().is_some()
-    {
+    let is_elsewhere = || !lacks_folder(view, base) && in_other_layer(view, base).next().is_some();
+    if has_broken_override(base) || has_misnamed_override(view, base) || is_elsewhere() {
         return;
     }
     let found = match (macros.active, sliders.active, categories.active) {

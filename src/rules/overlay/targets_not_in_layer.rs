@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx, counted};
-use super::{SystemFolder, has_misnamed_override, in_other_layer, system_folder};
+use super::{has_misnamed_override, in_other_layer, lacks_folder};
 use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 use crate::repo::{Reference, ReferenceKind};
@@ -34,8 +34,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     // A macro.json that is refused is the cause, and `overlay-broken-override` says so; without any folder
     // to load from the program does not get as far as the targets (`overlay-partial-override`).
-    let no_folder = !base.macros.is_overridden() && system_folder(view, base) == SystemFolder::Absent;
-    if base.macros.contarget.is_refused() || has_misnamed_override(view, base) || no_folder {
+    if base.macros.contarget.is_refused() || has_misnamed_override(view, base) || lacks_folder(view, base) {
         return;
     }
     let lost: Vec<&Reference<'_>> = in_other_layer(view, base).collect();

@@ -40,8 +40,6 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let groups = mesh.groups_of(&weights.facts.sum.unweighted);
         let vertices: BTreeSet<u32> = groups.values().flatten().copied().collect();
         let Some(first) = vertices.first() else { continue };
-        let is_visible =
-            |group: &str| body.visible_groups.is_none_or(|visible| visible.iter().any(|name| name == group));
         let named: Vec<String> = groups
             .iter()
             .take(GROUPS_NAMED)
@@ -59,7 +57,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             .at(file, Place::pointer(["weights"]), message)
             .help("paint the vertices for the bones that should move them")
             .evidence(Evidence::of_cases(&vertices).out_of(weights.facts.sums.len()));
-        let is_seen = groups.keys().any(|group| is_visible(group));
+        let is_seen = groups.keys().any(|group| body.shows(group));
         out.push(if is_seen { finding } else { finding.at_most(Level::Info) });
     }
 }

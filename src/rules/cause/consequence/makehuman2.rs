@@ -34,8 +34,9 @@ pub(super) const NOT_READ: &str = "never reads this file; the scripts that align
 pub(in crate::rules) const NEVER_OPENED: &str =
     "never opens it; of all geometry.json its scripts open that of `hm08` alone";
 pub(super) const NO_WEIGHTS_LOADED: &str = "loads no weights at all: in pose mode the mesh collapses to the origin";
-const NO_POSE_SKELETON: &str = "shows a message at every visit to poses and rigs, has no bone weights for assets, and stops \
-    with an AttributeError in the editors and the glTF export";
+/// What becomes of a base without a skeleton for poses.
+pub(in crate::rules) const NO_POSE_SKELETON: &str = "has no poses and no bone weights for assets, shows a message whenever \
+    poses or rigs are opened, and stops with an AttributeError in the editors and the glTF export";
 const NO_BASE: &str = "does not load the base mesh";
 const SCAN: &str = "stops at start while it scans the assets";
 const SCAN_SYNTAX: Cell = cell(Syntax, Error, "stops at start, while it scans the assets (AttributeError)");

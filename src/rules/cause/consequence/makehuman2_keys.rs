@@ -1,6 +1,6 @@
 //! What becomes of what a misspelt key was meant for: a table by format and key (formats/makehuman2.md §3.1, §4.1, §5.1, §7).
 
-use super::Consequence;
+use super::{Consequence, NO_POSE_SKELETON};
 use crate::diag::Level;
 use crate::discover::Kind;
 use crate::json::UnknownKey;
@@ -45,8 +45,7 @@ static ROWS: [Row; 22] = [
     row(TargetCategories, "items", Warning, "ignores the key: the headline is empty, and its sliders are shown nowhere"),
     row(TargetCategories, "group", Warning, "ignores the key: the sliders of the category are shown nowhere"),
     row(BaseJson, "equipment", Warning, "ignores the key and offers clothes only"),
-    row(BaseJson, "pose-skeleton", Error,
-        "ignores the key: no poses and no bone weights for assets, a message at every visit to poses and rigs"),
+    row(BaseJson, "pose-skeleton", Error, NO_POSE_SKELETON),
     row(BaseJson, "mhm", Warning, "ignores the key: the default material is shown, and no target is applied at start"),
     row(BaseJson, "modifier-presets", Warning, "ignores the key: the sliders start at 0"),
     row(BaseJson, "measure", Warning, "ignores the key and shows no sizes"),

@@ -8,7 +8,7 @@ mod makehuman2_values;
 mod mpfb;
 mod table;
 
-pub(in crate::rules) use makehuman2::{NEVER_OPENED, ignored_override, is_opened_by_scripts};
+pub(in crate::rules) use makehuman2::{NEVER_OPENED, NO_POSE_SKELETON, ignored_override, is_opened_by_scripts};
 use table::{Row, Standing, Table};
 
 use crate::diag::{Application, Case, Finding, Level};
