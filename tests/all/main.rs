@@ -5,6 +5,7 @@
 
 mod architecture;
 mod baseline;
+mod bounded;
 mod cli;
 mod compare;
 mod compared_cases;
