@@ -8,7 +8,12 @@ use super::reader::{DEEPEST, SyntaxKind};
 impl fmt::Display for SyntaxFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.kind {
-            SyntaxKind::Expected { expected, found } => write!(f, "expected {expected}, found `{found}`"),
+            SyntaxKind::Expected { expected, found } => match self.invisible() {
+                Some(letter) => {
+                    write!(f, "expected {expected}, found the invisible character U+{:04X}", u32::from(letter))
+                }
+                None => write!(f, "expected {expected}, found `{found}`"),
+            },
             SyntaxKind::TrailingComma => f.write_str("a comma before the closing bracket"),
             SyntaxKind::Comment => f.write_str("a comment, which JSON does not have"),
             SyntaxKind::Conflict => f.write_str("a merge conflict that was not resolved"),
@@ -18,5 +23,18 @@ impl fmt::Display for SyntaxFault {
             SyntaxKind::TrailingText => f.write_str("something follows after the end of the value"),
             SyntaxKind::TooDeep => write!(f, "nested deeper than {DEEPEST} levels"),
         }
+    }
+}
+
+impl SyntaxFault {
+    /// The character at the fault, if nobody can see it.
+    pub fn invisible(&self) -> Option<char> {
+        let SyntaxKind::Expected { found, .. } = &self.kind else { return None };
+        let is_invisible = |letter: &char| {
+            letter.is_control()
+                || (letter.is_whitespace() && !letter.is_ascii())
+                || matches!(letter, '\u{200b}'..='\u{200f}' | '\u{2060}' | '\u{feff}')
+        };
+        found.chars().next().filter(is_invisible)
     }
 }

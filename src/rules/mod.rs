@@ -202,6 +202,12 @@ pub(crate) static RULES: &[&Rule] = &[
     &weights::wrong_side::RULE,
 ];
 
+/// A share in percent, with a decimal where it is small.
+fn percent(share: f64) -> String {
+    let percent = share * 100.0;
+    if percent < 10.0 { format!("{percent:.1} %") } else { format!("{percent:.0} %") }
+}
+
 #[cfg(test)]
 mod tests {
     use super::RULES;

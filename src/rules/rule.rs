@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::diag::{Application, Finding, OptionInfo, Place, RuleInfo, Upkeep};
+use crate::diag::{Application, Finding, OptionInfo, Place, RuleInfo, Suggestions, Upkeep};
 use crate::eval::measures::Measures;
 use crate::repo::{Body, FileFacts, Layer, View, makehuman1, makehuman2, mpfb};
 
@@ -39,6 +39,8 @@ pub(crate) enum Check {
 pub(crate) struct RuleCx<'a> {
     /// Options that were set, by rule and name.
     pub(crate) options: &'a BTreeMap<(String, String), f64>,
+    /// What misspelt names were meant to be; one run of a rule asks for so many and no more.
+    pub(crate) suggestions: Suggestions,
 }
 
 impl Rule {
@@ -58,7 +60,12 @@ impl Rule {
     }
 }
 
-impl RuleCx<'_> {
+impl<'a> RuleCx<'a> {
+    /// For one run of a rule.
+    pub(crate) fn new(options: &'a BTreeMap<(String, String), f64>) -> Self {
+        Self { options, suggestions: Suggestions::default() }
+    }
+
     /// Value of an option of `rule`: as set, or its default.
     pub(crate) fn option(&self, rule: &Rule, name: &'static str) -> f64 {
         let declared = rule.info.options.iter().find(|option| option.name == name);

@@ -17,6 +17,7 @@ mod zip_size;
 
 pub use limits::Limits;
 pub use text::Encoding;
+pub(crate) use text::Guess;
 pub use tree::Tree;
 
 pub(crate) use folder::{Folder, holds, is_below};

@@ -21,7 +21,7 @@ pub struct Encoding {
     /// Nothing but lines that begin with `#`, at least one of them, byte order mark aside.
     pub only_comments: bool,
     /// What the bytes probably are, where they are no UTF-8.
-    pub guess: Option<&'static str>,
+    pub guess: Option<Guess>,
     /// Words of the first line behind a byte order mark; what is read wrongly because of it.
     pub marked_words: Vec<String>,
 }
@@ -49,15 +49,30 @@ impl Encoding {
     }
 }
 
+/// What bytes are that are no UTF-8.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Guess {
+    /// Text in UTF-16.
+    Utf16,
+    /// Packed with gzip.
+    Gzip,
+    /// No text.
+    Binary,
+    /// Text in Latin-1 or a code page of Windows.
+    SingleByte,
+}
+
 /// UTF-16 shows by its mark or by the zeros between Latin letters; the rest is some single-byte code.
-fn guess(bytes: &[u8]) -> &'static str {
+fn guess(bytes: &[u8]) -> Guess {
     let zeros: usize = bytes.iter().map(|byte| usize::from(*byte == 0)).sum();
-    if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") || zeros > bytes.len() / 4 {
-        "UTF-16"
+    if bytes.starts_with(b"\x1f\x8b\x08") {
+        Guess::Gzip
+    } else if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") || zeros > bytes.len() / 4 {
+        Guess::Utf16
     } else if zeros > 0 {
-        "binary data"
+        Guess::Binary
     } else {
-        "Latin-1 or a Windows code page"
+        Guess::SingleByte
     }
 }
 
@@ -73,9 +88,10 @@ mod tests {
     #[test]
     fn guesses_name_the_usual_culprits() {
         for (bytes, guess) in [
-            (&b"J\xf6rg"[..], Some("Latin-1 or a Windows code page")),
-            (b"\xff\xfea\0b\0", Some("UTF-16")),
-            (b"\x89PNG\0data data data", Some("binary data")),
+            (&b"J\xf6rg"[..], Some(Guess::SingleByte)),
+            (b"\xff\xfea\0b\0", Some(Guess::Utf16)),
+            (b"\x89PNG\0data data data", Some(Guess::Binary)),
+            (b"\x1f\x8b\x08\0\0\xff", Some(Guess::Gzip)),
             ("Jörg".as_bytes(), None),
             (b"a\0", None),
         ] {

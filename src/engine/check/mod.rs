@@ -64,13 +64,12 @@ fn check_view(
     options: &Config,
     outcome: &mut Outcome,
 ) -> Vec<Finding> {
-    let cx = RuleCx { options: &options.rule_options };
     let application = view.application();
     let checked = Checked { view, files: view.files().collect(), bodies: view.bodies(), measures };
     let is_on = |rule: &Rule| selection.runs(rule.info.id) && rule.concerns(application);
     let rules: Vec<&Rule> = rules.iter().copied().filter(|rule| is_on(rule)).collect();
-    let mut done = over_files(&checked, &rules, &cx);
-    let others = rules.par_iter().map(|rule| run_caught(|out| run_rule(rule, &checked, &cx, options, out)));
+    let mut done = over_files(&checked, &rules, options);
+    let others = rules.par_iter().map(|rule| run_caught(|out| run_rule(rule, &checked, options, out)));
     done.iter_mut().zip(others.collect::<Vec<_>>()).for_each(|(done, other)| done.join(other));
     let mut findings = Vec::new();
     for (rule, done) in rules.iter().zip(done) {
@@ -81,24 +80,18 @@ fn check_view(
             findings.extend(done.findings);
         }
     }
-    let of_system = |names: &BTreeSet<&'static str>| alone(view, &rules, names, &cx, options);
+    let of_system = |names: &BTreeSet<&'static str>| alone(view, &rules, names, options);
     let findings = pair::at_checked(findings, view.layers(), of_system);
     findings.into_iter().map(|finding| finding.only_in(&[application])).collect()
 }
 
 /// What these rules find in the system data alone.
-fn alone(
-    view: &View<'_>,
-    rules: &[&Rule],
-    names: &BTreeSet<&'static str>,
-    cx: &RuleCx<'_>,
-    options: &Config,
-) -> Vec<Finding> {
+fn alone(view: &View<'_>, rules: &[&Rule], names: &BTreeSet<&'static str>, options: &Config) -> Vec<Finding> {
     let Some(system) = view.layers().system else { return Vec::new() };
     let view = View::connect(view.application(), Layers { system: Some(system), user: None, checked: system });
     let checked = Checked { view: &view, files: Vec::new(), bodies: view.bodies(), measures: None };
     let asked = rules.iter().filter(|rule| names.contains(rule.info.id));
-    asked.flat_map(|rule| run_caught(|out| run_rule(rule, &checked, cx, options, out)).findings).collect()
+    asked.flat_map(|rule| run_caught(|out| run_rule(rule, &checked, options, out)).findings).collect()
 }
 
 impl Done {
@@ -117,10 +110,13 @@ fn run_caught(run: impl FnOnce(&mut Vec<Finding>)) -> Done {
 }
 
 /// What the rules on files did, in the order of `rules`; nothing for the others.
-fn over_files(checked: &Checked<'_>, rules: &[&Rule], cx: &RuleCx<'_>) -> Vec<Done> {
+fn over_files(checked: &Checked<'_>, rules: &[&Rule], options: &Config) -> Vec<Done> {
     let run_all = |files: &[&FileFacts]| -> Vec<Done> {
         let run = |rule: &&Rule| match rule.check {
-            Check::File(run) => run_caught(|out| files.iter().for_each(|file| run(checked.view, file, cx, out))),
+            Check::File(run) => run_caught(|out| {
+                let cx = RuleCx::new(&options.rule_options);
+                files.iter().for_each(|file| run(checked.view, file, &cx, out));
+            }),
             _ => Done::default(),
         };
         rules.iter().map(run).collect()
@@ -134,7 +130,8 @@ fn over_files(checked: &Checked<'_>, rules: &[&Rule], cx: &RuleCx<'_>) -> Vec<Do
 }
 
 /// Runs a rule on more than files.
-fn run_rule(rule: &Rule, checked: &Checked<'_>, cx: &RuleCx<'_>, options: &Config, out: &mut Vec<Finding>) {
+fn run_rule(rule: &Rule, checked: &Checked<'_>, options: &Config, out: &mut Vec<Finding>) {
+    let cx = &RuleCx::new(&options.rule_options);
     // What belongs to no mesh is asked for with every one.
     let asked = |name: &str| name.is_empty() || options.asks_for_base(name);
     let bodies = || checked.bodies.iter().filter(|body| asked(body.name));
@@ -165,7 +162,7 @@ pub(super) fn check_upkeep(
     options: &Config,
     failed: &mut Vec<String>,
 ) -> Vec<Finding> {
-    let cx = RuleCx { options: &options.rule_options };
+    let cx = RuleCx::new(&options.rule_options);
     let mut findings = Vec::new();
     for rule in RULES.iter().filter(|rule| selection.runs(rule.info.id)) {
         if let Check::Upkeep(run) = rule.check {

@@ -7,6 +7,7 @@ use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
 use crate::repo::{FileFacts, View};
+use crate::source::Guess;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -27,9 +28,20 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
         return;
     };
     let Some(loss) = consequence(view, &file.rel, Damage::NotUtf8) else { return };
-    let guess = file.encoding.guess.unwrap_or("another encoding");
-    let message = format!("`{}` is not UTF-8 (probably {guess})", file.file_name());
-    let finding = RULE.at(file, Place::Span(at..at + 1), message);
-    let finding = loss.of(view, finding).help("save the file as UTF-8 without byte order mark");
+    let (guess, help) = file.encoding.guess.map_or(("probably another encoding", SAVE), worded);
+    let message = format!("`{}` is not UTF-8 ({guess})", file.file_name());
+    let finding = loss.of(view, RULE.at(file, Place::Span(at..at + 1), message)).help(help);
     out.push(if file.kind == Kind::Target { weigh(&view.target(file), finding) } else { finding });
+}
+
+const SAVE: &str = "save the file as UTF-8 without byte order mark";
+
+/// What the bytes are, and what to do.
+const fn worded(guess: Guess) -> (&'static str, &'static str) {
+    match guess {
+        Guess::Utf16 => ("probably UTF-16", SAVE),
+        Guess::SingleByte => ("probably Latin-1 or a Windows code page", SAVE),
+        Guess::Gzip => ("it is packed with gzip", "unpack the file: it is read as plain text"),
+        Guess::Binary => ("probably binary data", "put the text file in its place"),
+    }
 }

@@ -81,6 +81,15 @@ fn help(fault: &SyntaxFault) -> &'static str {
         SyntaxKind::BadString(_) => "write control characters and backslashes as escapes: `\\n`, `\\t`, `\\\\`",
         SyntaxKind::UnexpectedEnd(_) => "the file is cut off (restore it), or a bracket is not closed",
         SyntaxKind::TrailingText => "remove what follows, or a bracket was closed too early",
+        SyntaxKind::Expected { found, .. } if fault.span.start == 0 && found.starts_with('<') => {
+            "this is a web page in place of the file: download the file itself"
+        }
+        SyntaxKind::Expected { .. } if fault.span.start == 0 => {
+            "this is another kind of file: put the JSON in its place"
+        }
+        SyntaxKind::Expected { .. } if fault.invisible().is_some() => {
+            "remove it, and others like it: outside of texts JSON has blanks, tabs and line ends only"
+        }
         SyntaxKind::Expected { found, .. } if found.starts_with('\'') => {
             "use double quotes; Python refuses others, too"
         }

@@ -97,7 +97,7 @@ fn lacks(file: &FileFacts, lacking: &BTreeSet<(&str, &str)>, unknown: &UnknownKe
 
 /// Whether the finding of another rule on the key that is missing instead names this one.
 fn is_told(file: &FileFacts, sliders: &Told<'_>, unknown: &UnknownKey) -> bool {
-    let Some(nearest) = unknown.nearest.as_deref() else { return false };
+    let Some(nearest) = unknown.nearest.as_deref() else { return is_lost_component(file, unknown) };
     let (owner, _) = unknown.pointer.rsplit_once('/').unwrap_or_default();
     match &*file.content {
         Content::Skeleton(skeleton) if owner.is_empty() => match nearest {
@@ -117,6 +117,16 @@ fn is_told(file: &FileFacts, sliders: &Told<'_>, unknown: &UnknownKey) -> bool {
         Content::Modelling(_) => sliders.contains(&(owner.to_owned(), &unknown.key)),
         _ => false,
     }
+}
+
+/// Whether it is a component inside another one that some `comp` misses: `macro-unknown-component` names it.
+fn is_lost_component(file: &FileFacts, unknown: &UnknownKey) -> bool {
+    let Content::Macro(macros) = &*file.content else { return false };
+    let is_missed = || {
+        let defined = macros.components.iter().any(|component| component.name == unknown.key);
+        !defined && macros.macrodefs.iter().any(|macrodef| macrodef.components.contains(&unknown.key))
+    };
+    nested(file, unknown).is_some() && is_missed()
 }
 
 /// One finding for a key, however many objects have it.

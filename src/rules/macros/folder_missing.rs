@@ -4,7 +4,7 @@ use super::super::cause::schema::is_sound;
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::links::{MacroLink, links};
 use super::lost_folder::{holds_files, is_lost};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo, nearest};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -23,7 +23,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Makehuman2(run),
 };
 
-fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };
     let all = links(view, base);
     for macrodef in &macros.macrodefs {
@@ -45,7 +45,7 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
                     .effect(
                         "finds none of the targets and stops with an AttributeError as soon as one of them has weight",
                     )
-                    .help(folder_of_files(base, &own).unwrap_or_else(|| nearest_folder(base, folder)))
+                    .help(folder_of_files(base, &own).unwrap_or_else(|| nearest_folder(base, folder, cx)))
             }
             (Some(_), _) => continue,
             (None, Some(folder)) => {
@@ -83,11 +83,11 @@ fn folder_of_files(base: &Base<'_>, own: &[&MacroLink<'_>]) -> Option<String> {
     folders.find(holds_all).map(|folder| format!("its targets are in `{folder}`: write that"))
 }
 
-fn nearest_folder(base: &Base<'_>, folder: &str) -> String {
+fn nearest_folder(base: &Base<'_>, folder: &str, cx: &RuleCx<'_>) -> String {
     let rel = base.targets.map(|targets| format!("{}/", targets.rel())).unwrap_or_default();
     let folders = base.targets.map(|targets| targets.layer.folders.as_slice()).unwrap_or_default();
     did_you_mean(
-        nearest(folder, folders.iter().filter_map(|other| other.strip_prefix(&rel))),
+        cx.suggestions.nearest(folder, folders.iter().filter_map(|other| other.strip_prefix(&rel))),
         format!("create `{rel}{folder}` with the targets, or correct the name"),
     )
 }

@@ -59,14 +59,17 @@ pub(super) fn has_suffix(text: &str) -> bool {
 }
 
 /// Targets in macro folders that could be read and that nothing names, rightly or wrongly written.
-pub(super) fn unreferenced<'s>(view: &'s View<'_>, base: &'s Base<'_>) -> Vec<&'s FileFacts> {
+pub(super) fn unreferenced<'s>(
+    view: &'s View<'_>,
+    base: &'s Base<'_>,
+    suggestions: &Suggestions,
+) -> Vec<&'s FileFacts> {
     let Some(folder) = base.targets else { return Vec::new() };
     let mut named: BTreeSet<&str> = BTreeSet::new();
     let mut by_stem: BTreeMap<&str, &str> = BTreeMap::new();
     for file in folder.targets() {
         by_stem.entry(file.rel.trim_end_matches(".target")).or_insert(&file.rel);
     }
-    let suggestions = Suggestions::default();
     for reference in view.references_of(base).filter(|reference| reference.kind.is_target()) {
         if let Some(file) = reference.meant() {
             named.insert(&file.rel);
@@ -74,7 +77,7 @@ pub(super) fn unreferenced<'s>(view: &'s View<'_>, base: &'s Base<'_>) -> Vec<&'
             // `x.target` written for `x`, or a slip of the pen: those findings name the file.
             let stem = reference.rel.trim_end_matches(".target").trim_end_matches(".target.gz");
             named.extend(by_stem.get(stem));
-            named.extend(nearest_file(base, reference, &suggestions).map(|file| file.rel.as_str()));
+            named.extend(nearest_file(base, reference, suggestions).map(|file| file.rel.as_str()));
         }
     }
     let faulty = FaultyEntries::of(view, base);

@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::combination_patterns::is_walkable;
 use super::space::{Combination, Space};
 use super::spelled::Spelled;
-use crate::diag::nearest;
+use crate::diag::Suggestions;
 use crate::formats::macro_json::{Link, Macrodef};
 
 /// Strangers beyond this number are not compared with every free name.
@@ -77,7 +77,7 @@ impl Slip {
 }
 
 impl<'a> Listing<'a> {
-    pub(super) fn of(space: &Space<'_>, macrodef: &'a Macrodef) -> Self {
+    pub(super) fn of(space: &Space<'_>, macrodef: &'a Macrodef, suggestions: &Suggestions) -> Self {
         let mut found = BTreeMap::new();
         let mut unknown = Vec::new();
         for link in &macrodef.links {
@@ -92,9 +92,10 @@ impl<'a> Listing<'a> {
             macrodef.unusable.iter().filter_map(|name| space.parse(name)).collect();
         let free = if unknown.is_empty() || unknown.len() > COMPARED { Vec::new() } else { free_names(space, &found) };
         let stranger = |link: &'a Link| {
-            let (slip, intended) = slip(space, &found, &link.name);
+            let (slip, intended) = slip(space, &found, &link.name, suggestions);
             let intended = intended.or_else(|| by_file(space, &found, link));
-            let intended = intended.or_else(|| space.parse(nearest(&link.name, free.iter().map(String::as_str))?));
+            let intended =
+                intended.or_else(|| space.parse(suggestions.nearest(&link.name, free.iter().map(String::as_str))?));
             Stranger { link, slip, intended }
         };
         let strangers: Vec<Stranger<'a>> = unknown.into_iter().map(stranger).collect();
@@ -126,7 +127,12 @@ fn free_names(space: &Space<'_>, found: &BTreeMap<Combination, &Link>) -> Vec<St
     all.iter().filter(|combination| !found.contains_key(*combination)).map(|c| space.name(c)).collect()
 }
 
-fn slip(space: &Space<'_>, found: &BTreeMap<Combination, &Link>, name: &str) -> (Slip, Option<Combination>) {
+fn slip(
+    space: &Space<'_>,
+    found: &BTreeMap<Combination, &Link>,
+    name: &str,
+    suggestions: &Suggestions,
+) -> (Slip, Option<Combination>) {
     let tokens: Vec<&str> = name.split('-').filter(|_| !name.is_empty()).collect();
     if tokens.len() != space.axes.len() {
         return (Slip::Parts(tokens.len()), None);
@@ -141,7 +147,7 @@ fn slip(space: &Space<'_>, found: &BTreeMap<Combination, &Link>, name: &str) -> 
         return (Slip::Other(name.to_owned()), None);
     };
     let token = tokens.get(axis).copied().unwrap_or_default();
-    let meant = meant_value(space, found, axis, token);
+    let meant = meant_value(space, found, (axis, token), suggestions);
     let intended = meant.map(|meant| places.iter().map(|place| place.unwrap_or(meant)).collect());
     (Slip::Value { axis, token: token.to_owned() }, intended)
 }
@@ -158,9 +164,14 @@ fn ordered(space: &Space<'_>, tokens: &[&str]) -> Option<Combination> {
 }
 
 /// The value that a foreign part was meant for: most like it, or the only one of the component without any entry.
-fn meant_value(space: &Space<'_>, found: &BTreeMap<Combination, &Link>, axis: usize, token: &str) -> Option<usize> {
+fn meant_value(
+    space: &Space<'_>,
+    found: &BTreeMap<Combination, &Link>,
+    (axis, token): (usize, &str),
+    suggestions: &Suggestions,
+) -> Option<usize> {
     let values = &space.axes.get(axis)?.values;
-    if let Some(near) = nearest(token, values.iter().map(String::as_str)) {
+    if let Some(near) = suggestions.nearest(token, values.iter().map(String::as_str)) {
         return values.iter().position(|value| value == near);
     }
     let used: BTreeSet<usize> = found.keys().filter_map(|combination| combination.get(axis).copied()).collect();

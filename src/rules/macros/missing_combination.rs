@@ -37,11 +37,11 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Makehuman2(run),
 };
 
-fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };
-    let free = unreferenced(view, base);
+    let free = unreferenced(view, base, &cx.suggestions);
     for macrodef in &macros.macrodefs {
-        let Some(survey) = survey(base, macrodef, &free) else { continue };
+        let Some(survey) = survey(base, macrodef, &free, &cx.suggestions) else { continue };
         let Some([system, holes]) = &survey.absent else {
             out.extend(uncounted(file, macrodef, &survey));
             continue;

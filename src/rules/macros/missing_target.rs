@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::links::{MacroLink, has_suffix, links, nearest_file};
-use crate::diag::{Application, Evidence, Finding, Level, RuleInfo, Suggestions};
+use crate::diag::{Application, Evidence, Finding, Level, RuleInfo};
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, View};
 use std::collections::{BTreeMap, BTreeSet};
@@ -22,7 +22,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Makehuman2(run),
 };
 
-fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, _)) = base.macro_file() else { return };
     let mut by_file: BTreeMap<&str, Vec<MacroLink<'_>>> = BTreeMap::new();
     let all = links(view, base);
@@ -39,22 +39,53 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
     }
     // A file that the combination of its own name uses is not meant.
     let own: BTreeSet<&str> = all.iter().filter_map(own_file).map(|file| file.path.as_str()).collect();
-    let suggestions = Suggestions::default();
+    let moved = Moved::of(base);
     for (rel, links) in by_file {
         let Some(first) = links.first() else { continue };
         let more = if links.len() > 1 { format!(", which {} combinations use", links.len()) } else { String::new() };
-        let packed = format!("{rel}.gz");
-        let packed = view.layers.strongest_first().find_map(|layer| layer.file(&packed));
-        let help =
-            match nearest_file(base, first.reference, &suggestions).filter(|near| !own.contains(near.path.as_str())) {
-                _ if let Some(packed) = packed => {
-                    format!("MakeHuman 2 does not read packed targets: unpack `{}`", packed.file_name())
-                }
-                Some(near) => format!("did you mean `{}`?", near.stem()),
-                None => "correct the name, add the file, or write `null` where nothing should change".to_owned(),
-            };
+        let help = help(view, base, first, (&own, &moved), cx);
         let finding = RULE.at(file, first.place(), format!("there is no `{rel}`{more}")).key(rel).help(help);
         out.push(finding.evidence(Evidence::of_cases(links.iter().map(|link| &link.link.name))));
+    }
+}
+
+fn help(
+    view: &View<'_>,
+    base: &Base<'_>,
+    link: &MacroLink<'_>,
+    (own, moved): (&BTreeSet<&str>, &Moved<'_>),
+    cx: &RuleCx<'_>,
+) -> String {
+    let packed = format!("{}.gz", link.reference.rel);
+    if let Some(packed) = view.layers.strongest_first().find_map(|layer| layer.file(&packed)) {
+        return format!("MakeHuman 2 does not read packed targets: unpack `{}`", packed.file_name());
+    }
+    let near = nearest_file(base, link.reference, &cx.suggestions);
+    match near.filter(|near| !own.contains(near.path.as_str())) {
+        Some(near) => format!("did you mean `{}`?", near.stem()),
+        None => moved.help(link).unwrap_or_else(|| {
+            "correct the name, add the file, or write `null` where nothing should change".to_owned()
+        }),
+    }
+}
+
+/// Targets of the folder in use by their names; nothing for names that several have.
+struct Moved<'s>(BTreeMap<&'s str, Option<&'s str>>);
+
+impl<'s> Moved<'s> {
+    fn of(base: &Base<'s>) -> Self {
+        let mut files = BTreeMap::new();
+        for file in base.targets.into_iter().flat_map(|folder| folder.targets()) {
+            files.entry(file.stem()).and_modify(|only| *only = None).or_insert(Some(file.rel.as_str()));
+        }
+        Self(files)
+    }
+
+    /// Where else the file of this name lies.
+    fn help(&self, link: &MacroLink<'_>) -> Option<String> {
+        let stem = link.reference.text.rsplit('/').next()?;
+        let from = self.0.get(stem).copied().flatten()?;
+        Some(format!("move `{from}` to `{}`, or name its folder", link.reference.rel))
     }
 }
 

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::listing::{Listing, Slip};
 use super::sound::sound_space;
 use super::space::Space;
-use crate::diag::nearest;
+use crate::diag::Suggestions;
 use crate::formats::macro_json::{Component, Link, MacroFile, Macrodef};
 use crate::repo::FileFacts;
 
@@ -37,11 +37,15 @@ struct Usage<'a> {
 }
 
 /// All of them. A word in a single name is a slip in that name.
-pub(super) fn misspelt_values<'a>(file: &FileFacts, macros: &'a MacroFile) -> Vec<MisspeltValue<'a>> {
+pub(super) fn misspelt_values<'a>(
+    file: &FileFacts,
+    macros: &'a MacroFile,
+    suggestions: &Suggestions,
+) -> Vec<MisspeltValue<'a>> {
     let mut usages: BTreeMap<&str, Usage<'a>> = BTreeMap::new();
     for macrodef in &macros.macrodefs {
         let Some(space) = sound_space(file, macros, macrodef) else { continue };
-        let listing = Listing::of(&space, macrodef);
+        let listing = Listing::of(&space, macrodef, suggestions);
         for (axis, component) in space.axes.iter().enumerate() {
             let usage = usages.entry(&component.name).or_default();
             usage.used.extend(listing.found.keys().filter_map(|combination| combination.get(axis)));
@@ -55,11 +59,12 @@ pub(super) fn misspelt_values<'a>(file: &FileFacts, macros: &'a MacroFile) -> Ve
             }
         }
     }
-    let of_component = |component: &'a Component| Some(of_component(component, usages.get(component.name.as_str())?));
+    let of_component =
+        |component: &'a Component| Some(of_component(component, usages.get(component.name.as_str())?, suggestions));
     macros.components.iter().filter_map(of_component).flatten().collect()
 }
 
-fn of_component<'a>(component: &'a Component, usage: &Usage<'a>) -> Vec<MisspeltValue<'a>> {
+fn of_component<'a>(component: &'a Component, usage: &Usage<'a>, suggestions: &Suggestions) -> Vec<MisspeltValue<'a>> {
     let mut unused: Vec<&str> = Vec::new();
     for (at, value) in component.values.iter().enumerate() {
         if !usage.used.contains(&at) {
@@ -69,7 +74,7 @@ fn of_component<'a>(component: &'a Component, usage: &Usage<'a>) -> Vec<Misspelt
     let only = usage.strange.len() == 1 && unused.len() == 1;
     let strange = usage.strange.iter().filter(|(_, names)| names.len() > 1);
     let misspelt = strange.filter_map(|(token, names)| {
-        let near = nearest(token, unused.iter().copied());
+        let near = suggestions.nearest(token, unused.iter().copied());
         let meant = near.or_else(|| unused.first().copied().filter(|_| only))?;
         let value = component.values.iter().position(|value| value == meant)?;
         Some(MisspeltValue { component, value, token: token.clone(), names: names.clone() })

@@ -5,6 +5,7 @@ mod absence_text;
 mod combination_patterns;
 mod component;
 mod fit;
+mod lacking_component;
 mod links;
 mod listing;
 mod lost_folder;

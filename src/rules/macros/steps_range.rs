@@ -1,7 +1,7 @@
 //! `steps` of a component must run from 0 to 1.
 
 use super::super::cause::component::has_special_step;
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, percent};
 use super::component::{is_dead, sound_components, weigh};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
@@ -32,16 +32,13 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         if steps.len() != component.values.len() || !is_increasing(steps) {
             continue;
         }
-        let Some((fault, effect)) = fault(steps) else { continue };
+        let Some((fault, effect)) = fault(steps, &component.values) else { continue };
         // To fix one end and break the other is another fault.
         let end = fault.split_whitespace().next().unwrap_or_default();
         let slider = component.pattern.as_deref().map(|pattern| format!(" (slider `{pattern}`)")).unwrap_or_default();
         let message = format!("`steps` of `{}`{slider} {fault}", component.name);
         let place = Place::pointer(["components", &component.name, "steps"]);
-        let finding = RULE
-            .at(file, place, message)
-            .key(format!("{} {end}", component.name))
-            .help("let the first step be 0 and the last 1");
+        let finding = RULE.at(file, place, message).key(format!("{} {end}", component.name)).help(help(steps));
         let finding = if is_dead(steps) { finding.level(Level::Error) } else { finding };
         out.push(weigh(finding.effect(effect), macros, component));
     }
@@ -52,7 +49,7 @@ fn is_increasing(steps: &[f64]) -> bool {
 }
 
 /// What is wrong with the ends, and what comes of it.
-fn fault(steps: &[f64]) -> Option<(String, &'static str)> {
+fn fault(steps: &[f64], values: &[String]) -> Option<(String, &'static str)> {
     const NO_INTERVAL: &str = "drops the component, and with it all that its macrodefs apply";
     const OUT_OF_REACH: &str = "never gives that value its full weight, and says nothing";
     let ([first, .., last] | [first @ last]) = steps else {
@@ -76,8 +73,33 @@ fn fault(steps: &[f64]) -> Option<(String, &'static str)> {
     } else if first.partial_cmp(&0.0) == Some(Ordering::Less) {
         Some((format!("begin at {first}: the first value never has its full weight"), OUT_OF_REACH))
     } else if last.total_cmp(&1.0).is_gt() {
-        Some((format!("end at {last}: the last value never has its full weight"), OUT_OF_REACH))
+        Some((format!("end at {last}: {}", out_of_reach(steps, values)), OUT_OF_REACH))
     } else {
         None
     }
+}
+
+/// Steps of this size and above were written in per cent.
+const PER_CENT: f64 = 10.0;
+
+fn help(steps: &[f64]) -> &'static str {
+    if steps.last().is_some_and(|last| *last >= PER_CENT) {
+        "divide the steps by 100: they run from 0 to 1"
+    } else {
+        "let the first step be 0 and the last 1"
+    }
+}
+
+/// What the values get whose steps lie above 1, where no slider goes.
+fn out_of_reach(steps: &[f64], values: &[String]) -> String {
+    let pairs = steps.windows(2).zip(values.iter().skip(1));
+    let beyond = pairs.filter_map(|(pair, value)| match pair {
+        [low, high] if *high > 1.0 => Some((value, ((1.0 - low) / (high - low)).max(0.0))),
+        _ => None,
+    });
+    let (some, none): (Vec<_>, Vec<_>) = beyond.partition(|(_, share)| *share > 0.0);
+    let some = some.iter().map(|(value, share)| format!("`{value}` has {} of its weight at most", percent(*share)));
+    let names: Vec<String> = none.iter().map(|(value, _)| format!("`{value}`")).collect();
+    let none = (!names.is_empty()).then(|| format!("{} none", names.join(", ")));
+    some.chain(none).collect::<Vec<_>>().join(", ")
 }

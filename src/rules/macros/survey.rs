@@ -12,6 +12,7 @@ use super::listing::Listing;
 use super::sound::sound_space;
 use super::space::{Combination, Space};
 use super::spelled::Spelled;
+use crate::diag::Suggestions;
 use crate::formats::macro_json::Macrodef;
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::Base;
@@ -31,7 +32,12 @@ pub(super) struct Survey<'s> {
 }
 
 /// Nothing if something else that is reported decides which combinations are listed.
-pub(super) fn survey<'s>(base: &Base<'s>, macrodef: &'s Macrodef, free: &[&'s FileFacts]) -> Option<Survey<'s>> {
+pub(super) fn survey<'s>(
+    base: &Base<'s>,
+    macrodef: &'s Macrodef,
+    free: &[&'s FileFacts],
+    suggestions: &Suggestions,
+) -> Option<Survey<'s>> {
     let (file, macros) = base.macro_file()?;
     // Without sliders nothing tells which values are neutral; the missing file is reported itself.
     base.modelling.winner()?;
@@ -43,7 +49,7 @@ pub(super) fn survey<'s>(base: &Base<'s>, macrodef: &'s Macrodef, free: &[&'s Fi
     if macrodef.links.iter().any(|link| space.spellings(&link.name) > 1) {
         return None; // Which combinations are listed is open: `macro-ambiguous-value`.
     }
-    let mut listing = Listing::of(&space, macrodef);
+    let mut listing = Listing::of(&space, macrodef, suggestions);
     // One table holds all names: what another definition lists is found for this one too.
     let elsewhere = macros.macrodefs.iter().filter(|other| other.index != macrodef.index);
     listing.claimed.extend(elsewhere.flat_map(|other| &other.links).filter_map(|link| space.parse(&link.name)));

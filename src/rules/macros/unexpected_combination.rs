@@ -1,6 +1,7 @@
 //! A listed combination must be one that its macro definition generates.
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, counted};
+use super::lacking_component::lacking;
 use super::listing::{Listing, Slip, Stranger};
 use super::misspelt_value::{MisspeltValue, misspelt_values, other_component};
 use super::sound::sound_space;
@@ -32,17 +33,19 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Makehuman2(run),
 };
 
-fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(_: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };
-    let misspelt = misspelt_values(file, macros);
+    let homes = homes(macros);
+    let misspelt = misspelt_values(file, macros, &cx.suggestions);
     out.extend(misspelt.iter().map(|value| finding_on_value(file, value)));
     for macrodef in &macros.macrodefs {
         if macrodef.components.is_empty() {
             out.extend(without_components(file, macrodef));
         }
         let Some(space) = sound_space(file, macros, macrodef) else { continue };
-        let listing = Listing::of(&space, macrodef);
-        if let Some(finding) = finding_on_comp(file, macros, macrodef, (&space, &listing)) {
+        let listing = Listing::of(&space, macrodef, &cx.suggestions);
+        let finding = || finding_on_comp(file, macros, macrodef, (&space, &listing));
+        if let Some(finding) = finding_on_length(file, macros, macrodef, &listing).or_else(finding) {
             out.push(finding);
             continue;
         }
@@ -51,8 +54,8 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             if misspelt.iter().any(|value| value.explains(&space, &stranger.slip)) {
                 continue;
             }
-            let home = home(macros, macrodef, &stranger.link.name);
-            groups.entry((home, stranger.slip.clone())).or_default().push(stranger);
+            let home = home(&homes, macrodef, &stranger.link.name);
+            groups.entry((home.map(|home| home.index), stranger.slip.clone())).or_default().push(stranger);
         }
         for ((home, slip), strangers) in groups {
             let Some(first) = strangers.first() else { continue };
@@ -114,6 +117,32 @@ fn finding_on_comp(
     Some(finding.help(format!("did you mean `{}`?", meant.name)).evidence(evidence))
 }
 
+/// If all names have more or fewer parts than `comp` has components, `comp` is wrong.
+fn finding_on_length(
+    file: &FileFacts,
+    macros: &MacroFile,
+    macrodef: &Macrodef,
+    listing: &Listing<'_>,
+) -> Option<Finding> {
+    let (parts, meant) = lacking(macros, listing)?;
+    let names = || listing.strangers.iter().map(|stranger| &stranger.link.name);
+    let message = format!(
+        "`comp` has {}, but each name has {} (`{}` and {} more)",
+        counted(macrodef.components.len(), "component"),
+        counted(parts, "part"),
+        names().next()?,
+        names().count() - 1
+    );
+    let help = match meant {
+        Some(meant) => format!("write `[\"{}\"]`", meant.join("\", \"")),
+        None => "list the component of each part of the names in `comp`, in their order".to_owned(),
+    };
+    let place = Place::pointer(["macrodef", &macrodef.index.to_string(), "comp"]);
+    let finding = RULE.at(file, place, message).key(format!("{}/length", macrodef.components.join("-"))).help(help);
+    let effect = "never applies the macrodef: no name that its components make has an entry";
+    Some(finding.effect(effect).evidence(Evidence::of_cases(names()).out_of(macrodef.links.len())))
+}
+
 /// Without components a definition generates the empty name alone.
 fn without_components(file: &FileFacts, macrodef: &Macrodef) -> Option<Finding> {
     let names = || macrodef.links.iter().map(|link| &link.name).filter(|name| !name.is_empty());
@@ -127,10 +156,15 @@ fn without_components(file: &FileFacts, macrodef: &Macrodef) -> Option<Finding> 
     Some(finding.help("list the components of the names in `comp`").evidence(Evidence::of_cases(names())))
 }
 
-/// Another definition that generates the name.
-fn home(macros: &MacroFile, own: &Macrodef, name: &str) -> Option<usize> {
-    let mut others = macros.macrodefs.iter().filter(|macrodef| macrodef.index != own.index);
-    others
-        .find(|other| Space::of(macros, other).is_some_and(|space| space.parse(name).is_some()))
-        .map(|other| other.index)
+/// The definitions whose components can be told; of those with the same components the first.
+fn homes(macros: &MacroFile) -> Vec<(&Macrodef, Space<'_>)> {
+    let mut seen: BTreeSet<&[String]> = BTreeSet::new();
+    let first = macros.macrodefs.iter().filter(|macrodef| seen.insert(&macrodef.components));
+    first.filter_map(|macrodef| Some((macrodef, Space::of(macros, macrodef)?))).collect()
+}
+
+/// A definition with other components that generates the name.
+fn home<'a>(homes: &[(&'a Macrodef, Space<'_>)], own: &Macrodef, name: &str) -> Option<&'a Macrodef> {
+    let mut others = homes.iter().filter(|(other, _)| other.components != own.components);
+    others.find(|(_, space)| space.parse(name).is_some()).map(|(other, _)| *other)
 }

@@ -1,8 +1,9 @@
 //! `comp` must name components that are defined.
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
-use crate::diag::{Application, EXAMPLES, Finding, Level, Place, RuleInfo, nearest};
+use crate::diag::{Application, EXAMPLES, Finding, Level, Place, RuleInfo};
 use crate::formats::macro_json::{MacroFile, Macrodef};
+use crate::json::UnknownKey;
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, View};
 use std::collections::{BTreeMap, BTreeSet};
@@ -22,7 +23,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Makehuman2(run),
 };
 
-fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(_: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };
     // Without any component `components` is no object, or missing, and the schema says so.
     if macros.components.is_empty() && !file.schema.faults.is_empty() {
@@ -32,17 +33,19 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         out.extend(without_components(file, macros));
         return;
     }
-    let known = || macros.components.iter().map(|component| component.name.as_str());
+    let known: BTreeSet<&str> = macros.components.iter().map(|component| component.name.as_str()).collect();
     let mut unknown: BTreeMap<&str, Vec<Place>> = BTreeMap::new();
     for macrodef in &macros.macrodefs {
-        for (at, name) in macrodef.components.iter().enumerate().filter(|(_, name)| known().all(|k| k != *name)) {
+        for (at, name) in macrodef.components.iter().enumerate().filter(|(_, name)| !known.contains(name.as_str())) {
             unknown.entry(name).or_default().push(place(macrodef, at));
         }
     }
-    let used = || macros.macrodefs.iter().flat_map(|macrodef| &macrodef.components);
+    let used: BTreeSet<&str> =
+        macros.macrodefs.iter().flat_map(|macrodef| &macrodef.components).map(String::as_str).collect();
     for (name, places) in unknown {
         let help = did_you_mean(
-            nearest(name, known().filter(|other| used().all(|own| own != other) || places.len() == 1)),
+            cx.suggestions
+                .nearest(name, known.iter().copied().filter(|other| !used.contains(other) || places.len() == 1)),
             "define the component, or remove it from `comp` and from the names",
         );
         let more = if places.len() > 1 { format!(" ({} macrodefs name it)", places.len()) } else { String::new() };
@@ -51,8 +54,15 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         for other in others.iter().take(EXAMPLES - 1) {
             finding = finding.related(&file.path, other.clone(), "named here, too");
         }
-        out.push(finding.key(name).help(help));
+        let inside = file.schema.unknown.iter().find(|key| key.key == name && key.is_object);
+        out.push(finding.key(name).help(inside.map_or(help, moved_out)));
     }
+}
+
+/// The component is there, inside another one.
+fn moved_out(inside: &UnknownKey) -> String {
+    let outer = inside.pointer.split('/').rev().nth(1).unwrap_or_default();
+    format!("`{}` is inside `{outer}`, where nobody looks: move it one level up", inside.key)
 }
 
 fn place(macrodef: &Macrodef, at: usize) -> Place {

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::component::{macro_patterns, sound_components, unknown_patterns, weigh};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, nearest};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -28,13 +28,7 @@ fn has_doubled(base: &Base<'_>) -> bool {
     macro_patterns(base).any(|pattern| !seen.insert(pattern))
 }
 
-/// Whether what follows the group is alike: the longer the group, the more the whole may differ.
-fn is_slip(written: &str, near: &str) -> bool {
-    let [written, near] = [written, near].map(|pattern| pattern.rsplit('/').next().unwrap_or_default());
-    written == near || nearest(written, [near]).is_some()
-}
-
-fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(_: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };
     for component in sound_components(file, macros) {
         if component.steps.is_some() && component.sum.is_some() {
@@ -56,7 +50,7 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let read = super::super::cause::component::patterns(component);
         let free = macro_patterns(base).filter(|pattern| !read.iter().any(|own| own == pattern));
         let help = did_you_mean(
-            nearest(first, free).filter(|near| is_slip(first, near)),
+            cx.suggestions.nearest(first, free),
             "write the `macro` (or `barycentric`) of an entry of `modelling.json`",
         );
         let is_corner = component.steps.is_none() && unknown.len() < read.len();

@@ -27,9 +27,9 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Makehuman2(run),
 };
 
-fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((macro_file, macros)) = base.macro_file() else { return };
-    let free = unreferenced(view, base);
+    let free = unreferenced(view, base, &cx.suggestions);
     if free.is_empty() {
         return;
     }
@@ -39,7 +39,7 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
     // `macro-alias-suspect` names the file that an entry should have.
     let better: BTreeSet<&str> = suspects.iter().map(|suspect| suspect.better.rel.as_str()).collect();
     // `macro-missing-combination` names the files of its holes.
-    let surveys = macros.macrodefs.iter().filter_map(|macrodef| survey(base, macrodef, &free));
+    let surveys = macros.macrodefs.iter().filter_map(|macrodef| survey(base, macrodef, &free, &cx.suggestions));
     let awaited: BTreeSet<&str> = surveys.flat_map(|survey| survey.files).map(|file| file.rel.as_str()).collect();
     let is_told = |file: &&&FileFacts| awaited.contains(file.rel.as_str()) || better.contains(file.rel.as_str());
     for file in free.iter().filter(|file| !is_told(file)) {

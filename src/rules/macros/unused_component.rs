@@ -4,7 +4,7 @@ use super::super::cause::schema::is_sound;
 use super::super::{Check, Rule, RuleCx};
 use super::sound::clear_space;
 use super::space::Space;
-use crate::diag::{Application, Finding, Level, Place, RuleInfo, nearest};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::formats::macro_json::{MacroFile, Macrodef};
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, View};
@@ -22,13 +22,11 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Makehuman2(run),
 };
 
-fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(_: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };
-    let used = || macros.macrodefs.iter().flat_map(|macrodef| &macrodef.components).map(String::as_str);
-    let known = || macros.components.iter().map(|component| component.name.as_str());
-    // An unknown component that is a slip of the pen for this one is the cause, and `macro-unknown-component` names it.
-    let misspelt =
-        |name: &str| used().any(|other| !known().any(|k| k == other) && nearest(other, known()) == Some(name));
+    let used: BTreeSet<&str> =
+        macros.macrodefs.iter().flat_map(|macrodef| &macrodef.components).map(String::as_str).collect();
+    let known: BTreeSet<&str> = macros.components.iter().map(|component| component.name.as_str()).collect();
     if macros.macrodefs.is_empty() {
         out.extend(without_macrodefs(base, file, macros));
         return;
@@ -43,9 +41,13 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if macros.macrodefs.iter().any(is_open) || base.lacks_macrodef() {
         return;
     }
+    // An unknown component that is a slip of the pen for this one is the cause, and `macro-unknown-component` names it.
+    let unknown = used.difference(&known);
+    let meant: BTreeSet<&str> =
+        unknown.filter_map(|name| cx.suggestions.nearest(name, known.iter().copied())).collect();
     for component in &macros.components {
         let name = component.name.as_str();
-        if !used().any(|other| other == name) && !misspelt(name) {
+        if !used.contains(name) && !meant.contains(name) {
             let place = Place::key(["components", name]);
             let finding = RULE.at(file, place, format!("component `{name}` is used by no macrodef"));
             out.push(finding.key(name).help("remove it, or add it to the `comp` of a macrodef"));

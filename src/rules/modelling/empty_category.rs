@@ -23,9 +23,11 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Makehuman2(run),
 };
 
-fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     out.extend(without_user(base));
-    let (Some((file, model)), Some(groups)) = (base.categories.winner(), groups::of(base)) else { return };
+    let (Some((file, model)), Some(groups)) = (base.categories.winner(), groups::of(base, &cx.suggestions)) else {
+        return;
+    };
     let mut used = None;
     for category in &model.categories {
         if category.name == USER_CATEGORY {
@@ -69,11 +71,13 @@ fn empty_items(
     category: &Category,
     out: &mut Vec<Finding>,
 ) {
+    if groups.renamed.iter().any(|renamed| renamed.name == category.name) {
+        return;
+    }
     for (index, item) in category.items.iter().enumerate() {
         let Some(group) = category.group_of(item) else { continue };
         if used.groups.contains(group.as_str())
             || groups.is_excused(&group)
-            || groups.renamed.iter().any(|r| r.name == category.name)
             || item.cat.as_deref().is_some_and(|cat| words(cat).any(|word| used.idle_words.contains(word)))
         {
             continue;

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::cause::is_generated_for;
 use super::super::cause::overlay::is_damaged;
-use crate::diag::nearest;
+use crate::diag::Suggestions;
 use crate::formats::modelling::EFFECTS;
 use crate::formats::target_cat::Category;
 use crate::repo::makehuman2::{Base, BoundSlider};
@@ -22,6 +22,10 @@ pub(super) struct Groups<'b, 'a> {
     pub(super) unknown: BTreeMap<&'b str, Vec<&'b BoundSlider<'a>>>,
     /// Categories whose `group` is not what the sliders of their items say; those are not in `unknown`.
     pub(super) renamed: Vec<Renamed<'b, 'a>>,
+    /// What groups of `unknown` were probably meant to be.
+    meant: BTreeMap<&'b str, String>,
+    /// Categories of `offered`.
+    categories: BTreeSet<String>,
 }
 
 /// A category whose `group` is wrong.
@@ -37,7 +41,7 @@ pub(super) struct Renamed<'b, 'a> {
 }
 
 /// Groups, if categories and sliders can be read. Sliders of generated files have generated groups.
-pub(super) fn of<'b, 'a>(base: &'b Base<'a>) -> Option<Groups<'b, 'a>> {
+pub(super) fn of<'b, 'a>(base: &'b Base<'a>, suggestions: &Suggestions) -> Option<Groups<'b, 'a>> {
     if is_damaged(&base.categories) || is_damaged(&base.modelling) {
         return None;
     }
@@ -59,8 +63,16 @@ pub(super) fn of<'b, 'a>(base: &'b Base<'a>) -> Option<Groups<'b, 'a>> {
             unknown.entry(group).or_default().push(slider);
         }
     }
-    let renamed = take_renamed(base, &categories.categories, &offered, &mut unknown);
-    Some(Groups { offered, replaced, unknown, renamed })
+    let of_offered: BTreeSet<String> = offered.iter().map(|group| category_of(group).to_owned()).collect();
+    let renamed = take_renamed(base, &categories.categories, &of_offered, &mut unknown);
+    let near = |group| suggestions.nearest(group, offered.iter().map(String::as_str)).map(str::to_owned);
+    let meant = unknown.keys().filter_map(|group| Some((*group, near(group)?))).collect();
+    Some(Groups { offered, replaced, unknown, renamed, meant, categories: of_offered })
+}
+
+/// The category of a group.
+fn category_of(group: &str) -> &str {
+    group.split('|').next().unwrap_or_default()
 }
 
 /// Takes the sliders out of `unknown` that would be shown if a category had another `group`: several sliders agree
@@ -71,26 +83,32 @@ fn take_renamed<'b, 'a>(
     offered: &BTreeSet<String>,
     unknown: &mut BTreeMap<&'b str, Vec<&'b BoundSlider<'a>>>,
 ) -> Vec<Renamed<'b, 'a>> {
-    let first = |group: &str| group.split('|').next().unwrap_or_default().to_owned();
-    let used: BTreeSet<String> = base.sliders.iter().filter_map(|s| s.as_meant().group.as_deref()).map(first).collect();
+    let meant = base.sliders.iter().filter_map(|slider| slider.as_meant().group.as_deref());
+    let used: BTreeSet<&str> = meant.map(category_of).collect();
+    // Groups of categories that nobody offers; and by the second half of a group the first such category.
+    let mut lost: BTreeMap<&'b str, Vec<&'b str>> = BTreeMap::new();
+    let mut by_name: BTreeMap<&'b str, &'b str> = BTreeMap::new();
+    for group in unknown.keys().filter(|group| !offered.contains(category_of(group))) {
+        lost.entry(category_of(group)).or_default().push(group);
+        if let Some((category, name)) = group.split_once('|') {
+            by_name.entry(name).or_insert(category);
+        }
+    }
     let mut renamed = Vec::new();
     for category in categories {
         let Some(group) = category.group.as_deref().filter(|group| !used.contains(*group)) else { continue };
-        let has = |sub: &str| category.items.iter().any(|item| item.cat.as_deref() == Some(sub));
-        let lost = unknown.keys().filter_map(|lost| lost.split_once('|')).filter(|(_, sub)| has(sub));
-        let Some((wanted, _)) = lost.into_iter().find(|(wanted, _)| !offered.iter().any(|own| first(own) == *wanted))
-        else {
+        let Some(wanted) = category.items.iter().filter_map(|item| by_name.get(item.cat.as_deref()?)).min() else {
             continue;
         };
-        let wanted = wanted.to_owned();
-        let groups: Vec<&'b str> = unknown.keys().copied().filter(|lost| first(lost) == wanted).collect();
+        let wanted = *wanted;
+        let groups = lost.get(wanted).map(Vec::as_slice).unwrap_or_default();
         let count: usize = groups.iter().filter_map(|group| unknown.get(group)).map(Vec::len).sum();
         // One slider alone is more likely to be wrong itself.
         if count < 2 {
             continue;
         }
         let sliders = groups.iter().filter_map(|group| unknown.remove(group)).flatten().collect();
-        renamed.push(Renamed { name: &category.name, group, wanted, sliders });
+        renamed.push(Renamed { name: &category.name, group, wanted: wanted.to_owned(), sliders });
     }
     renamed
 }
@@ -108,24 +126,24 @@ pub(super) fn hand_made<'b, 'a>(base: &'b Base<'a>) -> impl Iterator<Item = &'b 
 impl Groups<'_, '_> {
     /// What an unknown group was probably meant to be.
     pub(super) fn meant(&self, group: &str) -> Option<&str> {
-        nearest(group, self.offered.iter().map(String::as_str))
+        self.meant.get(group).map(String::as_str)
     }
 
     /// Whether a slider that is not shown belongs to this category.
     pub(super) fn has_unknown_in(&self, category: &str) -> bool {
-        self.unknown.keys().any(|group| group.split('|').next() == Some(category))
+        let mut from = self.unknown.range(category..).take_while(|(group, _)| group.starts_with(category));
+        from.any(|(group, _)| category_of(group) == category)
     }
 
     /// Whether some item shows a group of this category.
     pub(super) fn knows_category(&self, category: &str) -> bool {
-        self.offered.iter().any(|group| group.split('|').next() == Some(category))
+        self.categories.contains(category)
     }
 
     /// Whether an empty item was probably meant for a slider whose group is reported.
     pub(super) fn is_excused(&self, offered: &str) -> bool {
-        let category = |group: &str| group.split('|').next().unwrap_or_default().to_owned();
-        let mut unknown = self.unknown.keys();
-        unknown
-            .any(|group| self.meant(group) == Some(offered) || group.is_empty() || category(group) == category(offered))
+        self.unknown.contains_key("")
+            || self.has_unknown_in(category_of(offered))
+            || self.meant.values().any(|meant| meant == offered)
     }
 }

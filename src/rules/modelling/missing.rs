@@ -65,12 +65,12 @@ fn is_empty(view: &View<'_>, folder: &str) -> bool {
 /// Files that a missing one may be meant to be.
 pub(super) struct Neighbours<'r, 'a> {
     view: &'r View<'a>,
-    suggestions: Suggestions,
+    suggestions: &'r Suggestions,
 }
 
 impl<'r, 'a> Neighbours<'r, 'a> {
-    pub(super) fn of(view: &'r View<'a>) -> Self {
-        Self { view, suggestions: Suggestions::default() }
+    pub(super) fn of(view: &'r View<'a>, suggestions: &'r Suggestions) -> Self {
+        Self { view, suggestions }
     }
 
     /// The file beside the missing one that is most like it, by name without folder.

@@ -18,12 +18,12 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Makehuman2(run),
 };
 
-fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     // The sliders of another base are one fault (`modelling-missing-target`).
     if base.has_foreign_sliders() {
         return;
     }
-    let neighbours = Neighbours::of(view);
+    let neighbours = Neighbours::of(view, &cx.suggestions);
     for group in missing::groups(view, base, |kind| kind == ReferenceKind::Icon) {
         let Some(first) = group.references.first() else { continue };
         // Written anew by MakeHuman 2 whenever a target or a picture changes.

@@ -28,7 +28,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Makehuman2(run),
 };
 
-fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let is_target = |kind| matches!(kind, ReferenceKind::Incr | ReferenceKind::Decr);
     // Without any folder to load from the program does not get as far as the targets (`overlay-partial-override`).
     if lacks_folder(view, base) && base.user_modelling.file().is_some() {
@@ -38,7 +38,7 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
         out.extend(foreign::sliders(&RULE, view, base));
         return;
     }
-    let neighbours = Neighbours::of(view);
+    let neighbours = Neighbours::of(view, &cx.suggestions);
     let mut marked: Vec<&Reference<'_>> = Vec::new();
     for group in missing::groups(view, base, is_target) {
         match group.references.first() {

@@ -7,6 +7,7 @@ use super::foreign;
 use super::generated;
 use super::groups::{self, Groups, Renamed};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::formats::target_cat::{Category, Item};
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, BoundSlider, View};
 
@@ -22,10 +23,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Makehuman2(run),
 };
 
-fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     two_bars(base, out);
     out.extend(generated::hidden(&RULE, base));
-    if let Some(groups) = groups::of(base).filter(|_| !base.has_foreign_sliders()) {
+    if let Some(groups) = groups::of(base, &cx.suggestions).filter(|_| !base.has_foreign_sliders()) {
         if let Some(finding) = foreign::categories(&RULE, view, base, &groups) {
             return out.push(finding);
         }
@@ -103,8 +104,25 @@ fn unknown(
         None if !group.contains('|') => "a group is `category|subcategory`".to_owned(),
         None => "correct the group, or add an item to target_cat.json".to_owned(),
     };
-    let (file, place) = whose(view, base, first)?;
+    let item = groups.meant(group).and_then(|near| item_with_blanks(view, base, near));
+    let (file, place, help) = match (item, whose(view, base, first)?) {
+        (Some((file, place)), _) => (file, place, format!("remove the blank: `{group}` is what the sliders say")),
+        (None, (file, place)) => (file, place, help),
+    };
     Some(RULE.at(file, place, message).key(group).help(help).evidence(keys))
+}
+
+/// The item that shows the group, if it is the item that has blanks at an end.
+fn item_with_blanks<'a>(view: &View<'_>, base: &Base<'a>, group: &str) -> Option<(&'a FileFacts, Place)> {
+    let (file, model) = base.categories.winner().filter(|(file, _)| view.layers.is_checked(file))?;
+    if group.split('|').all(|part| part.trim() == part) {
+        return None;
+    }
+    let is_it = |item: &&Item, category: &Category| category.group_of(item).as_deref() == Some(group);
+    let find =
+        |category: &'a Category| Some((category, category.items.iter().position(|item| is_it(&item, category))?));
+    let (category, at) = model.categories.iter().find_map(find)?;
+    Some((file, Place::pointer([&category.name, "items", &at.to_string(), "cat"])))
 }
 
 /// The slider, or the categories if only they are the author's.

@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::{advice, with_patterns};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo, Suggestions};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -17,8 +17,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Makehuman2(run),
 };
 
-fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let suggestions = Suggestions::default();
+fn run(_: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for bound in with_patterns(base).unwrap_or_default() {
         let slider = bound.slider;
         let (member, partner) = match (&slider.rsym, &slider.lsym) {
@@ -31,7 +30,7 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         }
         let message = format!("`{member}` of `{}` names the unknown pattern `{partner}`", slider.key);
         let place = Place::pointer([&slider.key, member]);
-        let finding = RULE.at(bound.file, place, message).key(&slider.key).help(advice(base, partner, &suggestions));
+        let finding = RULE.at(bound.file, place, message).key(&slider.key).help(advice(base, partner, &cx.suggestions));
         out.push(if member == "lsym" {
             finding.effect("stops with a KeyError when a random character is made")
         } else {

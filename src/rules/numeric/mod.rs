@@ -10,8 +10,8 @@ use crate::eval::settings::SliderSetting;
 use crate::formats::macro_json::{Component, MacroFile, Macrodef};
 use crate::repo::Body;
 
-use super::Rule;
 use super::cause::component::has_sound_steps;
+use super::{Rule, percent};
 
 pub(super) mod collapsed_faces;
 pub(super) mod dead_range;
@@ -98,12 +98,6 @@ fn component(macros: &MacroFile, macrodef: usize, position: usize) -> Option<(&M
 /// What a macrodef is called in messages and keys.
 fn title(macrodef: &Macrodef) -> String {
     macrodef.components.join("-")
-}
-
-/// A share in percent, with a decimal where it is small.
-fn percent(share: f64) -> String {
-    let percent = share * 100.0;
-    if percent < 10.0 { format!("{percent:.1} %") } else { format!("{percent:.0} %") }
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::{Rig, rigs};
-use crate::diag::{Application, Finding, Level, RuleInfo, nearest};
+use crate::diag::{Application, Finding, Level, RuleInfo};
 use crate::repo::{Body, Reference, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -21,19 +21,19 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Body(run),
 };
 
-fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for rig in rigs(body) {
         let missing = |reference: &&Reference<'_>| matches!(reference.resolution, Resolution::Missing);
         let Some(reference) = rig.own.weights.as_ref().filter(missing) else { continue };
         let folder = reference.rel.strip_suffix(reference.text).unwrap_or_default();
         let named = if rig.skeleton.weights_file.is_some() { "" } else { ", used because no `weights_file` is named," };
         let message = format!("weights `{}`{named} do not exist in `{folder}`", reference.text);
-        let help = help(body, &rig, folder, reference.text);
+        let help = help(body, &rig, (folder, reference.text), cx);
         out.push(RULE.at(rig.file, reference.place.clone(), message).help(help));
     }
 }
 
-fn help(body: &Body<'_>, rig: &Rig<'_>, root: &str, text: &str) -> String {
+fn help(body: &Body<'_>, rig: &Rig<'_>, (root, text): (&str, &str), cx: &RuleCx<'_>) -> String {
     let below = rig.file.rel.strip_prefix(root).and_then(|rest| rest.rsplit_once('/'));
     let all: Vec<&str> = body.weights.iter().filter_map(|own| own.file.rel.strip_prefix(root)).collect();
     if let Some((folder, _)) = below
@@ -41,5 +41,8 @@ fn help(body: &Body<'_>, rig: &Rig<'_>, root: &str, text: &str) -> String {
     {
         return format!("the file lies beside the skeleton: write `{folder}/{text}`");
     }
-    did_you_mean(nearest(text, all.iter().copied()), format!("put the file into `{root}`, or name one that is there"))
+    did_you_mean(
+        cx.suggestions.nearest(text, all.iter().copied()),
+        format!("put the file into `{root}`, or name one that is there"),
+    )
 }

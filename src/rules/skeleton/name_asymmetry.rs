@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::super::{Check, Rule, RuleCx};
 use super::hierarchy::hierarchy;
 use super::rigs;
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, nearest};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::side;
 use crate::repo::Body;
 
@@ -23,7 +23,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Body(run),
 };
 
-fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for rig in rigs(body) {
         let names: BTreeSet<&str> = rig.skeleton.bones.iter().map(|bone| bone.name.as_str()).collect();
         let lonely = names.iter().filter_map(|name| Some((*name, side::of_bone(name)?.1)));
@@ -36,7 +36,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             1 => format!("bone `{name}` has no partner `{partner}`"),
             count => format!("{count} bones have no partner on the other side: `{name}` no `{partner}` …"),
         };
-        let help = match nearest(partner, names.iter().copied().filter(|other| other != name)) {
+        let help = match cx.suggestions.nearest(partner, names.iter().copied().filter(|other| other != name)) {
             Some(other) => format!("is `{other}` meant to be it?"),
             None => format!("add `{partner}`, or drop the mark of the side from `{name}`"),
         };

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::{Rig, SINGLE, rigs};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, Suggestions};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::mhskel::Section;
 use crate::repo::Body;
 
@@ -23,8 +23,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Body(run),
 };
 
-fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let suggestions = Suggestions::default();
+fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for rig in rigs(body).filter(|rig| rig.skeleton.joints_section == Section::Present) {
         let known: BTreeSet<&str> = rig.skeleton.joints.iter().map(|joint| joint.name.as_str()).collect();
         if known.is_empty() && uses(&rig).len() > 1 {
@@ -43,7 +42,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 count => format!("{owner} names joint `{joint}`, which does not exist ({count} uses)"),
             };
             let help = did_you_mean(
-                suggestions.nearest(joint, known.iter().copied()),
+                cx.suggestions.nearest(joint, known.iter().copied()),
                 "add it to `joints`, or name one of the joints there",
             );
             let finding = RULE.at(rig.file, place.clone(), message).key(joint).help(help);

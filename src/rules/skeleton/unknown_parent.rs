@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::hierarchy::hierarchy;
 use super::rigs;
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, Suggestions};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -17,8 +17,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Body(run),
 };
 
-fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let suggestions = Suggestions::default();
+fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for rig in rigs(body) {
         let names = || rig.skeleton.bones.iter().map(|bone| bone.name.as_str());
         for (parent, bones) in hierarchy(rig.skeleton).unknown_parents {
@@ -28,7 +27,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 count => format!("`{parent}`, the parent of {count} bones, does not exist"),
             };
             let help = did_you_mean(
-                suggestions.nearest(parent, names()),
+                cx.suggestions.nearest(parent, names()),
                 "name a bone of this skeleton, or null for the root",
             );
             out.push(

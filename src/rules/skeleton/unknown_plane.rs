@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx};
 use super::{Rig, SINGLE, rigs};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, Suggestions};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::mhskel::{Bone, RotationPlane, Section};
 use crate::json::UnknownKey;
 use crate::repo::Body;
@@ -21,8 +21,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Body(run),
 };
 
-fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let suggestions = Suggestions::default();
+fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     // `planes` of another type has a finding of its own.
     for rig in rigs(body).filter(|rig| rig.skeleton.planes_section != Section::Misshapen) {
         let known: BTreeSet<&str> = rig.skeleton.planes.iter().map(|plane| plane.name.as_str()).collect();
@@ -39,7 +38,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 1 => format!("bone `{first}` names plane `{plane}`, which does not exist"),
                 count => format!("{count} bones name plane `{plane}`, which does not exist"),
             };
-            let help = match (suggestions.nearest(plane, known.iter().copied()), misspelt_planes(&rig)) {
+            let help = match (cx.suggestions.nearest(plane, known.iter().copied()), misspelt_planes(&rig)) {
                 (_, Some(help)) => help,
                 (Some(name), None) => format!("did you mean `{name}`?"),
                 (None, None) => "add it to `planes`, or remove `rotation_plane` to use the vertical".to_owned(),

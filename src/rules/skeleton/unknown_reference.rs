@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::{Rig, rigs};
-use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo, nearest};
+use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::mhskel::Bone;
 use crate::repo::Body;
 
@@ -28,7 +28,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Body(run),
 };
 
-fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(default) = body.default_rig() else { return };
     let Some(pose) = default.skeleton() else { return };
     let known: BTreeSet<&str> = pose.bones.iter().map(|bone| bone.name.as_str()).collect();
@@ -49,7 +49,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 }
             }
         }
-        found.extend(finding(&rig, &unknown, &known));
+        found.extend(finding(&rig, &unknown, &known, cx));
         // Others refer to the default skeleton; what it refers to itself is never read.
         let is_default = std::ptr::eq(rig.file, default.file);
         out.extend(found.into_iter().map(|one| if is_default { one.case(OF_DEFAULT) } else { one }));
@@ -66,11 +66,11 @@ fn spelled_out(rig: &Rig<'_>, bone: &Bone, member: &str, text: &str) -> Finding 
         .help(format!("write a list: [\"{text}\"]"))
 }
 
-fn finding(rig: &Rig<'_>, unknown: &[(&str, &str, &str)], known: &BTreeSet<&str>) -> Option<Finding> {
+fn finding(rig: &Rig<'_>, unknown: &[(&str, &str, &str)], known: &BTreeSet<&str>, cx: &RuleCx<'_>) -> Option<Finding> {
     let (bone, member, name) = unknown.first()?;
     let more = if unknown.len() > 1 { format!(" ({} names like it)", unknown.len()) } else { String::new() };
     let message = format!("`{member}` of bone `{bone}` names `{name}`, which the default skeleton does not have{more}");
-    let help = did_you_mean(nearest(name, known.iter().copied()), "name bones of the default skeleton");
+    let help = did_you_mean(cx.suggestions.nearest(name, known.iter().copied()), "name bones of the default skeleton");
     let cases = unknown.iter().map(|(bone, _, name)| format!("{bone}: {name}"));
     Some(
         RULE.at(rig.file, Place::pointer(["bones", bone, member]), message)

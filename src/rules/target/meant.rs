@@ -12,14 +12,19 @@ type Files<'f, 'a> = BTreeMap<&'f str, Vec<&'a str>>;
 
 /// Unused files that a name without file nearly fits, or would fit but for its path: that name is the
 /// fault to report.
-pub(super) fn meant_by_missing<'a>(view: &View<'_>, base: &Base<'_>, unused: &[&'a FileFacts]) -> BTreeSet<&'a str> {
+pub(super) fn meant_by_missing<'a>(
+    view: &View<'_>,
+    base: &Base<'_>,
+    unused: &[&'a FileFacts],
+    suggestions: &Suggestions,
+) -> BTreeSet<&'a str> {
     let mut meant = BTreeSet::new();
     let (mut by_stem, mut by_folder): (Files<'_, 'a>, Files<'_, 'a>) = (BTreeMap::new(), BTreeMap::new());
     for file in unused {
         by_stem.entry(file.stem()).or_default().push(&file.rel);
         by_folder.entry(parent(&file.rel)).or_default().push(&file.rel);
     }
-    let suggestions = Suggestions::default();
+    let mut missing: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
     for reference in view.references_of(base).filter(|reference| reference.kind.is_target()) {
         if reference.meant().is_some() {
             continue;
@@ -27,7 +32,15 @@ pub(super) fn meant_by_missing<'a>(view: &View<'_>, base: &Base<'_>, unused: &[&
         let stem = reference.text.rsplit(['/', '\\']).next();
         meant.extend(stem.and_then(|stem| by_stem.get(stem)).into_iter().flatten());
         let rel = reference.rel.replace('\\', "/");
-        meant.extend(by_folder.get(parent(&rel)).and_then(|beside| suggestions.nearest(&rel, beside.iter().copied())));
+        missing.entry(parent(&rel).to_owned()).or_default().insert(rel);
+    }
+    for (folder, names) in &missing {
+        let Some(beside) = by_folder.get(folder.as_str()) else { continue };
+        meant.extend(names.iter().filter_map(|name| suggestions.nearest(name, beside.iter().copied())));
+        // Of the one nothing is there, the other nobody asks for.
+        if let ([only], 1) = (beside.as_slice(), names.len()) {
+            meant.insert(*only);
+        }
     }
     let lost = LostPartners::of(base);
     meant.extend(unused.iter().filter(|file| lost.have(base, file)).map(|file| file.rel.as_str()));

@@ -27,12 +27,12 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Makehuman2(run),
 };
 
-fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(folder) = base.targets else { return };
     let named = |file: &&FileFacts| folder.name_of(file).is_some_and(|name| !base.keeps_for_macros(name));
     let own = |file: &&FileFacts| folder.layer.file(&file.rel).is_some_and(|own| std::ptr::eq(own, *file));
     let unused: Vec<&FileFacts> = view.unused(base).iter().copied().filter(own).filter(named).collect();
-    let meant = meant_by_missing(view, base, &unused);
+    let meant = meant_by_missing(view, base, &unused, &cx.suggestions);
     let mut folders: BTreeMap<&str, Vec<&FileFacts>> = BTreeMap::new();
     for file in unused {
         if !meant.contains(file.rel.as_str()) && !breaks_start(file) {

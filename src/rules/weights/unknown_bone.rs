@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
-use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo, nearest};
+use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::{Body, BodyWeights, FileFacts, Rig};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -22,7 +22,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 const NEVER_APPLIED: Case =
     &[(Application::Makehuman2, Level::Warning, "never applies these weights: the base is posed by another skeleton")];
 
-fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for BodyWeights { file, .. } in &body.weights {
         let Some(weights) = file.weights() else { continue };
         let Some(Binding { known, is_posed, skeleton }) = binding(body, file) else { continue };
@@ -35,8 +35,10 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 format!("the skeleton does not have {count} of {} bones, the first is `{first}`", weights.bones.len())
             }
         };
-        let help =
-            did_you_mean(nearest(first, known.iter().copied()), "name bones of the skeleton that uses these weights");
+        let help = did_you_mean(
+            cx.suggestions.nearest(first, known.iter().copied()),
+            "name bones of the skeleton that uses these weights",
+        );
         let finding = RULE
             .at(file, Place::key(["weights", first]), message)
             .help(help)
