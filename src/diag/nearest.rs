@@ -125,8 +125,13 @@ fn without_common_ends<'s>(mut one: &'s str, mut other: &'s str) -> (&'s str, &'
     (&one[..one.len() - end], &other[..other.len() - end])
 }
 
-/// Whether each word is near the one in its place. Names with other numbers of words are judged as a whole.
+/// Whether each word is near the one in its place. Names with other numbers of words are judged as a whole, and the
+/// extension of a file is no word: `skin.jpg` may well be meant by `skin.png`.
 fn words_are_slips(one: &str, other: &str) -> bool {
+    let (one, other) = match (one.rsplit_once('.'), other.rsplit_once('.')) {
+        (Some((one, _)), Some((other, _))) => (one, other),
+        _ => (one, other),
+    };
     let words = |name| -> Vec<&str> { str::split(name, |c: char| !c.is_alphanumeric()).collect() };
     let (one, other) = (words(one), words(other));
     let is_slip = |(one, other): (&&str, &&str)| {
@@ -240,6 +245,7 @@ mod tests {
         ] {
             assert_eq!(nearest(name, [other]), None, "{name}");
         }
+        assert_eq!(nearest("skin_diffuse.png", ["skin_diffuse.jpg"]), Some("skin_diffuse.jpg"));
         assert_eq!(nearest("macrodetails/Gendr", ["macrodetails/Gender"]), Some("macrodetails/Gender"));
     }
 
