@@ -2,11 +2,14 @@
 //! test beside the code, which counts work; here each of them is run through the real binary, as it is and ten times as
 //! large, for a verdict.
 //!
-//! `cargo test --release --test all -- --ignored bounded:: --nocapture` prints what each takes.
+//! `cargo test --release --test all -- --ignored bounded:: --nocapture` prints what each takes; with
+//! `MHLINT=FILE` of another binary.
 
 mod formats;
+mod names;
 mod settings;
 
+use std::ffi::OsString;
 use std::fs;
 use std::path::Path;
 use std::process::Command;
@@ -49,7 +52,7 @@ fn run(input: &Input, times: usize) -> (usize, Taken) {
 fn measured(folder: &Path, args: &[&str]) -> Taken {
     let figures = folder.join(".figures");
     let mut command = Command::new("/usr/bin/time");
-    command.args(["-q", "-f", "%e %M", "-o"]).arg(&figures).arg(env!("CARGO_BIN_EXE_mhlint")).args(args);
+    command.args(["-q", "-f", "%e %M", "-o"]).arg(&figures).arg(binary()).args(args);
     let output = command.current_dir(folder).output().unwrap();
     let figures = fs::read_to_string(figures).unwrap();
     let mut figures = figures.split_whitespace().map(|figure| figure.parse::<f64>().unwrap());
@@ -58,12 +61,17 @@ fn measured(folder: &Path, args: &[&str]) -> Taken {
     Taken { exit: output.status.code(), seconds, mebibytes: kibibytes / 1024.0, err }
 }
 
+/// The binary of this build, or another one to compare with.
+fn binary() -> OsString {
+    std::env::var_os("MHLINT").unwrap_or_else(|| env!("CARGO_BIN_EXE_mhlint").into())
+}
+
 #[test]
 #[ignore = "times the release binary: cargo test --release -- --ignored bounded::"]
 fn every_input_ends_with_a_verdict() {
     println!("{:<48} {:>9} {:>8} {:>9}   {:>9} {:>8} {:>9}", "input", "KB", "s", "MiB", "10 x KB", "s", "MiB");
     let mut failed = Vec::new();
-    for input in settings::INPUTS.iter().chain(formats::INPUTS) {
+    for input in names::INPUTS.iter().chain(settings::INPUTS).chain(formats::INPUTS) {
         let (size, taken) = run(input, input.times);
         let (large, more) = run(input, 10 * input.times);
         println!(
