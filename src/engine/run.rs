@@ -119,7 +119,7 @@ fn asked_for(data: &Data<'_>, options: &Config) -> diag::Scope {
     }
     diag::Scope {
         paths: data.roots.iter().flat_map(Loaded::parts).map(str::to_owned).collect(),
-        excluded: file().flat_map(|file| &file.exclude).map(|glob| glob.text.clone()).collect(),
+        excluded: file().flat_map(|file| file.exclude.iter()).map(|glob| glob.text.clone()).collect(),
         bases: options.bases.clone(),
         rules,
         without,

@@ -48,6 +48,8 @@ pub struct Macrodef {
     pub incomplete: Vec<usize>,
     /// Names of entries that give no usable `t`: meant to be listed, reported by the schema.
     pub unusable: Vec<String>,
+    /// Whether one of the links leads to a file.
+    pub has_target: bool,
     /// `t` of entries without a usable `name`: meant to be listed as well.
     pub nameless: Vec<String>,
 }
@@ -132,6 +134,7 @@ fn read_links(node: &Node, macrodef: &mut Macrodef) {
             }
             (Some(name), Some(Value::Null)) => macrodef.links.push(Link { index, name, target: None }),
             (Some(name), Some(Value::String(target))) => {
+                macrodef.has_target = true;
                 macrodef.links.push(Link { index, name, target: Some(target.clone()) });
             }
             (None, _) | (_, None) => macrodef.incomplete.push(index),

@@ -19,7 +19,7 @@ pub use limits::Limits;
 pub use text::Encoding;
 pub use tree::Tree;
 
-pub(crate) use folder::{Folder, holds, is_below};
+pub(crate) use folder::{Folder, Outer, holds, is_below};
 pub(crate) use gunzip::{GzipFault, gunzip, try_gunzip};
 pub(crate) use lines::{Lines, first_line, lines};
 pub(crate) use place::{canonical, folder_of, link_targets, own_place, resolved, slashed};

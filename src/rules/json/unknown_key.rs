@@ -46,7 +46,10 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     let sliders = told_sliders(view, file);
     let lacking = lacking(file);
     let are_bones = has_bones_at_top(file);
-    let told = |unknown: &&UnknownKey| are_bones || lacks(file, &lacking, unknown) || is_told(file, &sliders, unknown);
+    let kindless = kindless(file);
+    let told = |unknown: &&UnknownKey| {
+        are_bones || lacks(&lacking, unknown) || is_told(file, &sliders, &kindless, unknown)
+    };
     for unknown in file.schema.unknown.iter().filter(|unknown| !told(unknown)) {
         by_key.entry((&unknown.key, unknown.object.as_deref())).or_default().push(unknown);
     }
@@ -66,6 +69,13 @@ fn told_sliders<'f>(view: &View<'_>, file: &'f FileFacts) -> Told<'f> {
         }
         _ => BTreeSet::new(),
     }
+}
+
+/// Pointers of the components with neither `steps` nor `sum`.
+fn kindless(file: &FileFacts) -> BTreeSet<String> {
+    let Content::Macro(macros) = &*file.content else { return BTreeSet::new() };
+    let kindless = |component: &&Component| component.steps.is_none() && component.sum.is_none();
+    macros.components.iter().filter(kindless).map(|component| pointer(&["components", &component.name])).collect()
 }
 
 /// Whether the bones of a weights file stand where `weights` is missing, which is said.
@@ -90,13 +100,13 @@ fn nested(file: &FileFacts, unknown: &UnknownKey) -> Option<&'static str> {
 }
 
 /// Whether the finding on the key that the schema misses names this one.
-fn lacks(file: &FileFacts, lacking: &BTreeSet<(&str, &str)>, unknown: &UnknownKey) -> bool {
+fn lacks(lacking: &BTreeSet<(&str, &str)>, unknown: &UnknownKey) -> bool {
     let owner = unknown.pointer.rsplit_once('/').map_or("", |(owner, _)| owner);
-    lacking.range((owner, "")..).take_while(|(other, _)| *other == owner).any(|(_, key)| stands_for(file, unknown, key))
+    lacking.range((owner, "")..).take_while(|(other, _)| *other == owner).any(|(_, key)| stands_for(unknown, key))
 }
 
 /// Whether the finding of another rule on the key that is missing instead names this one.
-fn is_told(file: &FileFacts, sliders: &Told<'_>, unknown: &UnknownKey) -> bool {
+fn is_told(file: &FileFacts, sliders: &Told<'_>, kindless: &BTreeSet<String>, unknown: &UnknownKey) -> bool {
     let Some(nearest) = unknown.nearest.as_deref() else { return false };
     let (owner, _) = unknown.pointer.rsplit_once('/').unwrap_or_default();
     match &*file.content {
@@ -110,10 +120,7 @@ fn is_told(file: &FileFacts, sliders: &Told<'_>, unknown: &UnknownKey) -> bool {
             _ => false,
         },
         Content::BaseJson(settings) if owner.is_empty() => nearest == "visible groups" && !settings.has_visible_groups,
-        Content::Macro(macros) if matches!(nearest, "steps" | "sum") => {
-            let own = |component: &&Component| pointer(&["components", &component.name]) == owner;
-            macros.components.iter().find(own).is_some_and(|own| own.steps.is_none() && own.sum.is_none())
-        }
+        Content::Macro(_) if matches!(nearest, "steps" | "sum") => kindless.contains(owner),
         Content::Modelling(_) => sliders.contains(&(owner.to_owned(), &unknown.key)),
         _ => false,
     }
