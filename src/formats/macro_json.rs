@@ -14,6 +14,18 @@ pub struct MacroFile {
     pub macrodefs: Vec<Macrodef>,
 }
 
+/// Most names that are compared with each component and each definition: every rule on macros does so. That is some ten
+/// times what the macros of a whole character come to.
+const MOST_COMPARED: usize = 1 << 18;
+
+impl MacroFile {
+    /// Whether these are more macros than can be compared with one another: they are then not checked, and that is said.
+    pub fn is_too_large(&self) -> bool {
+        let names: usize = self.macrodefs.iter().map(|macrodef| macrodef.components.len() + macrodef.links.len()).sum();
+        names.saturating_mul(self.components.len() + self.macrodefs.len()) > MOST_COMPARED
+    }
+}
+
 /// A component: a dimension of the cross product.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Component {

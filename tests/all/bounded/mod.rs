@@ -5,6 +5,7 @@
 //! `cargo test --release --test all -- --ignored bounded:: --nocapture` prints what each takes.
 
 mod formats;
+mod macros;
 mod settings;
 
 use std::fs;
@@ -63,7 +64,7 @@ fn measured(folder: &Path, args: &[&str]) -> Taken {
 fn every_input_ends_with_a_verdict() {
     println!("{:<48} {:>9} {:>8} {:>9}   {:>9} {:>8} {:>9}", "input", "KB", "s", "MiB", "10 x KB", "s", "MiB");
     let mut failed = Vec::new();
-    for input in settings::INPUTS.iter().chain(formats::INPUTS) {
+    for input in settings::INPUTS.iter().chain(macros::INPUTS).chain(formats::INPUTS) {
         let (size, taken) = run(input, input.times);
         let (large, more) = run(input, 10 * input.times);
         println!(
