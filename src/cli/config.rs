@@ -2,6 +2,7 @@
 
 use std::fmt::Display;
 use std::io::Write;
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use super::args::CheckArgs;
@@ -10,7 +11,7 @@ use crate::config::{Config, ConfigFile, Selector, find};
 use crate::diag::{Application, Level};
 use crate::engine::{DEFAULT_SAMPLES, rule_infos};
 use crate::report::printable;
-use crate::source::slashed;
+use crate::source::{Lines, slashed};
 
 /// The settings in force.
 pub(super) fn settings(args: &CheckArgs) -> Result<Config, Failure> {
@@ -55,7 +56,8 @@ fn forget(config: &mut Config, key: &str) {
 pub(super) fn run(args: &CheckArgs, out: &mut dyn Write) -> Result<Exit, Failure> {
     let config = settings(args)?;
     let empty = ConfigFile::default();
-    let sheet = Sheet { config: &config, file: config.file.as_ref().unwrap_or(&empty), args };
+    let file = config.file.as_ref().unwrap_or(&empty);
+    let sheet = Sheet { config: &config, file, lines: Lines::of(file.text.as_bytes()), args };
     if let Some(file) = &config.file {
         writeln!(out, "# {}", printable(&file.path))?;
     } else {
@@ -67,7 +69,7 @@ pub(super) fn run(args: &CheckArgs, out: &mut dyn Write) -> Result<Exit, Failure
     rows.extend(sheet.levels());
     rows.extend(sheet.options());
     rows.extend(sheet.blocks());
-    let width = rows.iter().map(|(setting, _)| setting.chars().count()).max().unwrap_or(0);
+    let width = rows.iter().map(|(setting, _)| setting.chars().count()).max().unwrap_or(0).min(WIDEST);
     for (setting, origin) in rows {
         writeln!(out, "{setting:<width$}  # {}", printable(&origin))?;
     }
@@ -77,11 +79,15 @@ pub(super) fn run(args: &CheckArgs, out: &mut dyn Write) -> Result<Exit, Failure
 /// A setting as it would be written, and where it comes from.
 type Row = (String, String);
 
+/// Columns after which the origins need not stand below one another: a list may be as long as the file.
+const WIDEST: usize = 400;
+
 const COMMAND_LINE: &str = "command line";
 
 struct Sheet<'a> {
     config: &'a Config,
     file: &'a ConfigFile,
+    lines: Lines<'a>,
     args: &'a CheckArgs,
 }
 
@@ -128,8 +134,13 @@ impl Sheet<'_> {
         (format!("{key} = {value}"), self.origin(key, by_command_line))
     }
 
+    /// Line of a span of the file, counted from 1.
+    fn line(&self, span: &Range<usize>) -> u32 {
+        self.lines.position(span.start).line
+    }
+
     fn origin(&self, key: &str, by_command_line: bool) -> String {
-        match self.file.line(key) {
+        match self.file.places.get(key).map(|span| self.line(span)) {
             _ if by_command_line => COMMAND_LINE.to_owned(),
             Some(line) => format!("{}:{line}", self.file.path),
             None => "default".to_owned(),
@@ -161,7 +172,7 @@ impl Sheet<'_> {
     }
 
     fn level(&self, selector: &Selector, level: Option<Level>) -> Row {
-        let line = self.file.line_at(&selector.span);
+        let line = self.line(&selector.span);
         (level_text(&selector.text, level), format!("{}:{line}", self.file.path))
     }
 
@@ -183,7 +194,7 @@ impl Sheet<'_> {
             let within = format!("path {}: ", quoted(&block.glob.text));
             if !block.skip.is_empty() && self.args.only.is_empty() {
                 let skip = list(block.skip.iter().map(|selector| &selector.text));
-                rows.push((format!("{within}skip = {skip}"), at(self.file.line_at(&block.span))));
+                rows.push((format!("{within}skip = {skip}"), at(self.line(&block.span))));
             }
             for (selector, level) in block.levels.iter().filter(|(_, level)| self.is_in_force(*level)) {
                 let (text, origin) = self.level(selector, *level);
@@ -193,7 +204,7 @@ impl Sheet<'_> {
         for ignore in &self.file.ignores {
             let until = ignore.until.map(|until| format!(" until {until}")).unwrap_or_default();
             let text = format!("ignore {} in {}{until}", quoted(&ignore.rule.text), quoted(&ignore.path.text));
-            rows.push((text, at(self.file.line_at(&ignore.span))));
+            rows.push((text, at(self.line(&ignore.span))));
         }
         rows
     }

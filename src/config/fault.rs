@@ -41,10 +41,9 @@ impl Error {
 }
 
 impl Fault {
-    pub(super) fn new(text: &str, span: Range<usize>, message: String, help: String) -> Self {
-        let lines = Lines::of(text.as_bytes());
+    pub(super) fn new(lines: &Lines<'_>, span: Range<usize>, message: String, help: String) -> Self {
         let at = lines.position(span.start);
-        let quoted = quote(&lines, span).unwrap_or_default();
+        let quoted = quote(lines, span).unwrap_or_default();
         // A name in quotes may hold line breaks, and what stands behind one must not look like a line of its own.
         let [message, help] = [message, help].map(|text| text.replace(['\n', '\r'], " "));
         Self { message, help, place: Some((at.line, at.column)), quoted }

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use globset::{Glob, GlobBuilder, GlobMatcher};
+use globset::{GlobBuilder, GlobMatcher};
 
 use crate::source::is_below;
 
@@ -31,8 +31,42 @@ pub struct PathGlob {
 /// Characters that mean something in a glob. Without them it fits itself alone, and comparing is much faster.
 const SPECIAL: [char; 8] = ['*', '?', '[', ']', '{', '}', '!', '\\'];
 
+/// Most bytes of a glob: no system has longer paths.
+const LONGEST: usize = 4096;
+/// Most braces inside one another: the compiler descends into each of them.
+const DEEPEST: usize = 10;
+
 fn is_plain(text: &str) -> bool {
     !text.contains(SPECIAL)
+}
+
+/// Compiles a glob; nothing is compiled of a text that means itself.
+fn compiled(text: &str, star_stops_at_slash: bool) -> Result<Option<GlobMatcher>, String> {
+    if text.len() > LONGEST {
+        return Err(format!("it is longer than {LONGEST} bytes"));
+    }
+    if is_plain(text) {
+        return Ok(None);
+    }
+    if depth(text) > DEEPEST {
+        return Err(format!("more than {DEEPEST} braces stand inside one another"));
+    }
+    let glob = GlobBuilder::new(text).literal_separator(star_stops_at_slash).build();
+    Ok(Some(glob.map_err(|error| error.kind().to_string())?.compile_matcher()))
+}
+
+/// How many braces are open at once, at most.
+fn depth(text: &str) -> usize {
+    let mut open = 0_usize;
+    let depths = text.chars().map(|c| {
+        match c {
+            '{' => open += 1,
+            '}' => open = open.saturating_sub(1),
+            _ => {}
+        }
+        open
+    });
+    depths.max().unwrap_or(0)
 }
 
 impl Selector {
@@ -41,8 +75,12 @@ impl Selector {
     /// # Errors
     /// What is wrong with the glob.
     pub fn new(text: &str, span: Range<usize>) -> Result<Self, String> {
-        let glob = Glob::new(text).map_err(|error| error.kind().to_string())?.compile_matcher();
-        Ok(Self { text: text.to_owned(), span, glob: Some(glob).filter(|_| !is_plain(text)) })
+        Ok(Self { text: text.to_owned(), span, glob: compiled(text, false)? })
+    }
+
+    /// Characters that had to be compiled.
+    pub(super) fn compiled(&self) -> usize {
+        self.glob.as_ref().map_or(0, |_| self.text.len())
     }
 
     /// Whether it fits a rule.
@@ -58,9 +96,12 @@ impl PathGlob {
     /// What is wrong with the glob.
     pub fn new(text: &str, span: Range<usize>) -> Result<Self, String> {
         let plain = text.trim_start_matches("./").trim_end_matches('/');
-        let glob = GlobBuilder::new(plain).literal_separator(true).build();
-        let glob = glob.map_err(|error| error.kind().to_string())?.compile_matcher();
-        Ok(Self { text: plain.to_owned(), span, glob: Some(glob).filter(|_| !is_plain(plain)) })
+        Ok(Self { text: plain.to_owned(), span, glob: compiled(plain, true)? })
+    }
+
+    /// Characters that had to be compiled; none of a plain path.
+    pub(super) fn compiled(&self) -> usize {
+        self.glob.as_ref().map_or(0, |_| self.text.len())
     }
 
     /// Whether it fits a path. Without a wildcard it names a file, or a folder with everything in it.
@@ -69,6 +110,11 @@ impl PathGlob {
             None => self.text == path || is_below(path, &self.text),
             Some(glob) => glob.is_match(path) || (!self.is_wild() && is_below(path, &self.text)),
         }
+    }
+
+    /// Whether it is a path without anything that means something in a glob.
+    pub(crate) const fn is_plain(&self) -> bool {
+        self.glob.is_none()
     }
 
     /// The folders in front of the first wildcard: everything that fits lies there.
@@ -93,6 +139,22 @@ mod tests {
         assert!(fits("rigs/**", "rigs/hm08/a.mhw") && fits("**/a.mhw", "rigs/hm08/a.mhw"));
         assert!(fits("rigs/a.mhw", "rigs/a.mhw") && !fits("rigs/a.mhw", "rigs/b.mhw"));
         assert!(fits("rigs", "rigs/hm08/a.mhw") && fits("./rigs/", "rigs/a") && !fits("rigs", "rigs2/a"));
+    }
+
+    #[test]
+    fn a_glob_that_is_long_or_deep_is_refused_before_it_is_compiled() {
+        let nested = |levels: usize| "{a,".repeat(levels) + &"}".repeat(levels);
+        for levels in [11, 126, 50_000] {
+            assert!(PathGlob::new(&nested(levels), 0..0).is_err(), "{levels}");
+            assert!(Selector::new(&nested(levels), 0..0).is_err(), "{levels}");
+        }
+        let open = "{".repeat(50_000);
+        assert!(PathGlob::new(&open, 0..0).unwrap_err().contains("bytes"));
+        assert!(PathGlob::new(&nested(10), 0..0).unwrap().fits("a"));
+        assert!(PathGlob::new(&"{a}".repeat(300), 0..0).is_ok());
+        let long = "a*".repeat(2049);
+        assert_eq!(Selector::new(&long, 0..0).unwrap_err(), "it is longer than 4096 bytes");
+        assert!(Selector::new(&long[2..], 0..0).is_ok());
     }
 
     #[test]

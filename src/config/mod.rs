@@ -7,8 +7,10 @@ mod date;
 mod fault;
 mod find;
 mod glob;
+mod globs;
 mod keys;
 mod read;
+mod room;
 mod schema;
 mod template;
 mod value;
@@ -24,6 +26,7 @@ pub use date::Date;
 pub use fault::{Error, Fault};
 pub use find::{FILE_NAME, find};
 pub use glob::{PathGlob, Selector};
+pub use globs::Globs;
 pub use schema::schema;
 pub use template::TEMPLATE;
 
@@ -119,7 +122,7 @@ pub struct ConfigFile {
     /// `[level]`, in order of the file.
     pub levels: Vec<(Selector, Option<Level>)>,
     /// `exclude`.
-    pub exclude: Vec<PathGlob>,
+    pub exclude: Globs,
     /// `[[path]]`.
     pub blocks: Vec<PathBlock>,
     /// `[[ignore]]`.
@@ -236,7 +239,7 @@ impl Config {
     pub fn excludes(&self, path: &str) -> bool {
         let Some(file) = self.file.as_ref().filter(|file| !file.exclude.is_empty()) else { return false };
         let Some(rel) = file.folder.relative(path) else { return false };
-        file.exclude.iter().any(|glob| glob.fits(&rel))
+        file.exclude.fits(&rel)
     }
 }
 

@@ -7,10 +7,11 @@ use toml::de::{DeTable, DeValue};
 
 use super::fault::{Error, Fault};
 use super::keys::{FILE, Key, Shape};
+use super::room::Room;
 use super::value::{self, Value, Wrong};
-use super::{Config, ConfigFile, Date, Ignore, MOST_SAMPLES, PathBlock, PathGlob, Selector, Unknown};
-use crate::diag::{Application, Level, RuleInfo, nearest};
-use crate::source::Folder;
+use super::{Config, ConfigFile, Date, Globs, Ignore, MOST_SAMPLES, PathBlock, PathGlob, Selector, Unknown};
+use crate::diag::{Application, Level, RuleInfo, Suggestions, nearest};
+use crate::source::{Folder, Lines};
 
 /// Reads a text. `inside` is its folder as printed, `folder` the same to compare paths with.
 pub(super) fn read(
@@ -21,7 +22,9 @@ pub(super) fn read(
     rules: &[&'static RuleInfo],
 ) -> Result<Config, Error> {
     let file = ConfigFile { path: path.to_owned(), text: text.to_owned(), folder, ..ConfigFile::default() };
-    let mut reader = Reader { inside, rules, config: Config::default(), file, faults: Vec::new() };
+    let config = Config::default();
+    let (room, suggestions) = (Room::default(), Suggestions::default());
+    let mut reader = Reader { inside, rules, config, file, faults: Vec::new(), room, suggestions };
     match DeTable::parse(text) {
         Ok(table) => reader.file(table.get_ref()),
         Err(error) => {
@@ -35,7 +38,8 @@ pub(super) fn read(
         return Ok(config);
     }
     faults.sort_by_key(|(span, ..)| span.start);
-    let told = faults.into_iter().map(|(span, message, help)| Fault::new(text, span, message, help));
+    let lines = Lines::of(text.as_bytes());
+    let told = faults.into_iter().map(|(span, message, help)| Fault::new(&lines, span, message, help));
     Err(Error { path: path.to_owned(), faults: told.collect() })
 }
 
@@ -45,6 +49,8 @@ struct Reader<'r> {
     config: Config,
     file: ConfigFile,
     faults: Vec<Wrong>,
+    room: Room,
+    suggestions: Suggestions,
 }
 
 impl Reader<'_> {
@@ -116,15 +122,33 @@ impl Reader<'_> {
         self.take(value::text(name, value)).map(|text| self.inside.join(text))
     }
 
-    fn globs(&mut self, name: &str, value: &Value<'_>) -> Vec<PathGlob> {
+    fn globs(&mut self, name: &str, value: &Value<'_>) -> Globs {
         let texts = self.take(value::texts(name, value)).unwrap_or_default();
         texts.into_iter().filter_map(|(text, span)| self.glob(text, span)).collect()
     }
 
     fn glob(&mut self, text: &str, span: Range<usize>) -> Option<PathGlob> {
-        let glob = PathGlob::new(text, span.clone());
+        let glob = self.compile(text, &span, PathGlob::new, PathGlob::compiled)?;
         let help = "`*` is any part of a name, `**/` any folders; a bracket or brace must be closed";
-        self.take(glob.map_err(|reason| (span, format!("`{text}` is no glob: {reason}"), help.to_owned())))
+        self.take(glob.map_err(|reason| (span, no_glob(text, &reason), help.to_owned())))
+    }
+
+    /// Compiles a glob, as long as there is room.
+    fn compile<G>(
+        &mut self,
+        text: &str,
+        span: &Range<usize>,
+        new: fn(&str, Range<usize>) -> Result<G, String>,
+        compiled: fn(&G) -> usize,
+    ) -> Option<Result<G, String>> {
+        if self.room.is_full() {
+            return None;
+        }
+        let glob = new(text, span.clone());
+        if let Some((message, help)) = self.room.take(glob.as_ref().map_or(0, compiled)) {
+            self.fault((span.clone(), message, help));
+        }
+        Some(glob)
     }
 
     /// Selectors of rules. One that names a safety rule is refused, one that fits nothing is noted.
@@ -135,10 +159,9 @@ impl Reader<'_> {
     }
 
     fn selector(&mut self, setting: &str, text: &str, span: Range<usize>, ignores: bool) -> Option<Selector> {
-        let selector = Selector::new(text, span.clone());
+        let selector = self.compile(text, &span, Selector::new, Selector::compiled)?;
         let help = "a rule such as `macro-steps-length`, or a glob such as `macro-*`";
-        let selector =
-            self.take(selector.map_err(|why| (span.clone(), format!("`{text}` is no glob: {why}"), help.to_owned())))?;
+        let selector = self.take(selector.map_err(|why| (span.clone(), no_glob(text, &why), help.to_owned())))?;
         if ignores && self.rules.iter().any(|rule| rule.id == text && rule.cannot_be_ignored) {
             let why = "it guards against running foreign code, leaving the data or filling memory";
             let message = format!("`{text}` cannot be muted or lowered: {why}");
@@ -151,7 +174,7 @@ impl Reader<'_> {
     }
 
     fn unknown(&mut self, setting: &str, rule: &str, span: Range<usize>) {
-        let nearest = nearest(rule, self.rules.iter().map(|rule| rule.id));
+        let nearest = self.suggestions.nearest(rule, self.rules.iter().map(|rule| rule.id));
         self.file.unknown.push(Unknown { setting: setting.to_owned(), rule: rule.to_owned(), span, nearest });
     }
 
@@ -291,6 +314,10 @@ impl Reader<'_> {
             }
         }
     }
+}
+
+fn no_glob(text: &str, reason: &str) -> String {
+    format!("`{}` is no glob: {reason}", value::shortened(text))
 }
 
 /// The keys of a table of the file.

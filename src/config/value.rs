@@ -92,6 +92,15 @@ fn shown(value: &DeValue<'_>) -> String {
     }
 }
 
+/// A text as it is quoted in a message: one that goes on and on is cut.
+pub(super) fn shortened(text: &str) -> String {
+    const MOST: usize = 100;
+    match text.char_indices().nth(MOST) {
+        Some((end, _)) => format!("{}…", text.get(..end).unwrap_or_default()),
+        None => text.to_owned(),
+    }
+}
+
 fn integer(number: &DeInteger<'_>) -> Option<i64> {
     i64::from_str_radix(&number.as_str().replace('_', ""), number.radix()).ok()
 }

@@ -122,6 +122,8 @@ pub enum Unchecked {
     Closed,
     /// Whether what is found is new: contents to compare with are not at hand.
     NotCompared,
+    /// What all of the macros do: there are more, or more settings of them, than are looked at.
+    TooManyMacros,
 }
 
 /// What alone was reported on, where that is not all of the data. Empty lists narrow nothing.

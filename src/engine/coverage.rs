@@ -1,12 +1,14 @@
 //! What of the data was checked, and what was not.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 
 use super::catalogue::has_rules;
 use super::load::{Loaded, shown};
 use super::settle::Scope;
 use crate::config::Config;
 use crate::diag::{Application, NotChecked, Outcome, Unchecked, Untouched};
+use crate::eval::measures::Measures;
 use crate::repo::{FileFacts, Resolution, View};
 use crate::source::is_below;
 
@@ -59,6 +61,24 @@ impl<'r> Coverage<'r> {
             let open = view.references().iter().filter(|one| matches!(one.resolution, Resolution::NeedsSystem));
             for reference in open.filter(|one| asked.is_for(root, one.from)) {
                 self.leave(view.application(), Unchecked::NoSystem, &reference.rel);
+            }
+        }
+    }
+
+    /// Notes the macros of which not all was looked at.
+    pub(super) fn add_measured(
+        &mut self,
+        root: &Loaded<'_>,
+        view: &View<'_>,
+        measures: Option<&BTreeMap<String, Arc<Measures>>>,
+    ) {
+        let View::Makehuman2(of) = view else { return };
+        for base in &of.bases {
+            let measure = measures.and_then(|measures| measures.get(base.name));
+            let is_cut = base.has_too_many_macros() || measure.is_some_and(|measure| measure.lacks_settings);
+            let file = base.macro_file().map(|(file, _)| file).filter(|_| is_cut);
+            if let Some(file) = file.filter(|file| self.asked.is_for(root, file)) {
+                self.leave(view.application(), Unchecked::TooManyMacros, &file.path);
             }
         }
     }

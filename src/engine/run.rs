@@ -119,7 +119,7 @@ fn asked_for(data: &Data<'_>, options: &Config) -> diag::Scope {
     }
     diag::Scope {
         paths: data.roots.iter().flat_map(Loaded::parts).map(str::to_owned).collect(),
-        excluded: file().flat_map(|file| &file.exclude).map(|glob| glob.text.clone()).collect(),
+        excluded: file().flat_map(|file| file.exclude.iter()).map(|glob| glob.text.clone()).collect(),
         bases: options.bases.clone(),
         rules,
         without,
@@ -186,6 +186,9 @@ impl Asked<'_> {
             coverage.add(checked, &views, outcome);
             let of_view = |view: &View<'_>| measures.get(number)?.get(&view.application());
             let with_measures: Vec<_> = views.iter().map(|view| (view, of_view(view))).collect();
+            for (view, measures) in &with_measures {
+                coverage.add_measured(checked, view, *measures);
+            }
             let findings = check(RULES, &with_measures, selection, options, outcome);
             let is_asked_for = |path: &str| checked.is_asked_for(path);
             let below: Vec<&Layer> = seen.iter().filter_map(|(_, layers)| layers.system).collect();

@@ -40,6 +40,13 @@ impl Macros {
         }
     }
 
+    /// Steps that evaluating one setting takes at most.
+    pub fn cost(&self) -> usize {
+        match self {
+            Self::Makehuman2(table) => table.cost(),
+        }
+    }
+
     /// What the macros of a scene do over the range of their sliders; what is thrown away is looked for in `settings`.
     pub fn measure(&self, scene: &Scene, settings: &[Setting]) -> MacroMeasure {
         match self {

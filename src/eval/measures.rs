@@ -8,6 +8,8 @@ use super::target_measure::TargetMeasure;
 /// Measures of one base mesh.
 #[derive(Debug, Clone, Default)]
 pub struct Measures {
+    /// Whether some settings of the macros were left out: there are more than anybody waits for.
+    pub lacks_settings: bool,
     /// What happens over the slider space; `None` if the default character cannot be made.
     pub space: Option<SpaceMeasure>,
     /// What the macros do over the range of their sliders.
@@ -75,6 +77,8 @@ pub struct MacroMeasure {
     pub sums: Vec<SumOff>,
     /// Jumps between two sides of a step.
     pub jumps: Vec<Jump>,
+    /// Whether it was more work than is done, and some of it was left out.
+    pub is_cut: bool,
     /// Macrodef, weight lost to the cut-off at worst, and the setting.
     pub losses: Vec<(usize, f64, Vec<SliderSetting>)>,
 }

@@ -35,6 +35,8 @@ pub struct Scene {
     pub sliders: Vec<SceneSlider>,
     /// The macros; `None` without a macro system.
     pub macros: Option<Macros>,
+    /// Whether there is a macro system with more in it than is evaluated.
+    pub lacks_macros: bool,
     /// For each target number of the macros its place in `targets`.
     pub macro_targets: Vec<usize>,
     /// Macro settings after a reset.

@@ -6,11 +6,12 @@
 
 use std::collections::BTreeSet;
 
+use super::macros::Macros;
 use super::scene::{Scene, SceneSlider, Setting, SliderKind};
 
 /// How far beside a step the two sides of it are looked at: well inside every interval, outside the 0.001 limits.
 const BESIDE: f64 = 0.004;
-/// Corners of a product beyond this are not visited; the caller says so.
+/// Corners of a product beyond this are not visited.
 pub const MOST_CORNERS: usize = 1 << 16;
 /// Random settings when nobody asks for another number.
 pub const DEFAULT_SAMPLES: usize = 64;
@@ -33,10 +34,31 @@ pub enum Dimension {
     Corners(Vec<usize>),
 }
 
-/// The settings to look at, without repetition, in a fixed order.
-pub fn plan(scene: &Scene, samples: usize, exhaustive: bool) -> Vec<Setting> {
+/// Steps that evaluating the macros at all settings may take. A character of a hundred macro sliders comes to a tenth.
+const STEPS: usize = 1 << 26;
+/// Numbers that the macro settings may hold together: they are all in memory.
+const NUMBERS: usize = 1 << 23;
+
+/// The settings to look at.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Plan {
+    /// Without repetition, in a fixed order; the first is the one after a reset.
+    pub settings: Vec<Setting>,
+    /// Whether there would have been more of the macros, for which there is no time or memory.
+    pub is_cut: bool,
+}
+
+/// How many settings there is time and memory for.
+fn room(scene: &Scene) -> usize {
+    let cost = scene.macros.as_ref().map_or(1, Macros::cost).max(1);
+    (STEPS / cost).min(NUMBERS / scene.macro_defaults.len().max(1)).max(1)
+}
+
+/// The settings to look at, as many as there is room for.
+pub fn plan(scene: &Scene, samples: usize, exhaustive: bool) -> Plan {
     let rest = scene.defaults();
-    let mut plan = Plan { settings: vec![rest.clone()], rest, seen: BTreeSet::new() };
+    let room = room(scene);
+    let mut plan = Planner { settings: vec![rest.clone()], rest, seen: BTreeSet::new(), room, is_cut: false };
     let dimensions = distinct(&scene.products);
     for dimension in &dimensions {
         plan.alone(dimension);
@@ -49,7 +71,7 @@ pub fn plan(scene: &Scene, samples: usize, exhaustive: bool) -> Vec<Setting> {
     }
     plan.details(scene);
     plan.sample(scene, &dimensions, samples);
-    plan.settings
+    Plan { settings: plan.settings, is_cut: plan.is_cut }
 }
 
 /// Number of corners of a product of dimensions.
@@ -62,6 +84,15 @@ impl Dimension {
         match self {
             Self::Steps { steps, .. } => steps.len(),
             Self::Corners(places) => places.len(),
+        }
+    }
+
+    /// What tells it from others, to be sorted by.
+    fn key(&self) -> (bool, Vec<usize>, Vec<u64>) {
+        match self {
+            // No matter which sign a zero has.
+            Self::Steps { place, steps } => (true, vec![*place], steps.iter().map(|s| (s + 0.0).to_bits()).collect()),
+            Self::Corners(places) => (false, places.clone(), Vec::new()),
         }
     }
 
@@ -102,23 +133,27 @@ fn put(setting: &mut Setting, place: usize, value: f64) {
 }
 
 fn distinct(products: &[Vec<Dimension>]) -> Vec<Dimension> {
-    let mut all: Vec<Dimension> = Vec::new();
-    for dimension in products.iter().flatten() {
-        if !all.contains(dimension) {
-            all.push(dimension.clone());
-        }
-    }
-    all
+    let mut seen = BTreeSet::new();
+    products.iter().flatten().filter(|dimension| seen.insert(dimension.key())).cloned().collect()
 }
 
-struct Plan {
+struct Planner {
     /// All sliders as a reset leaves them.
     rest: Setting,
     settings: Vec<Setting>,
     seen: BTreeSet<Vec<u64>>,
+    room: usize,
+    is_cut: bool,
 }
 
-impl Plan {
+impl Planner {
+    /// Whether another setting of macro sliders may be added; notes that one was wanted.
+    fn has_room(&mut self) -> bool {
+        let has_room = self.settings.len() < self.room;
+        self.is_cut |= !has_room;
+        has_room
+    }
+
     /// Adds a setting of macro sliders unless it is there.
     fn add(&mut self, setting: Setting) {
         if self.seen.insert(setting.macros.iter().map(|value| value.to_bits()).collect()) {
@@ -132,6 +167,9 @@ impl Plan {
         let sides = steps.iter().flat_map(|step| [step - BESIDE, step + BESIDE]);
         let inside = sides.filter(|value| (0.0..=1.0).contains(value));
         for value in steps.iter().copied().chain([0.0, 1.0]).chain(middles).chain(inside) {
+            if !self.has_room() {
+                return;
+            }
             let mut setting = self.rest.clone();
             put(&mut setting, *place, value);
             self.add(setting);
@@ -141,9 +179,13 @@ impl Plan {
     fn corners(&mut self, dimensions: &[Dimension]) {
         let count = corner_count(dimensions);
         if count > MOST_CORNERS {
+            self.is_cut = true;
             return;
         }
         for number in 0..count {
+            if !self.has_room() {
+                return;
+            }
             let mut setting = self.rest.clone();
             let mut rest = number;
             for dimension in dimensions {
@@ -170,6 +212,9 @@ impl Plan {
         let mut random = Random(SEED);
         let details = details_of(scene);
         for _ in 0..samples {
+            if !dimensions.is_empty() && !self.has_room() {
+                return;
+            }
             let mut setting = self.rest.clone();
             for dimension in dimensions {
                 random.macro_values(dimension, &mut setting);
@@ -281,11 +326,24 @@ mod tests {
     #[test]
     fn corners_middles_and_sides_are_there_once() {
         let scene = scene();
-        let plan = plan(&scene, 3, false);
+        let Plan { settings: plan, is_cut } = plan(&scene, 3, false);
+        assert!(!is_cut);
         let has = |age: f64, gender: f64| plan.iter().filter(|s| s.macros == [age, gender]).count();
         assert_eq!([has(0.0, 0.0), has(0.25, 1.0), has(1.0, 1.0)], [1, 1, 1]);
         assert_eq!([has(0.625, 0.5), has(0.25 - BESIDE, 0.5), has(0.25 + BESIDE, 0.5)], [1, 1, 1]);
         assert_eq!(plan.iter().filter(|s| s.details == [(2, 1.0)].into() && s.macros == [0.5, 0.5]).count(), 1);
+    }
+
+    #[test]
+    fn the_work_of_all_settings_is_bounded_and_what_is_left_out_is_said() {
+        let step = |place| Dimension::Steps { place, steps: vec![0.0, 0.5, 1.0] };
+        for sliders in [2, 3_000, 30_000] {
+            let macro_defaults = vec![0.5; sliders];
+            let products = (0..sliders).map(|place| vec![step(place)]).collect();
+            let plan = plan(&Scene { macro_defaults, products, ..Scene::default() }, 64, false);
+            assert!(plan.settings.len() * sliders <= NUMBERS, "{sliders}");
+            assert_eq!(plan.is_cut, sliders > 2, "{sliders}");
+        }
     }
 
     #[test]

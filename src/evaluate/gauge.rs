@@ -12,7 +12,7 @@ use crate::eval::measures::{Measures, PairMeasure, Received, Seen, SkeletonMeasu
 use crate::eval::mesh::bounding_box;
 use crate::eval::rig_measure::{bone_pairs, bones, weights};
 use crate::eval::scene::{MorphTarget, Scene, Setting};
-use crate::eval::settings::{DEFAULT_SAMPLES, moved, plan};
+use crate::eval::settings::{DEFAULT_SAMPLES, Plan, moved, plan};
 use crate::eval::side::{self, Side};
 use crate::eval::skeleton::SceneSkeleton;
 use crate::eval::survey::{Fault, Survey};
@@ -51,7 +51,7 @@ pub(super) struct Rig {
 pub(super) fn gauge(composed: &Composed, options: &Config) -> Measures {
     let Composed { scene, rigs } = composed;
     let samples = options.samples.unwrap_or(DEFAULT_SAMPLES).min(MOST_SAMPLES);
-    let settings = plan(scene, samples, options.exhaustive);
+    let Plan { settings, is_cut } = plan(scene, samples, options.exhaustive);
     let (space, (macros, shape)) = rayon::join(
         || survey(scene, &settings),
         || {
@@ -59,7 +59,9 @@ pub(super) fn gauge(composed: &Composed, options: &Config) -> Measures {
             rayon::join(macros, || shape(scene, rigs))
         },
     );
-    Measures { space, macros: macros.unwrap_or_default(), ..shape }
+    let macros = macros.unwrap_or_default();
+    let lacks_settings = scene.lacks_macros || is_cut || macros.is_cut;
+    Measures { lacks_settings, space, macros, ..shape }
 }
 
 /// Everything that needs the default character only.

@@ -14,6 +14,18 @@ pub struct MacroFile {
     pub macrodefs: Vec<Macrodef>,
 }
 
+/// Most names that are compared with each component and each definition: every rule on macros does so. That is some ten
+/// times what the macros of a whole character come to.
+const MOST_COMPARED: usize = 1 << 18;
+
+impl MacroFile {
+    /// Whether these are more macros than can be compared with one another: they are then not checked, and that is said.
+    pub fn is_too_large(&self) -> bool {
+        let names: usize = self.macrodefs.iter().map(|macrodef| macrodef.components.len() + macrodef.links.len()).sum();
+        names.saturating_mul(self.components.len() + self.macrodefs.len()) > MOST_COMPARED
+    }
+}
+
 /// A component: a dimension of the cross product.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Component {
@@ -48,6 +60,8 @@ pub struct Macrodef {
     pub incomplete: Vec<usize>,
     /// Names of entries that give no usable `t`: meant to be listed, reported by the schema.
     pub unusable: Vec<String>,
+    /// Whether one of the links leads to a file.
+    pub has_target: bool,
     /// `t` of entries without a usable `name`: meant to be listed as well.
     pub nameless: Vec<String>,
 }
@@ -132,6 +146,7 @@ fn read_links(node: &Node, macrodef: &mut Macrodef) {
             }
             (Some(name), Some(Value::Null)) => macrodef.links.push(Link { index, name, target: None }),
             (Some(name), Some(Value::String(target))) => {
+                macrodef.has_target = true;
                 macrodef.links.push(Link { index, name, target: Some(target.clone()) });
             }
             (None, _) | (_, None) => macrodef.incomplete.push(index),

@@ -55,7 +55,7 @@ impl Sorted {
         }
     }
 
-    fn member<'n>(&mut self, node: &'n Node, key: &str) -> Option<&'n Member> {
+    pub(super) fn member<'n>(&mut self, node: &'n Node, key: &str) -> Option<&'n Member> {
         let members = node.members();
         if members.len() <= FEW {
             return node.member(key);

@@ -21,7 +21,7 @@ pub(super) fn named(document: &Document, sorted: &mut Sorted, pointer: &str) -> 
         match next.filter(|_| is_list) {
             Some(element) => {
                 out.push('/');
-                out.extend(element_name(element).as_deref().unwrap_or("*").chars().take(LONGEST));
+                out.extend(element_name(element, sorted).as_deref().unwrap_or("*").chars().take(LONGEST));
             }
             None => add_step(&mut out, &step),
         }
@@ -30,9 +30,9 @@ pub(super) fn named(document: &Document, sorted: &mut Sorted, pointer: &str) -> 
     out
 }
 
-fn element_name(element: &Node) -> Option<String> {
+fn element_name(element: &Node, sorted: &mut Sorted) -> Option<String> {
     match &element.value {
-        Value::Object(_) => NAMES.iter().find_map(|key| match &element.get(key)?.value {
+        Value::Object(_) => NAMES.iter().find_map(|key| match &sorted.member(element, key)?.node.value {
             Value::String(name) => Some(name.clone()),
             _ => None,
         }),

@@ -19,6 +19,35 @@ pub struct SchemaFaults {
     pub faults: Vec<SchemaFault>,
     /// Keys nobody reads.
     pub unknown: Vec<UnknownKey>,
+    /// Numbers of the faults, sorted by pointer.
+    by_pointer: Vec<usize>,
+}
+
+impl SchemaFaults {
+    fn new(faults: Vec<SchemaFault>, unknown: Vec<UnknownKey>) -> Self {
+        let mut found = Self { faults, unknown, by_pointer: Vec::new() };
+        found.by_pointer = (0..found.faults.len()).collect();
+        found.by_pointer.sort_by_key(|number| found.faults.get(*number).map(|fault| &fault.pointer));
+        found
+    }
+
+    /// The faults of the value at a pointer itself.
+    pub fn at(&self, pointer: &str) -> impl Iterator<Item = &SchemaFault> {
+        self.sorted_from(pointer).take_while(move |fault| fault.pointer == pointer)
+    }
+
+    /// The faults of what is in the value at a pointer.
+    pub fn inside<'f>(&'f self, pointer: &str) -> impl Iterator<Item = &'f SchemaFault> + use<'f> {
+        let within = format!("{pointer}/");
+        self.sorted_from(&within).take_while(move |fault| fault.pointer.starts_with(&within))
+    }
+
+    /// Faults in order of their pointers, from this pointer on.
+    fn sorted_from<'f>(&'f self, pointer: &str) -> impl Iterator<Item = &'f SchemaFault> + use<'f> {
+        let is_before = |number: &usize| self.faults.get(*number).is_some_and(|fault| fault.pointer.as_str() < pointer);
+        let start = self.by_pointer.partition_point(is_before);
+        self.by_pointer.iter().skip(start).filter_map(|number| self.faults.get(*number))
+    }
 }
 
 /// A key that no application reads.
@@ -36,6 +65,8 @@ pub struct UnknownKey {
     pub nearest: Option<String>,
     /// Whether its value is an object with something in it.
     pub is_object: bool,
+    /// Whether no other key of the same object is unknown.
+    pub is_alone: bool,
 }
 
 /// A schema of ours.
@@ -92,10 +123,8 @@ pub(crate) fn check(name: &str, document: &Document) -> SchemaFaults {
     let plain = document.root.plain(&Plain::from(f64::MAX));
     let errors = schema.validator.iter_errors(&plain);
     let faults = errors.map(|error| describe(&error, &schema.tree)).collect();
-    let mut found = SchemaFaults {
-        faults: empty_objects_once(&plain, faults),
-        unknown: unknown_key::find(&document.root, &schema.tree),
-    };
+    let unknown = unknown_key::find(&document.root, &schema.tree);
+    let mut found = SchemaFaults::new(empty_objects_once(&plain, faults), unknown);
     let sorted = &mut Sorted::default();
     found.faults.iter_mut().for_each(|fault| fault.name = named(document, sorted, &fault.pointer));
     found.unknown.iter_mut().for_each(|unknown| unknown.name = named(document, sorted, &unknown.pointer));
@@ -187,6 +216,21 @@ mod tests {
         let all = faults("macro", text);
         assert_eq!(all.iter().filter(|(pointer, _)| pointer == "/components/a").count(), 1, "{all:?}");
         assert!(all.iter().any(|(_, fault)| matches!(fault, Misfit::Missing { and_more: true, .. })), "{all:?}");
+    }
+
+    #[test]
+    fn faults_are_found_by_the_place_that_they_are_in() {
+        let text = r#"{"A": {"default": "x", "tip": 1}, "A b": {"default": "x"}, "A/b": 5, "B": 7}"#;
+        let found = check("modelling", &parse(text.as_bytes()).unwrap());
+        let pointers = |faults: Vec<&SchemaFault>| faults.iter().map(|f| f.pointer.clone()).collect::<Vec<_>>();
+        for pointer in ["", "/A", "/A/default", "/A b", "/B", "/A~1b", "/none"] {
+            let [at, inside] = [found.at(pointer).collect(), found.inside(pointer).collect()].map(pointers);
+            let all = || found.faults.iter().map(|fault| fault.pointer.clone());
+            let mut expected: Vec<_> = all().filter(|other| other.starts_with(&format!("{pointer}/"))).collect();
+            expected.sort();
+            assert_eq!(at, all().filter(|other| other == pointer).collect::<Vec<_>>(), "{pointer}");
+            assert_eq!(inside, expected, "{pointer}");
+        }
     }
 
     #[test]

@@ -4,6 +4,7 @@
 //! schema is a choice is left alone, as is everything below it.
 
 use std::borrow::Cow;
+use std::collections::HashMap;
 
 use serde_json::{Map, Value};
 
@@ -17,7 +18,23 @@ const TRAPS: [(&str, [&str; 2]); 1] = [("sym", ["lsym", "rsym"])];
 pub(super) fn find(node: &Node, schema: &Value) -> Vec<UnknownKey> {
     let mut walk = Walk { schema, pointer: String::new(), found: Vec::new() };
     walk.value(node, schema);
+    mark_alone(&mut walk.found);
     walk.found
+}
+
+/// Counts the unknown keys of each object once, for whoever asks whether one is alone.
+fn mark_alone(found: &mut [UnknownKey]) {
+    let mut counts: HashMap<&str, usize> = HashMap::new();
+    for key in found.iter() {
+        *counts.entry(owner(key)).or_default() += 1;
+    }
+    let alone: Vec<bool> = found.iter().map(|key| counts.get(owner(key)) == Some(&1)).collect();
+    found.iter_mut().zip(alone).for_each(|(key, is_alone)| key.is_alone = is_alone);
+}
+
+/// Pointer to the object that a key is in.
+fn owner(key: &UnknownKey) -> &str {
+    key.pointer.rsplit_once('/').map_or("", |(owner, _)| owner)
 }
 
 struct Walk<'s> {
@@ -72,6 +89,7 @@ impl<'s> Walk<'s> {
             object: schema.title.filter(|_| self.pointer.matches('/').count() > 1).map(str::to_owned),
             nearest: meant(key, &known).map(Cow::into_owned),
             is_object,
+            is_alone: false,
         });
     }
 }
@@ -153,6 +171,14 @@ mod tests {
                 ("/A/display/slots".to_owned(), Some("slot".to_owned())),
             ]
         );
+    }
+
+    #[test]
+    fn a_key_is_alone_in_its_own_object() {
+        let text = r#"{"A": {"qqq": 1}, "B": {"qqq": 1, "www": 2}, "C": {"display": {"qqq": 1}, "www": 2}}"#;
+        let found = check("modelling", &parse(text.as_bytes()).unwrap()).unknown;
+        let alone: Vec<&str> = found.iter().filter(|key| key.is_alone).map(|key| key.pointer.as_str()).collect();
+        assert_eq!(alone, ["/A/qqq", "/C/display/qqq", "/C/www"]);
     }
 
     #[test]

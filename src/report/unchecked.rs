@@ -34,6 +34,9 @@ fn clause(entry: &NotChecked) -> String {
         ),
         Unchecked::NoSystem => format!("{} (looked for in the system data; use `--system`)", names(entry)),
         Unchecked::Closed => format!("what is in {} (cannot be listed)", names(entry)),
+        Unchecked::TooManyMacros => {
+            format!("all that the macros of {} do (more of them than can be compared or tried)", names(entry))
+        }
         Unchecked::NotCompared => format!("whether findings in {files} are new (former contents are not at hand)"),
     }
 }

@@ -1,6 +1,7 @@
 //! Where a folder is, so that paths as reports print them can be told relative to it.
 
 use std::path::Path;
+use std::sync::OnceLock;
 
 use super::place::{canonical, named, slashed};
 
@@ -35,12 +36,14 @@ impl Folder {
         })
     }
 
-    /// Whether `rel`, a path below this folder, lies at or below the printed path `outer`.
-    pub fn lies_in(&self, rel: &str, outer: &str) -> bool {
+    /// Whether `rel`, a path below this folder, lies at or below another place.
+    pub(crate) fn lies_in(&self, rel: &str, outer: &Outer) -> bool {
         if self.here.is_empty() {
-            return is_below(rel, outer);
+            return is_below(rel, &outer.path);
         }
-        let outer: Vec<String> = self.absolute(outer).into_iter().chain(names_of(Path::new(outer))).collect();
+        let outer = outer
+            .names
+            .get_or_init(|| self.absolute(&outer.path).into_iter().chain(names_of(Path::new(&outer.path))).collect());
         self.names.iter().any(|name| outer.iter().any(|outer| is_below(&plain(&format!("{name}/{rel}")), outer)))
     }
 
@@ -49,6 +52,20 @@ impl Folder {
             return vec![plain(path)];
         }
         self.here.iter().map(|here| plain(&format!("{here}/{path}"))).collect()
+    }
+}
+
+/// A printed path that others may lie in. Its absolute names are asked of the file system once for all of them.
+#[derive(Debug)]
+pub(crate) struct Outer {
+    path: String,
+    names: OnceLock<Vec<String>>,
+}
+
+impl Outer {
+    /// The place of a printed path.
+    pub(crate) fn of(path: &str) -> Self {
+        Self { path: path.to_owned(), names: OnceLock::new() }
     }
 }
 
@@ -107,14 +124,16 @@ mod tests {
     #[test]
     fn a_path_lies_in_a_folder_or_beside_it() {
         let folder = Folder { here: vec!["/w/repo".to_owned()], names: vec!["/w/repo".to_owned()] };
-        assert!(folder.lies_in("data/target", "data"));
-        assert!(folder.lies_in("", ".."));
-        assert!(!folder.lies_in("", "data") && !folder.lies_in("database", "data"));
+        assert!(folder.lies_in("data/target", &Outer::of("data")));
+        assert!(folder.lies_in("", &Outer::of("..")));
+        let data = Outer::of("data");
+        assert!(!folder.lies_in("", &data) && !folder.lies_in("database", &data));
     }
 
     #[test]
     fn in_memory_paths_are_relative_already() {
         assert_eq!(Folder::default().relative("a/b").as_deref(), Some("a/b"));
-        assert!(Folder::default().lies_in("a/b", "") && !Folder::default().lies_in("a/b", "a/c"));
+        let lies_in = |outer: &str| Folder::default().lies_in("a/b", &Outer::of(outer));
+        assert!(lies_in("") && !lies_in("a/c"));
     }
 }

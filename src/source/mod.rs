@@ -20,7 +20,7 @@ pub use text::Encoding;
 pub(crate) use text::Guess;
 pub use tree::Tree;
 
-pub(crate) use folder::{Folder, holds, is_below};
+pub(crate) use folder::{Folder, Outer, holds, is_below};
 pub(crate) use gunzip::{GzipFault, gunzip, try_gunzip};
 pub(crate) use lines::{Lines, first_line, lines};
 pub(crate) use place::{canonical, folder_of, link_targets, own_place, resolved, slashed};

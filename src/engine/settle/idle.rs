@@ -1,71 +1,69 @@
 //! Globs of the configuration that fit nothing: the files have gone, or they were never called so.
 
-use super::scope::Scope;
-use crate::config::{Config, PathGlob};
-use crate::diag::{IdleGlob, Place};
-use crate::source::Tree;
+use std::collections::BTreeSet;
 
-/// A glob that nothing fits so far.
-struct Waiting<'c> {
-    setting: &'static str,
-    glob: &'c PathGlob,
-    /// The same in any folder, since globs are often written as if from the data root.
-    anywhere: Option<PathGlob>,
-    anywhere_fits: bool,
-}
+use super::scope::Scope;
+use crate::config::{Config, ConfigFile, Globs, PathGlob};
+use crate::diag::{IdleGlob, Place};
+use crate::source::{Outer, Tree};
 
 /// The globs of `[[path]]` and `exclude` that fit nothing of what there is. Of a run that looks at a part no more can
 /// be said.
 pub(in crate::engine) fn idle<'t>(
     config: &Config,
-    trees: impl Iterator<Item = &'t Tree>,
+    trees: impl Iterator<Item = &'t Tree> + Clone,
     scope: &Scope<'_>,
 ) -> Vec<IdleGlob> {
     let Some(file) = &config.file else { return Vec::new() };
     let blocks = file.blocks.iter().map(|block| ("[[path]]", &block.glob));
     let globs = file.exclude.iter().map(|glob| ("exclude", glob)).chain(blocks);
-    let checked = globs.filter(|(_, glob)| scope.covers(&file.folder, glob.folder()) && !is_hidden(&glob.text));
-    let mut waiting: Vec<Waiting<'_>> = checked.map(|(setting, glob)| Waiting::new(setting, glob)).collect();
-    for path in trees.flat_map(paths) {
-        if waiting.is_empty() {
-            break;
-        }
-        let Some(rel) = file.relative(&path) else { continue };
-        waiting.retain_mut(|waiting| !waiting.meets(&rel));
-    }
-    let idle = waiting.into_iter().map(|waiting| IdleGlob {
+    let is_judged = |glob: &PathGlob| scope.covers(&file.folder, glob.folder()) && !is_hidden(&glob.text);
+    let judged: Vec<(&'static str, &PathGlob)> = globs.filter(|(_, glob)| is_judged(glob)).collect();
+    let all: Globs = judged.iter().map(|(_, glob)| (*glob).clone()).collect();
+    let reached = reached(file, &all, trees.clone());
+    let idle: Vec<_> =
+        (0..).zip(judged).filter(|(number, _)| !reached.contains(number)).map(|(_, each)| each).collect();
+    let elsewhere = elsewhere(file, &idle, trees);
+    let told = idle.into_iter().map(|(setting, glob)| IdleGlob {
         path: file.path.clone(),
-        place: Place::Span(waiting.glob.span.clone()),
-        setting: waiting.setting,
-        glob: waiting.glob.text.clone(),
-        meant: waiting.anywhere.filter(|_| waiting.anywhere_fits).map(|glob| glob.text),
+        place: Place::Span(glob.span.clone()),
+        setting,
+        glob: glob.text.clone(),
+        meant: elsewhere.contains(glob.text.as_str()).then(|| format!("**/{}", glob.text)),
     });
-    idle.collect()
+    told.collect()
 }
 
-/// Whether a glob is for a part of what was listed and fits nothing of it, so that it cannot fit in any run.
-pub(super) fn fits_nothing<'t>(
-    config: &Config,
-    glob: &PathGlob,
-    mut trees: impl Iterator<Item = &'t Tree> + Clone,
-) -> bool {
-    let Some(file) = &config.file else { return false };
-    let is_inside = |tree: &Tree| file.folder.lies_in(glob.folder(), tree.label());
-    let fits = |path: String| file.relative(&path).is_some_and(|rel| glob.fits(&rel));
-    !is_hidden(&glob.text) && trees.clone().any(is_inside) && !trees.any(|tree| paths(tree).any(fits))
+/// Numbers of the globs that fit something of what there is. Each path is looked at once for all of them.
+pub(super) fn reached<'t>(file: &ConfigFile, globs: &Globs, trees: impl Iterator<Item = &'t Tree>) -> BTreeSet<usize> {
+    let waiting = if globs.is_empty() { None } else { Some(trees) };
+    let paths = waiting.into_iter().flatten().flat_map(paths);
+    paths.filter_map(|path| file.relative(&path)).flat_map(|rel| globs.fitting(&rel)).collect()
 }
 
-impl<'c> Waiting<'c> {
-    fn new(setting: &'static str, glob: &'c PathGlob) -> Self {
-        let anywhere = PathGlob::new(&format!("**/{}", glob.text), glob.span.clone()).ok();
-        Self { setting, glob, anywhere, anywhere_fits: false }
+/// Those globs that fit something below another folder: they are often written as if from the data root.
+fn elsewhere<'g, 't>(
+    file: &ConfigFile,
+    idle: &[(&'static str, &'g PathGlob)],
+    trees: impl Iterator<Item = &'t Tree>,
+) -> BTreeSet<&'g str> {
+    let (plain, wild): (Vec<_>, Vec<_>) = idle.iter().map(|(_, glob)| *glob).partition(|glob| glob.is_plain());
+    let plain: BTreeSet<&str> = plain.into_iter().map(|glob| glob.text.as_str()).collect();
+    let anywhere = |glob: &'g PathGlob| Some((&glob.text, PathGlob::new(&format!("**/{}", glob.text), 0..0).ok()?));
+    let wild: Vec<(&String, PathGlob)> = wild.into_iter().filter_map(anywhere).collect();
+    let mut found = BTreeSet::new();
+    let waiting = if idle.is_empty() { None } else { Some(trees) };
+    for rel in waiting.into_iter().flatten().flat_map(paths).filter_map(|path| file.relative(&path)) {
+        let starts = std::iter::once(0).chain(rel.match_indices('/').map(|(slash, _)| slash + 1));
+        found.extend(starts.filter_map(|start| plain.get(rel.get(start..)?).copied()));
+        found.extend(wild.iter().filter(|(_, glob)| glob.fits(&rel)).map(|(text, _)| text.as_str()));
     }
+    found
+}
 
-    /// Whether the glob fits, and from now on is of no interest.
-    fn meets(&mut self, rel: &str) -> bool {
-        self.anywhere_fits |= self.anywhere.as_ref().is_some_and(|glob| glob.fits(rel));
-        self.glob.fits(rel)
-    }
+/// Whether a glob is for a part of what was listed, so that it cannot fit in any run if it fits nothing of it.
+pub(super) fn is_for_listed(file: &ConfigFile, glob: &PathGlob, trees: &[Outer]) -> bool {
+    !is_hidden(&glob.text) && trees.iter().any(|tree| file.folder.lies_in(glob.folder(), tree))
 }
 
 /// Everything in a tree, as printed.

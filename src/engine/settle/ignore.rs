@@ -2,20 +2,22 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::idle::fits_nothing;
+use super::idle::{is_for_listed, reached};
+use super::named::NamedRules;
 use super::scope::Scope;
 use super::select::{Selection, cannot_be_ignored};
-use crate::config::{Config, Date, Ignore, Selector};
-use crate::diag::{IgnoreState, IgnoreUse, Place, UnknownRule, nearest};
+use crate::config::{Config, Date, Globs, Ignore};
+use crate::diag::{IgnoreState, IgnoreUse, Place, UnknownRule};
 use crate::engine::catalogue::listed;
 use crate::repo::FileFacts;
-use crate::rules::RULES;
-use crate::source::Tree;
+use crate::source::{Outer, Tree};
 
 /// The ignores of a run, and what became of them so far.
 pub(in crate::engine) struct Ignores<'c> {
     config: &'c Config,
     today: Date,
+    /// Where each `[[ignore]]` holds.
+    globs: Globs,
     /// For each `[[ignore]]` whether it hid something.
     hits: Vec<bool>,
     /// Comments of the files that were reported on.
@@ -24,13 +26,23 @@ pub(in crate::engine) struct Ignores<'c> {
     used: BTreeSet<(String, u32)>,
     /// Paths below the data root of the files with comments.
     assets: BTreeMap<String, String>,
+    named: NamedRules,
 }
 
 impl<'c> Ignores<'c> {
     pub(in crate::engine) fn new(config: &'c Config) -> Self {
-        let ignores = config.file.as_ref().map_or(0, |file| file.ignores.len());
-        let hits = vec![false; ignores];
-        Self { config, today: Date::today(), hits, inline: Vec::new(), used: BTreeSet::new(), assets: BTreeMap::new() }
+        let ignores = config.file.iter().flat_map(|file| &file.ignores);
+        let globs: Globs = ignores.map(|ignore| ignore.path.clone()).collect();
+        Self {
+            config,
+            today: Date::today(),
+            hits: vec![false; globs.iter().count()],
+            globs,
+            inline: Vec::new(),
+            used: BTreeSet::new(),
+            assets: BTreeMap::new(),
+            named: NamedRules::default(),
+        }
     }
 
     /// Whether a rule is ignored for a file or folder, whose facts are `file`. The ignores count as used.
@@ -38,7 +50,7 @@ impl<'c> Ignores<'c> {
         let mut hidden = self.is_ignored(rule, path);
         let comments = file.into_iter().flat_map(|file| &file.ignores);
         for comment in comments.filter(|comment| !comment.reason.is_empty()) {
-            if Selector::new(&comment.rule, 0..0).is_ok_and(|selector| selector.fits(rule)) {
+            if self.named.of(&comment.rule).contains(&rule) {
                 self.used.insert((path.to_owned(), comment.line));
                 hidden = true;
             }
@@ -50,8 +62,9 @@ impl<'c> Ignores<'c> {
         let Some(file) = &self.config.file else { return false };
         let Some(rel) = file.relative(path).filter(|_| !file.ignores.is_empty()) else { return false };
         let mut hidden = false;
-        for (ignore, hit) in file.ignores.iter().zip(&mut self.hits) {
-            if counts(ignore, self.today) && ignore.rule.fits(rule) && ignore.path.fits(&rel) {
+        for number in self.globs.fitting(&rel) {
+            let (Some(ignore), Some(hit)) = (file.ignores.get(number), self.hits.get_mut(number)) else { continue };
+            if counts(ignore, self.today) && ignore.rule.fits(rule) {
                 *hit = true;
                 hidden = true;
             }
@@ -62,11 +75,11 @@ impl<'c> Ignores<'c> {
     /// Notes the comments of a file that is reported on.
     pub(in crate::engine) fn note(&mut self, file: &FileFacts, selection: &Selection<'_>, scope: &Scope<'_>) {
         for comment in &file.ignores {
-            let state = match standing(&comment.rule) {
+            let state = match self.standing(&comment.rule) {
                 _ if comment.rule.is_empty() => IgnoreState::Malformed { words: comment.reason.clone() },
                 Some(state) => state,
                 None if comment.reason.is_empty() => IgnoreState::NoReason,
-                None if scope.is_whole() && !is_silenced(&comment.rule, selection) => IgnoreState::Unused,
+                None if scope.is_whole() && !self.is_silenced(&comment.rule, selection) => IgnoreState::Unused,
                 None => IgnoreState::NotChecked,
             };
             let (path, place) = (file.path.clone(), Place::Line(comment.line));
@@ -83,17 +96,22 @@ impl<'c> Ignores<'c> {
         trees: impl Iterator<Item = &'t Tree> + Clone,
     ) -> Vec<IgnoreUse> {
         let file = self.config.file.iter();
+        let listed: Vec<Outer> = trees.clone().map(|tree| Outer::of(tree.label())).collect();
+        let reached = self.config.file.as_ref().map(|file| reached(file, &self.globs, trees)).unwrap_or_default();
         let ignores = file.flat_map(|file| file.ignores.iter().zip(&self.hits).map(move |each| (file, each)));
-        let mut uses: Vec<IgnoreUse> = ignores
-            .map(|(file, (ignore, hit))| {
-                let state = match standing(&ignore.rule.text) {
+        let mut uses: Vec<IgnoreUse> = (0..)
+            .zip(ignores)
+            .map(|(number, (file, (ignore, hit)))| {
+                let state = match self.standing(&ignore.rule.text) {
                     _ if *hit => IgnoreState::Used,
                     Some(state) => state,
                     None if ignore.reason.is_none() => IgnoreState::NoReason,
                     None => match ignore.until.filter(|until| *until < self.today) {
                         Some(until) => IgnoreState::Expired { until: until.to_string() },
-                        None if is_silenced(&ignore.rule.text, selection) => IgnoreState::NotChecked,
-                        None if fits_nothing(self.config, &ignore.path, trees.clone()) => IgnoreState::Unused,
+                        None if self.is_silenced(&ignore.rule.text, selection) => IgnoreState::NotChecked,
+                        None if is_for_listed(file, &ignore.path, &listed) && !reached.contains(&number) => {
+                            IgnoreState::Unused
+                        }
                         None if !scope.covers(&file.folder, ignore.path.folder()) => IgnoreState::NotChecked,
                         None => IgnoreState::Unused,
                     },
@@ -129,6 +147,21 @@ impl<'c> Ignores<'c> {
         unknown.collect()
     }
 
+    /// What can be said of an ignore by its rule alone.
+    fn standing(&self, rule: &str) -> Option<IgnoreState> {
+        if cannot_be_ignored(rule) {
+            return Some(IgnoreState::CannotBeIgnored);
+        }
+        let is_unknown = !self.named.of(rule).iter().any(|rule| listed().any(|listed| listed.info.id == *rule));
+        is_unknown.then(|| IgnoreState::UnknownRule { nearest: self.named.nearest(rule) })
+    }
+
+    /// Whether the command line silenced a rule that the ignore is for.
+    fn is_silenced(&self, rule: &str, selection: &Selection<'_>) -> bool {
+        let named = self.named.of(rule);
+        named.is_empty() || named.iter().any(|rule| selection.is_silenced(rule))
+    }
+
     /// What a fingerprint calls the file of a finding on ignores: not where it lies, but what it is.
     pub(in crate::engine) fn asset(&self, path: &str) -> String {
         let name = || path.rsplit('/').next().unwrap_or(path).to_owned();
@@ -139,20 +172,4 @@ impl<'c> Ignores<'c> {
 /// Whether an ignore has a reason and has not ended.
 fn counts(ignore: &Ignore, today: Date) -> bool {
     ignore.reason.is_some() && ignore.until.is_none_or(|until| today <= until)
-}
-
-/// What can be said of an ignore by its rule alone.
-fn standing(rule: &str) -> Option<IgnoreState> {
-    if cannot_be_ignored(rule) {
-        return Some(IgnoreState::CannotBeIgnored);
-    }
-    let known = Selector::new(rule, 0..0).is_ok_and(|selector| listed().any(|rule| selector.fits(rule.info.id)));
-    let nearest = || nearest(rule, listed().map(|rule| rule.info.id));
-    (!known).then(|| IgnoreState::UnknownRule { nearest: nearest() })
-}
-
-/// Whether the command line silenced a rule that the ignore is for.
-fn is_silenced(rule: &str, selection: &Selection<'_>) -> bool {
-    let Ok(selector) = Selector::new(rule, 0..0) else { return true };
-    RULES.iter().any(|rule| selector.fits(rule.info.id) && selection.is_silenced(rule.info.id))
 }

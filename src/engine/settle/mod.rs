@@ -10,6 +10,7 @@ mod ignore;
 mod keep;
 mod known;
 mod locate;
+mod named;
 mod scope;
 mod select;
 

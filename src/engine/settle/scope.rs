@@ -1,13 +1,13 @@
 //! What a run looks at: the PATHs, without what the configuration excludes.
 
 use crate::config::Config;
-use crate::source::{Folder, is_below};
+use crate::source::{Folder, Outer, is_below};
 
 /// The part of the world that a run reports on.
 pub(in crate::engine) struct Scope<'c> {
     config: &'c Config,
     /// PATHs as printed.
-    paths: Vec<String>,
+    paths: Vec<Outer>,
     /// Those of them that are excluded: who names a path wants to hear of it.
     named: Vec<String>,
 }
@@ -16,7 +16,7 @@ impl<'c> Scope<'c> {
     /// The scope of a run on `paths`, as printed.
     pub(in crate::engine) fn new(paths: Vec<String>, config: &'c Config) -> Self {
         let named = paths.iter().filter(|path| config.excludes(path)).cloned().collect();
-        Self { config, paths, named }
+        Self { config, paths: paths.iter().map(|path| Outer::of(path)).collect(), named }
     }
 
     /// Whether nothing is to be reported for a printed path.

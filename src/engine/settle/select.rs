@@ -3,19 +3,35 @@
 //! Three layers, each going before the one above it: what the configuration file says for all files, what it
 //! says for some (`[[path]]`), and the command line (the fields of [`Config`] itself).
 
-use crate::config::{Config, ConfigFile, Selector};
+use std::collections::BTreeMap;
+
+use crate::config::{Config, ConfigFile, Globs, Selector};
 use crate::diag::{Level, nearest};
 use crate::engine::catalogue::{is_upkeep, listed, named};
 use crate::engine::error::{Error, SelectorFault};
-use crate::rules::Check;
+use crate::rules::{Check, RULES};
 
-/// Compiled selectors of a run.
+/// What the selectors of a run say.
 pub(in crate::engine) struct Selection<'c> {
+    /// What is said of each rule for all paths: a file may hold any number of selectors, and findings are many.
+    rules: BTreeMap<&'static str, Said>,
+    /// Globs of `[[path]]`.
+    blocks: Globs,
+    file: Option<&'c ConfigFile>,
+    no_eval: bool,
+}
+
+/// What is said of a rule for all paths.
+struct Said {
+    command_line: Option<Say>,
+    file: Say,
+}
+
+/// Compiled selectors of the command line.
+struct CommandLine {
     only: Vec<Selector>,
     skip: Vec<Selector>,
     levels: Vec<(Selector, Option<Level>)>,
-    file: Option<&'c ConfigFile>,
-    no_eval: bool,
 }
 
 /// What becomes of a finding, or of its part in one file.
@@ -32,6 +48,7 @@ pub(in crate::engine) enum Verdict {
 }
 
 /// What a layer says on a rule.
+#[derive(Clone, Copy)]
 enum Say {
     Off,
     On(Option<Level>),
@@ -41,20 +58,22 @@ impl<'c> Selection<'c> {
     /// Compiles the selectors; one that fits no rule is refused.
     pub(in crate::engine) fn new(config: &'c Config) -> Result<Self, Error> {
         let all = |texts: &[String]| texts.iter().map(|text| selector(text)).collect::<Result<Vec<_>, _>>();
-        let selection = Self {
+        let levels = config.levels.iter().map(|(text, level)| Ok((selector(text)?, *level)));
+        let command_line = CommandLine {
             only: all(&config.only)?,
             skip: all(&config.skip)?,
-            levels: config
-                .levels
-                .iter()
-                .map(|(text, level)| Ok((selector(text)?, *level)))
-                .collect::<Result<_, _>>()?,
-            file: config.file.as_ref(),
-            no_eval: config.no_eval,
+            levels: levels.collect::<Result<_, _>>()?,
         };
         refuse_ignored_safety(config)?;
         refuse_empty_select(config)?;
-        Ok(selection)
+        let file = config.file.as_ref();
+        let said = |id| Said { command_line: command_line.say(id), file: for_all_paths(file, id) };
+        Ok(Self {
+            rules: RULES.iter().map(|rule| (rule.info.id, said(rule.info.id))).collect(),
+            blocks: file.iter().flat_map(|file| &file.blocks).map(|block| block.glob.clone()).collect(),
+            file,
+            no_eval: config.no_eval,
+        })
     }
 
     /// Whether a rule runs at all: whether there is a path for which it is on.
@@ -96,26 +115,37 @@ impl<'c> Selection<'c> {
         matches!(self.command_line(rule), Some(Say::Off)) || self.no_eval && numeric()
     }
 
-    /// What looks after the settings themselves is not for `select`: it would hide the slip in `select`.
     fn for_all_paths(&self, rule: &str) -> Say {
-        let Some(file) = self.file else { return Say::On(None) };
-        if !file.select.is_empty() && !fits(&file.select, rule) && !is_upkeep(rule) {
-            return Say::Off;
-        }
-        say(&file.skip, &file.levels, rule).unwrap_or(Say::On(None))
+        self.rules.get(rule).map_or(Say::On(None), |said| said.file)
     }
 
     fn for_path(&self, rule: &str, rel: &str) -> Option<Say> {
-        let blocks = self.file?.blocks.iter().filter(|block| block.glob.fits(rel));
-        blocks.filter_map(|block| say(&block.skip, &block.levels, rule)).next_back()
+        let blocks = &self.file?.blocks;
+        let fitting = self.blocks.fitting(rel).into_iter().rev().filter_map(|number| blocks.get(number));
+        fitting.filter_map(|block| say(&block.skip, &block.levels, rule)).next()
     }
 
     fn command_line(&self, rule: &str) -> Option<Say> {
+        self.rules.get(rule).and_then(|said| said.command_line)
+    }
+}
+
+impl CommandLine {
+    fn say(&self, rule: &str) -> Option<Say> {
         if !self.only.is_empty() && !fits(&self.only, rule) {
             return Some(Say::Off);
         }
         say(&self.skip, &self.levels, rule).or_else(|| (!self.only.is_empty()).then_some(Say::On(None)))
     }
+}
+
+/// What looks after the settings themselves is not for `select`: it would hide the slip in `select`.
+fn for_all_paths(file: Option<&ConfigFile>, rule: &str) -> Say {
+    let Some(file) = file else { return Say::On(None) };
+    if !file.select.is_empty() && !fits(&file.select, rule) && !is_upkeep(rule) {
+        return Say::Off;
+    }
+    say(&file.skip, &file.levels, rule).unwrap_or(Say::On(None))
 }
 
 fn say(skip: &[Selector], levels: &[(Selector, Option<Level>)], rule: &str) -> Option<Say> {

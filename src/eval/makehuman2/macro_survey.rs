@@ -3,12 +3,42 @@
 //!
 //! Source: MakeHuman 2, macro calculation (formats/makehuman2.md §3.3, §3.4).
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use super::super::measures::{DeadRange, Jump, MacroMeasure, SumOff};
 use super::super::scene::{Scene, Setting};
 use super::super::settings::{Dimension, moved};
 use super::component::{ComponentState, stepped};
 use super::macro_eval::{Fate, MacroResult};
 use super::macro_table::{Link, MacroTable};
+
+/// Steps of work that are done for the macros of a base: components looked at, combinations walked. A character with
+/// twenty macro sliders takes a hundredth.
+const STEPS: usize = 1 << 27;
+
+/// How much of the work may still be done.
+#[derive(Debug)]
+pub struct Budget {
+    left: usize,
+    /// Whether something was left out.
+    is_cut: bool,
+}
+
+impl Default for Budget {
+    fn default() -> Self {
+        Self { left: STEPS, is_cut: false }
+    }
+}
+
+impl Budget {
+    /// Whether work of so many steps may be done; notes what may not.
+    fn take(&mut self, steps: usize) -> bool {
+        let left = self.left.checked_sub(steps);
+        self.is_cut |= left.is_none();
+        self.left = left.unwrap_or(self.left);
+        left.is_some()
+    }
+}
 
 /// Distance from a step at which both of its sides are compared.
 const SIDE: f64 = 1e-6;
@@ -32,22 +62,23 @@ pub struct Loss {
 /// Everything of this module for the macros of a scene; losses are looked for in `settings`.
 pub(in crate::eval) fn measure(table: &MacroTable, scene: &Scene, settings: &[Setting]) -> MacroMeasure {
     let products = &scene.products;
-    let lost = losses(table, products, settings, &scene.defaults()).into_iter();
-    MacroMeasure {
-        dead: dead_ranges(table, products),
-        sums: sums_off(table, products, &scene.macro_defaults),
-        jumps: jumps(table, products, &scene.macro_defaults),
-        losses: lost.map(|loss| (loss.macrodef, loss.lost, moved(scene, &loss.setting))).collect(),
-    }
+    let mut budget = Budget::default();
+    let dead = dead_ranges(table, products, &mut budget);
+    let sums = sums_off(table, products, &scene.macro_defaults, &mut budget);
+    let jumps = jumps(table, products, &scene.macro_defaults, &mut budget);
+    let lost = losses(table, products, settings, &scene.defaults(), &mut budget).into_iter();
+    let losses = lost.map(|loss| (loss.macrodef, loss.lost, moved(scene, &loss.setting))).collect();
+    MacroMeasure { dead, sums, jumps, losses, is_cut: budget.is_cut }
 }
 
 /// Stretches in which a macrodef applies nothing although it applies something elsewhere on that slider.
-pub fn dead_ranges(table: &MacroTable, macrodefs: &[Vec<Dimension>]) -> Vec<DeadRange> {
+pub fn dead_ranges(table: &MacroTable, macrodefs: &[Vec<Dimension>], budget: &mut Budget) -> Vec<DeadRange> {
     let mut found = Vec::new();
     for (macrodef, dimensions) in macrodefs.iter().enumerate() {
-        for (position, dimension) in dimensions.iter().enumerate() {
-            let Dimension::Steps { steps, .. } = dimension else { continue };
-            let states = value_states(table, macrodef, position, steps.len());
+        if !budget.take(table.combination_count(macrodef).saturating_mul(dimensions.len())) {
+            continue;
+        }
+        for (position, states) in value_states(table, macrodef, dimensions).into_iter().enumerate() {
             if states.iter().any(|state| state.applied > 0) {
                 found.extend(stretches(&states).into_iter().map(|range| DeadRange { macrodef, position, ..range }));
             }
@@ -64,16 +95,26 @@ struct ValueState {
     missing: usize,
 }
 
-fn value_states(table: &MacroTable, macrodef: usize, position: usize, values: usize) -> Vec<ValueState> {
-    let mut states = vec![ValueState::default(); values];
-    for combination in 0..table.combination_count(macrodef) {
+/// The states of the values of each position in one pass over the combinations; none for a barycentric set.
+fn value_states(table: &MacroTable, macrodef: usize, dimensions: &[Dimension]) -> Vec<Vec<ValueState>> {
+    let values = |dimension: &Dimension| match dimension {
+        Dimension::Steps { steps, .. } => vec![ValueState::default(); steps.len()],
+        Dimension::Corners(_) => Vec::new(),
+    };
+    let mut states: Vec<Vec<ValueState>> = dimensions.iter().map(values).collect();
+    let combinations = if dimensions.is_empty() { 0 } else { table.combination_count(macrodef) };
+    for combination in 0..combinations {
         // Names in which a component is left out belong to settings beyond a last step.
-        let Some(whole) = table.values(macrodef, combination).collect::<Option<Vec<usize>>>() else { continue };
-        let Some(state) = whole.get(position).and_then(|value| states.get_mut(*value)) else { continue };
-        match table.link(macrodef, combination) {
-            Some(Link::Target(_)) => state.applied += 1,
-            Some(Link::Null) => state.null += 1,
-            Some(Link::Missing) | None => state.missing += 1,
+        if table.values(macrodef, combination).any(|value| value.is_none()) {
+            continue;
+        }
+        for (states, value) in states.iter_mut().zip(table.values(macrodef, combination).flatten()) {
+            let Some(state) = states.get_mut(value) else { continue };
+            match table.link(macrodef, combination) {
+                Some(Link::Target(_)) => state.applied += 1,
+                Some(Link::Null) => state.null += 1,
+                Some(Link::Missing) | None => state.missing += 1,
+            }
         }
     }
     states
@@ -104,11 +145,18 @@ fn stretches(states: &[ValueState]) -> Vec<DeadRange> {
 }
 
 /// Components whose weights do not sum to one somewhere between their first and last step, or after a reset.
-pub fn sums_off(table: &MacroTable, macrodefs: &[Vec<Dimension>], defaults: &[f64]) -> Vec<SumOff> {
+pub fn sums_off(
+    table: &MacroTable,
+    macrodefs: &[Vec<Dimension>],
+    defaults: &[f64],
+    budget: &mut Budget,
+) -> Vec<SumOff> {
     let mut found = Vec::new();
     for (macrodef, dimensions) in macrodefs.iter().enumerate() {
         for (position, dimension) in dimensions.iter().enumerate() {
             let worst = match dimension {
+                // Four positions for each step, and each of them is looked for among the steps.
+                Dimension::Steps { steps, .. } if !budget.take(steps.len().saturating_mul(4 * steps.len())) => continue,
                 Dimension::Steps { steps, .. } => worst_stepped(steps, table.value_count(macrodef, position)),
                 Dimension::Corners(places) => {
                     let sum = places.iter().filter_map(|place| defaults.get(*place)).sum();
@@ -141,17 +189,18 @@ fn worst_stepped(steps: &[f64], values: usize) -> Option<(Option<f64>, f64)> {
 }
 
 /// Jumps between the two sides of steps, other sliders at their defaults.
-pub fn jumps(table: &MacroTable, macrodefs: &[Vec<Dimension>], defaults: &[f64]) -> Vec<Jump> {
+pub fn jumps(table: &MacroTable, macrodefs: &[Vec<Dimension>], defaults: &[f64], budget: &mut Budget) -> Vec<Jump> {
     let mut found: Vec<Jump> = Vec::new();
-    let mut seen: Vec<(usize, u64)> = Vec::new();
+    let mut seen: BTreeSet<(usize, u64)> = BTreeSet::new();
+    let cost = table.cost().saturating_add(defaults.len());
     for (macrodef, dimensions) in macrodefs.iter().enumerate() {
         for (position, dimension) in dimensions.iter().enumerate() {
             let Dimension::Steps { place, steps } = dimension else { continue };
             for at in steps.iter().copied().filter(|at| *at > SIDE && *at < 1.0 - SIDE) {
-                if seen.contains(&(*place, at.to_bits())) {
+                // On either side of a step the macros are evaluated once.
+                if !seen.insert((*place, at.to_bits())) || !budget.take(cost.saturating_mul(2)) {
                     continue;
                 }
-                seen.push((*place, at.to_bits()));
                 let jump = jump(table, *place, at, defaults).filter(|by| *by > JUMP);
                 found.extend(jump.map(|by| Jump { macrodef, position, at, by }));
             }
@@ -169,20 +218,27 @@ fn jump(table: &MacroTable, place: usize, at: f64, defaults: &[f64]) -> Option<f
         Some(result.factors)
     };
     let (below, above) = (side(at - SIDE)?, side(at + SIDE)?);
-    let factor = |list: &[(u32, f64)], target: u32| {
-        list.iter().find(|(number, _)| *number == target).map_or(0.0, |(_, factor)| *factor)
-    };
-    let targets = below.iter().chain(&above).map(|(target, _)| *target);
-    targets.map(|target| (factor(&below, target) - factor(&above, target)).abs()).max_by(f64::total_cmp)
+    let mut change: BTreeMap<u32, f64> = below.into_iter().collect();
+    for (target, factor) in above {
+        *change.entry(target).or_default() -= factor;
+    }
+    change.into_values().map(f64::abs).max_by(f64::total_cmp)
 }
 
 /// For each macrodef a setting of its sliders at which the cut-off throws away most: the worst of those given,
 /// other sliders back at their defaults, and from there uphill one slider after the other.
-pub fn losses(table: &MacroTable, macrodefs: &[Vec<Dimension>], settings: &[Setting], rest: &Setting) -> Vec<Loss> {
+pub fn losses(
+    table: &MacroTable,
+    macrodefs: &[Vec<Dimension>],
+    settings: &[Setting],
+    rest: &Setting,
+    budget: &mut Budget,
+) -> Vec<Loss> {
+    let cost = table.cost().saturating_add(rest.macros.len());
     let mut result = MacroResult::default();
     let mut worst: Vec<(f64, &Setting)> = vec![(0.0, rest); table.macrodef_count()];
     for setting in settings {
-        if table.evaluate(&setting.macros, &mut result).is_ok() {
+        if budget.take(cost) && table.evaluate(&setting.macros, &mut result).is_ok() {
             for (lost, worst) in lost(&result, worst.len()).into_iter().zip(&mut worst) {
                 if lost > worst.0 {
                     *worst = (lost, setting);
@@ -192,6 +248,10 @@ pub fn losses(table: &MacroTable, macrodefs: &[Vec<Dimension>], settings: &[Sett
     }
     let mut found = Vec::new();
     for (macrodef, (dimensions, (_, start))) in macrodefs.iter().zip(worst).enumerate() {
+        let climbing = cost.saturating_mul(1 + CLIMBS * POSITIONS as usize * dimensions.len());
+        if !budget.take(climbing) {
+            continue;
+        }
         let mut climb = Climb { table, macrodef, at: rest.macros.clone(), lost: 0.0, result: MacroResult::default() };
         for dimension in dimensions {
             dimension.copy(&start.macros, &mut climb.at);
@@ -289,7 +349,7 @@ mod tests {
     #[test]
     fn a_value_without_target_is_dead() {
         let table = table(vec![("child-f", Some(0)), ("old-m", Some(1)), ("baby-f", None)]);
-        let found = dead_ranges(&table, &dimensions());
+        let found = dead_ranges(&table, &dimensions(), &mut Budget::default());
         assert_eq!(found.len(), 1);
         let baby = &found[0];
         assert_eq!((baby.null, baby.missing, baby.values.as_slice()), (1, 1, [0].as_slice()));
@@ -298,16 +358,16 @@ mod tests {
     #[test]
     fn two_dead_values_in_a_row_are_one_stretch() {
         let table = table(vec![("old-f", Some(0)), ("old-m", Some(1))]);
-        let found = dead_ranges(&table, &dimensions());
+        let found = dead_ranges(&table, &dimensions(), &mut Budget::default());
         assert_eq!(found.iter().map(|range| range.values.as_slice()).collect::<Vec<_>>(), [[0, 1]]);
     }
 
     #[test]
     fn a_barycentric_set_of_two_does_not_reach_one() {
         let sets = vec![vec![Dimension::Corners(vec![0, 1])]];
-        let found = sums_off(&table(Vec::new()), &sets, &[0.33, 0.33, 0.34]);
+        let found = sums_off(&table(Vec::new()), &sets, &[0.33, 0.33, 0.34], &mut Budget::default());
         assert_eq!((found[0].at, (found[0].sum * 100.0).round()), (None, 66.0));
-        assert_eq!(sums_off(&table(Vec::new()), &dimensions(), &[0.5, 0.5]), []);
+        assert_eq!(sums_off(&table(Vec::new()), &dimensions(), &[0.5, 0.5], &mut Budget::default()), []);
     }
 
     fn lost_directly(table: &MacroTable, setting: &Setting) -> f64 {
@@ -320,16 +380,34 @@ mod tests {
     fn small_factors_are_lost_where_they_are_many() {
         let table = table(vec![("child-f", Some(0))]);
         let setting = |macros: [f64; 2]| Setting { macros: macros.to_vec(), details: [].into() };
-        let found = losses(&table, &dimensions(), &[setting([0.5, 0.5]), setting([0.0025, 0.5])], &setting([0.5, 0.5]));
+        let losses =
+            |settings: &[Setting], rest| losses(&table, &dimensions(), settings, &rest, &mut Budget::default());
+        let found = losses(&[setting([0.5, 0.5]), setting([0.0025, 0.5])], setting([0.5, 0.5]));
         // The worse of the two settings loses 0.005; uphill from there is more, but never the 0.02 of two sliders.
         assert!(found[0].lost > 0.005 && found[0].lost <= 0.02, "{found:?}");
         assert_eq!(lost_directly(&table, &found[0].setting), found[0].lost);
-        assert_eq!(losses(&table, &dimensions(), &[], &setting([0.5, 0.0])), []);
+        assert_eq!(losses(&[], setting([0.5, 0.0])), []);
+    }
+
+    #[test]
+    fn what_is_more_than_the_budget_is_left_out_and_said() {
+        let table = table(vec![("child-f", Some(0))]);
+        let setting = Setting { macros: vec![0.5, 0.5], details: [].into() };
+        let all = |left: usize| {
+            let budget = &mut Budget { left, is_cut: false };
+            dead_ranges(&table, &dimensions(), budget);
+            sums_off(&table, &dimensions(), &[0.5, 0.5], budget);
+            jumps(&table, &dimensions(), &[0.5, 0.5], budget);
+            losses(&table, &dimensions(), std::slice::from_ref(&setting), &setting, budget);
+            (left - budget.left, budget.is_cut)
+        };
+        let (whole, is_cut) = all(STEPS);
+        assert!(!is_cut && all(whole) == (whole, false) && all(whole - 1).1 && all(0) == (0, true), "{whole}");
     }
 
     #[test]
     fn continuous_steps_do_not_jump() {
         let table = table(vec![("child-f", Some(0)), ("child-m", Some(1)), ("old-f", Some(2)), ("baby-f", Some(3))]);
-        assert_eq!(jumps(&table, &dimensions(), &[0.5, 0.5]), []);
+        assert_eq!(jumps(&table, &dimensions(), &[0.5, 0.5], &mut Budget::default()), []);
     }
 }

@@ -131,6 +131,20 @@ impl MacroTable {
         Ok(table)
     }
 
+    /// Steps that evaluating one setting takes at most: steps of components looked through, and combinations walked. A
+    /// slider gives a component up to two shares, a triangle three.
+    pub fn cost(&self) -> usize {
+        let components = self.components.iter().filter(|component| component.used).map(Compiled::cost);
+        let macrodefs = self.macrodefs.iter().map(|table| {
+            let shares = table.positions.iter().map(|position| {
+                let most = self.components.get(position.component).map_or(1, |component| component.source.shares());
+                (position.radix - 1).clamp(1, most)
+            });
+            shares.fold(1 + table.positions.len(), usize::saturating_mul)
+        });
+        components.chain(macrodefs).fold(0, usize::saturating_add)
+    }
+
     /// Highest target number plus one.
     pub fn target_count(&self) -> usize {
         self.target_count
@@ -235,7 +249,27 @@ impl Position {
     }
 }
 
+impl Source {
+    /// Most values that have a share at once.
+    const fn shares(&self) -> usize {
+        match self {
+            Self::Unregistered => 1,
+            Self::Steps { .. } => 2,
+            Self::Sum(_) => 3,
+        }
+    }
+}
+
 impl Compiled {
+    /// What looking for its shares takes.
+    fn cost(&self) -> usize {
+        match &self.source {
+            Source::Unregistered => 1,
+            Source::Steps { steps, .. } => 1 + steps.len(),
+            Source::Sum(corners) => 1 + corners.len(),
+        }
+    }
+
     fn new(component: &Component, slider: &impl Fn(&str) -> Option<Slider>) -> Self {
         let source = match &component.blend {
             Blend::Steps(steps) => match slider(component.pattern) {

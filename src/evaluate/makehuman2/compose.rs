@@ -40,8 +40,10 @@ pub(in crate::evaluate) fn compose(base: &Base<'_>, rows: &mut Rows) -> Option<C
         Composer { rows, mesh, extent: extent(&mesh.positions), by_path: BTreeMap::new(), scene: Scene::default() };
     composer.mesh(base);
     let registered = composer.sliders(base);
-    if let Some((_, file)) = base.macro_file() {
-        composer.macros(base, file, &registered);
+    match base.macro_file() {
+        Some((_, file)) if file.is_too_large() => composer.scene.lacks_macros = true,
+        Some((_, file)) => composer.macros(base, file, &registered),
+        None => {}
     }
     let mut scene = composer.scene;
     if let Some((rig, skeleton)) = base.pose_rig() {
@@ -178,8 +180,9 @@ impl Composer<'_, '_> {
         let products = file.macrodefs.iter().map(|macrodef| dimensions(file, &macrodef.components, registered));
         self.scene.products = products.collect();
         let components: Vec<Component<'_>> = file.components.iter().filter_map(component).collect();
-        // Too many combinations to tabulate is a limit of ours, reported where combinations are judged.
         let table = MacroTable::new(&components, &macrodefs, |pattern| registered.get(pattern).copied());
+        // Too many combinations to tabulate is a limit of ours.
+        self.scene.lacks_macros = table.is_err();
         self.scene.macros = table.ok().map(Macros::Makehuman2);
     }
 }

@@ -42,13 +42,16 @@ const AFTER_NUMBER: [&str; 8] = ["if", "else", "and", "or", "in", "is", "not", "
 pub(super) struct Lexer<'a> {
     text: &'a str,
     at: usize,
+    /// What of the text is more than white space, found once: an expression may have any number of line ends.
+    inner: Range<usize>,
     /// Open parentheses: inside them line ends are blanks.
     open: u32,
 }
 
 impl<'a> Lexer<'a> {
     pub(super) fn new(text: &'a str) -> Self {
-        Self { text, at: 0, open: 0 }
+        let inner = text.len() - text.trim_start().len()..text.trim_end().len();
+        Self { text, at: 0, inner, open: 0 }
     }
 
     /// The bytes of a span.
@@ -106,8 +109,7 @@ impl<'a> Lexer<'a> {
 
     /// Inside parentheses, before the first token and after the last, line ends mean nothing.
     fn is_line_end_harmless(&self) -> bool {
-        let before = self.text.get(..self.at).unwrap_or_default();
-        self.open > 0 || before.trim().is_empty() || self.rest().trim().is_empty()
+        self.open > 0 || self.at <= self.inner.start || self.at >= self.inner.end
     }
 
     fn name(&mut self) -> Result<Token, Fault> {
@@ -259,4 +261,35 @@ impl<'a> Lexer<'a> {
 
 fn is_name_start(character: char) -> bool {
     character == '_' || character.is_alphabetic()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn line_ends_mean_nothing_before_after_and_inside_parentheses() {
+        let fails = |text: &str| {
+            let mut lexer = Lexer::new(text);
+            loop {
+                match lexer.next() {
+                    Ok(Lexeme { token: Token::End, .. }) => return false,
+                    Ok(_) => {}
+                    Err(_) => return true,
+                }
+            }
+        };
+        for text in ["", " \n ", "\n\r 1\n \u{a0}"] {
+            assert_eq!(fails(text), text.contains('\u{a0}'), "{text:?}");
+        }
+        assert!(!fails("\n(1\n)\n") && fails("1\n+1") && fails("# a\n1") && !fails("1 # a\n"));
+    }
+
+    #[test]
+    fn a_line_end_is_not_compared_with_the_rest_of_the_text() {
+        // The ends of the text are looked for once; what is left for each line end are two comparisons of numbers.
+        let lexer = Lexer::new("\n\n 1 \n\n");
+        assert_eq!(lexer.inner, 3..4);
+        assert_eq!(Lexer::new("\n\n").inner, 2..0);
+    }
 }

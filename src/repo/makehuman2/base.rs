@@ -268,6 +268,11 @@ impl<'a> Base<'a> {
         self.macros.winner()
     }
 
+    /// Whether the macros are more than are checked.
+    pub(crate) fn has_too_many_macros(&self) -> bool {
+        self.macro_file().is_some_and(|(_, macros)| macros.is_too_large())
+    }
+
     /// `base.json`, if it could be read.
     pub(crate) fn settings(&self) -> Option<(&'a FileFacts, &'a BaseJson)> {
         self.own_json.and_then(|(file, model)| Some((file, model?)))

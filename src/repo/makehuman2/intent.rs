@@ -7,14 +7,16 @@ use super::{Base, BoundSlider, Pattern};
 use crate::diag::Sought;
 use crate::formats::modelling::Modelling;
 
-/// Names of missing targets that are compared with others.
-const COMPARED: usize = 4096;
+/// Names of missing targets that are compared with others: each pattern that is looked for is compared with all of them.
+const COMPARED: usize = 256;
 
 /// What faulty sliders of a base hide.
 #[derive(Debug, Default)]
 pub(super) struct Intent<'a> {
     /// Whether some slider cannot be read.
     unreadable: bool,
+    /// Keys of the entries that are no object.
+    no_objects: BTreeSet<&'a str>,
     /// Whether none of the targets that the sliders name is there: they are those of another base.
     foreign: bool,
     /// Whether the icon of some slider cannot be read.
@@ -34,7 +36,9 @@ pub(super) struct Intent<'a> {
 impl<'a> Intent<'a> {
     pub(super) fn of(base: &Base<'a>) -> Self {
         let sliders = || base.sliders.iter();
-        let unreadable = base.models().any(|model| !model.unreadable.is_empty());
+        let no_objects: BTreeSet<&str> =
+            base.models().flat_map(|model| &model.unreadable).map(String::as_str).collect();
+        let unreadable = !no_objects.is_empty();
         let has_no_icon = |bound: &BoundSlider<'_>| {
             let slider = bound.slider;
             slider.keys.is_empty() || slider.has("icon") && slider.icon.is_none()
@@ -55,6 +59,7 @@ impl<'a> Intent<'a> {
         let foreign = is_foreign(base);
         Self {
             unreadable: unreadable || foreign || sliders().any(|bound| bound.slider.is_incomplete()),
+            no_objects,
             foreign,
             unreadable_icons: unreadable || foreign || sliders().any(has_no_icon),
             targets: misspelt.flat_map(|slider| [&slider.incr, &slider.decr]).flatten().map(String::as_str).collect(),
@@ -126,7 +131,7 @@ impl<'a> Base<'a> {
 
     /// Whether an entry of this key is there and no object.
     pub(crate) fn has_unreadable_entry(&self, key: &str) -> bool {
-        self.models().any(|model| model.unreadable.iter().any(|other| other == key))
+        self.intent.no_objects.contains(key)
     }
 
     /// Whether a picture may be unused only because some slider cannot be read.
@@ -156,7 +161,7 @@ impl<'a> Base<'a> {
     fn misspells_target(&self, pattern: &str) -> bool {
         let wanted = pattern.split('|').next().unwrap_or_default();
         let lacking = &self.intent.lacking;
-        // Where thousands are missing, none of them is a slip of the pen.
+        // Where hundreds are missing, none of them is a slip of the pen.
         lacking.contains_key(wanted) || lacking.len() <= COMPARED && lacking.values().any(|own| own.may_mean(wanted))
     }
 

@@ -1,19 +1,26 @@
 //! Names in `base.json` looked up among the sliders: patterns, keys, groups.
 
 use std::collections::BTreeSet;
+use std::ops::Bound;
 
 use super::super::did_you_mean;
-use crate::diag::nearest;
+use crate::diag::Suggestions;
+use crate::formats::macro_json::Component;
 use crate::repo::makehuman2::Base;
 
 /// Beginning of the groups of user targets, which come and go.
 const USER: &str = "user";
 
-/// What names are looked up in.
+/// What names are looked up in, gathered once for all of them.
 pub(super) struct Names<'n, 'a> {
     pub(super) base: &'n Base<'a>,
-    /// Whether `macro.json` is checked, too.
-    pub(super) checks_macros: bool,
+    suggestions: &'n Suggestions,
+    /// Patterns that components read, if `macro.json` is checked, too: `macro-unknown-pattern` speaks of them.
+    read_by_macros: BTreeSet<String>,
+    /// Groups of sliders, and those that an item would show.
+    groups: BTreeSet<String>,
+    /// What stands before the `|` in them.
+    categories: BTreeSet<String>,
 }
 
 /// A name that does not exist.
@@ -29,35 +36,31 @@ impl Unknown {
     }
 }
 
-impl Names<'_, '_> {
+impl<'n, 'a> Names<'n, 'a> {
+    /// The names of a base. `checks_macros` says whether `macro.json` is checked, too.
+    pub(super) fn new(base: &'n Base<'a>, checks_macros: bool, suggestions: &'n Suggestions) -> Self {
+        let components = base.macro_file().filter(|_| checks_macros).map(|(_, file)| file.components.as_slice());
+        let read_by_macros = components.unwrap_or_default().iter().flat_map(read_by).collect();
+        let groups = groups(base);
+        let categories = groups.iter().filter_map(|group| group.split('|').next()).map(str::to_owned).collect();
+        Self { base, suggestions, read_by_macros, groups, categories }
+    }
+
     /// A pattern; one that is missing only because its endings are not declared has a finding of its own.
     pub(super) fn pattern(&self, pattern: &str) -> Option<Unknown> {
         let base = self.base;
-        if base.slider(pattern).is_some() || base.explains_pattern(pattern) || self.is_read_by_macros(pattern) {
+        if base.slider(pattern).is_some() || base.explains_pattern(pattern) || self.read_by_macros.contains(pattern) {
             return None;
         }
         let patterns = self.base.sliders.iter().flat_map(|slider| slider.pattern.names()).map(String::as_str);
         let message = format!("no slider has the pattern `{pattern}`");
-        let near = nearest(pattern, patterns);
+        let near = self.suggestions.nearest(pattern, patterns);
         let mut unknown = Unknown::new(pattern, message, near, "name the pattern of a slider, or remove the line");
         let of_key = self.base.entry(pattern);
         if let Some(own) = of_key.and_then(|slider| slider.pattern.names().first()) {
             unknown.help = format!("this is the key of an entry; write its pattern `{own}`");
         }
         Some(unknown)
-    }
-
-    /// Whether a component reads the pattern: `macro-unknown-pattern` speaks.
-    fn is_read_by_macros(&self, pattern: &str) -> bool {
-        let components = self.base.macro_file().map(|(_, file)| file.components.as_slice()).unwrap_or_default();
-        self.checks_macros
-            && components.iter().any(|component| {
-                let rest = component.pattern.as_deref().and_then(|own| pattern.strip_prefix(own));
-                match (&component.steps, &component.sum) {
-                    (None, Some(sum)) => rest.is_some_and(|rest| sum.iter().any(|end| end == rest)),
-                    _ => rest == Some(""),
-                }
-            })
     }
 
     /// A key of `modelling.json`.
@@ -70,7 +73,12 @@ impl Names<'_, '_> {
         }
         let keys = self.base.sliders.iter().map(|slider| slider.slider.key.as_str());
         let message = format!("modelling.json has no entry `{key}`");
-        let mut unknown = Unknown::new(key, message, nearest(key, keys), "name the key of an entry of modelling.json");
+        let mut unknown = Unknown::new(
+            key,
+            message,
+            self.suggestions.nearest(key, keys),
+            "name the key of an entry of modelling.json",
+        );
         if let Some(slider) = self.base.slider(key) {
             unknown.help = format!("this is a pattern; write the key `{}`", slider.slider.key);
         }
@@ -79,16 +87,15 @@ impl Names<'_, '_> {
 
     /// A category or group that the randomizer may choose.
     pub(super) fn group(&self, group: &str) -> Option<Unknown> {
-        let groups = self.groups();
-        let categories: BTreeSet<&str> = groups.iter().filter_map(|group| group.split('|').next()).collect();
+        let Self { groups, categories, .. } = self;
         let known = groups.contains(group) || categories.contains(group);
         if known || group.split('|').next() == Some(USER) {
             return None;
         }
         let near = if group.contains('|') {
-            nearest(group, groups.iter().map(String::as_str))
+            self.suggestions.nearest(group, groups.iter().map(String::as_str))
         } else {
-            nearest(group, categories)
+            self.suggestions.nearest(group, categories.iter().map(String::as_str))
         };
         let message = format!("no slider is in the random group `{group}`");
         Some(Unknown::new(group, message, near, "name a category or group of the sliders, or remove the line"))
@@ -96,24 +103,34 @@ impl Names<'_, '_> {
 
     /// The beginning of a group.
     pub(super) fn head(&self, beginning: &str) -> Option<Unknown> {
-        let groups = self.groups();
+        let Self { groups, categories, .. } = self;
         let is_user = beginning.split('|').next() == Some(USER);
-        if is_user || groups.iter().any(|group| group.starts_with(beginning)) {
+        // Of all that come no earlier, those that begin so are the first.
+        let first = groups.range::<str, _>((Bound::Included(beginning), Bound::Unbounded)).next();
+        if is_user || first.is_some_and(|group| group.starts_with(beginning)) {
             return None;
         }
-        let categories = groups.iter().filter_map(|group| group.split('|').next());
-        let categories: BTreeSet<String> = categories.map(|category| format!("{category}|")).collect();
-        let near = nearest(beginning, groups.iter().chain(&categories).map(String::as_str));
+        let categories: Vec<String> = categories.iter().map(|category| format!("{category}|")).collect();
+        let near = self.suggestions.nearest(beginning, groups.iter().chain(&categories).map(String::as_str));
         let message = format!("no group of a slider begins with `{beginning}`");
         Some(Unknown::new(beginning, message, near, "name the beginning of a group, or remove the line"))
     }
+}
 
-    /// Groups of sliders, and those that an item would show: an empty item is a finding of its own.
-    fn groups(&self) -> BTreeSet<String> {
-        let own = self.base.sliders.iter().filter_map(|slider| slider.as_meant().group.clone());
-        let categories = [self.base.categories.winner(), self.base.user_categories.accepted()];
-        let categories = categories.into_iter().flatten().flat_map(|(_, model)| &model.categories);
-        let shown = categories.flat_map(|category| category.items.iter().filter_map(|item| category.group_of(item)));
-        own.chain(shown).collect()
+/// Patterns of sliders that a component reads.
+fn read_by(component: &Component) -> Vec<String> {
+    let Some(own) = &component.pattern else { return Vec::new() };
+    match (&component.steps, &component.sum) {
+        (None, Some(sum)) => sum.iter().map(|end| format!("{own}{end}")).collect(),
+        _ => vec![own.clone()],
     }
+}
+
+/// Groups of sliders, and those that an item would show: an empty item is a finding of its own.
+fn groups(base: &Base<'_>) -> BTreeSet<String> {
+    let own = base.sliders.iter().filter_map(|slider| slider.as_meant().group.clone());
+    let categories = [base.categories.winner(), base.user_categories.accepted()];
+    let categories = categories.into_iter().flatten().flat_map(|(_, model)| &model.categories);
+    let shown = categories.flat_map(|category| category.items.iter().filter_map(|item| category.group_of(item)));
+    own.chain(shown).collect()
 }

@@ -1,5 +1,7 @@
 //! Patterns, groups and entries named in `base.json` must exist.
 
+use std::collections::BTreeMap;
+
 use super::super::cause::overlay::has_sliders;
 use super::super::{Check, Rule, RuleCx};
 use super::NO_MEASURE;
@@ -27,14 +29,14 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Makehuman2(run),
 };
 
-fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, settings)) = base.settings().filter(|_| has_sliders(base)) else { return };
     // A user's sliders over the system's macros are checked against these, too.
     let sliders = base.modelling.winner().map(|(file, _)| file);
     let macros = base.macro_file().map(|(file, _)| file);
     let checks_macros =
         macros.is_some() && [sliders, macros].into_iter().flatten().any(|file| view.layers.is_checked(file));
-    let names = Names { base, checks_macros };
+    let names = Names::new(base, checks_macros, &cx.suggestions);
     let mut found = Vec::new();
     for (pattern, _) in &settings.presets {
         found.extend(names.pattern(pattern).map(|unknown| unknown_name(file, &["modifier-presets", pattern], unknown)));
@@ -102,14 +104,14 @@ fn randomizer(file: &FileFacts, names: &Names<'_, '_>, random: &Random, out: &mu
         let unknown = key.as_ref().and_then(|key| names.entry(key));
         out.extend(unknown.map(|unknown| unknown_name(file, &["random", member], unknown)));
     }
-    for (at, (group, selected)) in random.groups.iter().enumerate() {
-        let earlier = random.groups.iter().take(at);
-        let mut whole =
-            earlier.filter(|(other, _)| group.split_once('|').is_some_and(|(category, _)| category == other));
-        match whole.next_back() {
+    let mut earlier: BTreeMap<&str, bool> = BTreeMap::new();
+    for (group, selected) in &random.groups {
+        let category = group.split_once('|').map(|(category, _)| category);
+        match category.and_then(|category| earlier.get_key_value(category)) {
             Some((category, also)) => out.push(nested(file, group, category, *selected && *also)),
             None => out.extend(random_group(file, names, group, *selected)),
         }
+        earlier.insert(group, *selected);
     }
     for (key, conditions) in &random.rules {
         if let Some(unknown) = names.entry(key) {

@@ -11,8 +11,7 @@ pub(in crate::rules) fn is_of_wrong_type(file: &FileFacts) -> bool {
 
 /// Whether the schema has nothing against the value at a pointer or below it; else the model lacks a part of it.
 pub(in crate::rules) fn is_sound(file: &FileFacts, pointer: &str) -> bool {
-    let below = |fault: &str| fault.strip_prefix(pointer).is_some_and(|rest| rest.is_empty() || rest.starts_with('/'));
-    !file.schema.faults.iter().any(|fault| below(&fault.pointer))
+    file.schema.at(pointer).chain(file.schema.inside(pointer)).next().is_none()
 }
 
 /// The key that stands where `key` is meant, if it is misspelt.
@@ -22,13 +21,11 @@ pub(in crate::rules) fn misspelt<'f>(file: &'f FileFacts, key: &str) -> Option<&
 
 /// Whether an unknown key stands where a key is missing from the same object: it is much like that one, or like no other
 /// and the only one that is unknown there.
-pub(in crate::rules) fn stands_for(file: &FileFacts, unknown: &UnknownKey, missing: &str) -> bool {
-    let owner = |key: &UnknownKey| key.pointer.rsplit_once('/').map(|(owner, _)| owner.to_owned());
-    if let Some(nearest) = &unknown.nearest {
-        return nearest == missing;
+pub(in crate::rules) fn stands_for(unknown: &UnknownKey, missing: &str) -> bool {
+    match &unknown.nearest {
+        Some(nearest) => nearest == missing,
+        None => !unknown.is_object && unknown.is_alone,
     }
-    let beside = file.schema.unknown.iter().filter(|other| owner(other) == owner(unknown));
-    !unknown.is_object && beside.count() == 1
 }
 
 /// Whether a member of the whole is there with a fault in it, or under a misspelt key.

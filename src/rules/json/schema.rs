@@ -72,7 +72,7 @@ fn help(file: &FileFacts, fault: &SchemaFault) -> String {
     let missing = fault.missing();
     let is_meant = |unknown: &&UnknownKey| {
         unknown.pointer.rsplit_once('/').is_some_and(|(owner, _)| owner == fault.pointer)
-            && missing.is_some_and(|missing| stands_for(file, unknown, missing))
+            && missing.is_some_and(|missing| stands_for(unknown, missing))
     };
     if let Some((meant, missing)) = file.schema.unknown.iter().find(is_meant).zip(missing) {
         return format!("is `{}` meant to be `{missing}`?", meant.key);

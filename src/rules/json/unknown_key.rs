@@ -46,7 +46,12 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     let sliders = told_sliders(view, file);
     let lacking = lacking(file);
     let are_bones = has_bones_at_top(file);
-    let told = |unknown: &&UnknownKey| are_bones || lacks(file, &lacking, unknown) || is_told(file, &sliders, unknown);
+    let kindless = kindless(file);
+    let lost = lost_components(file);
+    let is_lost = |unknown: &UnknownKey| lost.contains(unknown.key.as_str()) && nested(file, unknown).is_some();
+    let told = |unknown: &&UnknownKey| {
+        are_bones || is_lost(unknown) || lacks(&lacking, unknown) || is_told(file, &sliders, &kindless, unknown)
+    };
     for unknown in file.schema.unknown.iter().filter(|unknown| !told(unknown)) {
         by_key.entry((&unknown.key, unknown.object.as_deref())).or_default().push(unknown);
     }
@@ -66,6 +71,13 @@ fn told_sliders<'f>(view: &View<'_>, file: &'f FileFacts) -> Told<'f> {
         }
         _ => BTreeSet::new(),
     }
+}
+
+/// Pointers of the components with neither `steps` nor `sum`.
+fn kindless(file: &FileFacts) -> BTreeSet<String> {
+    let Content::Macro(macros) = &*file.content else { return BTreeSet::new() };
+    let kindless = |component: &&Component| component.steps.is_none() && component.sum.is_none();
+    macros.components.iter().filter(kindless).map(|component| pointer(&["components", &component.name])).collect()
 }
 
 /// Whether the bones of a weights file stand where `weights` is missing, which is said.
@@ -90,14 +102,14 @@ fn nested(file: &FileFacts, unknown: &UnknownKey) -> Option<&'static str> {
 }
 
 /// Whether the finding on the key that the schema misses names this one.
-fn lacks(file: &FileFacts, lacking: &BTreeSet<(&str, &str)>, unknown: &UnknownKey) -> bool {
+fn lacks(lacking: &BTreeSet<(&str, &str)>, unknown: &UnknownKey) -> bool {
     let owner = unknown.pointer.rsplit_once('/').map_or("", |(owner, _)| owner);
-    lacking.range((owner, "")..).take_while(|(other, _)| *other == owner).any(|(_, key)| stands_for(file, unknown, key))
+    lacking.range((owner, "")..).take_while(|(other, _)| *other == owner).any(|(_, key)| stands_for(unknown, key))
 }
 
 /// Whether the finding of another rule on the key that is missing instead names this one.
-fn is_told(file: &FileFacts, sliders: &Told<'_>, unknown: &UnknownKey) -> bool {
-    let Some(nearest) = unknown.nearest.as_deref() else { return is_lost_component(file, unknown) };
+fn is_told(file: &FileFacts, sliders: &Told<'_>, kindless: &BTreeSet<String>, unknown: &UnknownKey) -> bool {
+    let Some(nearest) = unknown.nearest.as_deref() else { return false };
     let (owner, _) = unknown.pointer.rsplit_once('/').unwrap_or_default();
     match &*file.content {
         Content::Skeleton(skeleton) if owner.is_empty() => match nearest {
@@ -110,23 +122,19 @@ fn is_told(file: &FileFacts, sliders: &Told<'_>, unknown: &UnknownKey) -> bool {
             _ => false,
         },
         Content::BaseJson(settings) if owner.is_empty() => nearest == "visible groups" && !settings.has_visible_groups,
-        Content::Macro(macros) if matches!(nearest, "steps" | "sum") => {
-            let own = |component: &&Component| pointer(&["components", &component.name]) == owner;
-            macros.components.iter().find(own).is_some_and(|own| own.steps.is_none() && own.sum.is_none())
-        }
+        Content::Macro(_) if matches!(nearest, "steps" | "sum") => kindless.contains(owner),
         Content::Modelling(_) => sliders.contains(&(owner.to_owned(), &unknown.key)),
         _ => false,
     }
 }
 
-/// Whether it is a component inside another one that some `comp` misses: `macro-unknown-component` names it.
-fn is_lost_component(file: &FileFacts, unknown: &UnknownKey) -> bool {
-    let Content::Macro(macros) = &*file.content else { return false };
-    let is_missed = || {
-        let defined = macros.components.iter().any(|component| component.name == unknown.key);
-        !defined && macros.macrodefs.iter().any(|macrodef| macrodef.components.contains(&unknown.key))
-    };
-    nested(file, unknown).is_some() && is_missed()
+/// Components that some `comp` names and that are not defined where they should be: `macro-unknown-component` says where
+/// one of them lies inside another one.
+fn lost_components(file: &FileFacts) -> BTreeSet<&str> {
+    let Content::Macro(macros) = &*file.content else { return BTreeSet::new() };
+    let defined: BTreeSet<&str> = macros.components.iter().map(|component| component.name.as_str()).collect();
+    let named = macros.macrodefs.iter().flat_map(|macrodef| &macrodef.components).map(String::as_str);
+    named.filter(|name| !defined.contains(name)).collect()
 }
 
 /// One finding for a key, however many objects have it.

@@ -12,8 +12,8 @@ use crate::repo::FileFacts;
 /// What a definition generates, if neither `comp`, `targets` nor one of its components is faulty.
 pub(super) fn sound_space<'a>(file: &FileFacts, macros: &'a MacroFile, macrodef: &Macrodef) -> Option<Space<'a>> {
     let own = format!("/macrodef/{}", macrodef.index);
-    let faulty = |fault: &str| fault == own || fault == format!("{own}/targets");
-    let is_whole = is_sound(file, &format!("{own}/comp")) && !file.schema.faults.iter().any(|f| faulty(&f.pointer));
+    let is_faulty = |pointer: &str| file.schema.at(pointer).next().is_some();
+    let is_whole = is_sound(file, &format!("{own}/comp")) && !is_faulty(&own) && !is_faulty(&format!("{own}/targets"));
     let space = Space::of(macros, macrodef).filter(|_| is_whole)?;
     space.axes.iter().all(|axis| is_sound_component(file, axis) && is_even(axis)).then_some(space)
 }

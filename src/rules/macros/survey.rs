@@ -54,8 +54,7 @@ pub(super) fn survey<'s>(
     let elsewhere = macros.macrodefs.iter().filter(|other| other.index != macrodef.index);
     listing.claimed.extend(elsewhere.flat_map(|other| &other.links).filter_map(|link| space.parse(&link.name)));
     // Entries that the schema refuses, or with names that nobody understands, stand for combinations.
-    let below = format!("/macrodef/{}/targets/", macrodef.index);
-    let faulty = file.schema.faults.iter().filter(|fault| fault.pointer.starts_with(&below)).count();
+    let faulty = file.schema.inside(&format!("/macrodef/{}/targets", macrodef.index)).count();
     let lost = listing.strangers.iter().filter(|stranger| stranger.intended.is_none()).count();
     let listed = listing.found.len();
     if lost > listed || faulty > listed {

@@ -74,9 +74,9 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
 /// name fits: that entry was probably the one for the file.
 fn is_for_faulty_entry(file: &FileFacts, holders: &[&Macrodef], fits_listed: bool) -> bool {
     let own = |macrodef: &&Macrodef| format!("/macrodef/{}", macrodef.index);
-    let faults = |test: &dyn Fn(&str) -> bool| file.schema.faults.iter().any(|fault| test(&fault.pointer));
-    let all = |own: String| faults(&|fault| fault == own || fault == format!("{own}/targets"));
-    let single = |own: String| faults(&|fault| fault.starts_with(&format!("{own}/targets/")));
+    let is_faulty = |pointer: &str| file.schema.at(pointer).next().is_some();
+    let all = |own: String| is_faulty(&own) || is_faulty(&format!("{own}/targets"));
+    let single = |own: String| file.schema.inside(&format!("{own}/targets")).next().is_some();
     holders.iter().any(|holder| holder.links.is_empty() && (all(own(holder)) || single(own(holder))))
         || !fits_listed && holders.iter().any(|holder| single(own(holder)))
 }

@@ -1,5 +1,7 @@
 //! Stretches of a slider in which a macrodef applies nothing.
 
+use std::collections::BTreeSet;
+
 use super::super::{Check, Rule, RuleCx};
 use super::{component, has_sound_steps, title};
 use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
@@ -91,13 +93,47 @@ fn is_sound(macros: &MacroFile, macrodef: &Macrodef) -> bool {
     spelled && macrodef.unusable.is_empty() && macrodef.incomplete.is_empty()
 }
 
+/// Whether a name is a value of each component, joined by `-`. All that may be left of it is followed at once, since
+/// values may have `-` in them, too.
 fn is_spelled(name: &str, components: &[&Component]) -> bool {
-    match components {
-        [] => false,
-        [last] => last.values.iter().any(|value| value == name),
-        [first, rest @ ..] => first.values.iter().any(|value| {
-            let tail = name.strip_prefix(value.as_str()).and_then(|tail| tail.strip_prefix('-'));
-            tail.is_some_and(|tail| is_spelled(tail, rest))
-        }),
+    let Some((last, others)) = components.split_last() else { return false };
+    let mut left = BTreeSet::from([name]);
+    for component in others {
+        let mut behind = BTreeSet::new();
+        for name in left {
+            let tails = component.values.iter().filter_map(|value| name.strip_prefix(value.as_str()));
+            behind.extend(tails.filter_map(|tail| tail.strip_prefix('-')));
+        }
+        left = behind;
+        if left.is_empty() {
+            return false;
+        }
+    }
+    left.iter().any(|name| last.values.iter().any(|value| value == name))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_followed_through_any_number_of_components() {
+        let values = ["a", "a-a", "b"].map(str::to_owned).to_vec();
+        let component = Component { values, ..Component::default() };
+        let many = |count: usize| vec![&component; count];
+        for (name, count, is_spelled_so) in [
+            ("a", 1, true),
+            ("a-a", 1, true),
+            ("a-a", 2, true),
+            ("a-a-a", 2, true),
+            ("a-b-a", 2, false),
+            ("", 0, false),
+        ] {
+            assert_eq!(is_spelled(name, &many(count)), is_spelled_so, "{name} {count}");
+        }
+        // Each way to take it apart for itself would be more than there are atoms, and a call for each a stack too deep.
+        let long = vec!["a"; 60].join("-");
+        assert!(is_spelled(&long, &many(40)) && !is_spelled(&format!("{long}-c"), &many(40)));
+        assert!(is_spelled(&vec!["b"; 20_000].join("-"), &many(20_000)));
     }
 }

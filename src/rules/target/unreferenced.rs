@@ -66,7 +66,8 @@ fn lost_macrodefs(base: &Base<'_>) -> bool {
     let Some((file, macros)) = base.macro_file() else { return false };
     let whole = |pointer: &str| pointer.strip_prefix("/macrodef").is_some_and(|rest| rest.matches('/').count() <= 1);
     let is_lost = |fault: &crate::json::SchemaFault| {
-        let own = macros.macrodefs.iter().find(|own| fault.pointer == format!("/macrodef/{}", own.index));
+        let number = fault.pointer.strip_prefix("/macrodef/").and_then(|number| number.parse::<usize>().ok());
+        let own = number.and_then(|number| macros.macrodefs.get(number));
         whole(&fault.pointer) && own.is_none_or(|own| own.effective_folder.is_none() || own.links.is_empty())
     };
     macros.macrodefs.is_empty() && !macros.components.is_empty() || file.schema.faults.iter().any(is_lost)

@@ -6,6 +6,7 @@
 //! `MHLINT=FILE` of another binary.
 
 mod formats;
+mod macros;
 mod names;
 mod settings;
 
@@ -71,7 +72,8 @@ fn binary() -> OsString {
 fn every_input_ends_with_a_verdict() {
     println!("{:<48} {:>9} {:>8} {:>9}   {:>9} {:>8} {:>9}", "input", "KB", "s", "MiB", "10 x KB", "s", "MiB");
     let mut failed = Vec::new();
-    for input in names::INPUTS.iter().chain(settings::INPUTS).chain(formats::INPUTS) {
+    let inputs = [formats::INPUTS, macros::INPUTS, names::INPUTS, settings::INPUTS];
+    for input in inputs.into_iter().flatten() {
         let (size, taken) = run(input, input.times);
         let (large, more) = run(input, 10 * input.times);
         println!(

@@ -151,8 +151,7 @@ fn is_lost(file: &FileFacts, fault: &SchemaFault) -> bool {
     let Content::Macro(macros) = &*file.content else { return false };
     let rest = fault.pointer.strip_prefix("/macrodef/").and_then(|rest| rest.split('/').next());
     let Some(index) = rest.and_then(|index| index.parse::<usize>().ok()) else { return false };
-    let own = macros.macrodefs.iter().find(|macrodef| macrodef.index == index);
-    own.is_some_and(|own| !own.links.iter().any(|link| link.target.is_some()))
+    macros.macrodefs.get(index).is_some_and(|own| !own.has_target)
 }
 
 /// Whether it is a text that somebody wrote among the sliders for people, under a key such as `_comment`.
