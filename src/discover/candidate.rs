@@ -1,7 +1,7 @@
 //! Every path of a data root with what it is for, found out once.
 
 use std::borrow::Cow;
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 
 use super::{Kind, Layout};
 use crate::diag::Application;
@@ -67,15 +67,16 @@ pub(crate) fn loose_candidates<'t>(
     bind: impl Fn(&Entry) -> Binding,
 ) -> Vec<Candidate<'t>> {
     let named = |entry: &&Entry| entry.kind == EntryKind::File && (layout.loose_place)(&entry.path, None).is_some();
-    let mut taken = BTreeSet::new();
+    let mut taken: BTreeMap<String, usize> = BTreeMap::new();
     let mut found = Vec::new();
     for entry in tree.entries().iter().filter(named) {
         let Some(base) = bind(entry) else { continue };
         let Some(mut rel) = (layout.loose_place)(&entry.path, base.as_deref()) else { continue };
-        // Folders are joined to one, and two can become the same.
-        while !taken.insert(rel.clone()) {
+        // Folders are joined to one, and several can become the same.
+        let others = taken.entry(rel.clone()).and_modify(|others| *others += 1).or_default();
+        if *others > 0 {
             let (folder, file) = rel.rsplit_once('/').unwrap_or(("", &rel));
-            rel = format!("{folder}_/{file}");
+            rel = format!("{folder}/{others}/{file}");
         }
         found.push(Candidate::new(entry, rel, &[layout]));
     }

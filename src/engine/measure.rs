@@ -145,7 +145,7 @@ fn measure_base(
     failed: &mut Vec<FailedStep>,
 ) {
     let has_base = |number: usize| owned.get(number).is_some_and(|bases| bases.contains(name));
-    let stacks = data.stacks().into_iter().enumerate().filter(|(number, _)| has_base(*number));
+    let stacks = data.stacks_of(has_base).into_iter();
     let seen = stacks.flat_map(|(number, stack)| stack.seen.into_iter().map(move |(of, layers)| (number, of, layers)));
     let mut seen = seen.filter(|(_, application, _)| is_evaluated(*application)).peekable();
     while let Some((number, application, layers)) = seen.next() {

@@ -11,8 +11,8 @@ use crate::repo::View;
 /// Says that a repository was checked, and which base meshes it has.
 pub(super) fn summarise(view: &View<'_>, outcome: &mut Outcome) {
     let checked = view.layers().checked;
-    let own = |name: &str| checked.files.values().any(|file| file.base_in(view.application()) == Some(name));
-    let bases = view.body_names().into_iter().filter(|name| own(name));
+    let own: BTreeSet<&str> = checked.files.values().filter_map(|file| file.base_in(view.application())).collect();
+    let bases = view.body_names().into_iter().filter(|name| own.contains(name));
     outcome.roots.push(RootSummary {
         path: shown(&checked.path).to_owned(),
         application: view.application(),

@@ -1,5 +1,7 @@
 //! `modelling.json`: the sliders (formats/makehuman2.md §4). Formulas are checked here, never evaluated.
 
+use std::collections::BTreeSet;
+
 use super::expression::{self, Fault};
 use super::format_text;
 use super::macro_json::{text, texts};
@@ -13,6 +15,8 @@ pub struct Modelling {
     pub sliders: Vec<Slider>,
     /// Keys of entries that are no object: nothing can be said about what they were meant to be.
     pub unreadable: Vec<String>,
+    /// Whether there is a slider that is not marked as the user's.
+    pub has_unmarked: bool,
 }
 
 /// An entry.
@@ -156,8 +160,10 @@ pub fn read(document: &Document) -> Modelling {
     // A text or list is taken for an entry without keys; the schema reports it, no rule needs to see it.
     let (entries, others): (Vec<_>, Vec<_>) =
         document.root.effective_members().into_iter().partition(|member| member.node.is_object());
+    let sliders: Vec<Slider> = entries.into_iter().map(|member| slider_as_meant(&member.key, &member.node)).collect();
     Modelling {
-        sliders: entries.into_iter().map(|member| slider_as_meant(&member.key, &member.node)).collect(),
+        has_unmarked: sliders.iter().any(|slider| !slider.user),
+        sliders,
         unreadable: others.into_iter().map(|member| member.key.clone()).collect(),
     }
 }
@@ -165,10 +171,14 @@ pub fn read(document: &Document) -> Modelling {
 /// The entry as the loader reads it, beside it as its author meant it.
 fn slider_as_meant(key: &str, node: &Node) -> Slider {
     let mut read = slider(key, node);
+    if node.members().iter().all(|member| misspelt(&member.key).is_none()) {
+        return read;
+    }
+    let there: BTreeSet<&str> = node.members().iter().map(|member| member.key.as_str()).collect();
     let mut meant = node.clone();
     if let Value::Object(members) = &mut meant.value {
         for member in members {
-            if let Some(right) = misspelt(&member.key).filter(|right| node.get(right).is_none()) {
+            if let Some(right) = misspelt(&member.key).filter(|right| !there.contains(right)) {
                 read.misspelt.push((std::mem::replace(&mut member.key, right.to_owned()), right));
             }
         }

@@ -108,6 +108,12 @@ pub struct BadLine {
 }
 
 impl MeshFacts {
+    /// The groups into which faces of another one are put, and those other ones.
+    pub fn mixed_groups(&self) -> BTreeSet<&str> {
+        let names = self.reopened.iter().flat_map(|reopened| reopened.lands_in.iter().chain([&reopened.name]));
+        names.map(String::as_str).collect()
+    }
+
     /// Notes that the name `name` was opened again; takes and gives its place in [`MeshFacts::reopened`].
     pub(super) fn reopen(&mut self, known: Option<usize>, name: &str, line: u32, lands_in: &str) -> usize {
         let at = known.unwrap_or(self.reopened.len());

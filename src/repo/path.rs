@@ -2,6 +2,14 @@
 
 use super::{Layer, Resolution};
 
+/// Bytes that a path has at most, on any system that the applications run on.
+const LONGEST: usize = 4096;
+
+/// As much of a name as a path may have.
+pub(super) fn shortened(text: &str) -> &str {
+    text.get(..text.floor_char_boundary(LONGEST)).unwrap_or(text)
+}
+
 /// Whether a name begins at a root or a drive instead of the folder it is looked for in.
 pub(super) fn is_absolute(text: &str) -> bool {
     text.starts_with(['/', '\\']) || text.get(1..2) == Some(":")
@@ -11,6 +19,9 @@ pub(super) fn is_absolute(text: &str) -> bool {
 pub(super) fn resolve<'a>(layers: &[&'a Layer], text: &str, rel: &str) -> Resolution<'a> {
     if is_absolute(text) {
         return Resolution::Absolute;
+    }
+    if rel.len() > LONGEST {
+        return Resolution::Missing;
     }
     let Some(normal) = normalized(rel) else {
         return Resolution::Escapes;
@@ -42,8 +53,16 @@ pub(super) fn resolve<'a>(layers: &[&'a Layer], text: &str, rel: &str) -> Resolu
 /// Whether the folders are there that `..` leaves again. Only Windows does without.
 fn has_way(layer: &Layer, rel: &str) -> bool {
     let exists = |folder: &String| layer.folders.binary_search(folder).is_ok() || layer.below(folder).next().is_some();
-    let left = rel.match_indices("/../").filter_map(|(end, _)| normalized(rel.get(..end)?));
-    left.filter(|folder| !folder.is_empty()).all(|folder| exists(&folder))
+    let mut at: Vec<&str> = Vec::new();
+    for part in rel.split('/') {
+        match part {
+            "" | "." => {}
+            ".." if !at.is_empty() && !exists(&at.join("/")) => return false,
+            ".." => drop(at.pop()),
+            other => at.push(other),
+        }
+    }
+    true
 }
 
 /// The path without `.` and `..`, or nothing if it leaves the root.
@@ -63,11 +82,13 @@ pub(super) fn normalized(rel: &str) -> Option<String> {
 
 #[cfg(test)]
 mod tests {
-    use super::normalized;
+    use super::{LONGEST, normalized, shortened};
 
     #[test]
     fn paths_are_normalized_inside_the_root_only() {
         assert_eq!(normalized("target/b/a/../c.target").as_deref(), Some("target/b/c.target"));
         assert_eq!(normalized("target/../../x"), None);
+        assert_eq!(shortened("a/b"), "a/b");
+        assert_eq!(shortened(&"é".repeat(4096)).len(), LONGEST);
     }
 }

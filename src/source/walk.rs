@@ -1,5 +1,6 @@
 //! Lists a folder on disk: sorted, links followed inside the root only, loops and refusals reported.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Component, Path, PathBuf};
 
@@ -11,6 +12,8 @@ use super::tree::{Entry, EntryKind, WalkFault, WalkFaultKind};
 /// Entries that are listed at most: folders that link to each other multiply without end, and no asset
 /// repository comes near.
 const MOST_ENTRIES: usize = 1_000_000;
+/// The same of entries behind links to folders: each of the files is read once for each way that leads to it.
+const MOST_LINKED: usize = 10_000;
 
 /// Says of a hidden path, or of a path in a hidden folder, whether somebody reads it: a file that is to be listed, or
 /// (`true` behind it) a folder that is to be searched for such files.
@@ -30,8 +33,10 @@ fn walk_at_most(root: &Path, depth: usize, wanted: Wanted, most: usize) -> (Vec<
     let mut walker = walk.into_iter();
     let mut links = Links::default();
     while let Some(step) = walker.next() {
-        if entries.len() + faults.len() >= most {
-            let reason = format!("more than {most} files and folders; the rest was not looked at");
+        let is_too_much = entries.len() + faults.len() >= most;
+        if is_too_much || links.behind >= MOST_LINKED {
+            let (most, what) = if is_too_much { (most, "") } else { (MOST_LINKED, " behind links to folders") };
+            let reason = format!("more than {most} files and folders{what}; the rest was not looked at");
             let path = step.as_ref().map_or(root, |found| found.path().parent().unwrap_or(root));
             faults.push(fault(root, path, WalkFaultKind::Unreadable { reason }));
             break;
@@ -77,7 +82,9 @@ fn is_wanted(root: &Path, found: &DirEntry, wanted: Wanted) -> bool {
 /// The folders met so far that are links.
 #[derive(Default)]
 struct Links {
-    folders: Vec<PathBuf>,
+    folders: BTreeSet<PathBuf>,
+    /// How many entries lie behind one.
+    behind: usize,
 }
 
 impl Links {
@@ -86,10 +93,11 @@ impl Links {
         let is_link = found.path_is_symlink();
         let (is_folder, is_file) = (found.file_type().is_dir(), found.file_type().is_file());
         if is_link && is_folder {
-            self.folders.push(found.path().to_owned());
+            self.folders.insert(found.path().to_owned());
         }
-        let is_behind_link = || self.folders.iter().any(|folder| found.path().starts_with(folder));
-        if !(is_link && is_folder || is_file && (is_link || is_behind_link())) {
+        let is_behind_link = !self.folders.is_empty() && found.path().ancestors().any(|at| self.folders.contains(at));
+        self.behind += usize::from(is_behind_link);
+        if !(is_link && is_folder || is_file && (is_link || is_behind_link)) {
             return None;
         }
         let real = fs::canonicalize(found.path()).ok()?;

@@ -141,7 +141,12 @@ impl<'t> Data<'t> {
 
     /// The repositories to check, in order of the roots.
     pub(in crate::engine) fn stacks(&self) -> Vec<Stack<'_, 't>> {
-        stacks(&self.roots, &self.systems)
+        stacks(&self.roots, &self.systems, |_| true).into_iter().map(|(_, stack)| stack).collect()
+    }
+
+    /// Those of the repositories whose numbers are asked for, with their numbers.
+    pub(in crate::engine) fn stacks_of(&self, is_asked: impl Fn(usize) -> bool) -> Vec<(usize, Stack<'_, 't>)> {
+        stacks(&self.roots, &self.systems, is_asked)
     }
 
     /// Every root, those of systems first.

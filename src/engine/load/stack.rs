@@ -87,15 +87,23 @@ pub(in crate::engine) struct Stack<'a, 't> {
     pub(in crate::engine) seen: Vec<(Application, Layers<'a>)>,
 }
 
-/// The repositories that `loaded` makes. A root lies over that of `systems` that has data of the same application.
-pub(super) fn stacks<'a, 't>(loaded: &'a [Loaded<'t>], systems: &'a [Loaded<'t>]) -> Vec<Stack<'a, 't>> {
+/// The repositories that those of `loaded` make whose numbers are asked for. A root lies over that of `systems` that has
+/// data of the same application.
+pub(super) fn stacks<'a, 't>(
+    loaded: &'a [Loaded<'t>],
+    systems: &'a [Loaded<'t>],
+    is_asked: impl Fn(usize) -> bool,
+) -> Vec<(usize, Stack<'a, 't>)> {
+    let found: Vec<&Loaded<'_>> =
+        loaded.iter().filter(|root| root.roles.iter().any(|(_, role)| *role == Role::System)).collect();
     let layers = |root: &'a Loaded<'t>, application, role| {
         let given = systems.iter().find(|system| system.role_in(application).is_some()).map(|system| &system.layer);
-        let (system, user) = match (given, role, nearest_system(loaded, root, application)) {
-            (Some(given), _, _) => (Some(given), Some(&root.layer)),
-            (None, Role::System, _) => (Some(&root.layer), None),
-            (None, Role::Both, None) => (Some(&root.layer), Some(&root.layer)),
-            (None, Role::Both | Role::User, below) => (below, Some(&root.layer)),
+        let below = || nearest_system(&found, root, application);
+        let (system, user) = match (given, role) {
+            (Some(given), _) => (Some(given), Some(&root.layer)),
+            (None, Role::System) => (Some(&root.layer), None),
+            (None, Role::Both) => (Some(below().unwrap_or(&root.layer)), Some(&root.layer)),
+            (None, Role::User) => (below(), Some(&root.layer)),
         };
         (application, Layers { system, user, checked: &root.layer })
     };
@@ -103,15 +111,16 @@ pub(super) fn stacks<'a, 't>(loaded: &'a [Loaded<'t>], systems: &'a [Loaded<'t>]
         let seen = root.roles.iter().map(|(application, role)| layers(root, *application, *role));
         Stack { root, seen: seen.collect() }
     };
-    loaded.iter().map(stack).collect()
+    let asked = loaded.iter().enumerate().filter(|(number, _)| is_asked(*number));
+    asked.map(|(number, root)| (number, stack(root))).collect()
 }
 
 /// Of several system roots of an application the one that shares most of the path.
-fn nearest_system<'a>(loaded: &'a [Loaded<'_>], root: &Loaded<'_>, application: Application) -> Option<&'a Layer> {
+fn nearest_system<'a>(found: &[&'a Loaded<'_>], root: &Loaded<'_>, application: Application) -> Option<&'a Layer> {
     let shared = |other: &Loaded<'_>| {
         let pairs = other.layer.path.split('/').zip(root.layer.path.split('/'));
         pairs.take_while(|(a, b)| a == b).count()
     };
-    let systems = loaded.iter().filter(|other| other.role_in(application) == Some(Role::System));
+    let systems = found.iter().filter(|other| other.role_in(application) == Some(Role::System));
     systems.max_by_key(|other| shared(other)).map(|other| &other.layer)
 }

@@ -4,8 +4,10 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::foreign::{ForeignMesh, sign_of};
 use super::intent::Intent;
+use super::macro_folders::MacroFolders;
 use super::misnamed::without_misnamed;
 use super::rigs;
+use super::slider::Opposites;
 use super::{BoundSlider, Candidate, MeshFiles, OWN, Overlaid, Pattern, TargetFolder};
 use crate::discover::Kind;
 use crate::formats::Content;
@@ -34,6 +36,8 @@ pub(crate) struct Base<'a> {
     pub foreign_mesh: Option<ForeignMesh<'a>>,
     /// `macro.json`.
     pub macros: Overlaid<'a, MacroFile>,
+    /// The folders that its macro definitions name.
+    pub macro_folders: MacroFolders,
     /// `modelling.json` without the user's additions.
     pub modelling: Overlaid<'a, Modelling>,
     /// `target_cat.json` without the user's additions.
@@ -127,7 +131,7 @@ fn model_of_categories(content: &Content) -> Option<&TargetCategories> {
 fn bind_sliders<'a>(
     modelling: &Overlaid<'a, Modelling>,
     user: &Candidate<'a, Modelling>,
-    opposites: &[(String, String)],
+    opposites: &Opposites<'_>,
 ) -> (Vec<BoundSlider<'a>>, BTreeMap<&'a str, usize>) {
     let mut sliders: Vec<BoundSlider<'a>> = Vec::new();
     let mut by_key: BTreeMap<&str, usize> = BTreeMap::new();
@@ -179,7 +183,8 @@ impl<'a> Base<'a> {
             (system_folder, contarget.filter(TargetFolder::exists))
         };
         let opposites = own_json.and_then(|(_, model)| model).map(|model| model.opposites.as_slice());
-        let (sliders, by_key) = bind_sliders(&modelling, &user_modelling, opposites.unwrap_or_default());
+        let (sliders, by_key) =
+            bind_sliders(&modelling, &user_modelling, &Opposites::of(opposites.unwrap_or_default()));
         let in_rigs = |kind: Kind| {
             let below = layers.strongest_first().flat_map(|layer| layer.below(&format!("rigs/{name}")));
             below.filter(move |file| file.kind_in(OWN) == kind)
@@ -195,6 +200,7 @@ impl<'a> Base<'a> {
             mesh: mesh_files.sound().filter(|(_, mesh)| !breaks_off(mesh, settings.map(|(_, settings)| settings))),
             mesh_files,
             foreign_mesh: None,
+            macro_folders: macros.winner().map(|(_, file)| MacroFolders::of(file)).unwrap_or_default(),
             macros,
             modelling,
             categories,
@@ -239,15 +245,13 @@ impl<'a> Base<'a> {
     /// folder of whoever starts the program. In a file that is made of user targets every entry has it.
     pub(crate) fn is_marked_as_users(&self, bound: &BoundSlider<'_>) -> bool {
         let Some((file, model)) = self.modelling.system.accepted() else { return false };
-        bound.slider.user && std::ptr::eq(bound.file, file) && model.sliders.iter().any(|slider| !slider.user)
+        bound.slider.user && std::ptr::eq(bound.file, file) && model.has_unmarked
     }
 
     /// Whether a target lies in a folder that a macro definition names.
     pub(crate) fn is_in_macro_folder(&self, file: &FileFacts) -> bool {
         let Some(name) = self.targets.as_ref().and_then(|folder| folder.name_of(file)) else { return false };
-        let macrodefs = self.macro_file().map(|(_, macros)| macros.macrodefs.as_slice()).unwrap_or_default();
-        let mut folders = macrodefs.iter().filter_map(|macrodef| macrodef.effective_folder.as_deref());
-        folders.any(|folder| is_beneath(folder, name))
+        self.macro_folders.hold(name)
     }
 
     /// The rig that poses the base, if its skeleton could be read.
@@ -276,30 +280,5 @@ impl<'a> Base<'a> {
     /// `base.json`, if it could be read.
     pub(crate) fn settings(&self) -> Option<(&'a FileFacts, &'a BaseJson)> {
         self.own_json.and_then(|(file, model)| Some((file, model?)))
-    }
-}
-
-/// Whether the target `name` lies beneath `folder` as a macro definition writes it. Backslashes and other capitals are
-/// looked through: they have findings of their own, and which files are meant is clear.
-pub(crate) fn is_beneath(folder: &str, name: &str) -> bool {
-    let mut names = name.split('/').map(str::to_lowercase);
-    let mut parts = folder.split(['/', '\\']).filter(|part| !matches!(*part, "" | ".")).peekable();
-    parts.peek().is_some()
-        && parts.all(|part| names.next().is_some_and(|name| name == part.to_lowercase()))
-        && names.next().is_some()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::is_beneath;
-
-    #[test]
-    fn a_folder_holds_what_lies_beneath_it() {
-        for folder in ["macro/age", "/macro/age/", ".\\Macro\\age", "macro"] {
-            assert!(is_beneath(folder, "macro/age/old"), "{folder}");
-        }
-        for folder in ["", "/", "macro/age/old", "macro/ag", "age"] {
-            assert!(!is_beneath(folder, "macro/age/old"), "{folder}");
-        }
     }
 }

@@ -5,6 +5,7 @@ mod base;
 mod foreign;
 mod intent;
 mod known;
+mod macro_folders;
 mod meshes;
 mod misnamed;
 mod overlay;
@@ -19,8 +20,9 @@ mod usage;
 pub(crate) mod user_scan;
 mod view;
 
-pub(crate) use base::{Base, is_beneath};
+pub(crate) use base::Base;
 pub(crate) use foreign::{ForeignMesh, ForeignSign};
+pub(crate) use macro_folders::is_beneath;
 pub(crate) use meshes::{Lies, MeshFiles, UnreadMesh};
 pub(crate) use misnamed::MisnamedFolder;
 pub(crate) use overlay::{Candidate, Overlaid};

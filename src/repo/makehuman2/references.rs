@@ -2,8 +2,8 @@
 
 use super::{Base, BoundSlider, TargetFolder};
 use crate::diag::Place;
-use crate::formats::macro_json::{MacroFile, without_suffix};
-use crate::repo::path::{is_absolute, resolve};
+use crate::formats::macro_json::without_suffix;
+use crate::repo::path::{is_absolute, resolve, shortened};
 use crate::repo::{Reference, ReferenceKind, Resolution};
 
 /// All references of a base.
@@ -20,17 +20,21 @@ pub(super) fn collect<'a>(base: &Base<'a>) -> Vec<Reference<'a>> {
 
 fn macro_references<'a>(base: &Base<'a>, out: &mut Vec<Reference<'a>>) {
     let Some((from, file)) = base.macro_file() else { return };
+    // The last definition with a `folder`: it is in use for those behind it that have none.
+    let mut owner = None;
     for macrodef in &file.macrodefs {
+        owner = if macrodef.folder.is_some() { Some(macrodef.index) } else { owner };
         let folder = macrodef.effective_folder.as_deref();
         for link in &macrodef.links {
             // An empty name is a finding of its own, not a missing file.
             let Some(text) = link.target.as_deref().filter(|text| !text.is_empty()) else { continue };
-            let name = folder.map_or_else(|| text.to_owned(), |folder| format!("{folder}/{text}"));
+            let name =
+                folder.map_or_else(|| text.to_owned(), |folder| format!("{}/{}", shortened(folder), shortened(text)));
             let (rel, resolution) = resolve_macro_target(base, &name);
             // Behind a folder the beginning of the name would be hidden.
             let resolution = if is_absolute(text) { Resolution::Absolute } else { resolution };
             let folder_at_fault = folder.filter(|folder| is_fault_of_folder(folder, text, &resolution));
-            let folder_at = Place::pointer(["macrodef", &folder_owner(file, macrodef.index).to_string(), "folder"]);
+            let folder_at = Place::pointer(["macrodef", &owner.unwrap_or(macrodef.index).to_string(), "folder"]);
             out.push(Reference {
                 kind: ReferenceKind::MacroTarget,
                 base: base.name,
@@ -72,12 +76,6 @@ fn is_fault_of_folder(folder: &str, text: &str, resolution: &Resolution<'_>) -> 
         }
         _ => false,
     }
-}
-
-/// The definition whose `folder` is in use for one: itself, or the last before it that has any.
-fn folder_owner(file: &MacroFile, index: usize) -> usize {
-    let owner = file.macrodefs.iter().take(index + 1).rev().find(|macrodef| macrodef.folder.is_some());
-    owner.map_or(index, |macrodef| macrodef.index)
 }
 
 fn slider_references<'a>(base: &Base<'a>, bound: &BoundSlider<'a>, out: &mut Vec<Reference<'a>>) {

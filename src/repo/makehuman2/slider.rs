@@ -1,6 +1,8 @@
 //! Sliders bound to a base: their identity ("pattern") and where their files come from
 //! (formats/makehuman2.md §4.2).
 
+use std::collections::BTreeMap;
+
 use crate::formats::modelling::Slider;
 use crate::repo::FileFacts;
 
@@ -55,8 +57,8 @@ impl BoundSlider<'_> {
 }
 
 impl Pattern {
-    /// Pattern of a slider, given `target-opposites` of `base.json` in file order.
-    pub(crate) fn of(slider: &Slider, opposites: &[(String, String)]) -> Self {
+    /// Pattern of a slider, given `target-opposites` of `base.json`.
+    pub(crate) fn of(slider: &Slider, opposites: &Opposites<'_>) -> Self {
         if let Some(patterns) = &slider.barycentric {
             return Self::Barycentric(patterns.clone());
         }
@@ -67,10 +69,8 @@ impl Pattern {
             return Self::None;
         };
         let prefix = if slider.user { "custom/" } else { "" };
-        let pair = slider.decr.as_ref().and_then(|decr| {
-            let covers = |(d, i): &&(String, String)| ends_with(decr, d) && ends_with(incr, i);
-            opposites.iter().find(covers).map(|(_, i)| format!("{prefix}{decr}|{i}"))
-        });
+        let pair =
+            slider.decr.as_ref().and_then(|decr| opposites.covering(decr, incr).map(|i| format!("{prefix}{decr}|{i}")));
         pair.map_or_else(|| Self::Single(format!("{prefix}{incr}")), Self::Pair)
     }
 
@@ -81,6 +81,26 @@ impl Pattern {
             Self::Macro(name) | Self::Pair(name) | Self::Single(name) => std::slice::from_ref(name),
             Self::None => &[],
         }
+    }
+}
+
+/// `target-opposites` of `base.json`, by the ending of `decr`: place in the file and the ending of `incr`.
+pub(crate) struct Opposites<'o>(BTreeMap<&'o str, Vec<(usize, &'o str)>>);
+
+impl<'o> Opposites<'o> {
+    /// For pairs in file order.
+    pub(crate) fn of(pairs: &'o [(String, String)]) -> Self {
+        let mut by_decr: BTreeMap<&str, Vec<(usize, &str)>> = BTreeMap::new();
+        for (place, (decr, incr)) in pairs.iter().enumerate() {
+            by_decr.entry(decr).or_default().push((place, incr));
+        }
+        Self(by_decr)
+    }
+
+    /// The ending of `incr` in the first pair that both paths end in.
+    fn covering(&self, decr: &str, incr: &str) -> Option<&'o str> {
+        let endings = decr.match_indices('-').filter_map(|(dash, _)| self.0.get(decr.get(dash + 1..)?));
+        endings.flatten().filter(|(_, ending)| ends_with(incr, ending)).min().map(|(_, ending)| *ending)
     }
 }
 
@@ -95,7 +115,7 @@ mod tests {
 
     fn pattern(incr: Option<&str>, decr: Option<&str>, user: bool) -> Pattern {
         let slider = Slider { incr: incr.map(str::to_owned), decr: decr.map(str::to_owned), user, ..Slider::default() };
-        Pattern::of(&slider, &[("decr".to_owned(), "incr".to_owned())])
+        Pattern::of(&slider, &Opposites::of(&[("decr".to_owned(), "incr".to_owned())]))
     }
 
     #[test]

@@ -4,7 +4,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::{Base, TargetFolder, is_beneath};
+use super::{Base, TargetFolder};
 use crate::repo::{FileFacts, Layers, ReferenceKind, References, parent};
 
 /// How targets are used, of all bases.
@@ -107,8 +107,6 @@ fn can_tell(base: &Base<'_>, folder: TargetFolder<'_>) -> bool {
 impl Base<'_> {
     /// Whether a target lies in a folder of a macro definition; those have a rule of their own.
     pub(crate) fn keeps_for_macros(&self, name: &str) -> bool {
-        let macrodefs = self.macro_file().map(|(_, file)| file.macrodefs.as_slice()).unwrap_or_default();
-        let mut folders = macrodefs.iter().filter_map(|macrodef| macrodef.effective_folder.as_deref());
-        folders.any(|folder| is_beneath(folder, name) && !is_beneath(folder, parent(name)))
+        self.macro_folders.hold_directly(name)
     }
 }

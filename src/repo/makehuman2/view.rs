@@ -1,8 +1,10 @@
 //! All bases over the layers, and what names what in them.
 
 use std::collections::BTreeMap;
+use std::sync::OnceLock;
 
 use super::base::base_names;
+use super::known::KnownNames;
 use super::references::collect;
 use super::usage::Usage;
 use super::{Base, OWN, rigs, target_folder, textures, unbound};
@@ -20,6 +22,8 @@ pub(crate) struct View<'a> {
     /// Everything that names a file, and what it leads to.
     pub references: References<'a>,
     usage: Usage<'a>,
+    /// By base; made when a fix asks for them.
+    pub(super) known_names: OnceLock<BTreeMap<String, KnownNames>>,
 }
 
 impl<'a> View<'a> {
@@ -33,7 +37,7 @@ impl<'a> View<'a> {
         references.extend(textures.into_values().flatten());
         let references = References::new(references);
         let usage = Usage::of(layers, &bases, &references);
-        Self { layers, bases, references, usage }
+        Self { layers, bases, references, usage, known_names: OnceLock::new() }
     }
 
     /// The base of a name.

@@ -1,8 +1,10 @@
 //! The ranges of `geometry.json` must be those of the mesh.
 
+use std::collections::BTreeMap;
+
 use super::super::cause::consequence::{NEVER_OPENED, is_opened_by_scripts};
 use super::super::{Check, Rule, RuleCx, did_you_mean};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, nearest};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, Suggestions};
 use crate::formats::Content;
 use crate::formats::geometry::{Geometry, Range};
 use crate::formats::obj::{DEFAULT_GROUP, Group, Mesh};
@@ -26,31 +28,48 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Makehuman2(run),
 };
 
-fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(file) = view.layers.first_existing(&format!("base/{}/geometry.json", base.name)) else { return };
     let (Content::Geometry(geometry), Some((_, mesh))) = (&*file.content, base.mesh) else { return };
     if mesh.facts.unreadable_lines > 0 {
         return;
     }
-    let found = faults(file, base, geometry, mesh);
+    let found = faults(file, base, geometry, mesh, &cx.suggestions);
     if is_opened_by_scripts(&file.rel) { out.extend(found) } else { out.extend(never_opened(found)) }
 }
 
-fn faults(file: &FileFacts, base: &Base<'_>, geometry: &Geometry, mesh: &Mesh) -> Vec<Finding> {
+fn faults(
+    file: &FileFacts,
+    base: &Base<'_>,
+    geometry: &Geometry,
+    mesh: &Mesh,
+    suggestions: &Suggestions,
+) -> Vec<Finding> {
     if !mesh.groups.iter().any(|group| group.name.starts_with(PREFIX)) && geometry.joint_ranges.len() > 1 {
         return without_joints(file, base, &geometry.joint_ranges, mesh).into_iter().collect();
     }
+    let mut groups: BTreeMap<&str, &Group> = BTreeMap::new();
+    for group in &mesh.groups {
+        groups.entry(&group.name).or_insert(group);
+    }
+    // Which groups are mixed only the OBJ can tell; an archive has the faces where it put them.
+    let mixed = base.obj().map(|(_, obj)| obj.facts.mixed_groups());
+    // Vertices that do not exist make a group look larger than it is.
+    let is_plain = |group: &&Group| {
+        mesh.facts.face_out_of_range.count == 0
+            && mixed.as_ref().is_some_and(|mixed| !mixed.contains(group.name.as_str()))
+    };
     let joints = geometry.joint_ranges.iter().filter_map(|range| {
-        let group = format!("{PREFIX}{}", range.name);
-        match mesh.groups.iter().find(|other| other.name == group) {
-            None => Some(without_group(file, range, mesh)),
-            Some(found) => unlike(file, base, (JOINTS, range), mesh, Some(found)),
+        let found = groups.get(format!("{PREFIX}{}", range.name).as_str()).copied();
+        match found {
+            None => Some(without_group(file, range, mesh, suggestions)),
+            Some(found) => unlike(file, (JOINTS, range), mesh, Some(found).filter(is_plain)),
         }
     });
     // Parts may be made of several groups; only a group of the same name can be compared.
     let parts = geometry.geometry_ranges.iter().filter_map(|range| {
-        let found = mesh.groups.iter().find(|other| other.name == range.name);
-        unlike(file, base, (GEOMETRY, range), mesh, found)
+        let found = groups.get(range.name.as_str()).copied();
+        unlike(file, (GEOMETRY, range), mesh, found.filter(is_plain))
     });
     joints.chain(parts).collect()
 }
@@ -79,20 +98,14 @@ fn without_joints(file: &FileFacts, base: &Base<'_>, ranges: &[Range], mesh: &Me
     (!is_told).then(|| finding.evidence(Evidence::of_cases(names).out_of(ranges.len())))
 }
 
-fn without_group(file: &FileFacts, range: &Range, mesh: &Mesh) -> Finding {
+fn without_group(file: &FileFacts, range: &Range, mesh: &Mesh, suggestions: &Suggestions) -> Finding {
     let joints = mesh.groups.iter().filter_map(|group| group.name.strip_prefix(PREFIX));
-    let help = did_you_mean(nearest(&range.name, joints), "name a group of the mesh without `joint-`");
+    let help = did_you_mean(suggestions.nearest(&range.name, joints), "name a group of the mesh without `joint-`");
     let message = format!("the mesh has no group `{PREFIX}{}`", range.name);
     RULE.at(file, Place::key([JOINTS, &range.name]), message).key(format!("{JOINTS} {}", range.name)).help(help)
 }
 
-fn unlike(
-    file: &FileFacts,
-    base: &Base<'_>,
-    (section, range): (&str, &Range),
-    mesh: &Mesh,
-    group: Option<&Group>,
-) -> Option<Finding> {
+fn unlike(file: &FileFacts, (section, range): (&str, &Range), mesh: &Mesh, group: Option<&Group>) -> Option<Finding> {
     let (first, last) = range.ends?;
     let at = |message: String| {
         let place = Place::pointer([section, &range.name]);
@@ -103,22 +116,11 @@ fn unlike(
         let message = format!("`{}` covers {first} to {last}, but the mesh has {vertices} vertices", range.name);
         return Some(at(message).help("a range is the first and the last vertex, counted from 0"));
     }
-    // Faces with vertices that do not exist make a group look larger than it is; they are reported for themselves.
-    let group = group.filter(|group| mesh.facts.face_out_of_range.count == 0 && !is_mixed(base, &group.name))?;
-    let (lowest, highest) = group.vertices.map(|(lowest, highest)| (i64::from(lowest), i64::from(highest)))?;
+    let (lowest, highest) = group?.vertices.map(|(lowest, highest)| (i64::from(lowest), i64::from(highest)))?;
     if (lowest, highest) == (first, last) {
         return None;
     }
     let message =
         format!("`{}` covers {first} to {last}, but its group has the vertices {lowest} to {highest}", range.name);
     Some(at(message).help(format!("write {lowest} and {highest}")))
-}
-
-/// Whether the application puts faces of another group into this one, or the reverse. An archive has them where it put
-/// them; which ones these are only its OBJ can tell.
-fn is_mixed(base: &Base<'_>, group: &str) -> bool {
-    base.obj().is_none_or(|(_, obj)| {
-        let mut reopened = obj.facts.reopened.iter();
-        reopened.any(|reopened| reopened.name == group || reopened.lands_in.iter().any(|name| name == group))
-    })
 }

@@ -9,7 +9,7 @@ use crate::diag::{Application, Finding, Level, Place, RuleInfo, pointer};
 use crate::formats::macro_json::{MacroFile, Macrodef};
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, BoundSlider, Pattern, View};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -39,6 +39,8 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if base.lacks_macrodef() {
         return; // The positions behind it are off by one.
     }
+    let readers = readers(macros);
+    let doubled = doubled(base);
     for bound in &base.sliders {
         let names = match &bound.pattern {
             Pattern::Macro(_) | Pattern::Barycentric(_) => bound.pattern.names(),
@@ -46,10 +48,10 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         };
         // An empty list is a fault of another kind, and so are indices out of range.
         let listed: BTreeSet<i64> = bound.slider.macro_influence.iter().flatten().copied().collect();
-        if listed.is_empty() || is_only_in_unused(macros, names) || is_misshapen(bound) || is_doubled(base, names) {
+        if listed.is_empty() || is_only_in_unused(&readers, names) || is_misshapen(bound) || doubled.contains(names) {
             continue;
         }
-        let used: BTreeSet<i64> = macros.macrodefs.iter().filter(|m| reads(macros, m, names)).map(index).collect();
+        let used: BTreeSet<i64> = names.iter().filter_map(|name| readers.get(name)).flatten().copied().collect();
         let missing: Vec<i64> = used.difference(&listed).copied().filter(|at| !unsure.contains(at)).collect();
         let superfluous = listed.difference(&used).copied();
         let superfluous: Vec<i64> = superfluous.filter(|at| (0..last).contains(at) && !unsure.contains(at)).collect();
@@ -82,9 +84,10 @@ fn dead(bound: &BoundSlider<'_>, names: &[String]) -> Finding {
         .help("let the `pattern` of a component in macro.json name it, or remove the slider")
 }
 
-/// Whether another slider has the same pattern: that one of them is wrong is the fault.
-fn is_doubled(base: &Base<'_>, names: &[String]) -> bool {
-    base.sliders.iter().filter(|bound| bound.pattern.names() == names).count() > 1
+/// Patterns of several sliders: that one of them is wrong is the fault.
+fn doubled<'b>(base: &'b Base<'_>) -> BTreeSet<&'b [String]> {
+    let mut seen = BTreeSet::new();
+    base.sliders.iter().map(|bound| bound.pattern.names()).filter(|names| !seen.insert(*names)).collect()
 }
 
 /// Whether the schema refuses an element of the list, or the list.
@@ -96,10 +99,22 @@ fn index(macrodef: &Macrodef) -> i64 {
     i64::try_from(macrodef.index).unwrap_or(i64::MAX)
 }
 
-/// Whether a definition reads a slider that is registered under `names`.
-fn reads(macros: &MacroFile, macrodef: &Macrodef, names: &[String]) -> bool {
-    let components = macros.components.iter().filter(|component| macrodef.components.contains(&component.name));
-    components.flat_map(patterns).any(|pattern| names.contains(&pattern))
+/// The definitions that read a slider, by the patterns of their components; none for a component that nothing uses.
+fn readers(macros: &MacroFile) -> BTreeMap<String, BTreeSet<i64>> {
+    let mut users: BTreeMap<&str, BTreeSet<i64>> = BTreeMap::new();
+    for macrodef in &macros.macrodefs {
+        for name in &macrodef.components {
+            users.entry(name).or_default().insert(index(macrodef));
+        }
+    }
+    let mut readers: BTreeMap<String, BTreeSet<i64>> = BTreeMap::new();
+    for component in &macros.components {
+        for pattern in patterns(component) {
+            let users = users.get(component.name.as_str()).into_iter().flatten();
+            readers.entry(pattern).or_default().extend(users);
+        }
+    }
+    readers
 }
 
 /// Whether a definition might read a slider, were it not for another fault.
@@ -113,10 +128,9 @@ fn is_unsure(base: &Base<'_>, (file, macros): (&FileFacts, &MacroFile), macrodef
 }
 
 /// Whether only components that no definition uses read the slider.
-fn is_only_in_unused(macros: &MacroFile, names: &[String]) -> bool {
-    let reading = macros.components.iter().filter(|component| patterns(component).iter().any(|p| names.contains(p)));
-    let mut reading = reading.peekable();
-    reading.peek().is_some() && !macros.macrodefs.iter().any(|macrodef| reads(macros, macrodef, names))
+fn is_only_in_unused(readers: &BTreeMap<String, BTreeSet<i64>>, names: &[String]) -> bool {
+    let mut known = names.iter().filter_map(|name| readers.get(name)).peekable();
+    known.peek().is_some() && known.all(BTreeSet::is_empty)
 }
 
 fn difference(missing: &[i64], superfluous: &[i64]) -> String {
