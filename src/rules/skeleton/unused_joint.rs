@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx};
 use super::hierarchy::hierarchy;
-use super::{Rig, rigs};
+use super::rigs;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::side;
 use crate::formats::mhskel::Section;
