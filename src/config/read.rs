@@ -161,8 +161,7 @@ impl Reader<'_> {
     fn selector(&mut self, setting: &str, text: &str, span: Range<usize>, ignores: bool) -> Option<Selector> {
         let selector = self.compile(text, &span, Selector::new, Selector::compiled)?;
         let help = "a rule such as `macro-steps-length`, or a glob such as `macro-*`";
-        let selector =
-            self.take(selector.map_err(|why| (span.clone(), no_glob(text, &why), help.to_owned())))?;
+        let selector = self.take(selector.map_err(|why| (span.clone(), no_glob(text, &why), help.to_owned())))?;
         if ignores && self.rules.iter().any(|rule| rule.id == text && rule.cannot_be_ignored) {
             let why = "it guards against running foreign code, leaving the data or filling memory";
             let message = format!("`{text}` cannot be muted or lowered: {why}");

@@ -3,7 +3,7 @@
 
 /// Most characters that all globs with wildcards of a file have together: some hundreds of them. Plain paths and names
 /// of rules are looked up and need no room.
-const MOST: usize = 10_000;
+const MOST: usize = 5_000;
 
 /// What the globs of a file have taken so far.
 #[derive(Debug, Default)]
@@ -18,7 +18,8 @@ impl Room {
         self.taken = self.taken.saturating_add(characters);
         (self.is_full() && !before).then(|| {
             let message = format!("the globs up to here have more than {MOST} characters");
-            let help = "name folders and rules without wildcards, which do not count, or hide known findings in a baseline";
+            let help =
+                "name folders and rules without wildcards, which do not count, or hide known findings in a baseline";
             (message, help.to_owned())
         })
     }

@@ -21,7 +21,8 @@ pub(in crate::engine) fn idle<'t>(
     let judged: Vec<(&'static str, &PathGlob)> = globs.filter(|(_, glob)| is_judged(glob)).collect();
     let all: Globs = judged.iter().map(|(_, glob)| (*glob).clone()).collect();
     let reached = reached(file, &all, trees.clone());
-    let idle: Vec<_> = (0..).zip(judged).filter(|(number, _)| !reached.contains(number)).map(|(_, each)| each).collect();
+    let idle: Vec<_> =
+        (0..).zip(judged).filter(|(number, _)| !reached.contains(number)).map(|(_, each)| each).collect();
     let elsewhere = elsewhere(file, &idle, trees);
     let told = idle.into_iter().map(|(setting, glob)| IdleGlob {
         path: file.path.clone(),

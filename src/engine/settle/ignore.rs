@@ -3,8 +3,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::idle::{is_for_listed, reached};
-use super::scope::Scope;
 use super::named::NamedRules;
+use super::scope::Scope;
 use super::select::{Selection, cannot_be_ignored};
 use crate::config::{Config, Date, Globs, Ignore};
 use crate::diag::{IgnoreState, IgnoreUse, Place, UnknownRule};

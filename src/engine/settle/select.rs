@@ -59,8 +59,11 @@ impl<'c> Selection<'c> {
     pub(in crate::engine) fn new(config: &'c Config) -> Result<Self, Error> {
         let all = |texts: &[String]| texts.iter().map(|text| selector(text)).collect::<Result<Vec<_>, _>>();
         let levels = config.levels.iter().map(|(text, level)| Ok((selector(text)?, *level)));
-        let command_line =
-            CommandLine { only: all(&config.only)?, skip: all(&config.skip)?, levels: levels.collect::<Result<_, _>>()? };
+        let command_line = CommandLine {
+            only: all(&config.only)?,
+            skip: all(&config.skip)?,
+            levels: levels.collect::<Result<_, _>>()?,
+        };
         refuse_ignored_safety(config)?;
         refuse_empty_select(config)?;
         let file = config.file.as_ref();
@@ -118,8 +121,8 @@ impl<'c> Selection<'c> {
 
     fn for_path(&self, rule: &str, rel: &str) -> Option<Say> {
         let blocks = &self.file?.blocks;
-        let fitting = self.blocks.fitting(rel).into_iter().rev().filter_map(|number| blocks.get(number));
-        fitting.filter_map(|block| say(&block.skip, &block.levels, rule)).next()
+        let mut fitting = self.blocks.fitting(rel).into_iter().rev().filter_map(|number| blocks.get(number));
+        fitting.find_map(|block| say(&block.skip, &block.levels, rule))
     }
 
     fn command_line(&self, rule: &str) -> Option<Say> {

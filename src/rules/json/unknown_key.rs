@@ -47,9 +47,8 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     let lacking = lacking(file);
     let are_bones = has_bones_at_top(file);
     let kindless = kindless(file);
-    let told = |unknown: &&UnknownKey| {
-        are_bones || lacks(&lacking, unknown) || is_told(file, &sliders, &kindless, unknown)
-    };
+    let told =
+        |unknown: &&UnknownKey| are_bones || lacks(&lacking, unknown) || is_told(file, &sliders, &kindless, unknown);
     for unknown in file.schema.unknown.iter().filter(|unknown| !told(unknown)) {
         by_key.entry((&unknown.key, unknown.object.as_deref())).or_default().push(unknown);
     }

@@ -121,9 +121,14 @@ mod tests {
         let values = ["a", "a-a", "b"].map(str::to_owned).to_vec();
         let component = Component { values, ..Component::default() };
         let many = |count: usize| vec![&component; count];
-        for (name, count, is_spelled_so) in
-            [("a", 1, true), ("a-a", 1, true), ("a-a", 2, true), ("a-a-a", 2, true), ("a-b-a", 2, false), ("", 0, false)]
-        {
+        for (name, count, is_spelled_so) in [
+            ("a", 1, true),
+            ("a-a", 1, true),
+            ("a-a", 2, true),
+            ("a-a-a", 2, true),
+            ("a-b-a", 2, false),
+            ("", 0, false),
+        ] {
             assert_eq!(is_spelled(name, &many(count)), is_spelled_so, "{name} {count}");
         }
         // Each way to take it apart for itself would be more than there are atoms, and a call for each a stack too deep.

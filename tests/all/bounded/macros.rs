@@ -68,7 +68,8 @@ fn sliders(times: usize) -> Vec<(String, Vec<u8>)> {
 }
 
 fn steps(times: usize) -> Vec<(String, Vec<u8>)> {
-    let (values, steps) = (listed(times, |n| format!("\"{n}\"")), listed(times, |n| (n as f64 / times as f64).to_string()));
+    let (values, steps) =
+        (listed(times, |n| format!("\"{n}\"")), listed(times, |n| (n as f64 / times as f64).to_string()));
     let component = format!(r#""c0":{{"values":[{values}],"steps":[{steps}],"pattern":"m/S0"}}"#);
     system(1, &component, &macrodef("\"c0\""))
 }
