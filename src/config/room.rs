@@ -3,7 +3,7 @@
 
 /// Most characters that all globs with wildcards of a file have together: some hundreds of them. Plain paths and names
 /// of rules are looked up and need no room.
-const MOST: usize = 10_000;
+const MOST: usize = 5_000;
 
 /// What the globs of a file have taken so far.
 #[derive(Debug, Default)]

@@ -3,6 +3,8 @@
 //! The loader checks nothing (formats/makehuman2.md §3.1); members of a wrong type are left out here
 //! and reported by the schema.
 
+use std::collections::HashMap;
+
 use crate::json::{Document, Node, Value};
 
 /// The file.
@@ -12,18 +14,33 @@ pub struct MacroFile {
     pub components: Vec<Component>,
     /// Macro definitions in file order.
     pub macrodefs: Vec<Macrodef>,
+    /// Whether these are more macros than can be compared with one another: they are then not checked, and that is said.
+    pub is_too_large: bool,
 }
 
-/// Most names that are compared with each component and each definition: every rule on macros does so. That is some ten
-/// times what the macros of a whole character come to.
+/// Most names that are compared with each component and each definition: every rule on macros does so. The macros of a
+/// whole character come to a thirtieth of it.
 const MOST_COMPARED: usize = 1 << 18;
+/// Most combinations of all definitions together, those with a component left out included. A definition that has more
+/// alone is not walked. The macros of a whole character come to a hundredth.
+const MOST_COMBINATIONS: usize = 1 << 20;
 
 impl MacroFile {
-    /// Whether these are more macros than can be compared with one another: they are then not checked, and that is said.
-    pub fn is_too_large(&self) -> bool {
-        let names: usize = self.macrodefs.iter().map(|macrodef| macrodef.components.len() + macrodef.links.len()).sum();
-        names.saturating_mul(self.components.len() + self.macrodefs.len()) > MOST_COMPARED
+    fn new(components: Vec<Component>, macrodefs: Vec<Macrodef>) -> Self {
+        let names: usize = macrodefs.iter().map(|macrodef| macrodef.components.len() + macrodef.links.len()).sum();
+        let compared = names.saturating_mul(components.len() + macrodefs.len());
+        let is_too_large = compared > MOST_COMPARED || combinations(&components, &macrodefs) > MOST_COMBINATIONS;
+        Self { components, macrodefs, is_too_large }
     }
+}
+
+fn combinations(components: &[Component], macrodefs: &[Macrodef]) -> usize {
+    let values: HashMap<&str, usize> = components.iter().map(|own| (own.name.as_str(), own.values.len())).collect();
+    let value_count = |name: &String| values.get(name.as_str()).copied().unwrap_or(0);
+    let of_one = macrodefs.iter().map(|macrodef| {
+        macrodef.components.iter().fold(1, |all: usize, name| all.saturating_mul(value_count(name) + 1))
+    });
+    of_one.filter(|all| *all <= MOST_COMBINATIONS).fold(0, usize::saturating_add)
 }
 
 /// A component: a dimension of the cross product.
@@ -92,10 +109,10 @@ impl Macrodef {
 /// Takes what the loader would take.
 pub fn read(document: &Document) -> MacroFile {
     let root = &document.root;
-    MacroFile {
-        components: root.get("components").map(components).unwrap_or_default(),
-        macrodefs: root.get("macrodef").map(macrodefs).unwrap_or_default(),
-    }
+    MacroFile::new(
+        root.get("components").map(components).unwrap_or_default(),
+        root.get("macrodef").map(macrodefs).unwrap_or_default(),
+    )
 }
 
 fn components(node: &Node) -> Vec<Component> {
@@ -192,6 +209,19 @@ mod tests {
         assert_eq!((first.incomplete.as_slice(), first.links[0].target.as_deref()), ([1].as_slice(), None));
         assert_eq!((second.folder.as_deref(), second.effective_folder.as_deref()), (None, Some("a")));
         assert_eq!(second.link_pointer(&second.links[0], "t"), "/macrodef/1/targets/0/t");
+    }
+
+    #[test]
+    fn too_many_macros_to_compare_or_to_walk_are_too_large() {
+        let names = |count: usize| vec!["c".to_owned(); count];
+        let component = Component { name: "c".to_owned(), values: names(3), ..Component::default() };
+        let is_too_large = |macrodefs: usize, names: Vec<String>| {
+            let macrodef = Macrodef { components: names, ..Macrodef::default() };
+            MacroFile::new(vec![component.clone()], vec![macrodef; macrodefs]).is_too_large
+        };
+        // Names compared with definitions; then combinations: 4^10 once and twice, and 4^11, which are never walked.
+        assert!(!is_too_large(511, names(1)) && is_too_large(512, names(1)));
+        assert!(!is_too_large(1, names(10)) && is_too_large(2, names(10)) && !is_too_large(9, names(11)));
     }
 
     #[test]

@@ -121,8 +121,8 @@ impl<'c> Selection<'c> {
 
     fn for_path(&self, rule: &str, rel: &str) -> Option<Say> {
         let blocks = &self.file?.blocks;
-        let fitting = self.blocks.fitting(rel).into_iter().rev().filter_map(|number| blocks.get(number));
-        fitting.filter_map(|block| say(&block.skip, &block.levels, rule)).next()
+        let mut fitting = self.blocks.fitting(rel).into_iter().rev().filter_map(|number| blocks.get(number));
+        fitting.find_map(|block| say(&block.skip, &block.levels, rule))
     }
 
     fn command_line(&self, rule: &str) -> Option<Say> {

@@ -8,37 +8,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::super::measures::{DeadRange, Jump, MacroMeasure, SumOff};
 use super::super::scene::{Scene, Setting};
 use super::super::settings::{Dimension, moved};
+use super::budget::Budget;
 use super::component::{ComponentState, stepped};
 use super::macro_eval::{Fate, MacroResult};
 use super::macro_table::{Link, MacroTable};
-
-/// Steps of work that are done for the macros of a base: components looked at, combinations walked. A character with
-/// twenty macro sliders takes a hundredth.
-const STEPS: usize = 1 << 27;
-
-/// How much of the work may still be done.
-#[derive(Debug)]
-pub struct Budget {
-    left: usize,
-    /// Whether something was left out.
-    is_cut: bool,
-}
-
-impl Default for Budget {
-    fn default() -> Self {
-        Self { left: STEPS, is_cut: false }
-    }
-}
-
-impl Budget {
-    /// Whether work of so many steps may be done; notes what may not.
-    fn take(&mut self, steps: usize) -> bool {
-        let left = self.left.checked_sub(steps);
-        self.is_cut |= left.is_none();
-        self.left = left.unwrap_or(self.left);
-        left.is_some()
-    }
-}
 
 /// Distance from a step at which both of its sides are compared.
 const SIDE: f64 = 1e-6;
@@ -68,7 +41,7 @@ pub(in crate::eval) fn measure(table: &MacroTable, scene: &Scene, settings: &[Se
     let jumps = jumps(table, products, &scene.macro_defaults, &mut budget);
     let lost = losses(table, products, settings, &scene.defaults(), &mut budget).into_iter();
     let losses = lost.map(|loss| (loss.macrodef, loss.lost, moved(scene, &loss.setting))).collect();
-    MacroMeasure { dead, sums, jumps, losses, is_cut: budget.is_cut }
+    MacroMeasure { dead, sums, jumps, losses, is_cut: budget.is_cut() }
 }
 
 /// Stretches in which a macrodef applies nothing although it applies something elsewhere on that slider.
@@ -394,14 +367,14 @@ mod tests {
         let table = table(vec![("child-f", Some(0))]);
         let setting = Setting { macros: vec![0.5, 0.5], details: [].into() };
         let all = |left: usize| {
-            let budget = &mut Budget { left, is_cut: false };
+            let budget = &mut Budget::of(left);
             dead_ranges(&table, &dimensions(), budget);
             sums_off(&table, &dimensions(), &[0.5, 0.5], budget);
             jumps(&table, &dimensions(), &[0.5, 0.5], budget);
             losses(&table, &dimensions(), std::slice::from_ref(&setting), &setting, budget);
-            (left - budget.left, budget.is_cut)
+            (left - budget.left(), budget.is_cut())
         };
-        let (whole, is_cut) = all(STEPS);
+        let (whole, is_cut) = all(1 << 20);
         assert!(!is_cut && all(whole) == (whole, false) && all(whole - 1).1 && all(0) == (0, true), "{whole}");
     }
 

@@ -140,7 +140,8 @@ impl MacroTable {
                 let most = self.components.get(position.component).map_or(1, |component| component.source.shares());
                 (position.radix - 1).clamp(1, most)
             });
-            shares.fold(1 + table.positions.len(), usize::saturating_mul)
+            // A tree has hardly more than twice as many nodes as leaves.
+            shares.fold(2, usize::saturating_mul).saturating_add(table.positions.len())
         });
         components.chain(macrodefs).fold(0, usize::saturating_add)
     }

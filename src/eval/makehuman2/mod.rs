@@ -1,6 +1,7 @@
 //! The formulas of MakeHuman 2: macros, joints, rest pose, weights as loaded and as moved to other skeletons, and what
 //! it adds to fitting.
 
+pub mod budget;
 pub mod component;
 pub mod fit;
 pub mod joints;

@@ -41,7 +41,7 @@ pub(in crate::evaluate) fn compose(base: &Base<'_>, rows: &mut Rows) -> Option<C
     composer.mesh(base);
     let registered = composer.sliders(base);
     match base.macro_file() {
-        Some((_, file)) if file.is_too_large() => composer.scene.lacks_macros = true,
+        Some((_, file)) if file.is_too_large => composer.scene.lacks_macros = true,
         Some((_, file)) => composer.macros(base, file, &registered),
         None => {}
     }

@@ -274,7 +274,7 @@ impl<'a> Base<'a> {
 
     /// Whether the macros are more than are checked.
     pub(crate) fn has_too_many_macros(&self) -> bool {
-        self.macro_file().is_some_and(|(_, macros)| macros.is_too_large())
+        self.macro_file().is_some_and(|(_, macros)| macros.is_too_large)
     }
 
     /// `base.json`, if it could be read.

@@ -73,7 +73,7 @@ mod tests {
         };
         let link = Link { index: 0, name: "older-b".to_owned(), target: None };
         let macrodef = Macrodef { components: texts(&["age", "type"]), links: vec![link], ..Macrodef::default() };
-        let file = MacroFile { components: vec![steps, sum], macrodefs: vec![macrodef] };
+        let file = MacroFile { components: vec![steps, sum], macrodefs: vec![macrodef], ..MacroFile::default() };
         let at = |name: &str| (name.to_owned(), 1.0);
         assert_eq!(corner(&file, "older-b"), Shown::At(vec![at("macro/Age"), at("macro/B")]));
         assert_eq!(corner(&file, "x"), Shown::Combination("x"));

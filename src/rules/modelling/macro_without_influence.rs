@@ -23,7 +23,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let is_judged = |macros: &MacroFile| !macros.macrodefs.is_empty() && !macros.is_too_large();
+    let is_judged = |macros: &MacroFile| !macros.macrodefs.is_empty() && !macros.is_too_large;
     let Some((_, macros)) = base.macro_file().filter(|(_, macros)| is_judged(macros)) else { return };
     let mut faulty: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
     for (file, _) in base.modelling.winner().into_iter().chain(base.user_modelling.accepted()) {

@@ -45,7 +45,7 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
 
 /// The macro definitions that get no value without the slider that an entry was meant to be.
 fn lost_macrodefs<'b>(base: &'b Base<'_>, bound: &BoundSlider<'_>) -> Vec<&'b Macrodef> {
-    let Some((_, macros)) = base.macro_file().filter(|(_, macros)| !macros.is_too_large()) else { return Vec::new() };
+    let Some((_, macros)) = base.macro_file().filter(|(_, macros)| !macros.is_too_large) else { return Vec::new() };
     let meant = bound.meant.names();
     let reads = |component: &Component| patterns(component).iter().any(|pattern| meant.contains(pattern));
     let lost: BTreeSet<&str> =

@@ -8,7 +8,7 @@ pub(super) const INPUTS: &[Input] = &[
     Input { name: "the same, 50,000 levels", times: 50_000, files: nested, args: &[], exit: 2 },
     Input { name: "mute of a glob of 10,000 levels", times: 10_000, files: nested_mute, args: &[], exit: 2 },
     Input { name: "settings of globs with wildcards", times: 90_000, files: wildcards, args: &[], exit: 2 },
-    Input { name: "globs and files", times: 230, files: globs_and_files, args: &[], exit: 1 },
+    Input { name: "globs and files", times: 300, files: globs_and_files, args: &[], exit: 1 },
     Input { name: "settings of plain paths", times: 90_000, files: plain_paths, args: &[], exit: 1 },
     Input { name: "settings of rules that do not exist", times: 60_000, files: unknown_rules, args: &[], exit: 1 },
     Input { name: "settings of empty tables", times: 15_400, files: empty_tables, args: &[], exit: 2 },
@@ -44,7 +44,7 @@ fn wildcards(times: usize) -> Vec<(String, Vec<u8>)> {
 
 fn globs_and_files(times: usize) -> Vec<(String, Vec<u8>)> {
     // More globs are refused.
-    let globs = listed(times.min(230), |number| format!("\"**/*{number:x}x*\""));
+    let globs = listed(times.min(450), |number| format!("\"**/*{number:x}x*\""));
     let mut files = settings(format!("{EXCLUDE}{globs}]\n"));
     let path = |number: usize| format!("data/target/figure/folder{}/target-{number}.target", number % 50);
     files.extend((0..10 * times).map(|number| (path(number), b"0 1 0 0\n".to_vec())));
@@ -64,7 +64,7 @@ fn empty_tables(times: usize) -> Vec<(String, Vec<u8>)> {
 }
 
 fn unknown_settings(times: usize) -> Vec<(String, Vec<u8>)> {
-    settings((0..times).map(|number| format!("key{number} = 1\n")).collect())
+    settings((0..times).map(|number| format!("key{number} = 1")).collect::<Vec<_>>().join("\n"))
 }
 
 fn weights(times: usize) -> Vec<(String, Vec<u8>)> {
