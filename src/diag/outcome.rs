@@ -122,6 +122,8 @@ pub enum Unchecked {
     Closed,
     /// Whether what is found is new: contents to compare with are not at hand.
     NotCompared,
+    /// All that a base mesh comes to: there are more settings of its sliders, or joints, than are evaluated.
+    Evaluation,
 }
 
 /// What alone was reported on, where that is not all of the data. Empty lists narrow nothing.

@@ -1,12 +1,14 @@
 //! What of the data was checked, and what was not.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 
 use super::catalogue::has_rules;
 use super::load::{Loaded, shown};
 use super::settle::Scope;
 use crate::config::Config;
 use crate::diag::{Application, NotChecked, Outcome, Unchecked, Untouched};
+use crate::eval::measures::Measures;
 use crate::repo::{FileFacts, Resolution, View};
 use crate::source::is_below;
 
@@ -60,6 +62,14 @@ impl<'r> Coverage<'r> {
             for reference in open.filter(|one| asked.is_for(root, one.from)) {
                 self.leave(view.application(), Unchecked::NoSystem, &reference.rel);
             }
+        }
+    }
+
+    /// Counts what was left out of evaluation, by the mesh of its base.
+    pub(super) fn add_measured(&mut self, view: &View<'_>, measures: &BTreeMap<String, Arc<Measures>>) {
+        for body in view.bodies().iter().filter(|body| measures.get(body.name).is_some_and(|one| one.is_cut)) {
+            let mesh = body.mesh.map_or(body.name, |(file, _)| file.path.as_str());
+            self.leave(view.application(), Unchecked::Evaluation, mesh);
         }
     }
 

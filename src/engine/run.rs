@@ -186,6 +186,9 @@ impl Asked<'_> {
             coverage.add(checked, &views, outcome);
             let of_view = |view: &View<'_>| measures.get(number)?.get(&view.application());
             let with_measures: Vec<_> = views.iter().map(|view| (view, of_view(view))).collect();
+            for (view, measures) in &with_measures {
+                measures.iter().for_each(|measures| coverage.add_measured(view, measures));
+            }
             let findings = check(RULES, &with_measures, selection, options, outcome);
             let is_asked_for = |path: &str| checked.is_asked_for(path);
             let below: Vec<&Layer> = seen.iter().filter_map(|(_, layers)| layers.system).collect();

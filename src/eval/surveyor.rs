@@ -11,6 +11,10 @@ use super::walk::{Addable, Stop, Walk};
 
 /// Skin vertices around a joint that it is compared with.
 const SKIN_AROUND_JOINT: usize = 16;
+/// Joints times visible vertices that the skin is searched for in: thirty times those of hm08.
+const MOST_PAIRS: usize = 1 << 26;
+/// What looking at a vertex with the faces around it costs, compared with adding a row.
+const LOOK: u64 = 4;
 
 /// A scene made ready to be looked at.
 #[derive(Debug)]
@@ -29,6 +33,8 @@ pub struct Surveyor<'s> {
     /// The box widened by nearly what makes an explosion.
     range: (Point, Point),
     pub(super) anchors: Vec<Anchor>,
+    /// Whether there are too many joints and vertices to search the skin around each joint.
+    pub is_without_anchors: bool,
     /// Vertices that joints or the skin around them depend on.
     pub(super) holds_joint: Vec<bool>,
     /// Bones and planes that are at fault already on the default character.
@@ -87,6 +93,7 @@ impl<'s> Surveyor<'s> {
             diagonal: 0.0,
             range: ([0.0; 3], [0.0; 3]),
             anchors: Vec::new(),
+            is_without_anchors: false,
             holds_joint: vec![false; rest.len()],
             short_at_rest: Vec::new(),
             flat_at_rest: Vec::new(),
@@ -98,6 +105,17 @@ impl<'s> Surveyor<'s> {
     /// What a setting adds to the mesh. `None` where the application stops.
     pub fn stop(&self, number: usize, setting: &Setting, work: &mut MacroWork) -> Option<Stop> {
         self.targets.stop(number, setting, work)
+    }
+
+    /// How much work a stop is at most: rows that are added, vertices and faces, joints and bones that are looked at.
+    pub fn cost(&self, stop: &Stop) -> u64 {
+        let rows: usize = stop.targets().map(|target| self.targets.rows(target).len() + 1).sum();
+        let mesh = self.scene.positions.len() + self.faces.len();
+        let skeleton = self.scene.skeleton.as_ref();
+        let joints = skeleton.map_or(0, |skeleton| {
+            skeleton.bones.len() + skeleton.joints.iter().map(Vec::len).sum::<usize>() + self.anchors.len()
+        });
+        rows as u64 + (LOOK * rows as u64).min(mesh as u64) + joints as u64
     }
 
     fn measure(&mut self, rest: &[Point]) -> Option<()> {
@@ -175,7 +193,8 @@ impl<'s> Surveyor<'s> {
 
     fn joints_at_rest(&mut self, rest: &[Point]) {
         let Some((skeleton, joints)) = self.scene.skeleton.as_ref().zip(self.joints(rest)) else { return };
-        for (joint, place) in joints.iter().enumerate() {
+        self.is_without_anchors = joints.len().saturating_mul(self.visible.len()) > MOST_PAIRS;
+        for (joint, place) in joints.iter().enumerate().filter(|_| !self.is_without_anchors) {
             let Some(anchor) = self.anchor(joint, *place, rest) else { return };
             self.anchors.push(anchor);
         }

@@ -43,6 +43,13 @@ pub fn in_order(mut stops: Vec<Stop>) -> Vec<Stop> {
     stops
 }
 
+impl Stop {
+    /// Targets that it adds.
+    pub(super) fn targets(&self) -> impl ExactSizeIterator<Item = usize> {
+        self.addends.iter().map(|addend| addend.target)
+    }
+}
+
 impl<'s> Addable<'s> {
     pub(super) fn new(scene: &'s Scene) -> Self {
         let rows = scene.targets.iter().map(|target| one_a_vertex(target.rows.as_deref()?, scene.positions.len()));
@@ -61,7 +68,7 @@ impl<'s> Addable<'s> {
         Some(Stop { addends: factors.into_iter().map(addend).collect::<Option<_>>()?, setting: number })
     }
 
-    fn rows(&self, target: usize) -> &[Row] {
+    pub(super) fn rows(&self, target: usize) -> &[Row] {
         self.rows.get(target).and_then(Option::as_deref).unwrap_or_default()
     }
 }
@@ -221,7 +228,7 @@ mod tests {
     }
 
     fn setting(details: [f64; 4]) -> Setting {
-        Setting { macros: Vec::new(), details: (0..).zip(details).collect() }
+        Setting { macros: Vec::new().into(), details: (0..).zip(details).collect() }
     }
 
     #[test]

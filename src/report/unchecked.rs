@@ -34,6 +34,9 @@ fn clause(entry: &NotChecked) -> String {
         ),
         Unchecked::NoSystem => format!("{} (looked for in the system data; use `--system`)", names(entry)),
         Unchecked::Closed => format!("what is in {} (cannot be listed)", names(entry)),
+        Unchecked::Evaluation => {
+            format!("some of what sliders make of {} (more than is evaluated of one base mesh)", names(entry))
+        }
         Unchecked::NotCompared => format!("whether findings in {files} are new (former contents are not at hand)"),
     }
 }

@@ -192,7 +192,7 @@ pub fn losses(table: &MacroTable, macrodefs: &[Vec<Dimension>], settings: &[Sett
     }
     let mut found = Vec::new();
     for (macrodef, (dimensions, (_, start))) in macrodefs.iter().zip(worst).enumerate() {
-        let mut climb = Climb { table, macrodef, at: rest.macros.clone(), lost: 0.0, result: MacroResult::default() };
+        let mut climb = Climb { table, macrodef, at: rest.macros.to_vec(), lost: 0.0, result: MacroResult::default() };
         for dimension in dimensions {
             dimension.copy(&start.macros, &mut climb.at);
         }
@@ -203,7 +203,7 @@ pub fn losses(table: &MacroTable, macrodefs: &[Vec<Dimension>], settings: &[Sett
             }
         }
         if climb.lost > 0.0 {
-            let setting = Setting { macros: climb.at, details: rest.details.clone() };
+            let setting = Setting { macros: climb.at.into(), details: rest.details.clone() };
             found.push(Loss { macrodef, lost: climb.lost, setting });
         }
     }
@@ -319,7 +319,7 @@ mod tests {
     #[test]
     fn small_factors_are_lost_where_they_are_many() {
         let table = table(vec![("child-f", Some(0))]);
-        let setting = |macros: [f64; 2]| Setting { macros: macros.to_vec(), details: [].into() };
+        let setting = |macros: [f64; 2]| Setting { macros: macros.to_vec().into(), details: [].into() };
         let found = losses(&table, &dimensions(), &[setting([0.5, 0.5]), setting([0.0025, 0.5])], &setting([0.5, 0.5]));
         // The worse of the two settings loses 0.005; uphill from there is more, but never the 0.02 of two sliders.
         assert!(found[0].lost > 0.005 && found[0].lost <= 0.02, "{found:?}");
