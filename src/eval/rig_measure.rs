@@ -279,7 +279,7 @@ mod tests {
         rig.joints = vec![(0..u32::from(count)).collect()];
         let lists: Vec<[Entry; 1]> =
             (0..u32::from(count)).flat_map(|at| [[(at + u32::from(count), 1.0)], [(at, 1.0)]]).collect();
-        let lists: Vec<(usize, &[Entry])> = lists.iter().map(|list| list.as_slice()).enumerate().collect();
+        let lists: Vec<(usize, &[Entry])> = lists.iter().map(<[Entry; 1]>::as_slice).enumerate().collect();
         let loaded = load(&lists, 0, positions.len()).unwrap();
         let mirror = MirrorMap::new(&positions, std::iter::empty::<&[u32]>(), 0.01);
         let pairs = bone_pairs(&rig.names);

@@ -19,7 +19,7 @@ pub const DEFAULT_SAMPLES: usize = 64;
 const SAMPLED_DETAILS: usize = 3;
 /// Numbers that all settings together may hold: hm08 has thirty thousand, and a stranger's sliders times their defaults have
 /// no end.
-const MOST_NUMBERS: usize = 1 << 22;
+const MOST_NUMBERS: usize = 1 << 21;
 /// Seed of the sample: any number, always the same.
 const SEED: u64 = 0x6d68_6c69_6e74;
 

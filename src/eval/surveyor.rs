@@ -21,6 +21,8 @@ const LOOK: u64 = 4;
 pub struct Surveyor<'s> {
     pub(super) scene: &'s Scene,
     pub(super) targets: Addable<'s>,
+    /// The default character.
+    defaults: Stop,
     /// Visible faces with area.
     pub(super) faces: Vec<FaceAtRest>,
     /// Twice their area.
@@ -35,6 +37,8 @@ pub struct Surveyor<'s> {
     pub(super) anchors: Vec<Anchor>,
     /// Whether there are too many joints and vertices to search the skin around each joint.
     pub is_without_anchors: bool,
+    /// Bones, and vertices of joints.
+    skeleton_size: usize,
     /// Vertices that joints or the skin around them depend on.
     pub(super) holds_joint: Vec<bool>,
     /// Bones and planes that are at fault already on the default character.
@@ -84,6 +88,7 @@ impl<'s> Surveyor<'s> {
         let mut surveyor = Self {
             scene,
             targets,
+            defaults,
             faces: Vec::new(),
             area: 0.0,
             faces_of: FacesOf::default(),
@@ -94,6 +99,7 @@ impl<'s> Surveyor<'s> {
             range: ([0.0; 3], [0.0; 3]),
             anchors: Vec::new(),
             is_without_anchors: false,
+            skeleton_size: 0,
             holds_joint: vec![false; rest.len()],
             short_at_rest: Vec::new(),
             flat_at_rest: Vec::new(),
@@ -109,13 +115,9 @@ impl<'s> Surveyor<'s> {
 
     /// How much work a stop is at most: rows that are added, vertices and faces, joints and bones that are looked at.
     pub fn cost(&self, stop: &Stop) -> u64 {
-        let rows: usize = stop.targets().map(|target| self.targets.rows(target).len() + 1).sum();
+        let rows: usize = stop.targets_unlike(&self.defaults).map(|target| self.targets.rows(target).len() + 1).sum();
         let mesh = self.scene.positions.len() + self.faces.len();
-        let skeleton = self.scene.skeleton.as_ref();
-        let joints = skeleton.map_or(0, |skeleton| {
-            skeleton.bones.len() + skeleton.joints.iter().map(Vec::len).sum::<usize>() + self.anchors.len()
-        });
-        rows as u64 + (LOOK * rows as u64).min(mesh as u64) + joints as u64
+        1 + rows as u64 + (LOOK * rows as u64).min(mesh as u64) + self.skeleton_size as u64
     }
 
     fn measure(&mut self, rest: &[Point]) -> Option<()> {
@@ -193,6 +195,7 @@ impl<'s> Surveyor<'s> {
 
     fn joints_at_rest(&mut self, rest: &[Point]) {
         let Some((skeleton, joints)) = self.scene.skeleton.as_ref().zip(self.joints(rest)) else { return };
+        self.skeleton_size = skeleton.bones.len() + skeleton.joints.iter().map(Vec::len).sum::<usize>();
         self.is_without_anchors = joints.len().saturating_mul(self.visible.len()) > MOST_PAIRS;
         for (joint, place) in joints.iter().enumerate().filter(|_| !self.is_without_anchors) {
             let Some(anchor) = self.anchor(joint, *place, rest) else { return };

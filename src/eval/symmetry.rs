@@ -371,7 +371,7 @@ mod tests {
     #[test]
     fn a_hub_of_a_mesh_is_not_asked_for_again_and_again() {
         let count = 4000_u32;
-        let place = |v: u32| [if v % 2 == 0 { 1.0 } else { -1.0 }, (v / 4) as f32, 0.0];
+        let place = |v: u32| [if v.is_multiple_of(2) { 1.0 } else { -1.0 }, (v / 4) as f32, 0.0];
         let mesh: Vec<Point> = (0..count).map(place).collect();
         let faces: Vec<[u32; 3]> = (1..count - 1).map(|v| [0, v, v + 1]).collect();
         let steps = steps_of(|| _ = partners(&mesh, faces.iter().map(<[u32; 3]>::as_slice)));

@@ -44,9 +44,15 @@ pub fn in_order(mut stops: Vec<Stop>) -> Vec<Stop> {
 }
 
 impl Stop {
-    /// Targets that it adds.
-    pub(super) fn targets(&self) -> impl ExactSizeIterator<Item = usize> {
-        self.addends.iter().map(|addend| addend.target)
+    /// How many targets it adds.
+    pub fn target_count(&self) -> usize {
+        self.addends.len()
+    }
+
+    /// Targets that it adds, but for those that it begins with like another stop: they stay when the walk goes on.
+    pub(super) fn targets_unlike(&self, other: &Self) -> impl Iterator<Item = usize> {
+        let common = self.addends.iter().zip(&other.addends).take_while(|(own, others)| own == others).count();
+        self.addends.iter().skip(common).map(|addend| addend.target)
     }
 }
 

@@ -32,10 +32,12 @@ const WEIGHT_TOLERANCE: f32 = 0.01;
 const CHUNK: usize = 64;
 /// Settings that are made ready at once.
 const AT_ONCE: usize = 256;
-/// Work on settings, in additions: seven times that on hm08.
-const MOST_WORK: u64 = 1 << 30;
+/// Work on settings, in additions: several times that on hm08.
+const MOST_WORK: u64 = 1 << 31;
 /// The same where every corner of the slider space was asked for.
 const MOST_EXHAUSTIVE_WORK: u64 = 1 << 38;
+/// Targets that all settings together may add; hm08 has fifty thousand.
+const MOST_ADDED: usize = 1 << 22;
 
 /// A base mesh made ready for evaluation.
 pub(super) struct Composed {
@@ -95,6 +97,7 @@ fn shape(scene: &Scene, rigs: &[Rig]) -> Measures {
 /// made ready a few at a time: what many sliders add together can be more than memory holds.
 fn stops(surveyor: &Surveyor<'_>, settings: &[Setting], mut work: u64) -> (Vec<Stop>, bool) {
     let mut stops = Vec::new();
+    let mut added = 0;
     for (part, settings) in settings.chunks(AT_ONCE).enumerate() {
         let stop = |work: &mut MacroWork, (place, setting): (usize, &Setting)| {
             surveyor.stop(part * AT_ONCE + place, setting, work)
@@ -102,7 +105,9 @@ fn stops(surveyor: &Surveyor<'_>, settings: &[Setting], mut work: u64) -> (Vec<S
         let found: Vec<Option<Stop>> =
             (0..settings.len()).into_par_iter().zip(settings).map_init(MacroWork::default, stop).collect();
         for stop in found.into_iter().flatten() {
-            let Some(left) = work.checked_sub(surveyor.cost(&stop)) else { return (stops, true) };
+            added += stop.target_count();
+            let left = work.checked_sub(surveyor.cost(&stop)).filter(|_| added <= MOST_ADDED);
+            let Some(left) = left else { return (stops, true) };
             work = left;
             stops.push(stop);
         }

@@ -51,7 +51,7 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
             let joints: Vec<&str> = joints(plane)?.collect();
             // Joints that coincide because a bone between them has no length: the bone is named for it.
             let is_bone = |head: &&str| joints.iter().any(|tail| collapsed.contains(&(*head, *tail)));
-            (!joints.iter().any(|head| is_bone(head))).then(|| finding(&rig, plane, &joints, *sine, bones))
+            (!joints.iter().any(is_bone)).then(|| finding(&rig, plane, &joints, *sine, bones))
         }));
     }
 }
