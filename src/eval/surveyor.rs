@@ -197,8 +197,9 @@ impl<'s> Surveyor<'s> {
         let Some((skeleton, joints)) = self.scene.skeleton.as_ref().zip(self.joints(rest)) else { return };
         self.skeleton_size = skeleton.bones.len() + skeleton.joints.iter().map(Vec::len).sum::<usize>();
         self.is_without_anchors = joints.len().saturating_mul(self.visible.len()) > MOST_PAIRS;
+        let mut near = Vec::new();
         for (joint, place) in joints.iter().enumerate().filter(|_| !self.is_without_anchors) {
-            let Some(anchor) = self.anchor(joint, *place, rest) else { return };
+            let Some(anchor) = self.anchor(joint, *place, rest, &mut near) else { return };
             self.anchors.push(anchor);
         }
         let holding = self.anchors.iter().map(|anchor| &anchor.skin).chain(&skeleton.joints).flatten();
@@ -215,14 +216,15 @@ impl<'s> Surveyor<'s> {
     }
 
     /// The visible vertices nearest to a joint. `None` without visible vertices.
-    fn anchor(&self, joint: usize, place: Point, rest: &[Point]) -> Option<Anchor> {
+    /// `near` is room for all of them, which is made once.
+    fn anchor(&self, joint: usize, place: Point, rest: &[Point], near: &mut Vec<(f32, u32)>) -> Option<Anchor> {
         let square = |vertex: u32| rest.get(vertex as usize).map(|point| sub(*point, place)).map(|way| dot(way, way));
-        let mut near: Vec<(f32, u32)> =
-            self.visible.iter().filter_map(|vertex| Some((square(*vertex)?, *vertex))).collect();
+        near.clear();
+        near.extend(self.visible.iter().filter_map(|vertex| Some((square(*vertex)?, *vertex))));
         let count = SKIN_AROUND_JOINT.min(near.len());
         near.select_nth_unstable_by(count.checked_sub(1)?, |a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         near.truncate(count);
-        let mut skin: Vec<u32> = near.into_iter().map(|(_, vertex)| vertex).collect();
+        let mut skin: Vec<u32> = near.iter().map(|(_, vertex)| *vertex).collect();
         skin.sort_unstable();
         let distance = stand(place, &skin, rest);
         let stand = (distance + radius(&skin, rest)).max(f64::MIN_POSITIVE);
