@@ -43,7 +43,10 @@ pub(super) fn write(changes: &[FileChange]) -> Result<(), Failure> {
 
 /// Shows the changes. Gives whether there are any.
 pub(super) fn show(changes: &[FileChange], terminal: Terminal, out: &mut dyn Write) -> Result<bool, Failure> {
-    for (change, name) in changes.iter().zip(names_of(changes).names) {
+    let names = names_of(changes).names;
+    let (empty, others): (Vec<_>, Vec<_>) = changes.iter().zip(names).partition(|(change, _)| change.before.is_empty());
+    // In a patch, empty files that go come last.
+    for (change, name) in others.into_iter().chain(empty) {
         let text = |stored: &[u8]| unpack(stored, &Limits::default()).unwrap_or_default();
         let after = change.after.as_deref().map(text);
         let diff = unified(&name, &text(&change.before), after.as_deref());

@@ -124,6 +124,8 @@ pub enum Unchecked {
     NotCompared,
     /// What all of the macros do: there are more, or more settings of them, than are looked at.
     TooManyMacros,
+    /// All that a base mesh comes to: there are more settings of its sliders, or joints, than are evaluated.
+    Evaluation,
 }
 
 /// What alone was reported on, where that is not all of the data. Empty lists narrow nothing.

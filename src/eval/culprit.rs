@@ -58,7 +58,7 @@ mod tests {
     }
 
     fn setting(a: f64, b: f64) -> Setting {
-        Setting { macros: Vec::new(), details: [(0, a), (1, b)].into() }
+        Setting { macros: Vec::new().into(), details: [(0, a), (1, b)].into() }
     }
 
     #[test]

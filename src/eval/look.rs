@@ -316,8 +316,10 @@ mod tests {
     }
 
     fn stops(surveyor: &Surveyor<'_>, settings: &[&[f64]]) -> Vec<Stop> {
-        let setting =
-            |details: &&[f64]| Setting { macros: Vec::new(), details: (0..).zip(details.iter().copied()).collect() };
+        let setting = |details: &&[f64]| Setting {
+            macros: Vec::new().into(),
+            details: (0..).zip(details.iter().copied()).collect(),
+        };
         let settings = settings.iter().map(setting).enumerate();
         settings.map(|(at, setting)| surveyor.stop(at, &setting, &mut MacroWork::default()).unwrap()).collect()
     }

@@ -26,6 +26,8 @@ pub struct Measures {
     pub weights: Option<WeightMeasure>,
     /// Names of the bones of the pose skeleton, as `weights` numbers them.
     pub bones: Vec<String>,
+    /// Whether something was left out because it was too much work.
+    pub is_cut: bool,
 }
 
 /// What was seen over the slider space.

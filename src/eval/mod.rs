@@ -51,6 +51,7 @@ pub mod settings;
 pub mod side;
 pub mod skeleton;
 pub mod skin;
+pub(crate) mod steps;
 pub mod survey;
 pub mod surveyor;
 pub mod symmetry;

@@ -1,14 +1,15 @@
 //! What a skeleton and its weights come to on a mesh: lengths, planes, rolls, influences, losses, rest pose.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::influences::Influences;
 use super::side::{self, Side};
 use super::skeleton::{SceneSkeleton, plane_sine, roll_sine};
 use super::skin::{pose_bones, skin};
-use super::symmetry::{Mirror, MirrorMap};
+use super::steps::step;
+use super::symmetry::MirrorMap;
 use super::vector::{Point, distance};
-use super::weights::{BoneWeights, LoadedWeights, merge_duplicates};
+use super::weights::{BoneWeights, Entry, LoadedWeights, merge_duplicates};
 
 /// Influences that real-time engines take.
 pub const ENGINE_INFLUENCES: usize = 4;
@@ -98,57 +99,77 @@ pub fn weights(
     tolerance: f32,
 ) -> Option<WeightMeasure> {
     let reduction = Influences::new(&loaded.bones, positions.len()).ok()?.reduce(ENGINE_INFLUENCES);
+    // Of several lists for a bone the first.
+    let lists: BTreeMap<usize, &[Entry]> =
+        loaded.bones.iter().rev().map(|list| (list.bone, list.entries.as_slice())).collect();
+    let asymmetry = |pair: &(usize, usize)| {
+        asymmetry([lists.get(&pair.0)?, lists.get(&pair.1)?], &loaded.raw_sums, *pair, mirror, tolerance)
+    };
+    let sides: Vec<[bool; 2]> = skeleton.joints.iter().map(|joint| sides_of(joint, positions)).collect();
     Some(WeightMeasure {
         most: reduction.most,
         over: reduction.reduced,
         worst_reduction: reduction.worst,
-        asymmetric: pairs.iter().filter_map(|pair| asymmetry(loaded, *pair, mirror, tolerance)).collect(),
-        wrong_side: loaded.bones.iter().filter(|list| is_across(list, skeleton, positions)).map(|l| l.bone).collect(),
+        asymmetric: pairs.iter().filter_map(asymmetry).collect(),
+        wrong_side: (loaded.bones.iter().filter(|list| is_across(list, skeleton, positions, &sides)))
+            .map(|list| list.bone)
+            .collect(),
         rest_distance: rest_distance(loaded, skeleton, positions),
     })
 }
 
+/// Whether a joint lies wholly on the left, and on the right.
+fn sides_of(joint: &[u32], positions: &[Point]) -> [bool; 2] {
+    [Side::Left, Side::Right].map(|side| joint.iter().all(|vertex| is_on(positions, *vertex, side)))
+}
+
+fn is_on(positions: &[Point], vertex: u32, side: Side) -> bool {
+    step();
+    positions.get(vertex as usize).and_then(|point| Side::at(point[0])) == Some(side)
+}
+
 /// Whether the weights of a bone with a side in its name are across the middle from its joints, all but a tenth.
-fn is_across(list: &BoneWeights, skeleton: &SceneSkeleton, positions: &[Point]) -> bool {
+fn is_across(list: &BoneWeights, skeleton: &SceneSkeleton, positions: &[Point], sides: &[[bool; 2]]) -> bool {
     let bone = skeleton.names.get(list.bone).zip(skeleton.bones.get(list.bone));
     let Some(((side, _), bone)) = bone.and_then(|(name, bone)| Some((side::of_bone(name)?, bone))) else {
         return false;
     };
-    let joints = [bone.head, bone.tail].into_iter().filter_map(|joint| skeleton.joints.get(joint)).flatten();
-    let x = |vertex: u32| positions.get(vertex as usize).map(|point| point[0]);
-    let is_on = |vertex: u32, side: Side| x(vertex).and_then(Side::at) == Some(side);
+    let mut joints = [bone.head, bone.tail].into_iter().filter_map(|joint| sides.get(joint));
     let sum = |wanted: &dyn Fn(u32) -> bool| -> f32 {
         list.entries.iter().filter(|(vertex, _)| wanted(*vertex)).map(|(_, weight)| weight).sum()
     };
-    let across = sum(&|vertex| is_on(vertex, side.other()));
-    across > 0.9 * sum(&|_| true) && joints.copied().all(|vertex| is_on(vertex, side))
+    let across = sum(&|vertex| is_on(positions, vertex, side.other()));
+    across > 0.9 * sum(&|_| true) && joints.all(|[left, right]| if side == Side::Left { *left } else { *right })
 }
 
 /// Entries of one vertex are added, and all are scaled to a sum of 1, so that mending either changes nothing here.
-/// Vertices without weights on one side are left out: that is what is wrong there.
+/// Vertices without weights on one side are left out: that is what is wrong there. Costs what the two lists hold, not
+/// the size of the mesh.
 fn asymmetry(
-    loaded: &LoadedWeights,
+    [ours, theirs]: [&[Entry]; 2],
+    raw_sums: &[f32],
     (left, right): (usize, usize),
     mirror: &MirrorMap,
     tolerance: f32,
 ) -> Option<AsymmetricPair> {
-    let entries = |bone: usize| loaded.bones.iter().find(|list| list.bone == bone).map(|list| list.entries.as_slice());
-    let dense = |entries: &[(u32, f32)]| {
-        let mut weights = vec![0.0_f32; mirror.partners().len()];
+    let [ours, theirs] = [ours, theirs].map(|entries| {
+        let mut weights: BTreeMap<u32, f32> = BTreeMap::new();
         for (vertex, weight) in entries {
-            if let Some(place) = weights.get_mut(*vertex as usize) {
-                *place += weight;
-            }
+            step();
+            *weights.entry(*vertex).or_default() += weight;
         }
         weights
-    };
-    let (ours, theirs) = (dense(entries(left)?), dense(entries(right)?));
-    let is_weighted = |vertex: u32| loaded.raw_sums.get(vertex as usize).is_some_and(|sum| *sum != 0.0);
+    });
+    // Partners are mutual.
+    let mirrored = theirs.keys().filter_map(|vertex| mirror.partner(*vertex));
+    let vertices: BTreeSet<u32> = ours.keys().copied().chain(mirrored).collect();
+    let is_weighted = |vertex: u32| raw_sums.get(vertex as usize).is_some_and(|sum| *sum != 0.0);
     let mut pair = AsymmetricPair { left, right, vertices: 0, worst: (0, 0.0) };
-    for (vertex, (weight, partner)) in (0..).zip(ours.iter().zip(mirror.partners())) {
-        let Mirror::Partner(partner) = partner else { continue };
-        let difference = (weight - theirs.get(*partner as usize).copied().unwrap_or(0.0)).abs();
-        if difference > tolerance && is_weighted(vertex) && is_weighted(*partner) {
+    for vertex in vertices {
+        let Some(partner) = mirror.partner(vertex) else { continue };
+        let weight = |weights: &BTreeMap<u32, f32>, vertex: u32| weights.get(&vertex).copied().unwrap_or(0.0);
+        let difference = (weight(&ours, vertex) - weight(&theirs, partner)).abs();
+        if difference > tolerance && is_weighted(vertex) && is_weighted(partner) {
             pair.vertices += 1;
             if difference > pair.worst.1 {
                 pair.worst = (vertex, difference);
@@ -202,6 +223,7 @@ pub fn bone_pairs(names: &[String]) -> Vec<(usize, usize)> {
 mod tests {
     use super::super::makehuman2::weights::load;
     use super::super::skeleton::Bone;
+    use super::super::steps::steps_of;
     use super::*;
 
     const POSITIONS: [Point; 4] = [[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [1.0, 2.0, 0.0], [-1.0, 2.0, 0.0]];
@@ -243,6 +265,27 @@ mod tests {
     fn weights_unlike_their_mirror_are_counted() {
         let found = measure(&[(0, &[(0, 1.0), (1, 1.0), (3, 0.5)]), (1, &[(2, 1.0)]), (2, &[(3, 0.5)])]);
         assert_eq!(found.asymmetric, [AsymmetricPair { left: 1, right: 2, vertices: 1, worst: (2, 0.5) }]);
+    }
+
+    #[test]
+    fn pairs_of_bones_cost_their_weights_and_not_the_mesh() {
+        let count = 2000_u16;
+        let side = |x: f32| (0..count).map(move |y| [x, f32::from(y), 0.0]);
+        let positions: Vec<Point> = side(1.0).chain(side(-1.0)).collect();
+        let mut rig = skeleton();
+        rig.names = (0..count).flat_map(|bone| [format!("{bone}.L"), format!("{bone}.R")]).collect();
+        // All bones share one joint of half of the vertices.
+        rig.bones = vec![Bone { parent: None, head: 0, tail: 0, plane: None }; rig.names.len()];
+        rig.joints = vec![(0..u32::from(count)).collect()];
+        let lists: Vec<[Entry; 1]> =
+            (0..u32::from(count)).flat_map(|at| [[(at + u32::from(count), 1.0)], [(at, 1.0)]]).collect();
+        let lists: Vec<(usize, &[Entry])> = lists.iter().map(<[Entry; 1]>::as_slice).enumerate().collect();
+        let loaded = load(&lists, 0, positions.len()).unwrap();
+        let mirror = MirrorMap::new(&positions, std::iter::empty::<&[u32]>(), 0.01);
+        let pairs = bone_pairs(&rig.names);
+        assert_eq!(pairs.len(), usize::from(count));
+        let steps = steps_of(|| _ = weights(&loaded, &rig, &positions, &mirror, &pairs, 0.01));
+        assert!(steps < 20 * u64::from(count), "{steps}");
     }
 
     #[test]

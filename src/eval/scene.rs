@@ -92,8 +92,8 @@ pub enum SliderKind {
 /// Positions of all sliders.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Setting {
-    /// Macro settings.
-    pub macros: Vec<f64>,
+    /// Macro settings; shared by all settings that move detail sliders only.
+    pub macros: Arc<Vec<f64>>,
     /// Values of the detail sliders that are not at 0, by their number: a setting moves few of many.
     pub details: BTreeMap<usize, f64>,
 }
@@ -112,6 +112,15 @@ pub enum SettingError {
     Morph(EvalError),
 }
 
+impl Setting {
+    /// Puts a number of the macro settings to a value.
+    pub(super) fn put(&mut self, place: usize, value: f64) {
+        if let Some(slot) = Arc::make_mut(&mut self.macros).get_mut(place) {
+            *slot = value;
+        }
+    }
+}
+
 impl Scene {
     /// All sliders as a reset leaves them.
     pub fn defaults(&self) -> Setting {
@@ -119,7 +128,7 @@ impl Scene {
             SliderKind::Detail { .. } if slider.default != 0.0 => Some((number, slider.default)),
             _ => None,
         });
-        Setting { macros: self.macro_defaults.clone(), details: details.collect() }
+        Setting { macros: Arc::new(self.macro_defaults.clone()), details: details.collect() }
     }
 
     /// The slider registered under a pattern; of several the last.
@@ -130,7 +139,7 @@ impl Scene {
     /// Puts a slider to a value, as a model file does: not clamped.
     pub fn set(&self, setting: &mut Setting, slider: usize, value: f64) {
         match self.sliders.get(slider).map(|slider| slider.kind) {
-            Some(SliderKind::Macro(place)) => setting.macros.get_mut(place).into_iter().for_each(|at| *at = value),
+            Some(SliderKind::Macro(place)) => setting.put(place, value),
             Some(SliderKind::Detail { .. }) => {
                 setting.details.remove(&slider);
                 setting.details.extend((value != 0.0).then_some((slider, value)));

@@ -8,15 +8,21 @@ use std::collections::BTreeSet;
 
 use super::macros::Macros;
 use super::scene::{Scene, SceneSlider, Setting, SliderKind};
+use super::steps::step;
 
 /// How far beside a step the two sides of it are looked at: well inside every interval, outside the 0.001 limits.
 const BESIDE: f64 = 0.004;
-/// Corners of a product beyond this are not visited.
+/// Corners of a product beyond this are not visited; the caller says so.
 pub const MOST_CORNERS: usize = 1 << 16;
 /// Random settings when nobody asks for another number.
 pub const DEFAULT_SAMPLES: usize = 64;
 /// Detail sliders that a sampled setting moves: a person sets a few; all of them at once make no figure.
 const SAMPLED_DETAILS: usize = 3;
+/// Numbers that all settings together may hold: hm08 has thirty thousand, and a stranger's sliders times their defaults have
+/// no end.
+const MOST_NUMBERS: usize = 1 << 21;
+/// Steps that evaluating the macros at all settings may take. A character of a hundred macro sliders comes to a tenth.
+const MOST_STEPS: usize = 1 << 26;
 /// Seed of the sample: any number, always the same.
 const SEED: u64 = 0x6d68_6c69_6e74;
 
@@ -34,31 +40,18 @@ pub enum Dimension {
     Corners(Vec<usize>),
 }
 
-/// Steps that evaluating the macros at all settings may take. A character of a hundred macro sliders comes to a tenth.
-const STEPS: usize = 1 << 26;
-/// Numbers that the macro settings may hold together: they are all in memory.
-const NUMBERS: usize = 1 << 23;
-
-/// The settings to look at.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Plan {
-    /// Without repetition, in a fixed order; the first is the one after a reset.
-    pub settings: Vec<Setting>,
-    /// Whether there would have been more of the macros, for which there is no time or memory.
-    pub is_cut: bool,
-}
-
-/// How many settings there is time and memory for.
-fn room(scene: &Scene) -> usize {
-    let cost = scene.macros.as_ref().map_or(1, Macros::cost).max(1);
-    (STEPS / cost).min(NUMBERS / scene.macro_defaults.len().max(1)).max(1)
-}
-
-/// The settings to look at, as many as there is room for.
-pub fn plan(scene: &Scene, samples: usize, exhaustive: bool) -> Plan {
+/// The settings to look at, without repetition, in a fixed order, and whether some were left out because they are too many.
+pub fn plan(scene: &Scene, samples: usize, exhaustive: bool) -> (Vec<Setting>, bool) {
     let rest = scene.defaults();
-    let room = room(scene);
-    let mut plan = Planner { settings: vec![rest.clone()], rest, seen: BTreeSet::new(), room, is_cut: false };
+    let cost = scene.macros.as_ref().map_or(1, Macros::cost).max(1);
+    let mut plan = Plan {
+        settings: vec![rest.clone()],
+        rest,
+        seen: BTreeSet::new(),
+        room: MOST_NUMBERS,
+        left: MOST_STEPS / cost,
+        is_cut: false,
+    };
     let dimensions = distinct(&scene.products);
     for dimension in &dimensions {
         plan.alone(dimension);
@@ -71,7 +64,7 @@ pub fn plan(scene: &Scene, samples: usize, exhaustive: bool) -> Plan {
     }
     plan.details(scene);
     plan.sample(scene, &dimensions, samples);
-    Plan { settings: plan.settings, is_cut: plan.is_cut }
+    (plan.settings, plan.is_cut)
 }
 
 /// Number of corners of a product of dimensions.
@@ -84,15 +77,6 @@ impl Dimension {
         match self {
             Self::Steps { steps, .. } => steps.len(),
             Self::Corners(places) => places.len(),
-        }
-    }
-
-    /// What tells it from others, to be sorted by.
-    fn key(&self) -> (bool, Vec<usize>, Vec<u64>) {
-        match self {
-            // No matter which sign a zero has.
-            Self::Steps { place, steps } => (true, vec![*place], steps.iter().map(|s| (s + 0.0).to_bits()).collect()),
-            Self::Corners(places) => (false, places.clone(), Vec::new()),
         }
     }
 
@@ -116,42 +100,64 @@ impl Dimension {
     /// Puts a setting to a corner.
     fn put(&self, setting: &mut Setting, corner: usize) {
         match self {
-            Self::Steps { place, steps } => put(setting, *place, steps.get(corner).copied().unwrap_or(0.0)),
+            Self::Steps { place, steps } => setting.put(*place, steps.get(corner).copied().unwrap_or(0.0)),
             Self::Corners(places) => {
                 for (number, place) in places.iter().enumerate() {
-                    put(setting, *place, if number == corner { 1.0 } else { 0.0 });
+                    setting.put(*place, if number == corner { 1.0 } else { 0.0 });
                 }
             }
         }
     }
 }
 
-fn put(setting: &mut Setting, place: usize, value: f64) {
-    if let Some(slot) = setting.macros.get_mut(place) {
-        *slot = value;
-    }
-}
-
+/// Each dimension once, in the order of the products.
 fn distinct(products: &[Vec<Dimension>]) -> Vec<Dimension> {
-    let mut seen = BTreeSet::new();
-    products.iter().flatten().filter(|dimension| seen.insert(dimension.key())).cloned().collect()
+    let mut seen: BTreeSet<(&[usize], Vec<u64>)> = BTreeSet::new();
+    let mut all = Vec::new();
+    for dimension in products.iter().flatten() {
+        let is_new = match dimension {
+            Dimension::Steps { place, steps } => {
+                seen.insert((std::slice::from_ref(place), steps.iter().map(|step| (step + 0.0).to_bits()).collect()))
+            }
+            Dimension::Corners(places) => seen.insert((places, vec![u64::MAX])),
+        };
+        if is_new {
+            all.push(dimension.clone());
+        }
+    }
+    all
 }
 
-struct Planner {
+struct Plan {
     /// All sliders as a reset leaves them.
     rest: Setting,
     settings: Vec<Setting>,
     seen: BTreeSet<Vec<u64>>,
+    /// Numbers that there is room for.
     room: usize,
+    /// Settings of macros that there is time for.
+    left: usize,
+    /// Whether there was no room for some settings.
     is_cut: bool,
 }
 
-impl Planner {
-    /// Whether another setting of macro sliders may be added; notes that one was wanted.
-    fn has_room(&mut self) -> bool {
-        let has_room = self.settings.len() < self.room;
-        self.is_cut |= !has_room;
-        has_room
+impl Plan {
+    /// The default setting, to be changed at so many sliders; nothing where there is no room for another one.
+    fn another(&mut self, moved: usize) -> Option<Setting> {
+        step();
+        let left = self.room.checked_sub(1 + moved + self.rest.details.len());
+        self.is_cut |= left.is_none();
+        self.room = left.unwrap_or(0);
+        left.is_some().then(|| self.rest.clone())
+    }
+
+    /// The same with macro settings of its own.
+    fn another_of_macros(&mut self) -> Option<Setting> {
+        self.left = self.left.checked_sub(1).or_else(|| {
+            self.is_cut = true;
+            None
+        })?;
+        self.another(2 * self.rest.macros.len())
     }
 
     /// Adds a setting of macro sliders unless it is there.
@@ -167,11 +173,8 @@ impl Planner {
         let sides = steps.iter().flat_map(|step| [step - BESIDE, step + BESIDE]);
         let inside = sides.filter(|value| (0.0..=1.0).contains(value));
         for value in steps.iter().copied().chain([0.0, 1.0]).chain(middles).chain(inside) {
-            if !self.has_room() {
-                return;
-            }
-            let mut setting = self.rest.clone();
-            put(&mut setting, *place, value);
+            let Some(mut setting) = self.another_of_macros() else { return };
+            setting.put(*place, value);
             self.add(setting);
         }
     }
@@ -179,14 +182,10 @@ impl Planner {
     fn corners(&mut self, dimensions: &[Dimension]) {
         let count = corner_count(dimensions);
         if count > MOST_CORNERS {
-            self.is_cut = true;
             return;
         }
         for number in 0..count {
-            if !self.has_room() {
-                return;
-            }
-            let mut setting = self.rest.clone();
+            let Some(mut setting) = self.another_of_macros() else { return };
             let mut rest = number;
             for dimension in dimensions {
                 dimension.put(&mut setting, rest % dimension.corners());
@@ -201,7 +200,7 @@ impl Planner {
             let SliderKind::Detail { incr, decr, two_sided } = slider.kind else { continue };
             let ends = [(1.0, incr.is_some()), (-1.0, two_sided && decr.is_some())];
             for (value, _) in ends.into_iter().filter(|(_, has)| *has) {
-                let mut setting = self.rest.clone();
+                let Some(mut setting) = self.another(1) else { return };
                 scene.set(&mut setting, number, value);
                 self.settings.push(setting);
             }
@@ -212,10 +211,7 @@ impl Planner {
         let mut random = Random(SEED);
         let details = details_of(scene);
         for _ in 0..samples {
-            if !dimensions.is_empty() && !self.has_room() {
-                return;
-            }
-            let mut setting = self.rest.clone();
+            let Some(mut setting) = self.another_of_macros() else { return };
             for dimension in dimensions {
                 random.macro_values(dimension, &mut setting);
             }
@@ -263,13 +259,13 @@ impl Random {
         match dimension {
             Dimension::Steps { place, .. } => {
                 let value = self.next();
-                put(setting, *place, value);
+                setting.put(*place, value);
             }
             Dimension::Corners(places) => {
                 let shares: Vec<f64> = places.iter().map(|_| self.next()).collect();
                 let sum: f64 = shares.iter().sum();
                 for (place, share) in places.iter().zip(shares) {
-                    put(setting, *place, share / sum.max(f64::MIN_POSITIVE));
+                    setting.put(*place, share / sum.max(f64::MIN_POSITIVE));
                 }
             }
         }
@@ -292,6 +288,9 @@ pub fn moved(scene: &Scene, setting: &Setting) -> Vec<SliderSetting> {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::Arc;
+
+    use super::super::steps::steps_of;
     use super::*;
 
     fn scene() -> Scene {
@@ -326,24 +325,35 @@ mod tests {
     #[test]
     fn corners_middles_and_sides_are_there_once() {
         let scene = scene();
-        let Plan { settings: plan, is_cut } = plan(&scene, 3, false);
+        let (plan, is_cut) = plan(&scene, 3, false);
         assert!(!is_cut);
-        let has = |age: f64, gender: f64| plan.iter().filter(|s| s.macros == [age, gender]).count();
+        let has = |age: f64, gender: f64| plan.iter().filter(|s| *s.macros == [age, gender]).count();
         assert_eq!([has(0.0, 0.0), has(0.25, 1.0), has(1.0, 1.0)], [1, 1, 1]);
         assert_eq!([has(0.625, 0.5), has(0.25 - BESIDE, 0.5), has(0.25 + BESIDE, 0.5)], [1, 1, 1]);
-        assert_eq!(plan.iter().filter(|s| s.details == [(2, 1.0)].into() && s.macros == [0.5, 0.5]).count(), 1);
+        assert_eq!(plan.iter().filter(|s| s.details == [(2, 1.0)].into() && *s.macros == [0.5, 0.5]).count(), 1);
+    }
+
+    /// A scene of so many detail sliders, all of them set after a reset, and as many macro sliders.
+    fn sliders(count: usize) -> Scene {
+        let kind = SliderKind::Detail { incr: Some(0), decr: None, two_sided: false };
+        let details = (0..count).map(|_| SceneSlider { pattern: String::new(), kind, default: 0.5 });
+        Scene { sliders: details.collect(), macro_defaults: vec![0.0; count], ..Scene::default() }
     }
 
     #[test]
-    fn the_work_of_all_settings_is_bounded_and_what_is_left_out_is_said() {
-        let step = |place| Dimension::Steps { place, steps: vec![0.0, 0.5, 1.0] };
-        for sliders in [2, 3_000, 30_000] {
-            let macro_defaults = vec![0.5; sliders];
-            let products = (0..sliders).map(|place| vec![step(place)]).collect();
-            let plan = plan(&Scene { macro_defaults, products, ..Scene::default() }, 64, false);
-            assert!(plan.settings.len() * sliders <= NUMBERS, "{sliders}");
-            assert_eq!(plan.is_cut, sliders > 2, "{sliders}");
-        }
+    fn settings_that_have_no_room_are_left_out() {
+        let count = 15_000;
+        let mut scene = sliders(count);
+        let mut found = (Vec::new(), false);
+        let steps = steps_of(|| found = plan(&scene, 10, false));
+        assert!(found.1 && steps < 3 * count as u64, "{steps}");
+        assert!(found.0.iter().map(|setting| setting.details.len()).sum::<usize>() <= MOST_NUMBERS + count);
+        // Settings of one slider each share what they have in common.
+        scene.sliders.iter_mut().for_each(|slider| slider.default = 0.0);
+        let (settings, is_cut) = plan(&scene, 10, false);
+        assert_eq!((settings.len(), is_cut), (count + 11, false));
+        let own: BTreeSet<_> = settings.iter().map(|setting| Arc::as_ptr(&setting.macros)).collect();
+        assert_eq!(own.len(), 1);
     }
 
     #[test]

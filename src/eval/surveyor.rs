@@ -11,12 +11,18 @@ use super::walk::{Addable, Stop, Walk};
 
 /// Skin vertices around a joint that it is compared with.
 const SKIN_AROUND_JOINT: usize = 16;
+/// Joints times visible vertices that the skin is searched for in: thirty times those of hm08.
+const MOST_PAIRS: usize = 1 << 26;
+/// What looking at a vertex with the faces around it costs, compared with adding a row.
+const LOOK: u64 = 4;
 
 /// A scene made ready to be looked at.
 #[derive(Debug)]
 pub struct Surveyor<'s> {
     pub(super) scene: &'s Scene,
     pub(super) targets: Addable<'s>,
+    /// The default character.
+    defaults: Stop,
     /// Visible faces with area.
     pub(super) faces: Vec<FaceAtRest>,
     /// Twice their area.
@@ -29,6 +35,10 @@ pub struct Surveyor<'s> {
     /// The box widened by nearly what makes an explosion.
     range: (Point, Point),
     pub(super) anchors: Vec<Anchor>,
+    /// Whether there are too many joints and vertices to search the skin around each joint.
+    pub is_without_anchors: bool,
+    /// Bones, and vertices of joints.
+    skeleton_size: usize,
     /// Vertices that joints or the skin around them depend on.
     pub(super) holds_joint: Vec<bool>,
     /// Bones and planes that are at fault already on the default character.
@@ -78,6 +88,7 @@ impl<'s> Surveyor<'s> {
         let mut surveyor = Self {
             scene,
             targets,
+            defaults,
             faces: Vec::new(),
             area: 0.0,
             faces_of: FacesOf::default(),
@@ -87,6 +98,8 @@ impl<'s> Surveyor<'s> {
             diagonal: 0.0,
             range: ([0.0; 3], [0.0; 3]),
             anchors: Vec::new(),
+            is_without_anchors: false,
+            skeleton_size: 0,
             holds_joint: vec![false; rest.len()],
             short_at_rest: Vec::new(),
             flat_at_rest: Vec::new(),
@@ -98,6 +111,13 @@ impl<'s> Surveyor<'s> {
     /// What a setting adds to the mesh. `None` where the application stops.
     pub fn stop(&self, number: usize, setting: &Setting, work: &mut MacroWork) -> Option<Stop> {
         self.targets.stop(number, setting, work)
+    }
+
+    /// How much work a stop is at most: rows that are added, vertices and faces, joints and bones that are looked at.
+    pub fn cost(&self, stop: &Stop) -> u64 {
+        let rows: usize = stop.targets_unlike(&self.defaults).map(|target| self.targets.rows(target).len() + 1).sum();
+        let mesh = self.scene.positions.len() + self.faces.len();
+        1 + rows as u64 + (LOOK * rows as u64).min(mesh as u64) + self.skeleton_size as u64
     }
 
     fn measure(&mut self, rest: &[Point]) -> Option<()> {
@@ -175,8 +195,11 @@ impl<'s> Surveyor<'s> {
 
     fn joints_at_rest(&mut self, rest: &[Point]) {
         let Some((skeleton, joints)) = self.scene.skeleton.as_ref().zip(self.joints(rest)) else { return };
-        for (joint, place) in joints.iter().enumerate() {
-            let Some(anchor) = self.anchor(joint, *place, rest) else { return };
+        self.skeleton_size = skeleton.bones.len() + skeleton.joints.iter().map(Vec::len).sum::<usize>();
+        self.is_without_anchors = joints.len().saturating_mul(self.visible.len()) > MOST_PAIRS;
+        let mut near = Vec::new();
+        for (joint, place) in joints.iter().enumerate().filter(|_| !self.is_without_anchors) {
+            let Some(anchor) = self.anchor(joint, *place, rest, &mut near) else { return };
             self.anchors.push(anchor);
         }
         let holding = self.anchors.iter().map(|anchor| &anchor.skin).chain(&skeleton.joints).flatten();
@@ -193,14 +216,15 @@ impl<'s> Surveyor<'s> {
     }
 
     /// The visible vertices nearest to a joint. `None` without visible vertices.
-    fn anchor(&self, joint: usize, place: Point, rest: &[Point]) -> Option<Anchor> {
+    /// `near` is room for all of them, which is made once.
+    fn anchor(&self, joint: usize, place: Point, rest: &[Point], near: &mut Vec<(f32, u32)>) -> Option<Anchor> {
         let square = |vertex: u32| rest.get(vertex as usize).map(|point| sub(*point, place)).map(|way| dot(way, way));
-        let mut near: Vec<(f32, u32)> =
-            self.visible.iter().filter_map(|vertex| Some((square(*vertex)?, *vertex))).collect();
+        near.clear();
+        near.extend(self.visible.iter().filter_map(|vertex| Some((square(*vertex)?, *vertex))));
         let count = SKIN_AROUND_JOINT.min(near.len());
         near.select_nth_unstable_by(count.checked_sub(1)?, |a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         near.truncate(count);
-        let mut skin: Vec<u32> = near.into_iter().map(|(_, vertex)| vertex).collect();
+        let mut skin: Vec<u32> = near.iter().map(|(_, vertex)| *vertex).collect();
         skin.sort_unstable();
         let distance = stand(place, &skin, rest);
         let stand = (distance + radius(&skin, rest)).max(f64::MIN_POSITIVE);

@@ -6,6 +6,7 @@
 
 use super::grid::Grid;
 use super::mesh::bounding_box;
+use super::steps::step;
 use super::vector::{Point, distance};
 
 /// Partner of a vertex.
@@ -30,6 +31,9 @@ pub struct MirrorMap {
 const SAME_PLACE: f64 = 0.1;
 /// Places with more candidates than this are not settled by their neighbours.
 const MOST_CANDIDATES: usize = 16;
+/// A vertex joined to more others than this, which only meshes from strangers have, is not settled by its neighbours: it
+/// would be asked for again with each of them.
+const MOST_NEIGHBOURS: usize = 64;
 
 impl MirrorMap {
     /// Finds the partners. `tolerance` in mesh units: how far from the exact mirror image a partner may be.
@@ -81,7 +85,8 @@ impl MirrorMap {
         self.partners.get(vertex as usize).copied().unwrap_or(Mirror::Unmatched)
     }
 
-    fn partner(&self, vertex: u32) -> Option<u32> {
+    /// The partner of a vertex, if it has one.
+    pub(super) fn partner(&self, vertex: u32) -> Option<u32> {
         match self.of(vertex) {
             Mirror::Partner(partner) => Some(partner),
             Mirror::Unmatched | Mirror::Ambiguous => None,
@@ -120,7 +125,11 @@ impl MirrorMap {
     }
 
     fn best(&self, vertex: u32, candidates: &[u32], neighbours: &Neighbours) -> Option<u32> {
+        if neighbours.of(vertex).len() > MOST_NEIGHBOURS {
+            return None;
+        }
         let score = |candidate: u32| {
+            step();
             let joined = neighbours.of(candidate);
             let mirrored = |n: &&u32| matches!(self.of(**n), Mirror::Partner(m) if joined.binary_search(&m).is_ok());
             neighbours.of(vertex).iter().filter(mirrored).count()
@@ -311,6 +320,7 @@ impl<T: Copy + Default> ByVertex<T> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::steps::steps_of;
     use super::*;
 
     const NO_FACES: [&[u32]; 0] = [];
@@ -355,6 +365,17 @@ mod tests {
         let found = partners(&mesh, faces.chunks(4));
         let expected: Vec<Mirror> = (0..16).map(|v| Mirror::Partner((v + 8) % 16)).collect();
         assert_eq!(found, expected);
+    }
+
+    /// Every vertex shares its place with another one, and all are joined to the first.
+    #[test]
+    fn a_hub_of_a_mesh_is_not_asked_for_again_and_again() {
+        let count = 4000_u32;
+        let place = |v: u32| [if v.is_multiple_of(2) { 1.0 } else { -1.0 }, (v / 4) as f32, 0.0];
+        let mesh: Vec<Point> = (0..count).map(place).collect();
+        let faces: Vec<[u32; 3]> = (1..count - 1).map(|v| [0, v, v + 1]).collect();
+        let steps = steps_of(|| _ = partners(&mesh, faces.iter().map(<[u32; 3]>::as_slice)));
+        assert!(steps < 200 * u64::from(count), "{steps}");
     }
 
     #[test]

@@ -43,6 +43,19 @@ pub fn in_order(mut stops: Vec<Stop>) -> Vec<Stop> {
     stops
 }
 
+impl Stop {
+    /// How many targets it adds.
+    pub fn target_count(&self) -> usize {
+        self.addends.len()
+    }
+
+    /// Targets that it adds, but for those that it begins with like another stop: they stay when the walk goes on.
+    pub(super) fn targets_unlike(&self, other: &Self) -> impl Iterator<Item = usize> {
+        let common = self.addends.iter().zip(&other.addends).take_while(|(own, others)| own == others).count();
+        self.addends.iter().skip(common).map(|addend| addend.target)
+    }
+}
+
 impl<'s> Addable<'s> {
     pub(super) fn new(scene: &'s Scene) -> Self {
         let rows = scene.targets.iter().map(|target| one_a_vertex(target.rows.as_deref()?, scene.positions.len()));
@@ -61,7 +74,7 @@ impl<'s> Addable<'s> {
         Some(Stop { addends: factors.into_iter().map(addend).collect::<Option<_>>()?, setting: number })
     }
 
-    fn rows(&self, target: usize) -> &[Row] {
+    pub(super) fn rows(&self, target: usize) -> &[Row] {
         self.rows.get(target).and_then(Option::as_deref).unwrap_or_default()
     }
 }
@@ -221,7 +234,7 @@ mod tests {
     }
 
     fn setting(details: [f64; 4]) -> Setting {
-        Setting { macros: Vec::new(), details: (0..).zip(details).collect() }
+        Setting { macros: Vec::new().into(), details: (0..).zip(details).collect() }
     }
 
     #[test]

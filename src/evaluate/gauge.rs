@@ -12,7 +12,7 @@ use crate::eval::measures::{Measures, PairMeasure, Received, Seen, SkeletonMeasu
 use crate::eval::mesh::bounding_box;
 use crate::eval::rig_measure::{bone_pairs, bones, weights};
 use crate::eval::scene::{MorphTarget, Scene, Setting};
-use crate::eval::settings::{DEFAULT_SAMPLES, Plan, moved, plan};
+use crate::eval::settings::{DEFAULT_SAMPLES, moved, plan};
 use crate::eval::side::{self, Side};
 use crate::eval::skeleton::SceneSkeleton;
 use crate::eval::survey::{Fault, Survey};
@@ -30,6 +30,14 @@ const DELTA_TOLERANCE: f64 = 2.5e-3;
 const WEIGHT_TOLERANCE: f32 = 0.01;
 /// Settings that one thread looks at in a row, starting from the base mesh.
 const CHUNK: usize = 64;
+/// Settings that are made ready at once.
+const AT_ONCE: usize = 256;
+/// Work on settings, in additions: several times that on hm08.
+const MOST_WORK: u64 = 1 << 31;
+/// The same where every corner of the slider space was asked for.
+const MOST_EXHAUSTIVE_WORK: u64 = 1 << 38;
+/// Targets that all settings together may add; hm08 has fifty thousand.
+const MOST_ADDED: usize = 1 << 22;
 
 /// A base mesh made ready for evaluation.
 pub(super) struct Composed {
@@ -51,17 +59,18 @@ pub(super) struct Rig {
 pub(super) fn gauge(composed: &Composed, options: &Config) -> Measures {
     let Composed { scene, rigs } = composed;
     let samples = options.samples.unwrap_or(DEFAULT_SAMPLES).min(MOST_SAMPLES);
-    let Plan { settings, is_cut } = plan(scene, samples, options.exhaustive);
-    let (space, (macros, shape)) = rayon::join(
-        || survey(scene, &settings),
+    let (settings, is_planned) = plan(scene, samples, options.exhaustive);
+    let work = if options.exhaustive { MOST_EXHAUSTIVE_WORK } else { MOST_WORK };
+    let ((space, is_cut), (macros, shape)) = rayon::join(
+        || survey(scene, &settings, work).map_or((None, false), |(space, is_cut)| (Some(space), is_cut)),
         || {
             let macros = || scene.macros.as_ref().map(|macros| macros.measure(scene, &settings));
             rayon::join(macros, || shape(scene, rigs))
         },
     );
     let macros = macros.unwrap_or_default();
-    let lacks_settings = scene.lacks_macros || is_cut || macros.is_cut;
-    Measures { lacks_settings, space, macros, ..shape }
+    let lacks_settings = scene.lacks_macros || macros.is_cut;
+    Measures { lacks_settings, space, macros, is_cut: is_planned || is_cut, ..shape }
 }
 
 /// Everything that needs the default character only.
@@ -86,14 +95,33 @@ fn shape(scene: &Scene, rigs: &[Rig]) -> Measures {
     }
 }
 
-fn survey(scene: &Scene, settings: &[Setting]) -> Option<SpaceMeasure> {
+/// What settings add to the mesh, as many of them as there is work allowed for, and whether these are all. Settings are
+/// made ready a few at a time: what many sliders add together can be more than memory holds.
+fn stops(surveyor: &Surveyor<'_>, settings: &[Setting], mut work: u64) -> (Vec<Stop>, bool) {
+    let mut stops = Vec::new();
+    let mut added = 0;
+    for (part, settings) in settings.chunks(AT_ONCE).enumerate() {
+        let stop = |work: &mut MacroWork, (place, setting): (usize, &Setting)| {
+            surveyor.stop(part * AT_ONCE + place, setting, work)
+        };
+        let found: Vec<Option<Stop>> =
+            (0..settings.len()).into_par_iter().zip(settings).map_init(MacroWork::default, stop).collect();
+        for stop in found.into_iter().flatten() {
+            added += stop.target_count();
+            let left = work.checked_sub(surveyor.cost(&stop)).filter(|_| added <= MOST_ADDED);
+            let Some(left) = left else { return (stops, true) };
+            work = left;
+            stops.push(stop);
+        }
+    }
+    (stops, false)
+}
+
+/// What is seen over the slider space, and whether something was left out of it.
+fn survey(scene: &Scene, settings: &[Setting], work: u64) -> Option<(SpaceMeasure, bool)> {
     let surveyor = Surveyor::new(scene)?;
-    let stops: Vec<Option<Stop>> = (0..settings.len())
-        .into_par_iter()
-        .zip(settings)
-        .map_init(MacroWork::default, |work, (number, setting)| surveyor.stop(number, setting, work))
-        .collect();
-    let stops = in_order(stops.into_iter().flatten().collect());
+    let (stops, is_cut) = stops(&surveyor, settings, work);
+    let stops = in_order(stops);
     let parts: Vec<Survey> = stops.par_chunks(CHUNK).map(|stops| look(&surveyor, stops)).collect();
     let mut survey = Survey::default();
     parts.into_iter().for_each(|part| survey.merge(part));
@@ -139,7 +167,7 @@ fn survey(scene: &Scene, settings: &[Setting]) -> Option<SpaceMeasure> {
         joints.into_iter().flatten().flat_map(of_joint).collect()
     };
     let in_group = |face: usize| format!("{} {face}", group(face));
-    Some(SpaceMeasure {
+    let space = SpaceMeasure {
         non_finite: seen(survey.non_finite, &vertex),
         collapsed: named(seen(survey.collapsed, &face), &group, &in_group),
         flipped: named(seen(survey.flipped, &face), &group, &group),
@@ -147,7 +175,8 @@ fn survey(scene: &Scene, settings: &[Setting]) -> Option<SpaceMeasure> {
         drifted: named(seen(survey.drifted, &of_cube), &joint, &joint),
         short_bone: named(seen(survey.short_bone, &of_bone), &bone, &bone),
         flat_plane: named(seen(survey.flat_plane, &of_bone), &bone, &bone),
-    })
+    };
+    Some((space, is_cut || surveyor.is_without_anchors))
 }
 
 /// Parts of the mesh that targets are measured against, and the names of the joint cubes.

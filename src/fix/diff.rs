@@ -1,22 +1,81 @@
 //! Differences as `git diff` writes them, so that `git apply` and `patch -p1` read them.
 
-use similar::{Algorithm, TextDiff};
+use std::ops::Range;
+
+use similar::{Algorithm, DiffOp, capture_diff_slices, group_diff_ops};
+
+/// Lines around a change that are shown with it.
+const AROUND: usize = 3;
 
 /// The difference between two texts of the file at `path`; `after` is `None` where the file goes away.
 /// Bytes are kept as they are; nothing where both are equal.
-///
-/// # Panics
-/// Never: writing to memory does not fail.
 pub fn unified(path: &str, before: &[u8], after: Option<&[u8]>) -> Vec<u8> {
     let path = path.trim_start_matches('/');
-    let new = if after.is_some() { header(&format!("b/{path}")) } else { "/dev/null".to_owned() };
-    let diff = TextDiff::configure().algorithm(Algorithm::Patience).diff_lines(before, after.unwrap_or_default());
-    let mut out = Vec::new();
-    diff.unified_diff()
-        .header(&header(&format!("a/{path}")), &new)
-        .to_writer(&mut out)
-        .expect("invariant: writing to memory does not fail");
+    let (old, new) = (lines(before), lines(after.unwrap_or_default()));
+    if old.is_empty() && after.is_none() {
+        return removal_of_empty(path).into_bytes();
+    }
+    let hunks = group_diff_ops(capture_diff_slices(Algorithm::Patience, &old, &new), AROUND);
+    if hunks.iter().all(Vec::is_empty) {
+        return Vec::new();
+    }
+    let name = if after.is_some() { header(&format!("b/{path}")) } else { "/dev/null".to_owned() };
+    let mut out = format!("--- {}\n+++ {name}\n", header(&format!("a/{path}"))).into_bytes();
+    hunks.iter().for_each(|hunk| write_hunk(&mut out, hunk, &old, &new));
     out
+}
+
+/// Lines as git and patch count them: a carriage return alone ends none.
+fn lines(text: &[u8]) -> Vec<&[u8]> {
+    text.split_inclusive(|byte| *byte == b'\n').collect()
+}
+
+/// Object of git that an empty file is.
+const EMPTY: &str = "e69de29bb2d1d6434b8b29ae775ad8c2e48c5391";
+
+/// An empty file has no line that could go: only a header in git's own manner says that it does, and `patch` wants
+/// names with blanks in quotes there, and to be told that it is empty. Git takes the lines of a file that comes next for
+/// a part of it: in a patch such files come last.
+fn removal_of_empty(path: &str) -> String {
+    let name = |side: &str| {
+        let quoted = quoted(&format!("{side}/{path}"));
+        if quoted.contains(' ') && !quoted.starts_with('"') { format!("\"{quoted}\"") } else { quoted }
+    };
+    format!("diff --git {} {}\ndeleted file mode 100644\nindex {EMPTY}..{:040}\n", name("a"), name("b"), 0)
+}
+
+fn write_hunk(out: &mut Vec<u8>, hunk: &[DiffOp], old: &[&[u8]], new: &[&[u8]]) {
+    let (Some(first), Some(last)) = (hunk.first(), hunk.last()) else { return };
+    let from = range(first.old_range().start..last.old_range().end);
+    let to = range(first.new_range().start..last.new_range().end);
+    out.extend_from_slice(format!("@@ -{from} +{to} @@\n").as_bytes());
+    for part in hunk {
+        if let DiffOp::Equal { .. } = part {
+            write_lines(out, b' ', old.get(part.old_range()));
+        } else {
+            write_lines(out, b'-', old.get(part.old_range()));
+            write_lines(out, b'+', new.get(part.new_range()));
+        }
+    }
+}
+
+/// First line and number of lines; of no lines the one before them.
+fn range(lines: Range<usize>) -> String {
+    match lines.len() {
+        0 => format!("{},0", lines.start),
+        1 => lines.end.to_string(),
+        length => format!("{},{length}", lines.start + 1),
+    }
+}
+
+fn write_lines(out: &mut Vec<u8>, sign: u8, lines: Option<&[&[u8]]>) {
+    for line in lines.unwrap_or_default() {
+        out.push(sign);
+        out.extend_from_slice(line);
+        if !line.ends_with(b"\n") {
+            out.extend_from_slice(b"\n\\ No newline at end of file\n");
+        }
+    }
 }
 
 /// A path as git writes it in a header. Behind a name with a blank stands a tab, or `patch` would take it for shorter.
@@ -70,6 +129,33 @@ mod tests {
     #[test]
     fn a_file_that_goes_away_has_no_new_name() {
         assert_eq!(shown("1\n", None), "--- a/a/b.target\n+++ /dev/null\n@@ -1 +0,0 @@\n-1\n");
+    }
+
+    #[test]
+    fn a_carriage_return_alone_ends_no_line() {
+        let expected = "--- a/a/b.target\n+++ b/a/b.target\n@@ -1,2 +1 @@\n 1\r2\n-3\r\n\\ No newline at end of file\n";
+        assert_eq!(shown("1\r2\n3\r", Some("1\r2\n")), expected);
+    }
+
+    #[test]
+    fn bytes_that_are_no_utf8_are_kept() {
+        let diff = unified("a", b"\xff\n1\n", Some(b"\xff\n"));
+        assert_eq!(diff, b"--- a/a\n+++ b/a\n@@ -1,2 +1 @@\n \xff\n-1\n");
+    }
+
+    #[test]
+    fn an_empty_file_goes_by_a_header() {
+        for (path, names) in
+            [("a/b", "a/a/b b/a/b"), ("a b", "\"a/a b\" \"b/a b\""), ("a b\t", "\"a/a b\\t\" \"b/a b\\t\"")]
+        {
+            let shown = String::from_utf8(unified(path, b"", None)).unwrap();
+            let head = format!("diff --git {names}\ndeleted file mode 100644\nindex e69de29");
+            assert!(
+                shown.starts_with(&head) && shown.ends_with("..0000000000000000000000000000000000000000\n"),
+                "{shown}"
+            );
+        }
+        assert_eq!(unified("a", b"", Some(b"")), b"");
     }
 
     #[test]

@@ -1,5 +1,7 @@
 //! `base.json`: what a base mesh consists of and how its window is set up (formats/makehuman2.md §7).
 
+use std::collections::BTreeSet;
+
 use super::expression::{self, Fault};
 use super::macro_json::{text, texts};
 use super::modelling::fault_in;
@@ -10,6 +12,8 @@ use crate::json::{Document, Node, Value};
 pub struct BaseJson {
     /// Groups of the OBJ that are drawn. Without it the program stops.
     pub visible_groups: Option<Vec<String>>,
+    /// The same to be looked up.
+    pub shown: Option<BTreeSet<String>>,
     /// `visible groups` as a plain text: groups whose name is part of it are drawn.
     pub visible_text: Option<String>,
     /// Whether `visible groups` is there, of whatever type.
@@ -39,7 +43,7 @@ pub struct BaseJson {
 impl BaseJson {
     /// Whether a group of the mesh is drawn.
     pub fn shows(&self, group: &str) -> bool {
-        self.visible_groups.as_ref().is_none_or(|visible| visible.iter().any(|name| name == group))
+        self.shown.as_ref().is_none_or(|shown| shown.contains(group))
     }
 }
 
@@ -76,6 +80,7 @@ pub fn read(document: &Document) -> BaseJson {
     let root = &document.root;
     BaseJson {
         visible_groups: root.get("visible groups").and_then(texts),
+        shown: root.get("visible groups").and_then(texts).map(BTreeSet::from_iter),
         visible_text: text(root, "visible groups"),
         has_visible_groups: root.get("visible groups").is_some(),
         has_numverts: root.get("numverts").is_some(),

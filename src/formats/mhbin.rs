@@ -72,7 +72,10 @@ const MEMBERS: [(&str, &[Cell]); 8] = [
     ("faceverts", &[Cell::Integer]),
 ];
 
-/// Reads a packed mesh within `limits`.
+/// What a number of a mesh takes in memory at least, however small it is in the archive.
+const NUMBER_BYTES: u64 = 4;
+
+/// Reads a packed mesh within `limits`, which are those of arrays.
 ///
 /// # Errors
 /// When the application could not load it, or not all of it.
@@ -90,11 +93,12 @@ fn read_members(bytes: &[u8], limits: &Limits) -> Result<Vec<Table>, MeshFault> 
     if !missing.is_empty() {
         return Err(MeshFault::Missing(missing));
     }
-    let mut room = limits.unpacked_limit(bytes.len() as u64);
+    let mut room = limits.of_arrays().unpacked_limit(bytes.len() as u64);
     let mut read = |(name, cells): (&'static str, &[Cell])| {
         let index = place(name).unwrap_or_default();
         let (table, used) = npz::read_member(&mut zip, index, room, |reader| npy_table::read(reader, cells));
-        room = room.checked_sub(used).ok_or(MeshFault::Oversized)?;
+        let numbers = table.as_ref().map_or(0, |table| table.rows.saturating_mul(cells.len()));
+        room = room.checked_sub(used.max(NUMBER_BYTES * numbers as u64)).ok_or(MeshFault::Oversized)?;
         table.map_err(|fault| MeshFault::Member(name, fault))
     };
     MEMBERS.into_iter().map(&mut read).collect()

@@ -13,6 +13,8 @@ use crate::json::{self, Member, Node, Value};
 
 /// Steps in which the rounding of a sum is given to the largest weight; one is nearly always enough.
 const ROUNDING_STEPS: usize = 8;
+/// Digits behind a point that are copied; the smallest float32 that counts has not as many.
+const MOST_DECIMALS: usize = 40;
 
 /// The pairs of a file.
 struct Table<'d> {
@@ -48,8 +50,8 @@ pub(crate) fn normalize_weights(text: &[u8]) -> Vec<Edit> {
         let mut edits = Vec::new();
         for entries in table.by_vertex().into_values().filter(|entries| !is_faulty(entries)) {
             let weights: Vec<f32> = entries.iter().map(|entry| entry.loaded()).collect();
-            if is_off(&weights) {
-                let written = entries.iter().zip(normalized(&weights));
+            if let Some(divided) = normalized(&weights).filter(|_| is_off(&weights)) {
+                let written = entries.iter().zip(divided);
                 edits.extend(written.map(|(entry, weight)| entry.written(text, weight)));
             }
         }
@@ -67,7 +69,8 @@ pub(crate) fn drop_small_weights(text: &[u8]) -> Vec<Edit> {
             .collect();
         let is_small = |entry: &&Entry| {
             let sum = sums.get(&entry.vertex).copied().unwrap_or(0.0);
-            sum > 0.0 && entry.weight >= 0.0 && entry.loaded() / sum <= THRESHOLD
+            // Of a sum beyond float32 every share is 0, however large the weight.
+            sum > 0.0 && sum.is_finite() && entry.weight >= 0.0 && entry.loaded() / sum <= THRESHOLD
         };
         table.without(text, &table.entries.iter().filter(is_small).map(|entry| (entry.bone, entry.at)).collect())
     })
@@ -80,13 +83,18 @@ pub(crate) fn merge_weights(text: &[u8]) -> Vec<Edit> {
         let mut gone = BTreeSet::new();
         for entries in table.by_vertex().into_values().filter(|entries| repeats(entries)) {
             let merged = merged(&entries);
+            // No JSON can say a weight beyond float32; the vertex is left to the rule on such weights.
+            if !is_finite(&merged) {
+                continue;
+            }
             let kept: BTreeSet<(usize, usize)> = merged.iter().map(|(first, ..)| (first.bone, first.at)).collect();
             gone.extend(entries.iter().map(|entry| (entry.bone, entry.at)).filter(|place| !kept.contains(place)));
             let weights: Vec<f32> = merged.iter().map(|(_, weight, _)| stored(*weight)).collect();
             // A weight that was too large before it was merged has a rule of its own, and stays for it.
             let was_too_large = entries.iter().any(|entry| entry.loaded() > 1.0 + SUM_TOLERANCE);
-            if !was_too_large && (is_off(&weights) || weights.iter().any(|weight| *weight > 1.0)) {
-                let written = merged.iter().zip(normalized(&weights));
+            let needs_division = is_off(&weights) || weights.iter().any(|weight| *weight > 1.0);
+            if let Some(divided) = normalized(&weights).filter(|_| !was_too_large && needs_division) {
+                let written = merged.iter().zip(divided);
                 edits.extend(written.map(|((entry, ..), weight)| entry.written(text, weight)));
             } else {
                 let repeated = merged.iter().zip(&weights).filter(|((_, _, parts), _)| parts.len() > 1);
@@ -174,12 +182,13 @@ impl Entry {
     }
 }
 
-/// Digits behind the point; a number with an exponent does not tell.
+/// Digits behind the point; a number with an exponent does not tell, nor one with more than anybody writes.
 fn decimals(token: &[u8]) -> Option<usize> {
     if token.iter().any(|byte| matches!(byte, b'e' | b'E')) {
         return None;
     }
-    Some(token.iter().position(|byte| *byte == b'.').map_or(0, |point| token.len() - point - 1))
+    let decimals = token.iter().position(|byte| *byte == b'.').map_or(0, |point| token.len() - point - 1);
+    (decimals <= MOST_DECIMALS).then_some(decimals)
 }
 
 fn sum(weights: impl IntoIterator<Item = f32>) -> f32 {
@@ -207,8 +216,15 @@ fn merged<'e, 'd>(entries: &'e [&'d Entry]) -> Vec<(&'d Entry, f64, &'e [&'d Ent
     bones.filter_map(|parts| Some((*parts.first()?, parts.iter().map(|entry| entry.weight).sum(), parts))).collect()
 }
 
-/// The weights divided by their sum, which is 1 afterwards: what rounding leaves goes to the largest.
-fn normalized(weights: &[f32]) -> Vec<f32> {
+/// Whether the weights and all sums of them are numbers of float32.
+fn is_finite(merged: &[(&Entry, f64, &[&Entry])]) -> bool {
+    let all = merged.iter().flat_map(|(_, _, parts)| parts.iter());
+    all.map(|entry| entry.loaded().abs()).sum::<f32>().is_finite()
+}
+
+/// The weights divided by their sum, which is 1 afterwards: what rounding leaves goes to the largest. Nothing where the
+/// sum is none that can be divided by.
+fn normalized(weights: &[f32]) -> Option<Vec<f32>> {
     let total = sum(weights.iter().copied());
     let mut divided: Vec<f32> = weights.iter().map(|weight| weight / total).collect();
     for _ in 0..ROUNDING_STEPS {
@@ -216,7 +232,7 @@ fn normalized(weights: &[f32]) -> Vec<f32> {
         let Some(largest) = divided.iter_mut().max_by(|a, b| a.total_cmp(b)).filter(|_| left != 0.0) else { break };
         *largest += left;
     }
-    divided
+    divided.iter().all(|weight| weight.is_finite()).then_some(divided)
 }
 
 #[cfg(test)]
@@ -268,9 +284,42 @@ mod tests {
         assert_eq!(by(merge_weights, beyond), r#"{"weights": {"a": [[0, 0.75]], "b": [[0, 0.25]]}}"#);
         let too_large = r#"{"weights": {"a": [[0, 0.5], [0, 1.5]], "b": [[0, 0.5]]}}"#;
         assert_eq!(by(merge_weights, too_large), r#"{"weights": {"a": [[0, 2.0]], "b": [[0, 0.5]]}}"#);
+        let endless = format!(r#"{{"weights": {{"a": [[0, 0.5{}], [0, 0.5]]}}}}"#, "0".repeat(70_000));
+        assert_eq!(by(merge_weights, &endless), r#"{"weights": {"a": [[0, 1.0]]}}"#);
+    }
+
+    #[test]
+    fn weights_beyond_float32_stay() {
+        for text in [
+            r#"{"weights": {"a": [[5, 1], [5, 1e40]]}}"#,
+            r#"{"weights": {"a": [[5, 3e38], [5, 3e38]]}}"#,
+            r#"{"weights": {"a": [[5, 3e38], [5, 0]], "b": [[5, -3e38]]}}"#,
+            r#"{"weights": {"a": [[5, -1e40], [5, 1]], "b": [[5, 0.5]]}}"#,
+            r#"{"weights": {"a": [[5, NaN], [5, 1]]}}"#,
+        ] {
+            for operation in [merge_weights, drop_small_weights, normalize_weights] {
+                assert_eq!(by(operation, text), text);
+            }
+        }
+        let cancelled = r#"{"weights": {"a": [[5, 0.75], [5, 0.75]], "b": [[5, -1.5]]}}"#;
+        assert_eq!(by(merge_weights, cancelled), r#"{"weights": {"a": [[5, 1.50]], "b": [[5, -1.5]]}}"#);
     }
 
     proptest! {
+        #[test]
+        fn whatever_the_weights_the_text_stays_json(
+            pairs in proptest::collection::vec((0_usize..3, 0_i64..4, any::<f32>()), 1..20),
+        ) {
+            let list = |bone: usize| {
+                let own = pairs.iter().filter(|pair| pair.0 == bone && pair.2.is_finite());
+                format!("\"{bone}\": [{}]", own.map(|(_, v, w)| format!("[{v}, {w}]")).collect::<Vec<_>>().join(", "))
+            };
+            let text = format!("{{\"weights\": {{{}}}}}", (0..3).map(list).collect::<Vec<_>>().join(", "));
+            for operation in [merge_weights, drop_small_weights, normalize_weights] {
+                prop_assert!(serde_json::from_str::<serde_json::Value>(&by(operation, &text)).is_ok());
+            }
+        }
+
         #[test]
         fn normalised_weights_load_to_what_they_were(
             pairs in proptest::collection::vec((0_i64..6, 0_u32..1000), 1..30), bones in 1_usize..5,

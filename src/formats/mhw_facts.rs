@@ -41,6 +41,8 @@ pub struct WeightsFacts {
     pub lost: Vec<(u32, f32)>,
     /// A vertex that the bone listed before.
     pub duplicate: PairTally,
+    /// Whether all weights together are more than float32 can say: the sum of some vertex may be infinite.
+    pub may_overflow: bool,
     /// Vertices that the mesh does not have, negative ones included.
     pub out_of_range: PairTally,
     /// How many of them are negative.
@@ -122,6 +124,8 @@ impl WeightsFacts {
             self.count_alone(bone);
             self.count_below_threshold(bone, &mut lost);
         }
+        let all = bones.iter().flat_map(|bone| &bone.pairs);
+        self.may_overflow = !all.map(|pair| pair.weight.abs()).sum::<f32>().is_finite();
         self.negative_alone = if self.negative.count > 0 { negative_alone(bones) } else { 0 };
         self.lost = lost.into_iter().collect();
         self.sum = SumFacts::of(&self.sums, &faulty);
@@ -183,7 +187,9 @@ impl WeightsFacts {
             let vertex = u32::try_from(pair.vertex).ok();
             let sum = vertex.and_then(|vertex| Some((vertex, *self.sums.get(vertex as usize)?)));
             if let Some((vertex, sum)) = sum
+                // Of a sum beyond float32 every share is 0, however large the weight.
                 && sum > 0.0
+                && sum.is_finite()
                 && pair.weight >= 0.0
                 && pair.weight / sum <= THRESHOLD
             {

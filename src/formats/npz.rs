@@ -4,6 +4,7 @@
 //! loads every member at start and asks the archive before the text file (formats/makehuman2.md §1.3,
 //! §6.2). Gets bytes and limits, returns the members with the hashes of their rows; keeps no rows.
 
+use std::collections::BTreeMap;
 use std::io::{BufReader, Cursor, Read, Take};
 
 use zip::ZipArchive;
@@ -23,6 +24,10 @@ pub struct Archive {
     pub fault: Option<ArchiveFault>,
     /// Unpacks beyond the limits: packed size, and the unpacked bytes at which the work was given up.
     pub bomb: Option<(u64, u64)>,
+    /// Where each name stands; of equal names the last.
+    places: BTreeMap<String, usize>,
+    /// Whether some member cannot be used.
+    has_bad_members: bool,
 }
 
 /// A member of an archive.
@@ -46,16 +51,27 @@ pub enum ArchiveFault {
 impl Archive {
     /// Whether the application can load all of it.
     pub fn is_sound(&self) -> bool {
-        self.fault.is_none() && self.bomb.is_none() && self.members.iter().all(|member| member.rows.is_ok())
+        self.fault.is_none() && self.bomb.is_none() && !self.has_bad_members
     }
 
     /// The member of a target. Of equal names the last one counts.
     pub fn member(&self, name: &str) -> Option<&Member> {
-        self.members.iter().rev().find(|member| member.name == name)
+        self.members.get(*self.places.get(name)?)
+    }
+
+    /// One that unpacks beyond the limits and was not looked into.
+    pub(super) fn unread(packed: u64, unpacked: u64) -> Self {
+        Self { bomb: Some((packed, unpacked)), ..Self::default() }
+    }
+
+    fn add(&mut self, name: String, rows: Result<Rows, NpyFault>) {
+        self.has_bad_members |= rows.is_err();
+        self.places.insert(name.clone(), self.members.len());
+        self.members.push(Member { name, rows });
     }
 }
 
-/// Reads an archive within `limits`.
+/// Reads an archive within `limits`, which are those of arrays.
 pub fn parse(bytes: &[u8], limits: &Limits) -> Archive {
     let mut archive = Archive::default();
     let mut zip = match open(bytes) {
@@ -66,7 +82,7 @@ pub fn parse(bytes: &[u8], limits: &Limits) -> Archive {
         }
     };
     let packed = bytes.len() as u64;
-    let limit = limits.unpacked_limit(packed);
+    let limit = limits.of_arrays().unpacked_limit(packed);
     let mut room = limit;
     for index in 0..zip.len() {
         let name = member_name(&zip, index);
@@ -76,7 +92,7 @@ pub fn parse(bytes: &[u8], limits: &Limits) -> Archive {
             break;
         }
         room -= used;
-        archive.members.push(Member { name, rows });
+        archive.add(name, rows);
     }
     archive
 }
@@ -179,11 +195,15 @@ mod tests {
 
     #[test]
     fn a_bomb_is_given_up() {
-        let packed = zip_of(&[("a.npy", npy(USUAL, "(100000,)", &vec![0; 1_600_000]))]);
+        let packed = zip_of(&[("a.npy", npy(USUAL, "(4000,)", &vec![0; 64_000]))]);
         let limits = Limits { ratio_free_bytes: 1000, unpacked_ratio: 2, ..Limits::default() };
         let archive = parse(&packed, &limits);
         assert!(archive.bomb.is_some() && archive.members.is_empty());
         assert_eq!(parse(&packed, &Limits::default()).bomb, None);
+        let tiny_rows = "[('index', '|u1'), ('vector', '|i1', (3,))]";
+        let dense = zip_of(&[("a.npy", npy(tiny_rows, "(1000000,)", &vec![0; 4_000_000]))]);
+        let (packed, unpacked) = parse(&dense, &Limits::default()).bomb.unwrap();
+        assert!(unpacked <= (packed * 32).max(64 << 10) + 1, "{unpacked}");
     }
 
     #[test]

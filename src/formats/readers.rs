@@ -114,7 +114,7 @@ pub(super) fn mesh(input: &Input<'_>) -> Parsed {
 
 /// A packed base mesh. What unpacks beyond all limits is not looked into.
 pub(super) fn mesh_archive(input: &Input<'_>) -> Parsed {
-    let mut parsed = zip(input);
+    let mut parsed = zip_within(input, &input.limits.of_arrays());
     if parsed.gzip_fault.is_none() {
         parsed.content = Content::MeshArchive(Box::new(mhbin::parse(input.bytes, input.limits)));
     }
@@ -139,10 +139,19 @@ pub(super) fn packed(input: &Input<'_>) -> Parsed {
 
 /// An archive of any kind: whether it can be unpacked.
 pub(super) fn zip(input: &Input<'_>) -> Parsed {
-    Parsed { gzip_fault: zip_bomb(input.bytes, input.limits), ..Parsed::default() }
+    zip_within(input, input.limits)
 }
 
-/// An archive of targets.
+fn zip_within(input: &Input<'_>, limits: &Limits) -> Parsed {
+    Parsed { gzip_fault: zip_bomb(input.bytes, limits), ..Parsed::default() }
+}
+
+/// An archive of targets. What unpacks beyond all limits is not looked into.
 pub(super) fn archive(input: &Input<'_>) -> Parsed {
-    Parsed { content: Content::Archive(Box::new(npz::parse(input.bytes, input.limits))), ..zip(input) }
+    let parsed = zip_within(input, &input.limits.of_arrays());
+    let archive = match &parsed.gzip_fault {
+        Some(GzipFault::Bomb { packed, unpacked }) => npz::Archive::unread(*packed, *unpacked),
+        _ => npz::parse(input.bytes, input.limits),
+    };
+    Parsed { content: Content::Archive(Box::new(archive)), ..parsed }
 }

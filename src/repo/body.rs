@@ -1,6 +1,6 @@
 //! A body as every application has it: a mesh, what moves it, and the rigs that pose it.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::{FileFacts, Layers, Reference, ReferenceKind, View, parent};
 use crate::formats::macro_json::MacroFile;
@@ -23,7 +23,7 @@ pub(crate) struct Body<'v> {
     /// Whether the mesh is left out because the rest of the data is made for another number of vertices.
     pub has_foreign_mesh: bool,
     /// Groups of the mesh that are shown, if that is said anywhere.
-    pub visible_groups: Option<&'v [String]>,
+    pub visible_groups: Option<&'v BTreeSet<String>>,
     /// Endings of the names of targets that are meant to be one-sided. `None` where nobody can tell.
     pub one_sided_endings: Option<&'v [String]>,
     /// `macro.json` in use.
@@ -147,7 +147,7 @@ impl<'v> Body<'v> {
 
     /// Whether a group of the mesh is shown; where that is said nowhere, all of them are.
     pub(crate) fn shows(&self, group: &str) -> bool {
-        self.visible_groups.is_none_or(|visible| visible.iter().any(|name| name == group))
+        self.visible_groups.is_none_or(|visible| visible.contains(group))
     }
 
     /// The mesh, if every line of it could be read. Otherwise vertices have other numbers than their author meant.

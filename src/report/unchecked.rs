@@ -37,6 +37,9 @@ fn clause(entry: &NotChecked) -> String {
         Unchecked::TooManyMacros => {
             format!("all that the macros of {} do (more of them than can be compared or tried)", names(entry))
         }
+        Unchecked::Evaluation => {
+            format!("some of what sliders make of {} (more than is evaluated of one base mesh)", names(entry))
+        }
         Unchecked::NotCompared => format!("whether findings in {files} are new (former contents are not at hand)"),
     }
 }

@@ -20,7 +20,22 @@ impl Default for Limits {
     }
 }
 
+/// Arrays of numbers pack two to five fold, and become several times as large in memory.
+const ARRAY_RATIO: u64 = 32;
+/// Unpacked bytes up to which that ratio does not matter: a packed cube.
+const ARRAY_FREE_BYTES: u64 = 64 << 10;
+
 impl Limits {
+    /// Those of an archive of arrays.
+    #[must_use]
+    pub fn of_arrays(&self) -> Self {
+        Self {
+            unpacked_ratio: self.unpacked_ratio.min(ARRAY_RATIO),
+            ratio_free_bytes: self.ratio_free_bytes.min(ARRAY_FREE_BYTES),
+            ..*self
+        }
+    }
+
     /// Unpacked bytes that a file of `packed` bytes may have.
     pub fn unpacked_limit(&self, packed: u64) -> u64 {
         let by_ratio = packed.saturating_mul(self.unpacked_ratio).max(self.ratio_free_bytes);

@@ -126,8 +126,8 @@ impl Tree {
         files: impl IntoIterator<Item = (String, B)>,
     ) -> Self {
         let files: BTreeMap<_, _> = files.into_iter().map(|(path, bytes)| (path, bytes.into())).collect();
-        let entries = memory_entries(&files);
-        Self::new(label.into(), Backend::Memory(files), entries, Vec::new())
+        let (entries, faults) = memory_entries(&files);
+        Self::new(label.into(), Backend::Memory(files), entries, faults)
     }
 
     fn new(label: String, backend: Backend, entries: Vec<Entry>, faults: Vec<WalkFault>) -> Self {
@@ -235,9 +235,15 @@ impl Tree {
         let mut changed = self.changed.clone();
         // Where a folder takes the place of a file, or the reverse, the old one goes first.
         let (added, removed): (Vec<_>, Vec<_>) = contents.iter().partition(|(_, bytes)| bytes.is_some());
+        let mut room = Room(walk::MOST_LETTERS);
+        let mut given_up = None;
         for (path, bytes) in removed.into_iter().chain(added) {
             for path in [path.clone()].into_iter().chain(linked(&links, path)) {
                 if let Some(bytes) = bytes {
+                    if let Err(fault) = room.take(&entries, &path) {
+                        given_up = Some(fault);
+                        continue;
+                    }
                     add_folders(&mut entries, &path);
                     add_file(&mut entries, &path, bytes.len() as u64);
                     changed.insert(path, bytes.clone());
@@ -247,7 +253,8 @@ impl Tree {
                 }
             }
         }
-        let faults = self.faults.iter().filter(|fault| !contents.contains_key(&fault.path)).cloned().collect();
+        let faults = self.faults.iter().filter(|fault| !contents.contains_key(&fault.path)).cloned();
+        let faults = faults.chain(given_up).collect();
         let entries = entries.into_values().collect();
         let (label, backend) = (self.label.clone(), self.backend.clone());
         Self { label, backend, depth: self.depth, entries, faults, changed, seen: None }
@@ -326,8 +333,27 @@ fn too_large(size: u64, limits: &Limits) -> ReadFault {
 
 /// Enters the folders on the way to a path.
 fn add_folders(entries: &mut BTreeMap<String, Entry>, path: &str) {
-    for folder in folders_above(path) {
-        entries.entry(folder.to_owned()).or_insert_with(|| memory_entry(folder, EntryKind::Folder, 0));
+    let new: Vec<&str> = new_folders(entries, path).collect();
+    entries.extend(new.into_iter().map(|folder| (folder.to_owned(), memory_entry(folder, EntryKind::Folder, 0))));
+}
+
+/// The folders on the way to a path that are not there yet, innermost first. Those above one that is there are, too.
+fn new_folders<'p>(entries: &BTreeMap<String, Entry>, path: &'p str) -> impl Iterator<Item = &'p str> {
+    folders_above(path).rev().take_while(|folder| !entries.contains_key(*folder))
+}
+
+/// Letters of paths that are still to be listed; nothing more once they are too many.
+struct Room(usize);
+
+impl Room {
+    /// Whether a path and the new folders on the way to it are to be listed. If not, where listing was given up.
+    fn take(&mut self, entries: &BTreeMap<String, Entry>, path: &str) -> Result<(), WalkFault> {
+        let letters = path.len() + new_folders(entries, path).map(str::len).sum::<usize>();
+        self.0 = self.0.checked_sub(letters).ok_or_else(|| {
+            let top = path.split('/').next().unwrap_or(path).to_owned();
+            WalkFault { path: top, kind: WalkFaultKind::Unreadable { reason: walk::TOO_LONG.to_owned() } }
+        })?;
+        Ok(())
     }
 }
 
@@ -361,15 +387,20 @@ fn folders_above(path: &str) -> impl DoubleEndedIterator<Item = &str> {
     path.match_indices('/').filter_map(|(at, _)| path.get(..at))
 }
 
-fn memory_entries(files: &BTreeMap<String, Arc<[u8]>>) -> Vec<Entry> {
+/// What is in memory, and where that was given up: a file deep in folders makes an entry of each of them.
+fn memory_entries(files: &BTreeMap<String, Arc<[u8]>>) -> (Vec<Entry>, Vec<WalkFault>) {
     let mut entries: BTreeMap<String, Entry> = BTreeMap::new();
+    let mut room = Room(walk::MOST_LETTERS);
     for (path, bytes) in files {
+        if let Err(fault) = room.take(&entries, path) {
+            return (entries.into_values().collect(), vec![fault]);
+        }
         add_folders(&mut entries, path);
         if !path.ends_with('/') {
             add_file(&mut entries, path, bytes.len() as u64);
         }
     }
-    entries.into_values().collect()
+    (entries.into_values().collect(), Vec::new())
 }
 
 fn memory_entry(path: &str, kind: EntryKind, size: u64) -> Entry {
@@ -396,6 +427,17 @@ mod tests {
             tree.entries().iter().map(line).collect()
         };
         assert_eq!(seen(&disk), seen(&memory));
+    }
+
+    #[test]
+    fn folders_without_end_are_given_up() {
+        let deep = |top: &str| format!("{top}/{}x", "a_folder_of_many/".repeat(5000));
+        let tree = Tree::in_memory("", [("a/b".to_owned(), Vec::new()), (deep("c"), Vec::new())]);
+        assert_eq!(tree.entries().iter().map(|entry| entry.path.as_str()).collect::<Vec<_>>(), ["a", "a/b"]);
+        let unlisted: Vec<&str> = tree.faults().iter().map(|fault| fault.path.as_str()).collect();
+        assert_eq!(unlisted, ["c"]);
+        let changed = Tree::in_memory("", [("a".to_owned(), Vec::new())]).with(&[(deep("d"), Some(Vec::new()))].into());
+        assert_eq!((changed.entries().len(), changed.faults().len()), (1, 1));
     }
 
     #[test]

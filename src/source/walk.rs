@@ -14,6 +14,10 @@ use super::tree::{Entry, EntryKind, WalkFault, WalkFaultKind};
 const MOST_ENTRIES: usize = 1_000_000;
 /// The same of entries behind links to folders: each of the files is read once for each way that leads to it.
 const MOST_LINKED: usize = 10_000;
+/// Letters of all paths that are listed at most: each folder deep in others has all of their names in its own.
+pub(super) const MOST_LETTERS: usize = 32 << 20;
+/// What is said where they are passed.
+pub(super) const TOO_LONG: &str = "the paths are longer than 32 MiB together; the rest was not looked at";
 
 /// Says of a hidden path, or of a path in a hidden folder, whether somebody reads it: a file that is to be listed, or
 /// (`true` behind it) a folder that is to be searched for such files.
@@ -32,6 +36,7 @@ fn walk_at_most(root: &Path, depth: usize, wanted: Wanted, most: usize) -> (Vec<
     let walk = WalkDir::new(root).follow_links(true).min_depth(1).max_depth(depth);
     let mut walker = walk.into_iter();
     let mut links = Links::default();
+    let mut letters = 0;
     while let Some(step) = walker.next() {
         let is_too_much = entries.len() + faults.len() >= most;
         if is_too_much || links.behind >= MOST_LINKED {
@@ -39,6 +44,12 @@ fn walk_at_most(root: &Path, depth: usize, wanted: Wanted, most: usize) -> (Vec<
             let reason = format!("more than {most} files and folders{what}; the rest was not looked at");
             let path = step.as_ref().map_or(root, |found| found.path().parent().unwrap_or(root));
             faults.push(fault(root, path, WalkFaultKind::Unreadable { reason }));
+            break;
+        }
+        letters += step.as_ref().map_or(0, |found| found.path().as_os_str().len());
+        if letters > MOST_LETTERS {
+            let path = step.as_ref().map_or(root, |found| found.path().parent().unwrap_or(root));
+            faults.push(fault(root, path, WalkFaultKind::Unreadable { reason: TOO_LONG.to_owned() }));
             break;
         }
         match step {

@@ -187,6 +187,57 @@ fn a_diff_changes_nothing_and_is_what_fix_does() {
     assert_eq!(content(patched.path()), content(root));
 }
 
+/// Carriage returns that end no line, bytes that are no UTF-8, and empty files, one with a blank in its name.
+#[test]
+fn git_and_patch_apply_every_diff() {
+    let repository = example();
+    let root = repository.path();
+    edit(root, OVAL, "339 0 .001 .001\n", "339 0 0 0\r\n# a\rb\n");
+    let side = root.join("data/target/figure/head/head-side-in.target");
+    let rows = fs::read(&side).unwrap();
+    fs::write(&side, [b"# \xff\n".as_slice(), &rows, b"450 0 0 0\n# \r"].concat()).unwrap();
+    for empty in ["teen-maxmuscle", "male-adult-minmuscle"] {
+        fs::write(root.join(format!("data/target/figure/macro_build/{empty}.target")), "").unwrap();
+    }
+    let diff = check(root, &["--diff", "--unsafe-fixes"]).stdout;
+    let patched = |program: &str, args: &[&str]| {
+        let folder = tempfile::tempdir().unwrap();
+        copy_folder(root, folder.path());
+        let file = tempfile::NamedTempFile::new().unwrap();
+        fs::write(file.path(), &diff).unwrap();
+        let mut command = Command::new(program);
+        command.current_dir(&folder).args(args).arg(file.path());
+        let Ok(output) = command.output() else {
+            eprintln!("`{program}` is not there: skipped");
+            return None;
+        };
+        assert!(output.status.success(), "{program}: {} {}", text(&output.stdout), text(&output.stderr));
+        Some(content(folder.path()))
+    };
+    let by_git = patched("git", &["apply"]);
+    let by_patch = patched("patch", &["-p1", "-i"]);
+    check(root, &["--fix", "--unsafe-fixes"]);
+    let fixed = content(root);
+    assert!(!fixed.keys().any(|path| path.ends_with("teen-maxmuscle.target")), "an empty file is deleted");
+    for other in [by_git, by_patch].into_iter().flatten() {
+        assert_eq!(changed(&other, &fixed), Vec::<PathBuf>::new());
+    }
+}
+
+/// No JSON says a sum beyond float32, and where the sum is infinite the shares are no measure of the weights.
+#[test]
+fn weights_beyond_float32_are_left_to_a_person() {
+    for weights in ["[158, 1.0], [158, 1e40]", "[158, 3e38], [158, 3e38]", "[158, 3e38], [158, 0]"] {
+        let repository = example();
+        let root = repository.path();
+        edit(root, WEIGHTS, "[158, 1.0]", weights);
+        check(root, &["--fix", "--unsafe-fixes"]);
+        let after = fs::read_to_string(root.join(WEIGHTS)).unwrap();
+        assert!(after.contains("3e38") || after.contains("1e40"), "{weights}");
+        assert!(serde_json::from_str::<Value>(&after).is_ok(), "{weights}");
+    }
+}
+
 #[test]
 fn only_what_is_reported_is_fixed() {
     let damaged = || {

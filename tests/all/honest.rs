@@ -46,6 +46,22 @@ fn system() -> String {
     project("fixtures/makehuman2/data").to_str().unwrap().to_owned()
 }
 
+/// Sliders that are all set after a reset make settings of thousands of values each.
+#[test]
+fn settings_that_are_left_out_are_said() {
+    let folder = tempfile::tempdir().unwrap();
+    write(folder.path(), "data/base/b/base.obj", "v -1 0 0\nv 1 0 0\nv 1 1 0\ng body\nf 1 2 3\n");
+    write(folder.path(), "data/base/b/base.json", "{\"visible groups\": [\"body\"]}");
+    write(folder.path(), "data/target/b/t/a.target", "0 .1 0 0\n");
+    let sliders = |count: usize| {
+        let slider = |at: usize| format!("\"s{at}\": {{\"incr\": \"t/a\", \"default\": 0.5}}");
+        let all: Vec<String> = (0..count).map(slider).collect();
+        write(folder.path(), "data/target/b/modelling.json", &format!("{{{}}}", all.join(",")));
+        unchecked(&report(folder.path(), &["."])).iter().filter(|(_, what, _)| *what == "evaluation").count()
+    };
+    assert_eq!((sliders(100), sliders(3000)), (0, 1));
+}
+
 #[test]
 fn a_loose_target_is_checked_however_deep_it_lies() {
     let folder = tempfile::tempdir().unwrap();

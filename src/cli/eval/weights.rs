@@ -1,5 +1,6 @@
 //! `mhlint eval weights`.
 
+use std::collections::BTreeSet;
 use std::io::Write;
 
 use serde_json::Value;
@@ -21,8 +22,9 @@ pub(super) fn run(args: &WeightsArgs, out: &mut dyn Write) -> Result<(), Failure
     let mut weights = lists.load(root, count)?;
     let mut more = load_json(&weights);
     if let Some(skeleton) = &skeleton {
-        let known = |name: &&String| !skeleton.model.bones.iter().any(|bone| bone.name == **name);
-        more.insert("unknown_bones".to_owned(), weights.names.iter().filter(known).cloned().collect());
+        let known: BTreeSet<&String> = skeleton.model.bones.iter().map(|bone| &bone.name).collect();
+        let unknown = weights.names.iter().filter(|name| !known.contains(name));
+        more.insert("unknown_bones".to_owned(), unknown.cloned().collect());
         if let Some(other) = &args.remap_to {
             let lost;
             (weights, lost) = transferred(&weights, skeleton, &read_skeleton(other)?)?;

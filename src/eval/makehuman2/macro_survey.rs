@@ -225,7 +225,7 @@ pub fn losses(
         if !budget.take(climbing) {
             continue;
         }
-        let mut climb = Climb { table, macrodef, at: rest.macros.clone(), lost: 0.0, result: MacroResult::default() };
+        let mut climb = Climb { table, macrodef, at: rest.macros.to_vec(), lost: 0.0, result: MacroResult::default() };
         for dimension in dimensions {
             dimension.copy(&start.macros, &mut climb.at);
         }
@@ -236,7 +236,7 @@ pub fn losses(
             }
         }
         if climb.lost > 0.0 {
-            let setting = Setting { macros: climb.at, details: rest.details.clone() };
+            let setting = Setting { macros: climb.at.into(), details: rest.details.clone() };
             found.push(Loss { macrodef, lost: climb.lost, setting });
         }
     }
@@ -352,7 +352,7 @@ mod tests {
     #[test]
     fn small_factors_are_lost_where_they_are_many() {
         let table = table(vec![("child-f", Some(0))]);
-        let setting = |macros: [f64; 2]| Setting { macros: macros.to_vec(), details: [].into() };
+        let setting = |macros: [f64; 2]| Setting { macros: macros.to_vec().into(), details: [].into() };
         let losses =
             |settings: &[Setting], rest| losses(&table, &dimensions(), settings, &rest, &mut Budget::default());
         let found = losses(&[setting([0.5, 0.5]), setting([0.0025, 0.5])], setting([0.5, 0.5]));
@@ -365,7 +365,7 @@ mod tests {
     #[test]
     fn what_is_more_than_the_budget_is_left_out_and_said() {
         let table = table(vec![("child-f", Some(0))]);
-        let setting = Setting { macros: vec![0.5, 0.5], details: [].into() };
+        let setting = Setting { macros: vec![0.5, 0.5].into(), details: [].into() };
         let all = |left: usize| {
             let budget = &mut Budget::of(left);
             dead_ranges(&table, &dimensions(), budget);

@@ -4,6 +4,9 @@
 //! numbers of default bones; returns the weights of the other skeleton. Source: export to a rig that is not the default
 //! (formats/makehuman2.md §10.2).
 
+use std::collections::BTreeSet;
+
+use super::super::steps::step;
 use super::super::weights::{BoneWeights, Entry, merge_duplicates};
 
 /// A bone of the other skeleton. Numbers are those of default bones; `None` stands for a name that the default skeleton
@@ -18,14 +21,11 @@ pub struct TransferBone<'a> {
     pub weights_reference: &'a [Option<usize>],
 }
 
-/// Outcome of a transfer.
+/// Who takes what.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Transfer {
     /// For every bone of the other skeleton the default bones whose weights it takes, each as often as it takes them.
     pub sources: Vec<Vec<usize>>,
-    /// Its weights, sorted by vertex, entries of one vertex added up; `bone` is its number in the other skeleton.
-    /// Empty lists are left out.
-    pub bones: Vec<BoneWeights>,
     /// Default bones with weights that nobody takes: their weights are lost.
     pub lost: Vec<usize>,
 }
@@ -38,18 +38,15 @@ pub struct Transfer {
 /// What a bone takes by itself is another question: a claimed bone that its claimant does not take is lost. Nothing is
 /// normalised: what two bones take, or one bone twice, counts twice.
 pub fn transfer(weights: &[BoneWeights], parents: &[Option<usize>], bones: &[TransferBone<'_>]) -> Transfer {
-    let mut entries: Vec<Option<&[Entry]>> = vec![None; parents.len()];
-    for list in weights {
-        if let Some(place) = entries.get_mut(list.bone) {
-            *place = Some(&list.entries);
-        }
-    }
+    let entries = by_bone(weights, parents.len());
     let weighted = |bone: usize| entries.get(bone).is_some_and(Option::is_some);
     let claimants = claimants(bones, parents.len());
     let mut sources: Vec<Vec<usize>> = bones.iter().map(|bone| own_sources(bone, weighted)).collect();
-    for list in weights {
-        if let Some(claimant) = heir(list.bone, parents, &claimants).and_then(|heir| sources.get_mut(heir)) {
-            claimant.push(list.bone);
+    let heirs = heirs(parents, &claimants);
+    for list in weights.iter().filter(|list| claimants.get(list.bone).is_some_and(Option::is_none)) {
+        let heir = heirs.get(list.bone).copied().flatten();
+        if let Some(heir) = heir.and_then(|heir| sources.get_mut(heir)) {
+            heir.push(list.bone);
         }
     }
     let mut is_taken = vec![false; parents.len()];
@@ -60,9 +57,41 @@ pub fn transfer(weights: &[BoneWeights], parents: &[Option<usize>], bones: &[Tra
     }
     let lost = is_taken.iter().enumerate().filter(|(bone, taken)| !**taken && weighted(*bone)).map(|(bone, _)| bone);
     let lost = lost.collect();
-    let bones = sources.iter().enumerate().map(|(bone, taken)| BoneWeights { bone, entries: added(taken, &entries) });
-    let bones = bones.filter(|b| !b.entries.is_empty()).collect();
-    Transfer { sources, bones, lost }
+    Transfer { sources, lost }
+}
+
+impl Transfer {
+    /// How many entries of `weights` are handed on, those that several bones take as often as they are taken.
+    pub fn entries_taken(&self, weights: &[BoneWeights]) -> usize {
+        let entries = by_bone(weights, highest(weights));
+        let length = |bone: &usize| entries.get(*bone).copied().flatten().map_or(0, <[Entry]>::len);
+        self.sources.iter().flatten().map(length).fold(0, usize::saturating_add)
+    }
+
+    /// The weights of the bones of the other skeleton, sorted by vertex, entries of one vertex added up; `bone` is its
+    /// number in the other skeleton. Empty lists are left out.
+    pub fn taken(&self, weights: &[BoneWeights]) -> Vec<BoneWeights> {
+        let entries = by_bone(weights, highest(weights));
+        let sources = self.sources.iter().enumerate();
+        let bones = sources.map(|(bone, taken)| BoneWeights { bone, entries: added(taken, &entries) });
+        bones.filter(|bone| !bone.entries.is_empty()).collect()
+    }
+}
+
+/// The entries of each default bone; of several lists for one the last.
+fn by_bone(weights: &[BoneWeights], bones: usize) -> Vec<Option<&[Entry]>> {
+    let mut entries: Vec<Option<&[Entry]>> = vec![None; bones];
+    for list in weights {
+        if let Some(place) = entries.get_mut(list.bone) {
+            *place = Some(&list.entries);
+        }
+    }
+    entries
+}
+
+/// The highest number of a default bone, and one.
+fn highest(weights: &[BoneWeights]) -> usize {
+    weights.iter().map(|list| list.bone.saturating_add(1)).max().unwrap_or(0)
 }
 
 /// For every default bone the one that claims it.
@@ -91,23 +120,31 @@ fn own_sources(bone: &TransferBone<'_>, weighted: impl Fn(usize) -> bool) -> Vec
         Some(_) => known(bone.weights_reference),
         None => {
             let mut sources = known(bone.reference);
-            for more in known(bone.weights_reference) {
-                if !sources.contains(&more) {
-                    sources.push(more);
-                }
-            }
+            let mut there: BTreeSet<usize> = sources.iter().copied().collect();
+            sources.extend(known(bone.weights_reference).into_iter().filter(|more| there.insert(*more)));
             sources
         }
     }
 }
 
-/// Who gets the weights of a default bone that nobody claims: the claimant of its nearest claimed ancestor. Bounded,
-/// since a cycle has no end.
-fn heir(bone: usize, parents: &[Option<usize>], claimants: &[Option<usize>]) -> Option<usize> {
-    let claimant = |bone: usize| claimants.get(bone).copied().flatten();
-    let mut ancestors = std::iter::successors(Some(bone), |b| parents.get(*b).copied().flatten()).take(parents.len());
-    let is_orphan = claimant(bone).is_none();
-    ancestors.find_map(claimant).filter(|_| is_orphan)
+/// For every default bone the claimant of itself, or else of its nearest claimed ancestor. Every bone is walked over once,
+/// so that long chains cost what they hold and circles end.
+fn heirs(parents: &[Option<usize>], claimants: &[Option<usize>]) -> Vec<Option<usize>> {
+    let mut heirs = claimants.to_vec();
+    let mut is_known: Vec<bool> = claimants.iter().map(Option::is_some).collect();
+    for start in 0..parents.len() {
+        let mut path = Vec::new();
+        let mut at = Some(start);
+        while let Some(bone) = at.filter(|bone| is_known.get(*bone) == Some(&false)) {
+            step();
+            is_known[bone] = true;
+            path.push(bone);
+            at = parents.get(bone).copied().flatten();
+        }
+        let heir = at.and_then(|bone| heirs.get(bone).copied().flatten());
+        path.into_iter().for_each(|bone| heirs[bone] = heir);
+    }
+    heirs
 }
 
 fn added(sources: &[usize], entries: &[Option<&[Entry]>]) -> Vec<Entry> {
@@ -120,6 +157,7 @@ fn added(sources: &[usize], entries: &[Option<&[Entry]>]) -> Vec<Entry> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::super::steps::steps_of;
     use super::*;
 
     /// Default skeleton: 0 root, 1 arm below 0, 2 hand below 1, 3 leg below 0. Vertex number = bone number, 2 also
@@ -142,15 +180,25 @@ mod tests {
     #[test]
     fn same_skeleton_keeps_its_weights() {
         let same = transfer(&weights(), &PARENTS, &[named(0), named(1), named(2), named(3)]);
-        assert_eq!(same.bones, weights());
+        assert_eq!(same.taken(&weights()), weights());
         assert!(same.lost.is_empty());
+    }
+
+    #[test]
+    fn a_chain_is_walked_once_and_a_circle_ends() {
+        let count = 10_000;
+        let chain: Vec<Option<usize>> = (0..count).map(|bone: usize| bone.checked_sub(1)).collect();
+        let steps = steps_of(|| assert_eq!(heirs(&chain, &vec![None; count]), vec![None; count]));
+        assert!(steps <= count as u64, "{steps}");
+        assert_eq!(heirs(&[Some(1), Some(0), Some(0), None], &[None; 4]), [None; 4]);
+        assert_eq!(heirs(&[Some(1), Some(2), None, Some(0)], &[None, None, Some(7), None]), [Some(7); 4]);
     }
 
     #[test]
     fn unclaimed_bones_go_to_the_nearest_claimed_ancestor() {
         let found = transfer(&weights(), &PARENTS, &[named(0), named(1)]);
         assert_eq!(found.sources, [vec![0, 3], vec![1, 2]]);
-        assert_eq!(found.bones[1].entries, [(1, 1.0), (2, 1.0)]);
+        assert_eq!(found.taken(&weights())[1].entries, [(1, 1.0), (2, 1.0)]);
     }
 
     #[test]
@@ -183,7 +231,7 @@ mod tests {
     fn a_bone_named_twice_counts_twice() {
         let twice = refers(&[Some(2), Some(2)], &[]);
         let found = transfer(&weights(), &PARENTS, &[named(0), named(1), twice, named(3)]);
-        assert_eq!(found.bones[2].entries, [(1, 1.0), (2, 2.0)]);
+        assert_eq!(found.taken(&weights())[2].entries, [(1, 1.0), (2, 2.0)]);
         let same = TransferBone { same_name: Some(2), reference: &[], weights_reference: &[Some(2), Some(2)] };
         assert_eq!(transfer(&weights(), &PARENTS, &[named(0), same]).sources[1], [2, 2]);
     }
@@ -205,13 +253,13 @@ mod tests {
     #[test]
     fn bone_claimed_twice_is_copied_to_both() {
         let found = transfer(&weights(), &PARENTS, &[named(0), refers(&[Some(3)], &[]), refers(&[Some(3)], &[])]);
-        assert_eq!(found.bones[1].entries, found.bones[2].entries);
+        assert_eq!(found.taken(&weights())[1].entries, found.taken(&weights())[2].entries);
     }
 
     #[test]
     fn bones_without_weights_are_left_out() {
         let found = transfer(&weights()[..1], &PARENTS, &[named(0), named(2), refers(&[Some(9)], &[])]);
-        assert_eq!(found.bones.len(), 1);
+        assert_eq!(found.taken(&weights()).len(), 1);
     }
 
     #[test]

@@ -21,11 +21,13 @@ pub(in crate::evaluate) struct Computer<'a> {
     kind: &'static Kind,
     open: OpenBase,
     bases: BTreeMap<Option<String>, Result<Evaluation, Error>>,
+    /// Vertices that the case asked for, besides those of its outputs.
+    pub(in crate::evaluate) work: usize,
 }
 
 impl<'a> Computer<'a> {
     pub(super) fn new(kind: &'static Kind, roots: &'a Roots, file: &File<'a>, open: OpenBase) -> Self {
-        Self { roots, file: file.root, kind, open, bases: BTreeMap::new() }
+        Self { roots, file: file.root, kind, open, bases: BTreeMap::new(), work: 0 }
     }
 
     /// The base that a case names, or else the file; without one the only base, or the only one with macros.
@@ -38,6 +40,7 @@ impl<'a> Computer<'a> {
     pub(in crate::evaluate) fn base_called(&mut self, name: Option<&str>) -> Result<&mut Evaluation, Error> {
         let data = self.roots.data(self.kind.root)?;
         let opened = self.bases.entry(name.map(str::to_owned)).or_insert_with(|| open(self.open, &data, name));
+        self.work += opened.as_ref().map_or(0, |base| base.scene().positions.len());
         opened.as_mut().map_err(|error| error.clone())
     }
 }

@@ -91,7 +91,7 @@ impl Evaluation {
 /// Weights of a bone that the skeleton lacks, or for a vertex that the mesh lacks (formats/makehuman2.md §11).
 fn weights_fault(base: &Base<'_>, scene: &Scene) -> Option<Error> {
     let (file, weights) = base.pose_rig()?.0.usable_weights()?;
-    let names = &scene.skeleton.as_ref()?.names;
+    let names: BTreeSet<&String> = scene.skeleton.as_ref()?.names.iter().collect();
     let stops = |exception, reason| Some(stops(exception, reason));
     for bone in weights.bones.iter().filter(|bone| !bone.pairs.is_empty()) {
         if !names.contains(&bone.name) {

@@ -7,7 +7,7 @@ use serde_json::{Map, Value};
 use super::asset::read_asset;
 use super::skeleton::read_skeleton;
 use super::stops;
-use super::weights::{WeightLists, read_weights, transferred};
+use super::weights::{MOST_VERTICES, WeightLists, read_weights, transferred};
 use crate::diag::Application;
 use crate::discover::Layout;
 use crate::evaluate::cases::tolerance::{FACTORS, FITTED, JOINTS, MORPHED, REST_MATRICES, SKINNED, Tolerance, WEIGHTS};
@@ -62,6 +62,7 @@ fn joints(of: &mut Computer<'_>, case: &Node, notes: &mut Vec<String>) -> Result
 fn weights(of: &mut Computer<'_>, case: &Node, _: &mut Vec<String>) -> Result<Outputs, Error> {
     let root = inputs::text(case, "root")?;
     let count = inputs::count(case, "vertex_count")?;
+    of.work += count.min(MOST_VERTICES);
     if let Some(lists) = inputs::field(case, "weights").filter(|lists| lists.as_str().is_none()) {
         return Ok(weight_lists_json(&inline(lists)?.load(root, count)?));
     }
@@ -92,6 +93,7 @@ fn transfer(of: &mut Computer<'_>, case: &Node, _: &mut Vec<String>) -> Result<O
     let vertices = base.scene().positions.len();
     let count =
         if inputs::field(case, "vertex_count").is_some() { inputs::count(case, "vertex_count")? } else { vertices };
+    of.work += count.min(MOST_VERTICES);
     let loaded = read_weights(&path)?.load(default.root()?, count)?;
     let (moved, _) = transferred(&loaded, &default, &other)?;
     Ok(weights_json(&moved, &moved.influences(count)?, &inputs::weighted_vertices(case)))

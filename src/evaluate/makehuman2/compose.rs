@@ -75,7 +75,7 @@ impl Composer<'_, '_> {
         let scene = &mut self.scene;
         scene.positions.clone_from(&self.mesh.positions);
         let vertices = self.mesh.positions.len();
-        let visible = base.settings().and_then(|(_, settings)| settings.visible_groups.as_deref());
+        let visible = base.settings().and_then(|(_, settings)| settings.shown.as_ref());
         for group in &self.mesh.groups {
             scene.groups.push(group.name.clone());
             scene.visible.push(visible.is_some_and(|names| names.contains(&group.name)));

@@ -42,16 +42,20 @@ pub(super) fn received(scene: &Scene, skeleton: &Skeleton) -> Received {
     let numbers = first_places(default.names.iter().map(String::as_str));
     let parents: Vec<Option<usize>> = default.bones.iter().map(|bone| bone.parent).collect();
     let moved = through_references(&weights.bones, &parents, skeleton, |name| numbers.get(name).copied());
-    let filled: BTreeSet<usize> = moved.bones.iter().map(|list| list.bone).collect();
-    let bare = skeleton.bones.iter().enumerate().filter(|(number, _)| !filled.contains(number));
-    let kept = vertices(&moved.bones);
+    // Who takes what is enough to know; what is taken, many times perhaps, is never put together.
+    let filled: BTreeSet<usize> =
+        weights.bones.iter().filter(|list| !list.entries.is_empty()).map(|list| list.bone).collect();
+    let is_bare = |sources: &Vec<usize>| !sources.iter().any(|source| filled.contains(source));
+    let bare = skeleton.bones.iter().zip(&moved.sources).filter(|(_, sources)| is_bare(sources));
+    let taken: BTreeSet<usize> = moved.sources.iter().flatten().copied().collect();
+    let kept = vertices(weights.bones.iter().filter(|list| taken.contains(&list.bone)));
     Received {
-        without_weights: bare.map(|(_, bone)| bone.name.clone()).collect(),
+        without_weights: bare.map(|(bone, _)| bone.name.clone()).collect(),
         lost_bones: moved.lost.iter().filter_map(|bone| default.names.get(*bone).cloned()).collect(),
         lost_vertices: vertices(&weights.bones).difference(&kept).copied().collect(),
     }
 }
 
-fn vertices(weights: &[BoneWeights]) -> BTreeSet<u32> {
-    weights.iter().flat_map(|list| &list.entries).map(|(vertex, _)| *vertex).collect()
+fn vertices<'w>(weights: impl IntoIterator<Item = &'w BoneWeights>) -> BTreeSet<u32> {
+    weights.into_iter().flat_map(|list| &list.entries).map(|(vertex, _)| *vertex).collect()
 }

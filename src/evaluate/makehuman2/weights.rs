@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
+use super::compose::first_places;
 use super::references::through_references;
 use super::{stopped, stops};
 use crate::eval::influences::{Influences, Reduction};
@@ -15,7 +16,9 @@ use crate::formats::mhw::{self, Pair, Weights};
 use crate::source::Encoding;
 
 /// More vertices than this are not believed; the largest base has 20 thousand.
-pub(in crate::evaluate) const MOST_VERTICES: usize = 1 << 24;
+pub(in crate::evaluate) const MOST_VERTICES: usize = 1 << 20;
+/// More entries than this are not handed on: a few references to one bone with many weights make any number of them.
+const MOST_ENTRIES: usize = 1 << 22;
 
 /// The lists of a weights file.
 #[derive(Debug, Clone, Default)]
@@ -99,7 +102,7 @@ pub(in crate::evaluate) fn number(names: &mut Vec<String>, name: &str) -> usize 
 /// the default bones whose weights are lost.
 ///
 /// # Errors
-/// A default skeleton that the application refuses.
+/// A default skeleton that the application refuses; more entries than are handed on.
 pub fn transferred(
     weights: &NamedWeights,
     default: &SkeletonFile,
@@ -107,7 +110,8 @@ pub fn transferred(
 ) -> Result<(NamedWeights, Vec<String>), Error> {
     default.root()?;
     let names: Vec<&str> = default.model.bones.iter().map(|bone| bone.name.as_str()).collect();
-    let find = |name: &str| names.iter().position(|known| *known == name);
+    let numbers = first_places(names.iter().copied());
+    let find = |name: &str| numbers.get(name).copied();
     let parents: Vec<Option<usize>> =
         default.model.bones.iter().map(|bone| bone.parent.as_deref().and_then(find)).collect();
     let bound: Vec<BoneWeights> = weights
@@ -117,8 +121,12 @@ pub fn transferred(
         .filter_map(|list| Some(BoneWeights { bone: find(weights.names.get(list.bone)?)?, ..list.clone() }))
         .collect();
     let moved = through_references(&bound, &parents, &other.model, find);
+    let entries = moved.entries_taken(&bound);
+    if entries > MOST_ENTRIES {
+        return Err(Error::Input(format!("the references hand on {entries} weights, more than are evaluated")));
+    }
     let lost = moved.lost.iter().filter_map(|bone| names.get(*bone)).map(|name| (*name).to_owned()).collect();
-    let loaded = LoadedWeights { bones: moved.bones, ..weights.loaded.clone() };
+    let loaded = LoadedWeights { bones: moved.taken(&bound), ..weights.loaded.clone() };
     Ok((NamedWeights { names: other.model.bones.iter().map(|bone| bone.name.clone()).collect(), loaded }, lost))
 }
 

@@ -112,7 +112,7 @@ impl<'a> View<'a> {
             body.obj = base.obj();
             body.has_foreign_mesh = base.foreign_mesh.is_some();
             let settings = base.settings().map(|(_, settings)| settings);
-            body.visible_groups = settings.and_then(|settings| settings.visible_groups.as_deref());
+            body.visible_groups = settings.and_then(|settings| settings.shown.as_ref());
             let random = |settings: &'v BaseJson| settings.random.as_ref().map(|random| random.nonsym.as_slice());
             body.one_sided_endings = settings.map(|settings| random(settings).unwrap_or_default());
             body.macros = base.macro_file();

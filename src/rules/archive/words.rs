@@ -21,7 +21,7 @@ pub(super) fn of_mesh(fault: &MeshFault) -> Option<(String, Case)> {
     Some(match fault {
         MeshFault::Archive(ArchiveFault::Empty) => return None,
         MeshFault::Archive(ArchiveFault::NotZip(reason)) => (format!("no zip archive: {reason}"), &[]),
-        MeshFault::Oversized => ("unpacks to more than it states".to_owned(), &[]),
+        MeshFault::Oversized => ("unpacks to more than any mesh of its size".to_owned(), &[]),
         MeshFault::Missing(members) => (missing(members), REFUSED),
         MeshFault::Member(name, NpyFault::Shape) => (format!("member `{name}` has rows of another length"), &[]),
         MeshFault::Member(name, fault) => (format!("member `{name}` {}", of_member(fault)), &[]),

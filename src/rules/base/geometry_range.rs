@@ -89,8 +89,9 @@ fn never_opened(found: Vec<Finding>) -> Option<Finding> {
 /// `base-unknown-equipment` says so.
 fn without_joints(file: &FileFacts, base: &Base<'_>, ranges: &[Range], mesh: &Mesh) -> Option<Finding> {
     let first = ranges.first()?;
-    let shown = base.settings().and_then(|(_, settings)| settings.visible_groups.as_deref()).unwrap_or_default();
-    let is_told = mesh.groups.iter().all(|group| group.name == DEFAULT_GROUP && !shown.contains(&group.name));
+    let shown = base.settings().and_then(|(_, settings)| settings.shown.as_ref());
+    let is_shown = |group: &String| shown.is_some_and(|shown| shown.contains(group));
+    let is_told = mesh.groups.iter().all(|group| group.name == DEFAULT_GROUP && !is_shown(&group.name));
     let message = format!("the mesh has no group `{PREFIX}…` at all, and {} ranges are for one", ranges.len());
     let names = ranges.iter().map(|range| &range.name);
     let finding = RULE.at(file, Place::key([JOINTS, &first.name]), message).key(JOINTS);

@@ -12,7 +12,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
         breaks: &[(Application::Makehuman2, "unpacks archives without a limit: memory runs out")],
         docs: "A small packed file can hold gigabytes of zeros. Loaders unpack without asking, and the computer runs out of memory. \
             Packed assets shrink three to ten times; `mhlint` gives up beyond 512 MiB, or beyond 200 times the packed size once \
-            16 MiB are passed. For `.npz`, `.mhbin` and `.zip` the sizes stated in the archive are added up.\n\nThis rule \
+            16 MiB are passed. For `.npz`, `.mhbin` and `.zip` the sizes stated in the archive are added up; the arrays of the \
+            first two shrink less, and the limit is 32 times the packed size once 64 KiB are passed.\n\nThis rule \
             cannot be muted. Do not open the file; ask where it comes from.",
         ..RuleInfo::new(
             "file-decompression-bomb",

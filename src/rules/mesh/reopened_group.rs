@@ -30,8 +30,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, mesh)) = body.obj else { return };
     // An archive that was packed from this OBJ has the faces where it put them.
     let is_in_use = body.mesh.is_some_and(|(_, used)| has_faces_of(used, mesh));
-    let visible = body.visible_groups.unwrap_or_default();
-    let is_visible = |group: &str| visible.iter().any(|name| name == group);
+    let is_visible = |group: &str| body.visible_groups.is_some_and(|visible| visible.contains(group));
     let vanishes = |group: &&Reopened| is_visible(&group.name) && !group.lands_in.iter().all(|name| is_visible(name));
     let (vanishing, others): (Vec<&Reopened>, Vec<&Reopened>) = mesh.facts.reopened.iter().partition(vanishes);
     let weighed = |finding: Finding, case| finding.case(if is_in_use { case } else { UNREAD_MESH });

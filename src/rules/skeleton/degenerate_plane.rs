@@ -1,12 +1,13 @@
 //! Three joints of a rotation plane span a plane.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx};
 use super::measured::{Measured, measured, named, plane_of};
 use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::eval::skeleton::PARALLEL_SINE;
+use crate::formats::mhskel::Plane;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -40,17 +41,22 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
                 planes.entry(plane).or_insert((sine, Vec::new())).1.push(&bone.name);
             }
         }
-        out.extend(planes.iter().filter_map(|(plane, (sine, bones))| finding(&rig, plane, *sine, bones)));
+        // Of equal names the first.
+        let known: BTreeMap<&str, &Plane> =
+            rig.skeleton.planes.iter().rev().map(|plane| (plane.name.as_str(), plane)).collect();
+        let collapsed = if planes.is_empty() { BTreeSet::new() } else { rig.collapsed().into_iter().collect() };
+        let joints =
+            |plane: &str| Some(known.get(plane)?.joints.as_deref()?.iter().take(3).filter_map(Option::as_deref));
+        out.extend(planes.iter().filter_map(|(plane, (sine, bones))| {
+            let joints: Vec<&str> = joints(plane)?.collect();
+            // Joints that coincide because a bone between them has no length: the bone is named for it.
+            let is_bone = |head: &&str| joints.iter().any(|tail| collapsed.contains(&(*head, *tail)));
+            (!joints.iter().any(is_bone)).then(|| finding(&rig, plane, &joints, *sine, bones))
+        }));
     }
 }
 
-fn finding(rig: &Measured<'_>, plane: &str, sine: f64, bones: &[&str]) -> Option<Finding> {
-    let joints = rig.skeleton.planes.iter().find(|other| other.name == plane)?.joints.as_deref()?;
-    let joints: Vec<&str> = joints.iter().take(3).filter_map(Option::as_deref).collect();
-    // Joints that coincide because a bone between them has no length: the bone is named for it.
-    if rig.collapsed().iter().any(|(head, tail)| joints.contains(head) && joints.contains(tail)) {
-        return None;
-    }
+fn finding(rig: &Measured<'_>, plane: &str, joints: &[&str], sine: f64, bones: &[&str]) -> Finding {
     let list = joints.iter().map(|joint| format!("`{joint}`")).collect::<Vec<_>>().join(", ");
     let how = match sine {
         sine if !sine.is_finite() => "two of them coincide".to_owned(),
@@ -65,5 +71,5 @@ fn finding(rig: &Measured<'_>, plane: &str, sine: f64, bones: &[&str]) -> Option
         .help("take three joints that make a triangle")
         .evidence(evidence);
     let is_noise = sine.is_finite() && sine >= PARALLEL_SINE;
-    Some(if is_noise { finding.case(NOISE) } else { finding })
+    if is_noise { finding.case(NOISE) } else { finding }
 }

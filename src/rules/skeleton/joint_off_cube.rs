@@ -79,8 +79,8 @@ fn exchanged(
         cubes.get(*cube).is_some_and(|(_, all)| all.len() == *count).then(|| named(*cube)).flatten()
     };
     let lists: BTreeMap<&str, &str> = joints.iter().filter_map(|one| Some((one.name.as_str(), whole(one)?))).collect();
-    let all: BTreeSet<&str> = (0..cubes.len()).filter_map(named).collect();
-    let has_cube = |joint: &str| all.contains(joint);
+    let cubes_by_name: BTreeSet<&str> = (0..cubes.len()).filter_map(named).collect();
+    let has_cube = |joint: &str| cubes_by_name.contains(joint);
     let strays = |joint: &str| lists.get(joint).is_some_and(|other| *other != joint);
     let exchanged = lists.iter().filter(|(joint, other)| strays(joint) && strays(other) && has_cube(joint));
     let exchanged: Vec<(&str, &str)> = exchanged.map(|(joint, other)| (*joint, *other)).collect();

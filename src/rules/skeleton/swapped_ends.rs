@@ -32,8 +32,14 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
 
 fn finding(rig: &Measured<'_>) -> Option<Finding> {
     let bones = &rig.measure.bones;
-    let swapped = bones.iter().enumerate().filter(|(number, bone)| is_swapped(bones, *number, bone));
-    let swapped: Vec<&str> = swapped.map(|(_, bone)| bone.name.as_str()).collect();
+    let mut children: Vec<Vec<&BoneMeasure>> = vec![Vec::new(); bones.len()];
+    for bone in bones {
+        if let Some(children) = bone.parent.and_then(|parent| children.get_mut(parent)) {
+            children.push(bone);
+        }
+    }
+    let swapped = bones.iter().zip(&children).filter(|(bone, children)| is_swapped(bones, bone, children));
+    let swapped: Vec<&str> = swapped.map(|(bone, _)| bone.name.as_str()).collect();
     let first = swapped.first()?;
     let message = match swapped.len() {
         1 => format!("bone `{first}` ends where its parent ends, and begins beyond"),
@@ -47,13 +53,12 @@ fn finding(rig: &Measured<'_>) -> Option<Finding> {
     )
 }
 
-fn is_swapped(bones: &[BoneMeasure], number: usize, bone: &BoneMeasure) -> bool {
+fn is_swapped(bones: &[BoneMeasure], bone: &BoneMeasure, children: &[&BoneMeasure]) -> bool {
     let Some(parent) = bone.parent.and_then(|parent| bones.get(parent)) else { return false };
     let is_beyond = distance(bone.head, parent.head) > BEYOND * parent.length;
-    let mut children = bones.iter().filter(|child| child.parent == Some(number));
     distance(bone.tail, parent.tail) < ONE_JOINT
         && bone.length > ONE_JOINT
         && parent.length > ONE_JOINT
         && is_beyond
-        && !children.any(|child| distance(child.head, bone.tail) < ONE_JOINT)
+        && !children.iter().any(|child| distance(child.head, bone.tail) < ONE_JOINT)
 }

@@ -1,10 +1,11 @@
 //! Another skeleton takes over all weights of the default one.
 
+use std::collections::BTreeSet;
+
 use super::super::{Check, Rule, RuleCx};
 use super::measured::{Measured, measured, named};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::measures::Measures;
-use crate::formats::mhskel::Skeleton;
 use crate::repo::{Body, Rig};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -31,14 +32,15 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
     let Some(default) = body.default_rig().and_then(Rig::skeleton) else { return };
     let vertices = body.mesh.map_or(0, |(_, mesh)| mesh.positions.len());
     let rigs = measured(body, measures);
-    out.extend(rigs.iter().filter(|rig| knows_its_references(rig, default)).filter_map(|rig| finding(rig, vertices)));
+    let defaults: BTreeSet<&String> = default.bones.iter().map(|bone| &bone.name).collect();
+    out.extend(rigs.iter().filter(|rig| knows_its_references(rig, &defaults)).filter_map(|rig| finding(rig, vertices)));
 }
 
 /// A name that does not exist may be that of the lost bone.
-fn knows_its_references(rig: &Measured<'_>, default: &Skeleton) -> bool {
+fn knows_its_references(rig: &Measured<'_>, defaults: &BTreeSet<&String>) -> bool {
     let bones = rig.skeleton.bones.iter();
     let mut names = bones.flat_map(|bone| bone.reference.iter().chain(&bone.weights_reference).flatten());
-    names.all(|name| default.bones.iter().any(|bone| bone.name == *name))
+    names.all(|name| defaults.contains(name))
 }
 
 fn finding(rig: &Measured<'_>, vertices: usize) -> Option<Finding> {

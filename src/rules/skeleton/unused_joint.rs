@@ -33,15 +33,13 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let filled = rig.skeleton.joints.iter().filter(|joint| joint.listed > 0).map(|joint| joint.name.as_str());
         // Joints named after a bone that is missing where others name it as their parent were that bone's.
         let missing = hierarchy(rig.skeleton).unknown_parents;
-        let is_of_missing = |name: &str| {
-            let beginnings = (1..=name.len()).filter_map(|end| name.get(..end));
-            !missing.is_empty() && beginnings.into_iter().any(|bone| missing.contains_key(bone))
-        };
-        let unused = filled.filter(|name| !used.contains(name) && !is_of_missing(name));
+        let begins = |name: &str, end: usize| name.get(..end).is_some_and(|begin| missing.contains_key(begin));
+        let is_of_missing = |name: &str| !missing.is_empty() && (1..=name.len()).any(|end| begins(name, end));
         let mut ends: BTreeMap<&str, usize> = BTreeMap::new();
         for end in rig.skeleton.bones.iter().flat_map(|bone| [&bone.head, &bone.tail]).flatten() {
             *ends.entry(end).or_default() += 1;
         }
+        let unused = filled.filter(|name| !used.contains(name) && !is_of_missing(name));
         let unused: Vec<&str> = unused.filter(|name| !has_busy_partner(&ends, name)).collect();
         let Some(first) = unused.first() else { continue };
         // A bone with one joint for both ends has a finding of its own, and lost the other one.
@@ -64,6 +62,6 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 /// Whether several bones begin or end at the joint of the other side: one of them was meant for this one, and lies on the wrong
 /// side (`skeleton-wrong-side`).
 fn has_busy_partner(ends: &BTreeMap<&str, usize>, joint: &str) -> bool {
-    let ends = |joint: &str| ends.get(joint).copied().unwrap_or_default();
+    let ends = |joint: &str| ends.get(joint).copied().unwrap_or(0);
     ends(joint) == 0 && side::of_bone(joint).is_some_and(|(_, partner)| ends(&partner) > 1)
 }

@@ -1,10 +1,12 @@
 //! A bone of another skeleton gets weights from the default one.
 
+use std::collections::BTreeSet;
+
 use super::super::{Check, Rule, RuleCx};
 use super::measured::{Measured, measured, named};
 use crate::diag::{Application, Confidence, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::measures::Measures;
-use crate::formats::mhskel::{Bone, Skeleton};
+use crate::formats::mhskel::Bone;
 use crate::repo::{Body, Rig};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -23,11 +25,14 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(default) = body.default_rig().and_then(Rig::skeleton) else { return };
+    let defaults: BTreeSet<&str> = default.bones.iter().map(|bone| bone.name.as_str()).collect();
     for rig in measured(body, measures).into_iter().filter(receives_anything) {
-        let receives_nothing = |bone: &&Bone| rig.measure.received.without_weights.contains(&bone.name);
-        let bones =
-            rig.bones().map(|(bone, _)| bone).filter(receives_nothing).filter(|bone| names_nothing(bone, default));
-        let bones: Vec<&str> = bones.filter(|bone| is_end(bone, rig.skeleton)).map(|bone| bone.name.as_str()).collect();
+        let bare: BTreeSet<&String> = rig.measure.received.without_weights.iter().collect();
+        let parents: BTreeSet<&str> = rig.skeleton.bones.iter().filter_map(|bone| bone.parent.as_deref()).collect();
+        let is_end = |bone: &Bone| bone.parent.is_some() && !parents.contains(bone.name.as_str());
+        let is_lacking = |bone: &&Bone| bare.contains(&bone.name) && names_nothing(bone, &defaults) && is_end(bone);
+        let bones: Vec<&str> =
+            rig.bones().map(|(bone, _)| bone).filter(is_lacking).map(|bone| bone.name.as_str()).collect();
         out.extend(finding(&rig, &bones));
     }
 }
@@ -39,14 +44,9 @@ fn receives_anything(rig: &Measured<'_>) -> bool {
 }
 
 /// A bone that names default bones takes what they have, be it nothing; names that do not exist are reported as such.
-fn names_nothing(bone: &Bone, default: &Skeleton) -> bool {
+fn names_nothing(bone: &Bone, defaults: &BTreeSet<&str>) -> bool {
     let lists = [&bone.reference, &bone.weights_reference];
-    lists.iter().all(|list| list.iter().all(Vec::is_empty))
-        && !default.bones.iter().any(|other| other.name == bone.name)
-}
-
-fn is_end(bone: &Bone, skeleton: &Skeleton) -> bool {
-    bone.parent.is_some() && !skeleton.bones.iter().any(|other| other.parent.as_deref() == Some(&bone.name))
+    lists.iter().all(|list| list.iter().all(Vec::is_empty)) && !defaults.contains(bone.name.as_str())
 }
 
 fn finding(rig: &Measured<'_>, bones: &[&str]) -> Option<Finding> {

@@ -1,5 +1,7 @@
 //! Left bones are weighted as right ones.
 
+use std::collections::BTreeSet;
+
 use super::super::{Check, Rule, RuleCx};
 use super::has_unusable_entries;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
@@ -25,7 +27,8 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
     let is_whole = |weights: &Weights| {
         let facts = &weights.facts;
         let faults = [facts.negative.count, facts.above_one.count];
-        let known = |name: &String| measures.bones.contains(name);
+        let bones: BTreeSet<&String> = measures.bones.iter().collect();
+        let known = |name: &String| bones.contains(name);
         !has_unusable_entries(weights) && faults == [0; 2] && weights.bones.iter().all(|bone| known(&bone.name))
     };
     // Weights on the other side than their bones (`weights-wrong-side`) are uneven for that reason, too.

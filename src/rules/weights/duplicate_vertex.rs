@@ -33,8 +33,9 @@ fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     };
     let finding = RULE.at(file, place, message).help("replace the entries by one with the sum of their weights");
     let mut fix = Fix::new(RULE.info.fix, "replace the entries by one with their sum");
-    // What a negative or malformed entry beside them should have been changes the sum.
-    if weights.facts.negative.count == 0 && !has_unusable_entries(weights) {
+    // What a negative or malformed entry beside them should have been changes the sum, and one beyond float32 cannot be
+    // written.
+    if weights.facts.negative.count == 0 && !weights.facts.may_overflow && !has_unusable_entries(weights) {
         fix = fix.step(&file.path, Change::Rewrite(Rewrite::MergeWeights));
     }
     out.push(finding.evidence(tally.evidence(weights.facts.pairs)).fix(fix));
