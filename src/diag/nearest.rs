@@ -14,9 +14,9 @@ pub fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) ->
     Suggestions::default().nearest(name, candidates)
 }
 
-/// Letters compared for the suggestions of one rule: a tenth of a second. Thousands of names that are looked for among
+/// Letters compared for the suggestions of one rule: a twentieth of a second. Thousands of names that are looked for among
 /// thousands are no slips of the pen, and nobody reads that many suggestions.
-const COMPARED: usize = 1 << 26;
+const COMPARED: usize = 1 << 25;
 /// What a candidate costs beside its letters: the count of its letters is compared.
 const COST_OF_CANDIDATE: usize = LETTERS;
 /// What it costs to compare two letters, where a candidate is measured.

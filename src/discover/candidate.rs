@@ -1,7 +1,7 @@
 //! Every path of a data root with what it is for, found out once.
 
 use std::borrow::Cow;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::{Kind, Layout};
 use crate::diag::Application;
@@ -67,16 +67,23 @@ pub(crate) fn loose_candidates<'t>(
     bind: impl Fn(&Entry) -> Binding,
 ) -> Vec<Candidate<'t>> {
     let named = |entry: &&Entry| entry.kind == EntryKind::File && (layout.loose_place)(&entry.path, None).is_some();
-    let mut taken: BTreeMap<String, usize> = BTreeMap::new();
+    let mut taken = BTreeSet::new();
+    let mut doubles: BTreeMap<String, usize> = BTreeMap::new();
     let mut found = Vec::new();
     for entry in tree.entries().iter().filter(named) {
         let Some(base) = bind(entry) else { continue };
         let Some(mut rel) = (layout.loose_place)(&entry.path, base.as_deref()) else { continue };
         // Folders are joined to one, and several can become the same.
-        let others = taken.entry(rel.clone()).and_modify(|others| *others += 1).or_default();
-        if *others > 0 {
+        if !taken.insert(rel.clone()) {
             let (folder, file) = rel.rsplit_once('/').unwrap_or(("", &rel));
-            rel = format!("{folder}/{others}/{file}");
+            let number = doubles.entry(rel.clone()).or_default();
+            rel = loop {
+                *number += 1;
+                let other = format!("{folder}_{number}/{file}");
+                if taken.insert(other.clone()) {
+                    break other;
+                }
+            };
         }
         found.push(Candidate::new(entry, rel, &[layout]));
     }

@@ -72,15 +72,14 @@ impl<'r> Coverage<'r> {
         view: &View<'_>,
         measures: Option<&BTreeMap<String, Arc<Measures>>>,
     ) {
-        let measure = |base: &str| measures.and_then(|measures| measures.get(base));
-        for body in view.bodies().iter().filter(|body| measure(body.name).is_some_and(|one| one.is_cut)) {
-            let mesh = body.mesh.map_or(body.name, |(file, _)| file.path.as_str());
-            self.leave(view.application(), Unchecked::Evaluation, mesh);
-        }
-        let View::Makehuman2(of) = view else { return };
-        for base in &of.bases {
-            let is_cut = base.has_too_many_macros() || measure(base.name).is_some_and(|measure| measure.lacks_settings);
-            let file = base.macro_file().map(|(file, _)| file).filter(|_| is_cut);
+        for body in view.bodies() {
+            let measure = measures.and_then(|measures| measures.get(body.name));
+            if measure.is_some_and(|measure| measure.is_cut) {
+                let mesh = body.mesh.map_or(body.name, |(file, _)| file.path.as_str());
+                self.leave(view.application(), Unchecked::Evaluation, mesh);
+            }
+            let is_cut = body.has_too_many_macros || measure.is_some_and(|measure| measure.lacks_settings);
+            let file = body.macros.map(|(file, _)| file).filter(|_| is_cut);
             if let Some(file) = file.filter(|file| self.asked.is_for(root, file)) {
                 self.leave(view.application(), Unchecked::TooManyMacros, &file.path);
             }

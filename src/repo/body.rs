@@ -28,6 +28,8 @@ pub(crate) struct Body<'v> {
     pub one_sided_endings: Option<&'v [String]>,
     /// `macro.json` in use.
     pub macros: Option<(&'v FileFacts, &'v MacroFile)>,
+    /// Whether they are more than rules compare with one another.
+    pub has_too_many_macros: bool,
     /// Targets of the checked layer.
     pub targets: Vec<Target<'v>>,
     /// Skeletons with their weights.
@@ -117,7 +119,7 @@ impl<'v> Body<'v> {
         let (mesh, obj, visible_groups, one_sided_endings, macros, rigs) =
             (None, None, None, None, None, [].as_slice());
         let (weights, layers) = (Vec::new(), view.layers());
-        let has_foreign_mesh = false;
+        let (has_foreign_mesh, has_too_many_macros) = (false, false);
         Self {
             name,
             layers,
@@ -127,6 +129,7 @@ impl<'v> Body<'v> {
             visible_groups,
             one_sided_endings,
             macros,
+            has_too_many_macros,
             targets,
             rigs,
             weights,

@@ -9,6 +9,7 @@ mod folder;
 mod gunzip;
 mod limits;
 mod lines;
+mod listing;
 mod place;
 mod text;
 mod tree;

@@ -9,6 +9,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use xxhash_rust::xxh3::xxh3_64;
 
 use super::Limits;
+use super::listing::{Room, add_file, add_folders, folders_above, memory_entries};
 use super::walk::{self, Wanted};
 
 /// Contents of files by path, where they are not those that lie there; `None`: there is no such file.
@@ -331,37 +332,6 @@ fn too_large(size: u64, limits: &Limits) -> ReadFault {
     ReadFault::TooLarge { size, limit: limits.file_bytes }
 }
 
-/// Enters the folders on the way to a path.
-fn add_folders(entries: &mut BTreeMap<String, Entry>, path: &str) {
-    let new: Vec<&str> = new_folders(entries, path).collect();
-    entries.extend(new.into_iter().map(|folder| (folder.to_owned(), memory_entry(folder, EntryKind::Folder, 0))));
-}
-
-/// The folders on the way to a path that are not there yet, innermost first. Those above one that is there are, too.
-fn new_folders<'p>(entries: &BTreeMap<String, Entry>, path: &'p str) -> impl Iterator<Item = &'p str> {
-    folders_above(path).rev().take_while(|folder| !entries.contains_key(*folder))
-}
-
-/// Letters of paths that are still to be listed; nothing more once they are too many.
-struct Room(usize);
-
-impl Room {
-    /// Whether a path and the new folders on the way to it are to be listed. If not, where listing was given up.
-    fn take(&mut self, entries: &BTreeMap<String, Entry>, path: &str) -> Result<(), WalkFault> {
-        let letters = path.len() + new_folders(entries, path).map(str::len).sum::<usize>();
-        self.0 = self.0.checked_sub(letters).ok_or_else(|| {
-            let top = path.split('/').next().unwrap_or(path).to_owned();
-            WalkFault { path: top, kind: WalkFaultKind::Unreadable { reason: walk::TOO_LONG.to_owned() } }
-        })?;
-        Ok(())
-    }
-}
-
-fn add_file(entries: &mut BTreeMap<String, Entry>, path: &str, size: u64) {
-    let entry = entries.entry(path.to_owned()).or_insert_with(|| memory_entry(path, EntryKind::File, 0));
-    (entry.kind, entry.size) = (EntryKind::File, size);
-}
-
 /// Removes a file, or a folder with all that is in it, and the folders above that held nothing else.
 fn remove(entries: &mut BTreeMap<String, Entry>, path: &str) {
     let Some(entry) = entries.remove(path) else { return };
@@ -380,31 +350,6 @@ fn remove(entries: &mut BTreeMap<String, Entry>, path: &str) {
         }
         entries.remove(folder);
     }
-}
-
-/// The folders on the way to a path, outermost first.
-fn folders_above(path: &str) -> impl DoubleEndedIterator<Item = &str> {
-    path.match_indices('/').filter_map(|(at, _)| path.get(..at))
-}
-
-/// What is in memory, and where that was given up: a file deep in folders makes an entry of each of them.
-fn memory_entries(files: &BTreeMap<String, Arc<[u8]>>) -> (Vec<Entry>, Vec<WalkFault>) {
-    let mut entries: BTreeMap<String, Entry> = BTreeMap::new();
-    let mut room = Room(walk::MOST_LETTERS);
-    for (path, bytes) in files {
-        if let Err(fault) = room.take(&entries, path) {
-            return (entries.into_values().collect(), vec![fault]);
-        }
-        add_folders(&mut entries, path);
-        if !path.ends_with('/') {
-            add_file(&mut entries, path, bytes.len() as u64);
-        }
-    }
-    (entries.into_values().collect(), Vec::new())
-}
-
-fn memory_entry(path: &str, kind: EntryKind, size: u64) -> Entry {
-    Entry { path: path.to_owned(), kind, size, native: PathBuf::from(path), link_to: None }
 }
 
 #[cfg(test)]

@@ -116,6 +116,7 @@ impl<'a> View<'a> {
             let random = |settings: &'v BaseJson| settings.random.as_ref().map(|random| random.nonsym.as_slice());
             body.one_sided_endings = settings.map(|settings| random(settings).unwrap_or_default());
             body.macros = base.macro_file();
+            body.has_too_many_macros = base.has_too_many_macros();
             body.rigs = &base.rigs;
             body.weights = weights
                 .map(|(file, is_unbound)| BodyWeights { file, name: rigs::name_of(base.name, file), is_unbound })

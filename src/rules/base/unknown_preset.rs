@@ -120,8 +120,8 @@ fn randomizer(file: &FileFacts, names: &Names<'_, '_>, random: &Random, out: &mu
         }
         for condition in conditions {
             let Some(unknown) = names.entry(&condition.slider) else { continue };
-            let finding = unknown_name(file, &["random", "rules", key, &condition.slider], unknown);
-            out.push(finding.effect("always resets the target of the rule to 0"));
+            let at = ["random", "rules", key, &condition.slider];
+            out.push(unknown_name(file, &at, unknown).effect("always resets the target of the rule to 0"));
         }
     }
 }
@@ -141,10 +141,9 @@ fn random_group(file: &FileFacts, names: &Names<'_, '_>, group: &str, selected: 
 /// A whole category that stands before one of its own groups.
 fn nested(file: &FileFacts, group: &str, category: &str, selected: bool) -> Finding {
     let message = format!("the random group `{group}` follows its whole category `{category}`");
-    let (level, effect) = if selected {
-        (Level::Error, "stops at start with an AttributeError: both are selected from the beginning")
-    } else {
-        (Level::Warning, "stops with an AttributeError when a random character is made with both selected")
+    let (level, effect) = match selected {
+        true => (Level::Error, "stops at start with an AttributeError: both are selected from the beginning"),
+        false => (Level::Warning, "stops with an AttributeError when a random character is made with both selected"),
     };
     let finding = finding(file, &["random", "groups", group], message, group).level(level);
     finding.effect(effect).help("list either the category or its groups")

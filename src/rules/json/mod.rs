@@ -4,5 +4,6 @@ pub(super) mod duplicate_key;
 pub(super) mod schema;
 mod schema_words;
 pub(super) mod syntax;
+mod told_keys;
 pub(super) mod too_deep;
 pub(super) mod unknown_key;

@@ -1,16 +1,13 @@
 //! Keys that no application reads.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use super::super::cause::consequence::of_misspelt;
 use super::super::cause::is_ignored_override;
-use super::super::cause::schema::stands_for;
 use super::super::{Check, Rule, RuleCx, did_you_mean};
-use crate::diag::{Application, Case, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo, pointer};
+use super::told_keys::{Told, nested};
+use crate::diag::{Application, Case, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
-use crate::formats::Content;
-use crate::formats::macro_json::Component;
-use crate::formats::mhskel::{Bone, RotationPlane, Section};
 use crate::json::UnknownKey;
 use crate::repo::{FileFacts, View};
 
@@ -43,98 +40,11 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
         return;
     }
     let mut by_key: BTreeMap<(&str, Option<&str>), Vec<&UnknownKey>> = BTreeMap::new();
-    let sliders = told_sliders(view, file);
-    let lacking = lacking(file);
-    let are_bones = has_bones_at_top(file);
-    let kindless = kindless(file);
-    let lost = lost_components(file);
-    let is_lost = |unknown: &UnknownKey| lost.contains(unknown.key.as_str()) && nested(file, unknown).is_some();
-    let told = |unknown: &&UnknownKey| {
-        are_bones || is_lost(unknown) || lacks(&lacking, unknown) || is_told(file, &sliders, &kindless, unknown)
-    };
-    for unknown in file.schema.unknown.iter().filter(|unknown| !told(unknown)) {
+    let told = Told::of(view, file);
+    for unknown in file.schema.unknown.iter().filter(|unknown| !told.has(unknown)) {
         by_key.entry((&unknown.key, unknown.object.as_deref())).or_default().push(unknown);
     }
     out.extend(by_key.into_values().filter_map(|all| finding(view, file, &all)));
-}
-
-/// Pointers of entries, and the keys of theirs that another rule names.
-type Told<'f> = BTreeSet<(String, &'f str)>;
-
-/// The misspelt keys for which entries of `modelling.json` are said to have no effect.
-fn told_sliders<'f>(view: &View<'_>, file: &'f FileFacts) -> Told<'f> {
-    // Generated entries are not checked for their effect.
-    match &*file.content {
-        Content::Modelling(model) if !view.is_generated(&file.rel) => {
-            let sliders = model.sliders.iter();
-            sliders.filter_map(|slider| Some((pointer(&[&slider.key]), slider.misspelt_effect()?.0))).collect()
-        }
-        _ => BTreeSet::new(),
-    }
-}
-
-/// Pointers of the components with neither `steps` nor `sum`.
-fn kindless(file: &FileFacts) -> BTreeSet<String> {
-    let Content::Macro(macros) = &*file.content else { return BTreeSet::new() };
-    let kindless = |component: &&Component| component.steps.is_none() && component.sum.is_none();
-    macros.components.iter().filter(kindless).map(|component| pointer(&["components", &component.name])).collect()
-}
-
-/// Whether the bones of a weights file stand where `weights` is missing, which is said.
-fn has_bones_at_top(file: &FileFacts) -> bool {
-    file.weights().is_some_and(|weights| !weights.has_weights)
-        && file.schema.faults.iter().any(|f| f.lacks("", "weights"))
-}
-
-/// Pointers of objects and the keys that the schema wants in them.
-fn lacking(file: &FileFacts) -> BTreeSet<(&str, &str)> {
-    file.schema.faults.iter().filter_map(|fault| Some((fault.pointer.as_str(), fault.missing()?))).collect()
-}
-
-/// What an object with an unknown key for a name is, where it may have slipped inside its neighbour.
-fn nested(file: &FileFacts, unknown: &UnknownKey) -> Option<&'static str> {
-    match (file.kind, unknown.object.as_deref()) {
-        _ if unknown.nearest.is_some() || !unknown.is_object => None,
-        (Kind::ModellingJson, Some("Slider")) => Some("slider"),
-        (Kind::MacroJson, Some("Component")) => Some("component"),
-        _ => None,
-    }
-}
-
-/// Whether the finding on the key that the schema misses names this one.
-fn lacks(lacking: &BTreeSet<(&str, &str)>, unknown: &UnknownKey) -> bool {
-    let owner = unknown.pointer.rsplit_once('/').map_or("", |(owner, _)| owner);
-    lacking.range((owner, "")..).take_while(|(other, _)| *other == owner).any(|(_, key)| stands_for(unknown, key))
-}
-
-/// Whether the finding of another rule on the key that is missing instead names this one.
-fn is_told(file: &FileFacts, sliders: &Told<'_>, kindless: &BTreeSet<String>, unknown: &UnknownKey) -> bool {
-    let Some(nearest) = unknown.nearest.as_deref() else { return false };
-    let (owner, _) = unknown.pointer.rsplit_once('/').unwrap_or_default();
-    match &*file.content {
-        Content::Skeleton(skeleton) if owner.is_empty() => match nearest {
-            "bones" => skeleton.bones_section == Section::Absent,
-            "joints" => skeleton.joints_section == Section::Absent,
-            "planes" => {
-                let names_one = |bone: &Bone| matches!(bone.rotation_plane, RotationPlane::Named(_));
-                skeleton.planes.is_empty() && skeleton.bones.iter().any(names_one)
-            }
-            _ => false,
-        },
-        Content::BaseJson(settings) if owner.is_empty() => nearest == "visible groups" && !settings.has_visible_groups,
-        Content::Macro(_) if matches!(nearest, "steps" | "sum") => kindless.contains(owner),
-        Content::Modelling(_) => sliders.contains(&(owner.to_owned(), &unknown.key)),
-        _ => false,
-    }
-}
-
-/// Components that some `comp` names and that are not defined where they should be: `macro-unknown-component` says where
-/// one of them lies inside another one.
-fn lost_components(file: &FileFacts) -> BTreeSet<&str> {
-    let Content::Macro(macros) = &*file.content else { return BTreeSet::new() };
-    let defined: BTreeSet<&str> = macros.components.iter().map(|component| component.name.as_str()).collect();
-    let named = macros.macrodefs.iter().flat_map(|macrodef| &macrodef.components).map(String::as_str);
-    named.filter(|name| !defined.contains(name)).collect()
 }
 
 /// One finding for a key, however many objects have it.

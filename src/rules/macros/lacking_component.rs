@@ -1,10 +1,40 @@
 //! A `comp` with more or fewer components than all names of its definition have parts.
 
+use super::super::{Rule, counted};
 use super::listing::{Listing, Slip};
-use crate::formats::macro_json::{Component, MacroFile};
+use crate::diag::{Evidence, Finding, Place};
+use crate::formats::macro_json::{Component, MacroFile, Macrodef};
+use crate::repo::FileFacts;
+
+/// If all names have more or fewer parts than `comp` has components, `comp` is wrong.
+pub(super) fn finding(
+    rule: &Rule,
+    file: &FileFacts,
+    macros: &MacroFile,
+    macrodef: &Macrodef,
+    listing: &Listing<'_>,
+) -> Option<Finding> {
+    let (parts, meant) = lacking(macros, listing)?;
+    let names = || listing.strangers.iter().map(|stranger| &stranger.link.name);
+    let message = format!(
+        "`comp` has {}, but each name has {} (`{}` and {} more)",
+        counted(macrodef.components.len(), "component"),
+        counted(parts, "part"),
+        names().next()?,
+        names().count() - 1
+    );
+    let help = match meant {
+        Some(meant) => format!("write `[\"{}\"]`", meant.join("\", \"")),
+        None => "list the component of each part of the names in `comp`, in their order".to_owned(),
+    };
+    let place = Place::pointer(["macrodef", &macrodef.index.to_string(), "comp"]);
+    let finding = rule.at(file, place, message).key(format!("{}/length", macrodef.components.join("-"))).help(help);
+    let effect = "never applies the macrodef: no name that its components make has an entry";
+    Some(finding.effect(effect).evidence(Evidence::of_cases(names()).out_of(macrodef.links.len())))
+}
 
 /// How many parts the names have, and the components that their parts are values of, where that is clear.
-pub(super) fn lacking<'a>(macros: &'a MacroFile, listing: &Listing<'_>) -> Option<(usize, Option<Vec<&'a str>>)> {
+fn lacking<'a>(macros: &'a MacroFile, listing: &Listing<'_>) -> Option<(usize, Option<Vec<&'a str>>)> {
     let Slip::Parts(parts) = &listing.strangers.first()?.slip else { return None };
     let is_like_it = |slip: &Slip| matches!(slip, Slip::Parts(other) if other == parts);
     let are_all = listing.found.is_empty() && listing.strangers.iter().all(|stranger| is_like_it(&stranger.slip));

@@ -1,7 +1,7 @@
 //! A listed combination must be one that its macro definition generates.
 
-use super::super::{Check, Rule, RuleCx, counted};
-use super::lacking_component::lacking;
+use super::super::{Check, Rule, RuleCx};
+use super::lacking_component;
 use super::listing::{Listing, Slip, Stranger};
 use super::misspelt_value::{MisspeltValue, misspelt_values, other_component};
 use super::sound::sound_space;
@@ -45,7 +45,7 @@ fn run(_: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let Some(space) = sound_space(file, macros, macrodef) else { continue };
         let listing = Listing::of(&space, macrodef, &cx.suggestions);
         let finding = || finding_on_comp(file, macros, macrodef, (&space, &listing));
-        if let Some(finding) = finding_on_length(file, macros, macrodef, &listing).or_else(finding) {
+        if let Some(finding) = lacking_component::finding(&RULE, file, macros, macrodef, &listing).or_else(finding) {
             out.push(finding);
             continue;
         }
@@ -115,32 +115,6 @@ fn finding_on_comp(
     let finding = RULE.at(file, place, message).key(format!("{}/comp", macrodef.components.join("-")));
     let evidence = Evidence::of_cases(names).out_of(macrodef.links.len());
     Some(finding.help(format!("did you mean `{}`?", meant.name)).evidence(evidence))
-}
-
-/// If all names have more or fewer parts than `comp` has components, `comp` is wrong.
-fn finding_on_length(
-    file: &FileFacts,
-    macros: &MacroFile,
-    macrodef: &Macrodef,
-    listing: &Listing<'_>,
-) -> Option<Finding> {
-    let (parts, meant) = lacking(macros, listing)?;
-    let names = || listing.strangers.iter().map(|stranger| &stranger.link.name);
-    let message = format!(
-        "`comp` has {}, but each name has {} (`{}` and {} more)",
-        counted(macrodef.components.len(), "component"),
-        counted(parts, "part"),
-        names().next()?,
-        names().count() - 1
-    );
-    let help = match meant {
-        Some(meant) => format!("write `[\"{}\"]`", meant.join("\", \"")),
-        None => "list the component of each part of the names in `comp`, in their order".to_owned(),
-    };
-    let place = Place::pointer(["macrodef", &macrodef.index.to_string(), "comp"]);
-    let finding = RULE.at(file, place, message).key(format!("{}/length", macrodef.components.join("-"))).help(help);
-    let effect = "never applies the macrodef: no name that its components make has an entry";
-    Some(finding.effect(effect).evidence(Evidence::of_cases(names()).out_of(macrodef.links.len())))
 }
 
 /// Without components a definition generates the empty name alone.

@@ -4,10 +4,11 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::cause::is_generated_for;
 use super::super::cause::overlay::is_damaged;
-use crate::diag::Suggestions;
+use crate::diag::{Place, Suggestions};
 use crate::formats::modelling::EFFECTS;
-use crate::formats::target_cat::Category;
-use crate::repo::makehuman2::{Base, BoundSlider};
+use crate::formats::target_cat::{Category, Item};
+use crate::repo::FileFacts;
+use crate::repo::makehuman2::{Base, BoundSlider, View};
 
 /// Category that MakeHuman 2 always replaces with the generated one.
 pub(super) const USER_CATEGORY: &str = "User";
@@ -146,4 +147,27 @@ impl Groups<'_, '_> {
             || self.has_unknown_in(category_of(offered))
             || self.meant.values().any(|meant| meant == offered)
     }
+}
+
+/// The slider, or the categories if only they are the author's.
+pub(super) fn whose<'a>(view: &View<'_>, base: &Base<'a>, slider: &BoundSlider<'a>) -> Option<(&'a FileFacts, Place)> {
+    if view.layers.is_checked(slider.file) {
+        let key = slider.slider.key.as_str();
+        let place = if slider.slider.has("group") { Place::pointer([key, "group"]) } else { Place::key([key]) };
+        return Some((slider.file, place));
+    }
+    base.categories.winner().map(|(file, _)| (file, Place::File))
+}
+
+/// The item that shows the group, if it is the item that has blanks at an end.
+pub(super) fn item_with_blanks<'a>(view: &View<'_>, base: &Base<'a>, group: &str) -> Option<(&'a FileFacts, Place)> {
+    let (file, model) = base.categories.winner().filter(|(file, _)| view.layers.is_checked(file))?;
+    if group.split('|').all(|part| part.trim() == part) {
+        return None;
+    }
+    let is_it = |item: &&Item, category: &Category| category.group_of(item).as_deref() == Some(group);
+    let find =
+        |category: &'a Category| Some((category, category.items.iter().position(|item| is_it(&item, category))?));
+    let (category, at) = model.categories.iter().find_map(find)?;
+    Some((file, Place::pointer([&category.name, "items", &at.to_string(), "cat"])))
 }

@@ -7,8 +7,6 @@ use super::foreign;
 use super::generated;
 use super::groups::{self, Groups, Renamed};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
-use crate::formats::target_cat::{Category, Item};
-use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, BoundSlider, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -61,7 +59,7 @@ fn lost_category(view: &View<'_>, base: &Base<'_>, category: &str, sliders: &[&B
         "" => format!("{subject} never shown: target_cat.json has no item at all"),
         category => format!("{subject} never shown: target_cat.json has no category `{category}`"),
     };
-    let (file, place) = whose(view, base, sliders.first()?)?;
+    let (file, place) = groups::whose(view, base, sliders.first()?)?;
     let help = "add the category with an item for every group, or correct the groups";
     Some(RULE.at(file, place, message).key(category).help(help).evidence(keys))
 }
@@ -104,35 +102,12 @@ fn unknown(
         None if !group.contains('|') => "a group is `category|subcategory`".to_owned(),
         None => "correct the group, or add an item to target_cat.json".to_owned(),
     };
-    let item = groups.meant(group).and_then(|near| item_with_blanks(view, base, near));
-    let (file, place, help) = match (item, whose(view, base, first)?) {
+    let item = groups.meant(group).and_then(|near| groups::item_with_blanks(view, base, near));
+    let (file, place, help) = match (item, groups::whose(view, base, first)?) {
         (Some((file, place)), _) => (file, place, format!("remove the blank: `{group}` is what the sliders say")),
         (None, (file, place)) => (file, place, help),
     };
     Some(RULE.at(file, place, message).key(group).help(help).evidence(keys))
-}
-
-/// The item that shows the group, if it is the item that has blanks at an end.
-fn item_with_blanks<'a>(view: &View<'_>, base: &Base<'a>, group: &str) -> Option<(&'a FileFacts, Place)> {
-    let (file, model) = base.categories.winner().filter(|(file, _)| view.layers.is_checked(file))?;
-    if group.split('|').all(|part| part.trim() == part) {
-        return None;
-    }
-    let is_it = |item: &&Item, category: &Category| category.group_of(item).as_deref() == Some(group);
-    let find =
-        |category: &'a Category| Some((category, category.items.iter().position(|item| is_it(&item, category))?));
-    let (category, at) = model.categories.iter().find_map(find)?;
-    Some((file, Place::pointer([&category.name, "items", &at.to_string(), "cat"])))
-}
-
-/// The slider, or the categories if only they are the author's.
-fn whose<'a>(view: &View<'_>, base: &Base<'a>, slider: &BoundSlider<'a>) -> Option<(&'a FileFacts, Place)> {
-    if view.layers.is_checked(slider.file) {
-        let key = slider.slider.key.as_str();
-        let place = if slider.slider.has("group") { Place::pointer([key, "group"]) } else { Place::key([key]) };
-        return Some((slider.file, place));
-    }
-    base.categories.winner().map(|(file, _)| (file, Place::File))
 }
 
 /// Shown or not, the random character view splits the group in two.
