@@ -1,25 +1,31 @@
 //! Changes of a JSON text that leave every other byte as it is: a value, elements of a list.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
-use super::{Document, Node};
+use super::{Finder, Node};
 use crate::diag::Edit;
 
 /// Puts a text, or `null`, in the place of the value at `pointer`.
-pub(crate) fn set_value(document: &Document, pointer: &str, text: Option<&str>) -> Option<Edit> {
-    let node = document.at(pointer)?;
+pub(crate) fn set_value(finder: &mut Finder, pointer: &str, text: Option<&str>) -> Option<Edit> {
+    let node = finder.at(pointer)?;
     let value = text.map_or(serde_json::Value::Null, Into::into).to_string();
     (node.as_str() != text).then(|| Edit::replacement(node.span.clone(), value))
 }
 
 /// Takes the elements at `pointers` out of their lists.
-pub(crate) fn remove_elements(text: &[u8], document: &Document, pointers: &[&str]) -> Vec<Edit> {
-    let mut by_list: std::collections::BTreeMap<&str, Vec<usize>> = std::collections::BTreeMap::new();
+pub(crate) fn remove_elements(text: &[u8], finder: &mut Finder, pointers: &[&str]) -> Vec<Edit> {
+    let mut by_list: BTreeMap<&str, BTreeSet<usize>> = BTreeMap::new();
     for (list, position) in pointers.iter().filter_map(|pointer| pointer.rsplit_once('/')) {
         by_list.entry(list).or_default().extend(position.parse::<usize>());
     }
-    let lists = by_list.into_iter().filter_map(|(pointer, gone)| Some((document.at(pointer)?, gone)));
-    lists.flat_map(|(list, gone)| removals(text, list, &spans(list), &|at| gone.contains(&at))).collect()
+    let mut edits = Vec::new();
+    for (pointer, gone) in by_list {
+        if let Some(list) = finder.at(pointer) {
+            edits.extend(removals(text, list, &spans(list), &|at| gone.contains(&at)));
+        }
+    }
+    edits
 }
 
 fn spans(list: &Node) -> Vec<Range<usize>> {
@@ -76,14 +82,14 @@ mod tests {
     }
 
     fn without(text: &str, pointers: &[&str]) -> String {
-        edited(text, remove_elements(text.as_bytes(), &parse(text.as_bytes()).unwrap(), pointers))
+        edited(text, remove_elements(text.as_bytes(), &mut Finder::new(parse(text.as_bytes()).unwrap()), pointers))
     }
 
     #[test]
     fn a_value_changes_and_its_surroundings_do_not() {
         let text = "{ \"a\" : [ \"x\\\\y\",1.50 ] }";
-        let document = parse(text.as_bytes()).unwrap();
-        let set = |value| edited(text, set_value(&document, "/a/0", value).into_iter().collect());
+        let mut finder = Finder::new(parse(text.as_bytes()).unwrap());
+        let mut set = |value| edited(text, set_value(&mut finder, "/a/0", value).into_iter().collect());
         assert_eq!(set(Some("x/y")), "{ \"a\" : [ \"x/y\",1.50 ] }");
         assert_eq!(set(Some("\"")), "{ \"a\" : [ \"\\\"\",1.50 ] }");
         assert_eq!(set(None), "{ \"a\" : [ null,1.50 ] }");

@@ -2,6 +2,8 @@
 
 pub(crate) mod opened;
 
+use std::collections::BTreeSet;
+
 use super::super::kind::extension;
 use super::super::{Candidate, Kind};
 use super::{HiddenPath, Layout, Role, Sign};
@@ -174,12 +176,12 @@ fn is_packed_base(one: &Candidate<'_>, below: &[Candidate<'_>]) -> bool {
 /// Beside another root, the one whose bases have sliders or macros in `target/` is the system, and its `contarget/`
 /// counts for nothing.
 fn is_system_of_two(below: &[Candidate<'_>]) -> bool {
-    let has_base = |owner: Option<&str>| below.iter().any(|one| is_base(one) && one.owner() == owner);
+    let bases: BTreeSet<Option<&str>> = below.iter().filter(|one| is_base(one)).map(|one| one.owner()).collect();
     let has_sliders = |one: &&Candidate<'_>| {
         matches!(one.kind_in(LAYOUT.application), Kind::MacroJson | Kind::ModellingJson)
             && one.rel.starts_with("target/")
     };
-    below.iter().filter(has_sliders).any(|one| has_base(one.owner()))
+    below.iter().filter(has_sliders).any(|one| bases.contains(&one.owner()))
 }
 
 #[cfg(test)]
