@@ -6,6 +6,7 @@ use super::super::cause::consequence::of_misspelt;
 use super::super::cause::is_ignored_override;
 use super::super::cause::schema::stands_for;
 use super::super::{Check, Rule, RuleCx, did_you_mean};
+use super::left_out;
 use crate::diag::{Application, Case, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo, pointer};
 use crate::discover::Kind;
 use crate::formats::Content;
@@ -56,6 +57,7 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
         by_key.entry((&unknown.key, unknown.object.as_deref())).or_default().push(unknown);
     }
     out.extend(by_key.into_values().filter_map(|all| finding(view, file, &all)));
+    out.extend(left_out(&RULE, file, file.schema.unknown_left_out, "keys that no application reads"));
 }
 
 /// Pointers of entries, and the keys of theirs that another rule names.
