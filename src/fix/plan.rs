@@ -45,8 +45,8 @@ impl Plan {
     }
 
     /// The patch with its edits in order, unless some of them meet one another or those that are planned.
-    fn fitting(&self, path: &str, patch: Patch) -> Option<Patch> {
-        match (self.files.get(path), patch) {
+    fn fitting(&self, file: &str, patch: Patch) -> Option<Patch> {
+        match (self.files.get(file), patch) {
             (None, Patch::Remove) => Some(Patch::Remove),
             (None, Patch::Edits(edits)) => sorted(edits).map(Patch::Edits),
             (Some(Planned::Edits(known)), Patch::Edits(edits)) => {
@@ -57,13 +57,13 @@ impl Plan {
         }
     }
 
-    fn add(&mut self, path: String, patch: Patch) {
+    fn add(&mut self, file: String, patch: Patch) {
         match patch {
             Patch::Remove => {
-                self.files.insert(path, Planned::Remove);
+                self.files.insert(file, Planned::Remove);
             }
             Patch::Edits(edits) => {
-                let planned = self.files.entry(path).or_insert_with(|| Planned::Edits(BTreeMap::new()));
+                let planned = self.files.entry(file).or_insert_with(|| Planned::Edits(BTreeMap::new()));
                 if let Planned::Edits(known) = planned {
                     known.extend(edits.into_iter().map(|edit| (edit.range.start, edit)));
                 }

@@ -236,6 +236,16 @@ mod tests {
         };
         // Names compared with definitions; then combinations: 4^10 once and twice, and 4^11, which are never walked.
         assert!(!is_too_large(511, names(1)) && is_too_large(512, names(1)));
+        // Two components of 16 values, and a name of as many places as may be tried, or one more.
+        let spelled = |places: usize| {
+            let components =
+                ["a", "b"].map(|name| Component { name: name.to_owned(), values: names(16), ..Component::default() });
+            let link = Link { index: 0, name: "-".repeat(places - 1), target: None };
+            let names = vec!["a".to_owned(), "b".to_owned()];
+            let macrodef = Macrodef { components: names, links: vec![link], ..Macrodef::default() };
+            MacroFile::new(components.to_vec(), vec![macrodef]).is_too_large
+        };
+        assert!(!spelled(MOST_SPELLED / 32) && spelled(MOST_SPELLED / 32 + 1));
         assert!(!is_too_large(1, names(10)) && is_too_large(2, names(10)) && !is_too_large(9, names(11)));
     }
 

@@ -272,6 +272,17 @@ mod tests {
     }
 
     #[test]
+    fn a_long_bone_is_not_repeated_for_each_of_its_pairs() {
+        let pairs: Vec<String> = (1..1000).map(|weight| format!("[0, -{weight}], [1]")).collect();
+        let text = format!(r#"{{"weights": {{"{}": [{}]}}}}"#, "b".repeat(1 << 20), pairs.join(", "));
+        let facts = weights(&text, 4).facts;
+        assert_eq!((facts.negative.count, facts.malformed.count), (999, 999));
+        assert_eq!((facts.negative.names.names().len(), facts.malformed_names.names().len()), (0, 0));
+        let names: Vec<&str> = facts.negative.first.iter().map(|(bone, ..)| &**bone).collect();
+        assert!(names.iter().all(|name| name.as_ptr() == names[0].as_ptr()), "one for all");
+    }
+
+    #[test]
     fn a_negative_weight_is_harmless_where_no_other_is() {
         let text = r#"{"weights": {"a": [[0, -0.5], [1, -0.5], [2, -0.5]], "b": [[1, -0.25], [2, 1], [0, 0]]}}"#;
         let facts = weights(text, 3).facts;

@@ -342,6 +342,15 @@ mod tests {
     }
 
     #[test]
+    fn the_group_that_faces_land_in_is_named_once() {
+        let all = |faces: &str| (0..100).map(|group| format!("g g{group}\n{faces}")).collect::<Vec<_>>().concat();
+        let text = format!("{SQUARE}{}g {}\nf 1 2 3\n{}", all(""), "L".repeat(1000), all("f 1 2 3\n"));
+        let reopened = parse(text.as_bytes()).facts.reopened;
+        assert_eq!(reopened.len(), 100);
+        assert!(reopened.iter().all(|one| Arc::ptr_eq(&one.lands_in[0], &reopened[0].lands_in[0])));
+    }
+
+    #[test]
     fn a_group_opened_again_may_still_be_the_current_one() {
         let text = format!("{SQUARE}g a\nf 1 2 3\ng b\nf 1 2 3\ng a\nf 1 2 3\ng b\nf 1 2 3\n");
         let facts = parse(text.as_bytes()).facts;

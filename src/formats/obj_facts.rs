@@ -111,9 +111,10 @@ pub struct BadLine {
 impl MeshFacts {
     /// The groups into which faces of another one are put, and those other ones.
     pub fn mixed_groups(&self) -> BTreeSet<&str> {
-        let names = self.reopened.iter().flat_map(|reopened| {
-            reopened.lands_in.iter().map(AsRef::as_ref).chain([reopened.name.as_str()])
-        });
+        let names = self
+            .reopened
+            .iter()
+            .flat_map(|reopened| reopened.lands_in.iter().map(AsRef::as_ref).chain([reopened.name.as_str()]));
         names.collect()
     }
 

@@ -76,12 +76,12 @@ pub struct Member {
 /// # Errors
 /// The first place at which it is no JSON.
 pub(crate) fn parse(text: &[u8]) -> Result<Document, SyntaxFault> {
-    let (reader, room) = (Reader::new(text), Room::default());
-    let mut builder = Builder { reader, duplicates: Vec::new(), room, pointer: String::new() };
+    let reader = Reader::new(text);
+    let mut builder = Builder { reader, duplicates: Vec::new(), room: Room::default(), pointer: String::new() };
     let root = builder.value()?;
     builder.reader.finish()?;
-    let Builder { reader, duplicates, room, .. } = builder;
-    Ok(Document { root, duplicates, duplicates_left_out: room.left_out, specials: reader.specials })
+    let Builder { reader, duplicates, room: Room { left_out, .. }, .. } = builder;
+    Ok(Document { root, duplicates, duplicates_left_out: left_out, specials: reader.specials })
 }
 
 impl Document {

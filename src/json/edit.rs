@@ -22,45 +22,46 @@ pub(crate) fn remove_elements(text: &[u8], finder: &mut Finder, pointers: &[&str
     let mut edits = Vec::new();
     for (pointer, gone) in by_list {
         if let Some(list) = finder.at(pointer) {
-            edits.extend(removals(text, list, &spans(list), &|at| gone.contains(&at)));
+            let span = |at: usize| list.elements().get(at).map(|element| element.span.clone());
+            edits.extend(removals(text, list, (list.elements().len(), &span), &gone));
         }
     }
     edits
 }
 
-fn spans(list: &Node) -> Vec<Range<usize>> {
-    list.elements().iter().map(|element| element.span.clone()).collect()
-}
+/// How many parts there are, and where each of them stands.
+pub(crate) type Spans<'p> = (usize, &'p dyn Fn(usize) -> Option<Range<usize>>);
 
-/// Takes parts out of a list or object: the parts at the positions that `gone` names, with one comma each.
+/// Takes parts out of a list or object: the parts at the positions `gone`, with one comma each.
 ///
 /// A part that shares its line with the one before leaves that line; a part alone on its lines takes them along.
-pub(crate) fn removals(text: &[u8], whole: &Node, parts: &[Range<usize>], gone: &dyn Fn(usize) -> bool) -> Vec<Edit> {
-    let kept = (0..parts.len()).filter(|at| !gone(*at)).count();
-    if kept == 0 && !parts.is_empty() {
+pub(crate) fn removals(text: &[u8], whole: &Node, parts: Spans<'_>, gone: &BTreeSet<usize>) -> Vec<Edit> {
+    let (count, _) = parts;
+    let gone = || gone.range(..count).copied();
+    if count > 0 && gone().count() == count {
         return vec![Edit::removal(whole.span.start + 1..whole.span.end.saturating_sub(1))];
     }
-    let mut edits = Vec::new();
-    let mut at = 0;
-    while at < parts.len() {
-        let end = (at..parts.len()).find(|at| !gone(*at)).unwrap_or(parts.len());
-        edits.extend(run_removal(text, parts, at..end));
-        at = end.max(at) + 1;
+    let mut runs: Vec<Range<usize>> = Vec::new();
+    for at in gone() {
+        match runs.last_mut().filter(|run| run.end == at) {
+            Some(run) => run.end += 1,
+            None => runs.push(at..at + 1),
+        }
     }
-    edits
+    runs.into_iter().filter_map(|run| run_removal(text, parts, run)).collect()
 }
 
 /// Takes neighbouring parts out; others remain.
-fn run_removal(text: &[u8], parts: &[Range<usize>], run: Range<usize>) -> Option<Edit> {
-    let first = parts.get(run.start).filter(|_| !run.is_empty())?;
-    let last = parts.get(run.end.checked_sub(1)?)?;
-    let before = run.start.checked_sub(1).and_then(|at| parts.get(at));
+fn run_removal(text: &[u8], (_, part): Spans<'_>, run: Range<usize>) -> Option<Edit> {
+    let first = part(run.start)?;
+    let last = part(run.end.checked_sub(1)?)?;
+    let before = run.start.checked_sub(1).and_then(part);
     let shares_line = |before: &Range<usize>| {
         text.get(before.end..first.start)
             .is_some_and(|between| !between.iter().any(|byte| matches!(byte, b'\n' | b'\r')))
     };
-    match (before, parts.get(run.end)) {
-        (Some(before), Some(_)) if shares_line(before) => Some(Edit::removal(before.end..last.end)),
+    match (before, part(run.end)) {
+        (Some(before), Some(_)) if shares_line(&before) => Some(Edit::removal(before.end..last.end)),
         (_, Some(next)) => Some(Edit::removal(first.start..next.start)),
         (Some(before), None) => Some(Edit::removal(before.end..last.end)),
         (None, None) => None,

@@ -80,9 +80,8 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 fn others(alike: &[String], target: &str) -> Option<String> {
     let named = alike.iter().filter(|other| *other != target).take(EXAMPLES);
     let mut named: Vec<String> = named.map(|other| format!("`{other}`")).collect();
-    match alike.len().checked_sub(named.len() + 1) {
-        Some(more @ 1..) => named.push(format!("{more} more")),
-        _ => {}
+    if let Some(more @ 1..) = alike.len().checked_sub(named.len() + 1) {
+        named.push(format!("{more} more"));
     }
     (!named.is_empty()).then(|| named.join(", "))
 }
