@@ -122,27 +122,44 @@ impl From<Evidence> for Cases {
     }
 }
 
+/// Bytes of names that are kept; more of them are one mass.
+const NAMED_BYTES: usize = 8 << 20;
+
 /// Names, as long as they are few. Costs nothing where there are none.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Few<T>(Vec<T>);
+pub struct Few<T> {
+    names: Vec<T>,
+    /// How long they are together, as far as anyone said so.
+    bytes: usize,
+}
 
 impl<T> Few<T> {
     /// Adds a name.
     pub fn add(&mut self, name: impl FnOnce() -> T) {
-        if self.0.len() <= NAMED_ROWS {
-            self.0.push(name());
+        self.add_long(0, name);
+    }
+
+    /// The same for a name of about this many bytes: it may come from a stranger.
+    pub fn add_long(&mut self, bytes: usize, name: impl FnOnce() -> T) {
+        if self.are_few() {
+            self.bytes = self.bytes.saturating_add(bytes);
+            self.names.push(name());
         }
+    }
+
+    const fn are_few(&self) -> bool {
+        self.names.len() <= NAMED_ROWS && self.bytes <= NAMED_BYTES
     }
 
     /// The names, or none where they are too many.
     pub fn names(&self) -> &[T] {
-        if self.0.len() > NAMED_ROWS { &[] } else { &self.0 }
+        if self.are_few() { &self.names } else { &[] }
     }
 }
 
 impl<T> Default for Few<T> {
     fn default() -> Self {
-        Self(Vec::new())
+        Self { names: Vec::new(), bytes: 0 }
     }
 }
 
@@ -190,6 +207,13 @@ mod tests {
         (0..NAMED_ROWS).for_each(|row| rows.add(|| row));
         assert_eq!(rows.names().len(), NAMED_ROWS);
         (0..NAMED_ROWS).for_each(|row| rows.add(|| row));
-        assert_eq!((rows.names().len(), rows.0.len()), (0, NAMED_ROWS + 1));
+        assert_eq!((rows.names().len(), rows.names.len()), (0, NAMED_ROWS + 1));
+    }
+
+    #[test]
+    fn names_that_are_too_long_are_not_kept() {
+        let mut names = Few::default();
+        (0..100).for_each(|_| names.add_long(1 << 20, || ()));
+        assert_eq!((names.names().len(), names.names.len()), (0, 9));
     }
 }

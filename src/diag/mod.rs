@@ -30,7 +30,7 @@ pub use outcome::{
     ApplicationVerdict, Compared, FailedStep, NotChecked, Outcome, Phase, RootSummary, Scope, Summary, TakenOver,
     Timed, Timing, Unchecked, Untouched, Verdict,
 };
-pub use parts::{Name, Parts};
+pub use parts::{Name, NameIndex, Parts};
 pub use place::{Element, Excerpt, Location, Place, add_step, pointer, steps};
 pub use rule_info::{Case, FixKind, OptionInfo, RuleInfo};
 pub use subject::Subject;

@@ -110,28 +110,11 @@ impl Parts {
     /// Those whose names are in none of the `known`. Where both lie in files, it is the name in that file.
     #[must_use]
     pub fn without<'p>(&self, known: impl IntoIterator<Item = &'p Self>) -> Self {
-        let (mut anywhere, mut free, mut inside) = (Vec::new(), Vec::new(), BTreeMap::<&str, Vec<Name>>::new());
-        for (name, file) in known.into_iter().flat_map(Self::iter) {
-            anywhere.push(name.clone());
-            match file {
-                Some(file) => inside.entry(file).or_default().push(name.clone()),
-                None => free.push(name.clone()),
-            }
-        }
-        let (anywhere, free): (Self, Self) = (anywhere.into_iter().collect(), free.into_iter().collect());
-        let inside: BTreeMap<&str, Self> =
-            inside.into_iter().map(|(file, names)| (file, names.into_iter().collect())).collect();
+        let known = NameIndex::of(known);
         let rest = |(name, number): &(Name, Option<usize>)| {
-            let (name, number) = (name.clone(), *number);
-            let left = match number.and_then(|number| self.files.get(number)) {
-                None => anywhere.rest_of(name),
-                Some(file) => {
-                    let left =
-                        inside.get(file.as_str()).map_or_else(|| vec![name.clone()], |own| own.rest_of(name.clone()));
-                    left.into_iter().flat_map(|name| free.rest_of(name)).collect()
-                }
-            };
-            left.into_iter().map(move |name| (name, number)).collect::<Vec<_>>()
+            let file = number.and_then(|number| self.files.get(number)).map(String::as_str);
+            let number = *number;
+            known.rest_of(name, file).into_iter().map(move |name| (name, number)).collect::<Vec<_>>()
         };
         Self { named: self.named.iter().flat_map(rest).collect(), files: self.files.clone() }
     }
@@ -165,6 +148,42 @@ impl Parts {
         }
         gaps.extend(next.filter(|next| *next <= last).map(|next| Name::Numbers(next, last)));
         gaps
+    }
+}
+
+/// Names of some parts, made ready for others to be looked up.
+pub struct NameIndex<'p> {
+    anywhere: Parts,
+    /// Those that lie in no file.
+    free: Parts,
+    inside: BTreeMap<&'p str, Parts>,
+}
+
+impl<'p> NameIndex<'p> {
+    /// The names of all these parts.
+    pub fn of(parts: impl IntoIterator<Item = &'p Parts>) -> Self {
+        let (mut anywhere, mut free, mut inside) = (Vec::new(), Vec::new(), BTreeMap::<&str, Vec<Name>>::new());
+        for (name, file) in parts.into_iter().flat_map(Parts::iter) {
+            anywhere.push(name.clone());
+            match file {
+                Some(file) => inside.entry(file).or_default().push(name.clone()),
+                None => free.push(name.clone()),
+            }
+        }
+        let inside = inside.into_iter().map(|(file, names)| (file, names.into_iter().collect())).collect();
+        Self { anywhere: anywhere.into_iter().collect(), free: free.into_iter().collect(), inside }
+    }
+
+    /// Whether one of the names is among these. Where both lie in files, it is the name in that file.
+    pub fn has_one_of(&self, parts: &Parts) -> bool {
+        parts.iter().any(|(name, file)| self.rest_of(name, file) != [name.clone()])
+    }
+
+    /// What of a name in a file is not among these.
+    fn rest_of(&self, name: &Name, file: Option<&str>) -> Vec<Name> {
+        let Some(file) = file else { return self.anywhere.rest_of(name.clone()) };
+        let own = self.inside.get(file).map_or_else(|| vec![name.clone()], |own| own.rest_of(name.clone()));
+        own.into_iter().flat_map(|name| self.free.rest_of(name)).collect()
     }
 }
 

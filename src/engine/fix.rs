@@ -1,5 +1,6 @@
 //! Fixes: check, change in memory, check again, until nothing is left that can be fixed; writing comes after.
 
+use std::cell::OnceCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 
@@ -11,7 +12,7 @@ use crate::config::Config;
 use crate::diag::{Change, Edit, Finding, Fix, FixKind, Note, Outcome, Rewrite, Step};
 use crate::fix::{FileChange, Patch, Plan, apply, is_packed, pack, unpack};
 use crate::formats::{mhw_edit, target_edit};
-use crate::json;
+use crate::json::{self, Finder};
 use crate::source::{Limits, Tree, resolved};
 
 /// Turns at most; what still asks for fixes then is left as it is and said.
@@ -101,9 +102,10 @@ impl Work {
     fn plan(&self, now: &Side, outcome: &Outcome) -> (Plan, Vec<&'static str>) {
         let mut plan = Plan::default();
         let mut fixed = Vec::new();
+        let mut texts = Texts::default();
         for finding in &outcome.findings {
             if let Some(fix) = finding.fix.as_ref().filter(|fix| self.may(fix))
-                && let Some(patches) = self.patches(now, fix)
+                && let Some(patches) = self.patches(now, fix, &mut texts)
                 && plan.accept(patches)
             {
                 fixed.push(finding.rule);
@@ -147,7 +149,7 @@ impl Work {
     }
 
     /// Byte edits of all steps; nothing if one of them cannot be done.
-    fn patches(&self, now: &Side, fix: &Fix) -> Option<Vec<(String, Patch)>> {
+    fn patches(&self, now: &Side, fix: &Fix, texts: &mut Texts) -> Option<Vec<(String, Patch)>> {
         let mut changes: BTreeMap<&str, Vec<&Change>> = BTreeMap::new();
         for step in self.steps(fix) {
             changes.entry(&step.path).or_default().push(&step.change);
@@ -157,9 +159,11 @@ impl Work {
             if changes.iter().any(|change| matches!(change, Change::Remove)) {
                 return Some((path.to_owned(), Patch::Remove));
             }
-            let stored = tree.read(tree.entry(rel)?, &self.limits).ok()?;
-            let text = unpack(&stored, &self.limits).ok()?;
-            Some((path.to_owned(), Patch::Edits(edits(&text, &changes)?)))
+            let text = texts.of(path, || {
+                let stored = tree.read(tree.entry(rel)?, &self.limits).ok()?;
+                unpack(&stored, &self.limits).ok()
+            })?;
+            Some((path.to_owned(), Patch::Edits(edits(text, &changes)?)))
         };
         changes.into_iter().map(patch).collect()
     }
@@ -222,27 +226,50 @@ fn disk_path(tree: &Tree, rel: &str) -> Option<PathBuf> {
     Some(tree.root()?.join(&tree.entry(rel)?.native))
 }
 
+/// The text of the file that was changed last: mostly the next fix is one in the same file.
+#[derive(Default)]
+struct Texts {
+    last: Option<(String, Text)>,
+}
+
+/// A text, and its tree if one was asked for.
+struct Text {
+    bytes: Vec<u8>,
+    finder: OnceCell<Option<Finder>>,
+}
+
+impl Texts {
+    fn of(&mut self, path: &str, read: impl FnOnce() -> Option<Vec<u8>>) -> Option<&mut Text> {
+        if self.last.as_ref().is_none_or(|(known, _)| known != path) {
+            self.last = Some((path.to_owned(), Text { bytes: read()?, finder: OnceCell::new() }));
+        }
+        self.last.as_mut().map(|(_, text)| text)
+    }
+}
+
 /// Descriptions to bytes. Nothing if one of them does not fit the text.
-fn edits(text: &[u8], changes: &[&Change]) -> Option<Vec<Edit>> {
+fn edits(text: &mut Text, changes: &[&Change]) -> Option<Vec<Edit>> {
     let mut edits = Vec::new();
     let mut elements = Vec::new();
-    let document = changes
-        .iter()
-        .any(|change| matches!(change, Change::Value { .. } | Change::Element(_)))
-        .then(|| json::parse(text).ok())
-        .flatten();
+    let Text { bytes, finder } = text;
+    let mut finder = if changes.iter().any(|change| matches!(change, Change::Value { .. } | Change::Element(_))) {
+        finder.get_or_init(|| json::parse(bytes).ok().map(Finder::new));
+        finder.get_mut().and_then(Option::as_mut)
+    } else {
+        None
+    };
     for change in changes {
         match change {
             Change::Value { pointer, text } => {
-                edits.push(json::set_value(document.as_ref()?, pointer, text.as_deref())?);
+                edits.push(json::set_value(finder.as_mut()?, pointer, text.as_deref())?);
             }
             Change::Element(pointer) => elements.push(pointer.as_str()),
-            Change::Rewrite(rewrite) => edits.extend(rewritten(*rewrite, text)),
+            Change::Rewrite(rewrite) => edits.extend(rewritten(*rewrite, bytes)),
             Change::Remove => return None,
         }
     }
-    if let Some(document) = document.filter(|_| !elements.is_empty()) {
-        edits.extend(json::remove_elements(text, &document, &elements));
+    if let Some(finder) = finder.filter(|_| !elements.is_empty()) {
+        edits.extend(json::remove_elements(bytes, finder, &elements));
     }
     Some(edits)
 }

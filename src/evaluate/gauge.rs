@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use rayon::prelude::*;
 
 use crate::config::{Config, MOST_SAMPLES};
+use crate::diag::Few;
 use crate::eval::culprit::most_moving;
 use crate::eval::look::look;
 use crate::eval::macros::MacroWork;
@@ -145,7 +146,7 @@ fn survey(scene: &Scene, settings: &[Setting], work: u64) -> Option<(SpaceMeasur
     let named = |seen: Option<Seen>, name: &dyn Fn(usize) -> String, each: &dyn Fn(usize) -> String| {
         seen.map(|seen| Seen {
             name: name(seen.element),
-            all: seen.elements.iter().map(|element| each(*element)).collect(),
+            all: few(seen.elements.iter().map(|element| each(*element))),
             ..seen
         })
     };
@@ -177,6 +178,13 @@ fn survey(scene: &Scene, settings: &[Setting], work: u64) -> Option<(SpaceMeasur
         flat_plane: named(seen(survey.flat_plane, &of_bone), &bone, &bone),
     };
     Some((space, is_cut || surveyor.is_without_anchors))
+}
+
+/// The names, or none where they are too many to be told apart.
+fn few(all: impl Iterator<Item = String>) -> Vec<String> {
+    let mut names = Few::default();
+    all.for_each(|name| names.add_long(name.len(), || name));
+    names.names().to_vec()
 }
 
 /// Parts of the mesh that targets are measured against, and the names of the joint cubes.

@@ -17,22 +17,58 @@ pub enum Patch {
 /// The fixes of one turn, by file.
 #[derive(Debug, Default)]
 pub struct Plan {
-    files: BTreeMap<String, Patch>,
+    files: BTreeMap<String, Planned>,
+}
+
+/// What is to be done to one file.
+#[derive(Debug)]
+enum Planned {
+    /// Edits by where they begin; they do not meet.
+    Edits(BTreeMap<usize, Edit>),
+    Remove,
 }
 
 impl Plan {
-    /// Takes a fix in, whole or not at all. `false`: it has to wait, or changes nothing.
+    /// Takes a fix in, whole or not at all. `false`: it has to wait, or changes nothing. A fix has one patch for a file.
     pub fn accept(&mut self, fix: Vec<(String, Patch)>) -> bool {
-        let mut joined: BTreeMap<String, Patch> = BTreeMap::new();
+        let mut taken = Vec::with_capacity(fix.len());
         for (path, patch) in fix {
-            let known = joined.remove(&path).or_else(|| self.files.get(&path).cloned());
-            let Some(patch) = join(known, patch) else { return false };
-            joined.insert(path, patch);
+            let Some(patch) = self.fitting(&path, patch) else { return false };
+            taken.push((path, patch));
         }
-        joined.retain(|_, patch| !matches!(patch, Patch::Edits(edits) if edits.is_empty()));
-        let accepted = !joined.is_empty();
-        self.files.append(&mut joined);
+        taken.retain(|(_, patch)| !matches!(patch, Patch::Edits(edits) if edits.is_empty()));
+        let accepted = !taken.is_empty();
+        for (path, patch) in taken {
+            self.add(path, patch);
+        }
         accepted
+    }
+
+    /// The patch with its edits in order, unless some of them meet one another or those that are planned.
+    fn fitting(&self, file: &str, patch: Patch) -> Option<Patch> {
+        match (self.files.get(file), patch) {
+            (None, Patch::Remove) => Some(Patch::Remove),
+            (None, Patch::Edits(edits)) => sorted(edits).map(Patch::Edits),
+            (Some(Planned::Edits(known)), Patch::Edits(edits)) => {
+                let edits = sorted(edits)?;
+                edits.iter().all(|edit| is_apart(known, edit)).then_some(Patch::Edits(edits))
+            }
+            (Some(_), _) => None,
+        }
+    }
+
+    fn add(&mut self, file: String, patch: Patch) {
+        match patch {
+            Patch::Remove => {
+                self.files.insert(file, Planned::Remove);
+            }
+            Patch::Edits(edits) => {
+                let planned = self.files.entry(file).or_insert_with(|| Planned::Edits(BTreeMap::new()));
+                if let Planned::Edits(known) = planned {
+                    known.extend(edits.into_iter().map(|edit| (edit.range.start, edit)));
+                }
+            }
+        }
     }
 
     /// Whether there is nothing to do.
@@ -42,26 +78,28 @@ impl Plan {
 
     /// What is to be done, by file.
     pub fn into_files(self) -> BTreeMap<String, Patch> {
-        self.files
+        let patch = |planned| match planned {
+            Planned::Edits(edits) => Patch::Edits(edits.into_values().collect()),
+            Planned::Remove => Patch::Remove,
+        };
+        self.files.into_iter().map(|(path, planned)| (path, patch(planned))).collect()
     }
 }
 
-/// Both patches of a file in one, unless they meet.
-fn join(known: Option<Patch>, patch: Patch) -> Option<Patch> {
-    match (known, patch) {
-        (None, Patch::Remove) => Some(Patch::Remove),
-        (None, Patch::Edits(edits)) => sorted(edits).map(Patch::Edits),
-        (Some(Patch::Edits(mut edits)), Patch::Edits(more)) => {
-            edits.extend(more);
-            sorted(edits).map(Patch::Edits)
-        }
-        (Some(_), _) => None,
-    }
+/// Whether an edit meets neither the planned one before it nor the one behind it.
+fn is_apart(known: &BTreeMap<usize, Edit>, edit: &Edit) -> bool {
+    let before = known.range(..=edit.range.start).next_back();
+    let behind = known.range(edit.range.start..).next();
+    !before.is_some_and(|(_, before)| meet(before, edit)) && !behind.is_some_and(|(_, behind)| meet(edit, behind))
+}
+
+/// Whether an edit meets one that does not begin before it.
+fn meet(a: &Edit, b: &Edit) -> bool {
+    a.range.start == b.range.start || b.range.start < a.range.end
 }
 
 fn sorted(mut edits: Vec<Edit>) -> Option<Vec<Edit>> {
     edits.sort_by_key(|edit| (edit.range.start, edit.range.end));
-    let meet = |a: &Edit, b: &Edit| a.range.start == b.range.start || b.range.start < a.range.end;
     let clash = edits.windows(2).any(|pair| matches!(pair, [a, b] if meet(a, b)));
     (!clash).then_some(edits)
 }
@@ -102,6 +140,17 @@ mod tests {
         let files = plan.into_files();
         let Some(Patch::Edits(all)) = files.get("a") else { panic!("edits") };
         assert_eq!(apply(b"0123456789", all), b"xyz789");
+    }
+
+    #[test]
+    fn many_fixes_of_one_file_lie_in_order() {
+        let mut plan = Plan::default();
+        for number in (0..1000).rev() {
+            assert!(plan.accept(vec![on("a", edits(&[(2 * number, 2 * number + 1, "")]))]));
+        }
+        assert!(!plan.accept(vec![on("a", edits(&[(2001, 2002, ""), (7, 9, "")]))]), "one of them meets");
+        let Some(Patch::Edits(all)) = plan.into_files().remove("a") else { panic!("edits") };
+        assert_eq!((all.len(), all.is_sorted_by_key(|edit| edit.range.start)), (1000, true));
     }
 
     #[test]

@@ -25,6 +25,8 @@ pub enum JsonFault {
 pub struct JsonFacts {
     /// Keys given twice.
     pub duplicates: Vec<Duplicate>,
+    /// How many more of them there are.
+    pub duplicates_left_out: usize,
     /// `NaN` and infinities, which only Python accepts.
     pub specials: Vec<Range<usize>>,
     /// Python would take the whole for false: empty object, array, string, 0, null.
@@ -54,6 +56,7 @@ impl JsonFacts {
     pub fn of(document: &Document) -> Self {
         Self {
             duplicates: document.duplicates.clone(),
+            duplicates_left_out: document.duplicates_left_out,
             specials: document.specials.clone(),
             falsy: document.root.is_falsy(),
         }

@@ -4,6 +4,7 @@
 //! and reported by the schema.
 
 use std::collections::HashMap;
+use std::sync::Arc;
 
 use crate::json::{Document, Node, Value};
 
@@ -24,14 +25,28 @@ const MOST_COMPARED: usize = 1 << 18;
 /// Most combinations of all definitions together, those with a component left out included. A definition that has more
 /// alone is not walked. The macros of a whole character come to a hundredth.
 const MOST_COMBINATIONS: usize = 1 << 20;
+/// Most values of all definitions, times the places in all names at which one of them may stand: that many are tried
+/// where names are spelled with the components. The macros of a whole character come to a tenth.
+const MOST_SPELLED: usize = 1 << 22;
 
 impl MacroFile {
     fn new(components: Vec<Component>, macrodefs: Vec<Macrodef>) -> Self {
         let names: usize = macrodefs.iter().map(|macrodef| macrodef.components.len() + macrodef.links.len()).sum();
         let compared = names.saturating_mul(components.len() + macrodefs.len());
-        let is_too_large = compared > MOST_COMPARED || combinations(&components, &macrodefs) > MOST_COMBINATIONS;
+        let is_too_large = compared > MOST_COMPARED
+            || combinations(&components, &macrodefs) > MOST_COMBINATIONS
+            || spelled(&components, &macrodefs) > MOST_SPELLED;
         Self { components, macrodefs, is_too_large }
     }
+}
+
+fn spelled(components: &[Component], macrodefs: &[Macrodef]) -> usize {
+    let values: HashMap<&str, usize> = components.iter().map(|own| (own.name.as_str(), own.values.len())).collect();
+    let names = macrodefs.iter().flat_map(|macrodef| &macrodef.components);
+    let values: usize = names.filter_map(|name| values.get(name.as_str())).sum();
+    let links = macrodefs.iter().flat_map(|macrodef| &macrodef.links);
+    let places: usize = links.map(|link| link.name.bytes().filter(|byte| *byte == b'-').count() + 1).sum();
+    values.saturating_mul(places)
 }
 
 fn combinations(components: &[Component], macrodefs: &[Macrodef]) -> usize {
@@ -70,7 +85,7 @@ pub struct Macrodef {
     /// Folder as written.
     pub folder: Option<String>,
     /// Folder that is used: of the previous definition if there is none.
-    pub effective_folder: Option<String>,
+    pub effective_folder: Option<Arc<str>>,
     /// Entries with `name` and `t`; others are skipped by the loader.
     pub links: Vec<Link>,
     /// Positions of entries without `name` or without `t`.
@@ -129,11 +144,11 @@ fn components(node: &Node) -> Vec<Component> {
 }
 
 fn macrodefs(node: &Node) -> Vec<Macrodef> {
-    let mut folder = None;
+    let mut folder: Option<Arc<str>> = None;
     let mut all = Vec::new();
     for (index, node) in node.elements().iter().enumerate() {
         let own = text(node, "folder");
-        folder = own.clone().or(folder);
+        folder = own.as_deref().map(Arc::from).or(folder);
         let mut macrodef = Macrodef {
             index,
             name: text(node, "name"),
@@ -221,6 +236,16 @@ mod tests {
         };
         // Names compared with definitions; then combinations: 4^10 once and twice, and 4^11, which are never walked.
         assert!(!is_too_large(511, names(1)) && is_too_large(512, names(1)));
+        // Two components of 16 values, and a name of as many places as may be tried, or one more.
+        let spelled = |places: usize| {
+            let components =
+                ["a", "b"].map(|name| Component { name: name.to_owned(), values: names(16), ..Component::default() });
+            let link = Link { index: 0, name: "-".repeat(places - 1), target: None };
+            let names = vec!["a".to_owned(), "b".to_owned()];
+            let macrodef = Macrodef { components: names, links: vec![link], ..Macrodef::default() };
+            MacroFile::new(components.to_vec(), vec![macrodef]).is_too_large
+        };
+        assert!(!spelled(MOST_SPELLED / 32) && spelled(MOST_SPELLED / 32 + 1));
         assert!(!is_too_large(1, names(10)) && is_too_large(2, names(10)) && !is_too_large(9, names(11)));
     }
 

@@ -130,7 +130,8 @@ fn read_pairs(reader: &mut Reader<'_>, bone: &mut BoneWeights, malformed: &mut F
             bone.pairs.push(Pair { position, vertex, weight });
             continue;
         }
-        malformed.add(|| entry_name(&bone.name, reader.since(start)));
+        let text = reader.since(start);
+        malformed.add_long(bone.name.len(), || entry_name(&bone.name, text));
         if bone.malformed.len() < crate::diag::EXAMPLES {
             bone.malformed.push(position);
         }

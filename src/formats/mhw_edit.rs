@@ -144,14 +144,13 @@ impl<'d> Table<'d> {
             let listed = self.bones.get(bone).map_or(0, |member| member.node.elements().len());
             listed > 0 && gone.range((bone, 0)..=(bone, usize::MAX)).count() == listed
         };
-        let members: Vec<Range<usize>> =
-            self.bones.iter().map(|member| member.key_span.start..member.node.span.end).collect();
-        let mut edits = json::removals(text, self.object, &members, &is_emptied);
+        let members = |bone: usize| self.bones.get(bone).map(|member| member.key_span.start..member.node.span.end);
+        let emptied = (0..self.bones.len()).filter(|bone| is_emptied(*bone)).collect();
+        let mut edits = json::removals(text, self.object, (self.bones.len(), &members), &emptied);
         for (bone, member) in self.bones.iter().enumerate().filter(|(bone, _)| !is_emptied(*bone)) {
-            if gone.range((bone, 0)..=(bone, usize::MAX)).next().is_some() {
-                let pairs: Vec<Range<usize>> = member.node.elements().iter().map(|pair| pair.span.clone()).collect();
-                edits.extend(json::removals(text, &member.node, &pairs, &|at| gone.contains(&(bone, at))));
-            }
+            let gone = gone.range((bone, 0)..=(bone, usize::MAX)).map(|(_, at)| *at).collect();
+            let pairs = |at: usize| member.node.elements().get(at).map(|pair| pair.span.clone());
+            edits.extend(json::removals(text, &member.node, (member.node.elements().len(), &pairs), &gone));
         }
         edits
     }

@@ -4,6 +4,7 @@
 //! Gets the pairs of all bones and the vertex count of the mesh; one walk, then one over the vertices.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 
 use super::mhw::{BoneWeights, Pair};
 use crate::diag::{Cases, EXAMPLES, Evidence, Few};
@@ -78,23 +79,23 @@ pub struct PairTally {
     /// How many.
     pub count: u64,
     /// The first few: bone, position in its list, vertex, weight.
-    pub first: Vec<(String, u32, i64, f32)>,
+    pub first: Vec<(Arc<str>, u32, i64, f32)>,
     /// The largest number by amount.
-    pub worst: Option<(String, i64, f32)>,
+    pub worst: Option<(Arc<str>, i64, f32)>,
     /// All of them as `bone[vertex]`.
     names: Few<String>,
 }
 
 impl PairTally {
-    fn add(&mut self, bone: &str, pair: Pair) {
+    fn add(&mut self, bone: &Arc<str>, pair: Pair) {
         self.count += 1;
         if self.first.len() < EXAMPLES {
-            self.first.push((bone.to_owned(), pair.position, pair.vertex, pair.weight));
+            self.first.push((Arc::clone(bone), pair.position, pair.vertex, pair.weight));
         }
-        self.names.add(|| format!("{bone}[{}]", pair.vertex));
-        let farther = |worst: &(String, i64, f32)| pair.weight.abs() > worst.2.abs();
+        self.names.add_long(bone.len(), || format!("{bone}[{}]", pair.vertex));
+        let farther = |worst: &(Arc<str>, i64, f32)| pair.weight.abs() > worst.2.abs();
         if self.worst.as_ref().is_none_or(farther) {
-            self.worst = Some((bone.to_owned(), pair.vertex, pair.weight));
+            self.worst = Some((Arc::clone(bone), pair.vertex, pair.weight));
         }
     }
 
@@ -112,17 +113,18 @@ impl WeightsFacts {
         self.sums = vec![0.0; vertices.unwrap_or(0)];
         let mut faulty = vec![false; vertices.unwrap_or(0)];
         for bone in bones {
-            self.count_malformed(bone);
+            let name = &Arc::from(bone.name.as_str());
+            self.count_malformed(bone, name);
             self.pairs += bone.pairs.len();
             for pair in &bone.pairs {
-                self.count_pair(&bone.name, *pair, vertices.is_some(), &mut faulty);
+                self.count_pair(name, *pair, vertices.is_some(), &mut faulty);
             }
-            self.count_duplicates(bone, &mut faulty);
+            self.count_duplicates(bone, name, &mut faulty);
         }
         let mut lost = BTreeMap::new();
         for bone in bones {
             self.count_alone(bone);
-            self.count_below_threshold(bone, &mut lost);
+            self.count_below_threshold(bone, &Arc::from(bone.name.as_str()), &mut lost);
         }
         let all = bones.iter().flat_map(|bone| &bone.pairs);
         self.may_overflow = !all.map(|pair| pair.weight.abs()).sum::<f32>().is_finite();
@@ -131,15 +133,15 @@ impl WeightsFacts {
         self.sum = SumFacts::of(&self.sums, &faulty);
     }
 
-    fn count_malformed(&mut self, bone: &BoneWeights) {
+    fn count_malformed(&mut self, bone: &BoneWeights, name: &Arc<str>) {
         for position in &bone.malformed {
-            self.malformed.add(&bone.name, Pair { position: *position, vertex: -1, weight: 0.0 });
+            self.malformed.add(name, Pair { position: *position, vertex: -1, weight: 0.0 });
         }
         let kept = bone.pairs.len() + bone.malformed.len();
         self.malformed.count += bone.listed.saturating_sub(kept) as u64;
     }
 
-    fn count_pair(&mut self, bone: &str, pair: Pair, has_mesh: bool, faulty: &mut [bool]) {
+    fn count_pair(&mut self, bone: &Arc<str>, pair: Pair, has_mesh: bool, faulty: &mut [bool]) {
         let tally = match pair.weight {
             weight if !weight.is_finite() => Some(&mut self.non_finite),
             weight if weight < 0.0 => Some(&mut self.negative),
@@ -162,14 +164,14 @@ impl WeightsFacts {
     }
 
     /// Shipped lists are sorted, which needs no table.
-    fn count_duplicates(&mut self, bone: &BoneWeights, faulty: &mut [bool]) {
+    fn count_duplicates(&mut self, bone: &BoneWeights, name: &Arc<str>, faulty: &mut [bool]) {
         if bone.pairs.is_sorted_by(|a, b| a.vertex < b.vertex) {
             return;
         }
         let mut seen = BTreeSet::new();
         for pair in &bone.pairs {
             if !seen.insert(pair.vertex) {
-                self.duplicate.add(&bone.name, *pair);
+                self.duplicate.add(name, *pair);
                 mark(faulty, *pair);
             }
         }
@@ -182,7 +184,7 @@ impl WeightsFacts {
         self.above_one_alone += above.filter(|pair| sum(pair) == Some(pair.weight)).count() as u64;
     }
 
-    fn count_below_threshold(&mut self, bone: &BoneWeights, lost: &mut BTreeMap<u32, f32>) {
+    fn count_below_threshold(&mut self, bone: &BoneWeights, name: &Arc<str>, lost: &mut BTreeMap<u32, f32>) {
         for pair in &bone.pairs {
             let vertex = u32::try_from(pair.vertex).ok();
             let sum = vertex.and_then(|vertex| Some((vertex, *self.sums.get(vertex as usize)?)));
@@ -193,7 +195,7 @@ impl WeightsFacts {
                 && pair.weight >= 0.0
                 && pair.weight / sum <= THRESHOLD
             {
-                self.below_threshold.add(&bone.name, *pair);
+                self.below_threshold.add(name, *pair);
                 if pair.weight > 0.0 {
                     *lost.entry(vertex).or_default() += pair.weight / sum;
                 }
@@ -263,10 +265,21 @@ mod tests {
         let f = weights(text, 4).facts;
         let counts = [&f.duplicate, &f.negative, &f.above_one, &f.out_of_range, &f.non_finite, &f.malformed];
         assert_eq!(counts.map(|tally| tally.count), [1, 1, 1, 2, 1, 4]);
-        assert_eq!(f.below_threshold.first, [("b".to_owned(), 2, 2, 0.0001)]);
+        assert_eq!(f.below_threshold.first, [("b".into(), 2, 2, 0.0001)]);
         assert_eq!(f.lost, [(2, 0.0001 / 1.5001)]);
         assert_eq!((f.sums[0], f.sums[1]), (1.0, 0.75));
         assert_eq!((f.sum.off, f.negative_index), (0, 1));
+    }
+
+    #[test]
+    fn a_long_bone_is_not_repeated_for_each_of_its_pairs() {
+        let pairs: Vec<String> = (1..1000).map(|weight| format!("[0, -{weight}], [1]")).collect();
+        let text = format!(r#"{{"weights": {{"{}": [{}]}}}}"#, "b".repeat(1 << 20), pairs.join(", "));
+        let facts = weights(&text, 4).facts;
+        assert_eq!((facts.negative.count, facts.malformed.count), (999, 999));
+        assert_eq!((facts.negative.names.names().len(), facts.malformed_names.names().len()), (0, 0));
+        let names: Vec<&str> = facts.negative.first.iter().map(|(bone, ..)| &**bone).collect();
+        assert!(names.iter().all(|name| name.as_ptr() == names[0].as_ptr()), "one for all");
     }
 
     #[test]

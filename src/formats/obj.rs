@@ -5,6 +5,7 @@
 //! with a second texture coordinate are duplicated behind the real ones ("seam").
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 
 use super::faulty_rows::row_name;
 use super::fields::fields;
@@ -111,6 +112,8 @@ struct Parser {
     /// Names that were open, with their place in [`MeshFacts::reopened`].
     known: BTreeMap<String, Option<usize>>,
     current: Option<u32>,
+    /// Its name, which all groups that are opened again after it share.
+    current_name: Option<Arc<str>>,
     /// Name of the last `g`, and its place in [`MeshFacts::reopened`] with 1 if faces now stray.
     named: String,
     reopened: Option<(usize, usize)>,
@@ -187,16 +190,16 @@ impl Parser {
             self.open(name, self.line);
             return;
         };
-        let current = self.current.and_then(|group| self.mesh.groups.get(group as usize));
-        let lands_in = current.map_or(DEFAULT_GROUP, |group| group.name.as_str());
+        let lands_in = self.current_name.get_or_insert_with(|| Arc::from(DEFAULT_GROUP));
         let at = self.mesh.facts.reopen(*known, &name, self.line, lands_in);
         *known = Some(at);
-        self.reopened = Some((at, usize::from(lands_in != name)));
+        self.reopened = Some((at, usize::from(**lands_in != *name)));
     }
 
     fn open(&mut self, name: String, line: u32) -> u32 {
         let index = u32::try_from(self.mesh.groups.len()).unwrap_or(u32::MAX);
         self.known.insert(name.clone(), None);
+        self.current_name = Some(Arc::from(name.as_str()));
         self.mesh.groups.push(Group { name, line, faces: 0, vertices: None });
         self.current = Some(index);
         index
@@ -225,11 +228,11 @@ impl Parser {
     /// Only faces that are drawn need three corners.
     fn short_face(&mut self, line: &[u8]) {
         let group = self.current.and_then(|group| self.mesh.groups.get(group as usize));
-        let group = group.map_or(DEFAULT_GROUP, |group| group.name.as_str()).to_owned();
+        let group = group.map_or(DEFAULT_GROUP, |group| group.name.as_str());
         let faces = &mut self.mesh.facts.short_faces;
         // One of each run of a group is enough to tell.
         if faces.last().is_none_or(|last| last.group != group) {
-            faces.push(ShortFace { line: self.line, text: shortened(line), group });
+            faces.push(ShortFace { line: self.line, text: shortened(line), group: group.to_owned() });
         }
     }
 
@@ -335,7 +338,16 @@ mod tests {
         assert_eq!(groups, [("body", 1), ("helper", 4)]);
         let [reopened] = mesh.facts.reopened.as_slice() else { panic!("one group") };
         assert_eq!((reopened.name.as_str(), reopened.faces, reopened.line), ("body", 3, 9));
-        assert_eq!((reopened.strayed, reopened.lands_in.as_slice()), (3, ["helper".to_owned()].as_slice()));
+        assert_eq!((reopened.strayed, reopened.lands_in.as_slice()), (3, [Arc::from("helper")].as_slice()));
+    }
+
+    #[test]
+    fn the_group_that_faces_land_in_is_named_once() {
+        let all = |faces: &str| (0..100).map(|group| format!("g g{group}\n{faces}")).collect::<Vec<_>>().concat();
+        let text = format!("{SQUARE}{}g {}\nf 1 2 3\n{}", all(""), "L".repeat(1000), all("f 1 2 3\n"));
+        let reopened = parse(text.as_bytes()).facts.reopened;
+        assert_eq!(reopened.len(), 100);
+        assert!(reopened.iter().all(|one| Arc::ptr_eq(&one.lands_in[0], &reopened[0].lands_in[0])));
     }
 
     #[test]
@@ -356,7 +368,7 @@ mod tests {
     fn faces_before_any_group_have_the_default_one() {
         let mesh = parse(format!("{SQUARE}f 1 2 3 4\ng body\nf 1 2 3\ng mh_default\nf 1 2 3\n").as_bytes());
         assert_eq!(mesh.groups[0].name, DEFAULT_GROUP);
-        assert_eq!(mesh.facts.reopened[0].lands_in, ["body"]);
+        assert_eq!(mesh.facts.reopened[0].lands_in, [Arc::from("body")]);
     }
 
     #[test]

@@ -3,6 +3,7 @@
 //! Gets the mesh and the lines of its faces, completes the facts; checks nothing.
 
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
 use super::obj::{Face, Mesh, NO_UV};
 use crate::diag::{Few, Tally};
@@ -58,7 +59,7 @@ pub struct Reopened {
     /// How many of them end up in another group.
     pub strayed: usize,
     /// The other groups, the first few.
-    pub lands_in: Vec<String>,
+    pub lands_in: Vec<Arc<str>>,
 }
 
 /// A face with a vertex twice.
@@ -110,22 +111,25 @@ pub struct BadLine {
 impl MeshFacts {
     /// The groups into which faces of another one are put, and those other ones.
     pub fn mixed_groups(&self) -> BTreeSet<&str> {
-        let names = self.reopened.iter().flat_map(|reopened| reopened.lands_in.iter().chain([&reopened.name]));
-        names.map(String::as_str).collect()
+        let names = self
+            .reopened
+            .iter()
+            .flat_map(|reopened| reopened.lands_in.iter().map(AsRef::as_ref).chain([reopened.name.as_str()]));
+        names.collect()
     }
 
     /// Notes that the name `name` was opened again; takes and gives its place in [`MeshFacts::reopened`].
-    pub(super) fn reopen(&mut self, known: Option<usize>, name: &str, line: u32, lands_in: &str) -> usize {
+    pub(super) fn reopen(&mut self, known: Option<usize>, name: &str, line: u32, lands_in: &Arc<str>) -> usize {
         let at = known.unwrap_or(self.reopened.len());
         if known.is_none() {
             self.reopened.push(Reopened { name: name.to_owned(), line, faces: 0, strayed: 0, lands_in: Vec::new() });
         }
         if let Some(Reopened { lands_in: groups, .. }) = self.reopened.get_mut(at)
-            && lands_in != name
+            && **lands_in != *name
             && groups.len() < LANDINGS_KEPT
             && !groups.iter().any(|group| group == lands_in)
         {
-            groups.push(lands_in.to_owned());
+            groups.push(Arc::clone(lands_in));
         }
         at
     }

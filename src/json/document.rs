@@ -5,6 +5,7 @@ use std::ops::Range;
 use serde_json::Value as Plain;
 
 use super::reader::{Reader, SyntaxFault};
+use super::room::Room;
 use crate::diag::{add_step, steps};
 
 /// A parsed text.
@@ -14,6 +15,8 @@ pub struct Document {
     pub root: Node,
     /// Keys that occur more than once in one object.
     pub duplicates: Vec<Duplicate>,
+    /// How many more of them there are.
+    pub duplicates_left_out: usize,
     /// Spans of `NaN` and the infinities.
     pub specials: Vec<Range<usize>>,
 }
@@ -73,10 +76,12 @@ pub struct Member {
 /// # Errors
 /// The first place at which it is no JSON.
 pub(crate) fn parse(text: &[u8]) -> Result<Document, SyntaxFault> {
-    let mut builder = Builder { reader: Reader::new(text), duplicates: Vec::new(), pointer: String::new() };
+    let reader = Reader::new(text);
+    let mut builder = Builder { reader, duplicates: Vec::new(), room: Room::default(), pointer: String::new() };
     let root = builder.value()?;
     builder.reader.finish()?;
-    Ok(Document { root, duplicates: builder.duplicates, specials: builder.reader.specials })
+    let Builder { reader, duplicates, room: Room { left_out, .. }, .. } = builder;
+    Ok(Document { root, duplicates, duplicates_left_out: left_out, specials: reader.specials })
 }
 
 impl Document {
@@ -213,6 +218,7 @@ impl Node {
 struct Builder<'a> {
     reader: Reader<'a>,
     duplicates: Vec<Duplicate>,
+    room: Room,
     pointer: String,
 }
 
@@ -275,8 +281,11 @@ impl Builder<'_> {
     fn note_duplicates(&mut self, members: &[Member]) {
         let mut last = std::collections::BTreeMap::new();
         for member in members {
-            if let Some(lost) = last.insert(member.key.as_str(), member) {
+            if let Some(lost) = last.insert(member.key.as_str(), member)
+                && self.room.takes_one()
+            {
                 let length = self.descend(&member.key);
+                self.room.take(&self.pointer);
                 self.duplicates.push(Duplicate {
                     pointer: self.pointer.clone(),
                     lost: lost.key_span.clone(),

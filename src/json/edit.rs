@@ -1,60 +1,67 @@
 //! Changes of a JSON text that leave every other byte as it is: a value, elements of a list.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
-use super::{Document, Node};
+use super::{Finder, Node};
 use crate::diag::Edit;
 
 /// Puts a text, or `null`, in the place of the value at `pointer`.
-pub(crate) fn set_value(document: &Document, pointer: &str, text: Option<&str>) -> Option<Edit> {
-    let node = document.at(pointer)?;
+pub(crate) fn set_value(finder: &mut Finder, pointer: &str, text: Option<&str>) -> Option<Edit> {
+    let node = finder.at(pointer)?;
     let value = text.map_or(serde_json::Value::Null, Into::into).to_string();
     (node.as_str() != text).then(|| Edit::replacement(node.span.clone(), value))
 }
 
 /// Takes the elements at `pointers` out of their lists.
-pub(crate) fn remove_elements(text: &[u8], document: &Document, pointers: &[&str]) -> Vec<Edit> {
-    let mut by_list: std::collections::BTreeMap<&str, Vec<usize>> = std::collections::BTreeMap::new();
+pub(crate) fn remove_elements(text: &[u8], finder: &mut Finder, pointers: &[&str]) -> Vec<Edit> {
+    let mut by_list: BTreeMap<&str, BTreeSet<usize>> = BTreeMap::new();
     for (list, position) in pointers.iter().filter_map(|pointer| pointer.rsplit_once('/')) {
         by_list.entry(list).or_default().extend(position.parse::<usize>());
     }
-    let lists = by_list.into_iter().filter_map(|(pointer, gone)| Some((document.at(pointer)?, gone)));
-    lists.flat_map(|(list, gone)| removals(text, list, &spans(list), &|at| gone.contains(&at))).collect()
-}
-
-fn spans(list: &Node) -> Vec<Range<usize>> {
-    list.elements().iter().map(|element| element.span.clone()).collect()
-}
-
-/// Takes parts out of a list or object: the parts at the positions that `gone` names, with one comma each.
-///
-/// A part that shares its line with the one before leaves that line; a part alone on its lines takes them along.
-pub(crate) fn removals(text: &[u8], whole: &Node, parts: &[Range<usize>], gone: &dyn Fn(usize) -> bool) -> Vec<Edit> {
-    let kept = (0..parts.len()).filter(|at| !gone(*at)).count();
-    if kept == 0 && !parts.is_empty() {
-        return vec![Edit::removal(whole.span.start + 1..whole.span.end.saturating_sub(1))];
-    }
     let mut edits = Vec::new();
-    let mut at = 0;
-    while at < parts.len() {
-        let end = (at..parts.len()).find(|at| !gone(*at)).unwrap_or(parts.len());
-        edits.extend(run_removal(text, parts, at..end));
-        at = end.max(at) + 1;
+    for (pointer, gone) in by_list {
+        if let Some(list) = finder.at(pointer) {
+            let span = |at: usize| list.elements().get(at).map(|element| element.span.clone());
+            edits.extend(removals(text, list, (list.elements().len(), &span), &gone));
+        }
     }
     edits
 }
 
+/// How many parts there are, and where each of them stands.
+pub(crate) type Spans<'p> = (usize, &'p dyn Fn(usize) -> Option<Range<usize>>);
+
+/// Takes parts out of a list or object: the parts at the positions `gone`, with one comma each.
+///
+/// A part that shares its line with the one before leaves that line; a part alone on its lines takes them along.
+pub(crate) fn removals(text: &[u8], whole: &Node, parts: Spans<'_>, gone: &BTreeSet<usize>) -> Vec<Edit> {
+    let (count, _) = parts;
+    let gone = || gone.range(..count).copied();
+    if count > 0 && gone().count() == count {
+        return vec![Edit::removal(whole.span.start + 1..whole.span.end.saturating_sub(1))];
+    }
+    let mut runs: Vec<Range<usize>> = Vec::new();
+    for at in gone() {
+        match runs.last_mut().filter(|run| run.end == at) {
+            Some(run) => run.end += 1,
+            None => runs.push(at..at + 1),
+        }
+    }
+    runs.into_iter().filter_map(|run| run_removal(text, parts, run)).collect()
+}
+
 /// Takes neighbouring parts out; others remain.
-fn run_removal(text: &[u8], parts: &[Range<usize>], run: Range<usize>) -> Option<Edit> {
-    let first = parts.get(run.start).filter(|_| !run.is_empty())?;
-    let last = parts.get(run.end.checked_sub(1)?)?;
-    let before = run.start.checked_sub(1).and_then(|at| parts.get(at));
+fn run_removal(text: &[u8], (_, part): Spans<'_>, run: Range<usize>) -> Option<Edit> {
+    let first = part(run.start)?;
+    let last = part(run.end.checked_sub(1)?)?;
+    let before = run.start.checked_sub(1).and_then(part);
     let shares_line = |before: &Range<usize>| {
         text.get(before.end..first.start)
             .is_some_and(|between| !between.iter().any(|byte| matches!(byte, b'\n' | b'\r')))
     };
-    match (before, parts.get(run.end)) {
-        (Some(before), Some(_)) if shares_line(before) => Some(Edit::removal(before.end..last.end)),
+    match (before, part(run.end)) {
+        (Some(before), Some(_)) if shares_line(&before) => Some(Edit::removal(before.end..last.end)),
         (_, Some(next)) => Some(Edit::removal(first.start..next.start)),
         (Some(before), None) => Some(Edit::removal(before.end..last.end)),
         (None, None) => None,
@@ -76,14 +83,14 @@ mod tests {
     }
 
     fn without(text: &str, pointers: &[&str]) -> String {
-        edited(text, remove_elements(text.as_bytes(), &parse(text.as_bytes()).unwrap(), pointers))
+        edited(text, remove_elements(text.as_bytes(), &mut Finder::new(parse(text.as_bytes()).unwrap()), pointers))
     }
 
     #[test]
     fn a_value_changes_and_its_surroundings_do_not() {
         let text = "{ \"a\" : [ \"x\\\\y\",1.50 ] }";
-        let document = parse(text.as_bytes()).unwrap();
-        let set = |value| edited(text, set_value(&document, "/a/0", value).into_iter().collect());
+        let mut finder = Finder::new(parse(text.as_bytes()).unwrap());
+        let mut set = |value| edited(text, set_value(&mut finder, "/a/0", value).into_iter().collect());
         assert_eq!(set(Some("x/y")), "{ \"a\" : [ \"x/y\",1.50 ] }");
         assert_eq!(set(Some("\"")), "{ \"a\" : [ \"\\\"\",1.50 ] }");
         assert_eq!(set(None), "{ \"a\" : [ null,1.50 ] }");

@@ -6,8 +6,10 @@
 mod document;
 mod edit;
 mod finder;
+mod long_keys;
 mod naming;
 mod reader;
+mod room;
 mod schema;
 mod schema_fault;
 mod syntax_text;

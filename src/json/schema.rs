@@ -8,7 +8,9 @@ use std::sync::OnceLock;
 use serde_json::Value as Plain;
 
 use super::finder::Sorted;
+use super::long_keys::LongKeys;
 use super::naming::named;
+use super::room::Room;
 use super::schema_fault::{Misfit, SchemaFault, describe};
 use super::{Document, unknown_key};
 
@@ -17,15 +19,19 @@ use super::{Document, unknown_key};
 pub struct SchemaFaults {
     /// Values of a wrong shape.
     pub faults: Vec<SchemaFault>,
+    /// How many more of them there are.
+    pub faults_left_out: usize,
     /// Keys nobody reads.
     pub unknown: Vec<UnknownKey>,
+    /// How many more of them there are.
+    pub unknown_left_out: usize,
     /// Numbers of the faults, sorted by pointer.
     by_pointer: Vec<usize>,
 }
 
 impl SchemaFaults {
     fn new(faults: Vec<SchemaFault>, unknown: Vec<UnknownKey>) -> Self {
-        let mut found = Self { faults, unknown, by_pointer: Vec::new() };
+        let mut found = Self { faults, unknown, ..Self::default() };
         found.by_pointer = (0..found.faults.len()).collect();
         found.by_pointer.sort_by_key(|number| found.faults.get(*number).map(|fault| &fault.pointer));
         found
@@ -120,15 +126,32 @@ pub(crate) fn schema_text(name: &str) -> Option<&'static str> {
 /// Checks a document against the embedded schema `name` (`macro`, `mhskel` …). An unknown name fits anything.
 pub(crate) fn check(name: &str, document: &Document) -> SchemaFaults {
     let Some(schema) = find(name).map(Schema::compiled) else { return SchemaFaults::default() };
-    let plain = document.root.plain(&Plain::from(f64::MAX));
+    let mut plain = document.root.plain(&Plain::from(f64::MAX));
+    let mut long_keys = LongKeys::default();
+    long_keys.shorten(&mut plain);
     let errors = schema.validator.iter_errors(&plain);
     let faults = errors.map(|error| describe(&error, &schema.tree)).collect();
-    let unknown = unknown_key::find(&document.root, &schema.tree);
-    let mut found = SchemaFaults::new(empty_objects_once(&plain, faults), unknown);
+    let (faults, faults_left_out) = kept(empty_objects_once(&plain, faults), &long_keys);
+    let (unknown, unknown_left_out) = unknown_key::find(&document.root, &schema.tree);
+    let mut found = SchemaFaults { faults_left_out, unknown_left_out, ..SchemaFaults::new(faults, unknown) };
     let sorted = &mut Sorted::default();
     found.faults.iter_mut().for_each(|fault| fault.name = named(document, sorted, &fault.pointer));
     found.unknown.iter_mut().for_each(|unknown| unknown.name = named(document, sorted, &unknown.pointer));
     found
+}
+
+/// The first faults with the pointers of the text, and how many more there are.
+fn kept(faults: Vec<SchemaFault>, long_keys: &LongKeys) -> (Vec<SchemaFault>, usize) {
+    let mut room = Room::default();
+    let mut kept = Vec::with_capacity(faults.len());
+    for fault in faults {
+        if room.takes_one() {
+            let pointer = long_keys.restored(fault.pointer);
+            room.take(&pointer);
+            kept.push(SchemaFault { pointer, ..fault });
+        }
+    }
+    (kept, room.left_out)
 }
 
 /// An object without any member lacks all its keys for one reason: the first of them stands for all.

@@ -8,18 +8,19 @@ use std::collections::HashMap;
 
 use serde_json::{Map, Value};
 
+use super::room::Room;
 use super::{Node, UnknownKey};
 use crate::diag::{add_step, nearest};
 
 /// A key that people write because the other formats of the family have it, and what is meant.
 const TRAPS: [(&str, [&str; 2]); 1] = [("sym", ["lsym", "rsym"])];
 
-/// All unknown keys below `node`, in order of the text.
-pub(super) fn find(node: &Node, schema: &Value) -> Vec<UnknownKey> {
-    let mut walk = Walk { schema, pointer: String::new(), found: Vec::new() };
+/// The unknown keys below `node`, in order of the text, and how many more there are.
+pub(super) fn find(node: &Node, schema: &Value) -> (Vec<UnknownKey>, usize) {
+    let mut walk = Walk { schema, pointer: String::new(), found: Vec::new(), room: Room::default() };
     walk.value(node, schema);
     mark_alone(&mut walk.found);
-    walk.found
+    (walk.found, walk.room.left_out)
 }
 
 /// Counts the unknown keys of each object once, for whoever asks whether one is alone.
@@ -41,6 +42,7 @@ struct Walk<'s> {
     schema: &'s Value,
     pointer: String,
     found: Vec<UnknownKey>,
+    room: Room,
 }
 
 impl<'s> Walk<'s> {
@@ -80,6 +82,10 @@ impl<'s> Walk<'s> {
     }
 
     fn note(&mut self, schema: &Keywords<'s>, key: &str, is_object: bool) {
+        if !self.room.takes_one() {
+            return;
+        }
+        self.room.take(&self.pointer);
         let known = schema.properties.iter().flat_map(|properties| properties.keys()).map(String::as_str);
         let known: Vec<&str> = known.collect();
         self.found.push(UnknownKey {

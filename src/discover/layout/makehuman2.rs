@@ -2,6 +2,8 @@
 
 pub(crate) mod opened;
 
+use std::collections::BTreeSet;
+
 use super::super::kind::extension;
 use super::super::{Candidate, Kind};
 use super::{HiddenPath, Layout, Role, Sign};
@@ -144,7 +146,7 @@ fn role(below: &[Candidate<'_>]) -> Role {
         [folder, _, _, ..] => folder.eq_ignore_ascii_case("contarget"),
         _ => false,
     };
-    let has_base = below.iter().any(|one| is_base(one) || is_packed_base(one, below));
+    let has_base = below.iter().any(is_base) || has_packed_base(below);
     match (has_base, below.iter().any(is_override)) {
         (true, false) => Role::System,
         (true, true) => Role::Both,
@@ -162,24 +164,22 @@ fn is_base(one: &Candidate<'_>) -> bool {
 
 /// A packed mesh alone may be a user's, over the system's base. With macros in `target/`, where no user has any, it is the
 /// system's.
-fn is_packed_base(one: &Candidate<'_>, below: &[Candidate<'_>]) -> bool {
-    let is_macros = |other: &Candidate<'_>| {
-        other.kind_in(LAYOUT.application) == Kind::MacroJson
-            && other.rel.starts_with("target/")
-            && other.owner() == one.owner()
-    };
-    one.kind_in(LAYOUT.application) == Kind::MeshArchive && below.iter().any(is_macros)
+fn has_packed_base(below: &[Candidate<'_>]) -> bool {
+    let of_kind = |kind| below.iter().filter(move |one| one.kind_in(LAYOUT.application) == kind);
+    let macros = of_kind(Kind::MacroJson).filter(|one| one.rel.starts_with("target/"));
+    let with_macros: BTreeSet<Option<&str>> = macros.map(Candidate::owner).collect();
+    of_kind(Kind::MeshArchive).any(|one| with_macros.contains(&one.owner()))
 }
 
 /// Beside another root, the one whose bases have sliders or macros in `target/` is the system, and its `contarget/`
 /// counts for nothing.
 fn is_system_of_two(below: &[Candidate<'_>]) -> bool {
-    let has_base = |owner: Option<&str>| below.iter().any(|one| is_base(one) && one.owner() == owner);
+    let bases: BTreeSet<Option<&str>> = below.iter().filter(|one| is_base(one)).map(|one| one.owner()).collect();
     let has_sliders = |one: &&Candidate<'_>| {
         matches!(one.kind_in(LAYOUT.application), Kind::MacroJson | Kind::ModellingJson)
             && one.rel.starts_with("target/")
     };
-    below.iter().filter(has_sliders).any(|one| has_base(one.owner()))
+    below.iter().filter(has_sliders).any(|one| bases.contains(&one.owner()))
 }
 
 #[cfg(test)]

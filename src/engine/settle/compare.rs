@@ -3,7 +3,7 @@
 use std::cell::Cell;
 use std::collections::BTreeMap;
 
-use crate::diag::{Break, Finding, Level, Parts};
+use crate::diag::{Break, Finding, Level, NameIndex, Parts};
 
 /// A finding as it is compared.
 #[derive(Debug, Clone, Copy)]
@@ -103,9 +103,9 @@ fn standing(claim: &Claim<'_>, known: &[Known<'_>]) -> Standing {
         one.met.set(true);
         return if is_as_bad(one) { Standing::Same } else { Standing::Worse(claim.parts.clone()) };
     }
-    let is_part_of = |other: &Parts| claim.parts.without([other]).count() < claim.parts.count();
+    let own = NameIndex::of([claim.parts]);
     let told: Vec<&Known<'_>> =
-        named.into_iter().filter(|one| known.len() == 1 || is_part_of(one.claim.parts)).collect();
+        named.into_iter().filter(|one| known.len() == 1 || own.has_one_of(one.claim.parts)).collect();
     told.iter().for_each(|known| known.met.set(true));
     let worse = claim.parts.without(told.iter().filter(|known| is_as_bad(known)).map(|known| known.claim.parts));
     match (told.is_empty(), claim.parts.is_empty() || !worse.is_empty()) {

@@ -7,7 +7,7 @@ use super::super::{Check, Rule, RuleCx};
 use super::folders;
 use super::named::{Cause, causes, differs_in_form, written};
 use super::spelling::{as_on_disk, differing, folder_on_disk, found, plain, respelled};
-use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Place, RuleInfo};
+use crate::diag::{Application, Change, EXAMPLES, Finding, Fix, FixKind, Level, Place, RuleInfo};
 use crate::repo::{Reference, ReferenceKind, Resolution, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -66,17 +66,24 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             continue;
         }
         let alike = holder.map(|layer| layer.alike(target)).unwrap_or_default();
-        let names: Vec<String> =
-            alike.iter().filter(|other| *other != target).map(|other| format!("`{other}`")).collect();
-        if !names.is_empty() {
-            let help = format!("write which is meant: there are `{target}` and {}", names.join(", "));
-            out.push(finding.help(help));
+        if let Some(others) = others(alike, target) {
+            out.push(finding.help(format!("write which is meant: there are `{target}` and {others}")));
             continue;
         }
         let fix = fix(view, &cause, &format!("write `{meant}`"));
         out.push(finding.fix(fix).help(format!("write `{meant}`, or rename the {what}")));
     }
     out.extend(folders::findings(&RULE, view, &told));
+}
+
+/// The other files that are called nearly so, a few of them by name.
+fn others(alike: &[String], target: &str) -> Option<String> {
+    let named = alike.iter().filter(|other| *other != target).take(EXAMPLES);
+    let mut named: Vec<String> = named.map(|other| format!("`{other}`")).collect();
+    if let Some(more @ 1..) = alike.len().checked_sub(named.len() + 1) {
+        named.push(format!("{more} more"));
+    }
+    (!named.is_empty()).then(|| named.join(", "))
 }
 
 /// Whether the names are the same up to the extension of a target, which is not written in what names it.
@@ -128,5 +135,19 @@ fn fixed_names(view: &View<'_>, out: &mut Vec<Finding>) {
         let effect = effect.map_or_else(|| format!("takes `{wanted}` as missing, without a word"), str::to_owned);
         let finding = RULE.at(file, Place::File, message).key("name").help(format!("rename it to `{wanted}`"));
         out.push(finding.effect_in(view.application(), format!("on Linux: {effect}")));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn of_many_files_that_are_alike_a_few_are_named() {
+        let alike: Vec<String> = (0..1000).map(|number| format!("a{number}")).collect();
+        assert_eq!(others(&alike[..1], "a0"), None);
+        assert_eq!(others(&alike[..3], "a1").unwrap(), "`a0`, `a2`");
+        assert_eq!(others(&alike[..6], "a5").unwrap(), "`a0`, `a1`, `a2`, `a3`, `a4`");
+        assert!(others(&alike, "a3").unwrap().ends_with("`a5`, 994 more"));
     }
 }

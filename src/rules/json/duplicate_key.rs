@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
+use super::left_out;
 use crate::diag::{Application, Finding, Level, Place, RuleInfo, steps, structural};
 use crate::json::Duplicate;
 use crate::repo::{FileFacts, View};
@@ -25,6 +26,7 @@ fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         by_member.entry(&duplicate.pointer).or_default().push(duplicate);
     }
     out.extend(by_member.into_iter().filter_map(|(pointer, all)| finding(file, pointer, &all)));
+    out.extend(left_out(&RULE, file, file.json.duplicates_left_out, "keys that occur twice"));
 }
 
 /// One finding for a key, however often it occurs: at the first one that is lost, with the one that wins.

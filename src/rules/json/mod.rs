@@ -7,3 +7,15 @@ pub(super) mod syntax;
 mod told_keys;
 pub(super) mod too_deep;
 pub(super) mod unknown_key;
+
+use super::Rule;
+use crate::diag::{Evidence, Finding, Place};
+use crate::repo::FileFacts;
+
+/// Says of a file with more faults than are kept how many of them the other findings do not speak of.
+fn left_out(rule: &Rule, file: &FileFacts, count: usize, what: &str) -> Option<Finding> {
+    let message = format!("{count} more {what}: only the first ones of a file are listed");
+    let help = "correct those that are listed, and check again";
+    let finding = rule.at(file, Place::File, message).key("not listed").help(help);
+    (count > 0).then(|| finding.evidence(Evidence::counted(count)))
+}

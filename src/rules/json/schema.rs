@@ -6,6 +6,7 @@ use super::super::cause::consequence::of_value;
 use super::super::cause::schema::stands_for;
 use super::super::cause::{counts_as_missing, is_ignored_override};
 use super::super::{Check, Rule, RuleCx};
+use super::left_out;
 use super::schema_words::{lack, sentence};
 use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
 use crate::json::{SchemaFault, UnknownKey};
@@ -37,6 +38,7 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
         by_keyword.entry((&fault.keyword, lack(fault))).or_default().push(fault);
     }
     out.extend(by_keyword.into_iter().filter_map(|((keyword, lack), all)| finding(view, file, keyword, lack, &all)));
+    out.extend(left_out(&RULE, file, file.schema.faults_left_out, "values that do not fit the schema"));
 }
 
 /// One finding for all values that fail in the same way.

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use super::super::cause::consequence::of_misspelt;
 use super::super::cause::is_ignored_override;
 use super::super::{Check, Rule, RuleCx, did_you_mean};
+use super::left_out;
 use super::told_keys::{Told, nested};
 use crate::diag::{Application, Case, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
@@ -45,6 +46,7 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
         by_key.entry((&unknown.key, unknown.object.as_deref())).or_default().push(unknown);
     }
     out.extend(by_key.into_values().filter_map(|all| finding(view, file, &all)));
+    out.extend(left_out(&RULE, file, file.schema.unknown_left_out, "keys that no application reads"));
 }
 
 /// One finding for a key, however many objects have it.

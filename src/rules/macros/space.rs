@@ -68,12 +68,11 @@ impl<'a> Space<'a> {
 
     /// For each component the places in the name that can be reached behind one of its values.
     fn layers(&self, name: &str) -> Vec<BTreeMap<usize, Step>> {
-        let start = Step { from: 0, value: 0, ways: 1 };
+        let start = BTreeMap::from([(0, Step { from: 0, value: 0, ways: 1 })]);
         let mut layers: Vec<BTreeMap<usize, Step>> = Vec::with_capacity(self.axes.len());
-        let mut before = BTreeMap::from([(0, start)]);
         for axis in &self.axes {
             let mut layer: BTreeMap<usize, Step> = BTreeMap::new();
-            for (from, step) in &before {
+            for (from, step) in layers.last().unwrap_or(&start) {
                 for (value, text) in axis.values.iter().enumerate() {
                     let Some(rest) = name.get(*from..).and_then(|rest| rest.strip_prefix(text.as_str())) else {
                         continue;
@@ -85,14 +84,12 @@ impl<'a> Space<'a> {
                     }
                 }
             }
-            before.clone_from(&layer);
             layers.push(layer);
         }
         layers
     }
 }
 
-#[derive(Clone)]
 struct Step {
     from: usize,
     value: usize,

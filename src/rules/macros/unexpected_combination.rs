@@ -126,7 +126,7 @@ fn without_components(file: &FileFacts, macrodef: &Macrodef) -> Option<Finding> 
         1 => format!("`comp` is empty: `{first}` can never be reached"),
         count => format!("`comp` is empty: `{first}` can never be reached ({count} names like it)"),
     };
-    let finding = RULE.at(file, place, message).key(macrodef.effective_folder.clone().unwrap_or_default());
+    let finding = RULE.at(file, place, message).key(macrodef.effective_folder.as_deref().unwrap_or_default());
     Some(finding.help("list the components of the names in `comp`").evidence(Evidence::of_cases(names())))
 }
 

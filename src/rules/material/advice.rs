@@ -1,11 +1,11 @@
 //! What to write for a picture that is not found.
 
 use std::collections::BTreeMap;
+use std::ops::Bound;
 
 use super::super::did_you_mean;
 use crate::diag::{Place, Suggestions};
 use crate::discover::extension;
-use crate::formats::mhmat::Texture;
 use crate::repo::{FileFacts, Reference, View, parent};
 
 /// The pictures that names may be meant for.
@@ -13,36 +13,54 @@ pub(super) struct Advice<'v, 'a> {
     view: &'v View<'a>,
     /// By their names without folders.
     pictures: BTreeMap<&'a str, Vec<&'a FileFacts>>,
+    /// By their paths.
+    paths: BTreeMap<&'a str, &'a FileFacts>,
     suggestions: Suggestions,
 }
 
 impl<'v, 'a> Advice<'v, 'a> {
     pub(super) fn of(view: &'v View<'a>) -> Self {
+        let files = view.layers().checked.files.values().filter(|file| is_picture(file));
+        let paths: BTreeMap<&str, &FileFacts> = files.map(|file| (file.rel.as_str(), file)).collect();
         let mut pictures: BTreeMap<&str, Vec<&FileFacts>> = BTreeMap::new();
-        for file in view.layers().checked.files.values().filter(|file| is_picture(file)) {
+        for file in paths.values() {
             pictures.entry(file.file_name()).or_default().push(file);
         }
-        Self { view, pictures, suggestions: Suggestions::default() }
+        Self { view, pictures, paths, suggestions: Suggestions::default() }
     }
 
     pub(super) fn on(&self, reference: &Reference<'_>) -> String {
-        let around = self.view.layers().checked.below(around(reference)).filter(|file| is_picture(file));
-        let around: Vec<_> = around.filter_map(|file| Some((near(file, reference)?, file))).collect();
-        if let Some(name) = with_blanks(reference).filter(|name| around.iter().any(|(other, _)| other == name)) {
+        if let Some(name) = with_blanks(reference).filter(|name| self.is_near(name, reference)) {
             return format!("a name ends at the first blank: rename `{name}` without any, and write that");
         }
         if let Some(name) = self.moved(reference) {
             return format!("write `{name}`, where the picture is");
         }
-        let names = around.iter().filter(|(name, file)| is_name(name) && self.is_free(file)).map(|(name, _)| *name);
+        let around = self.below(around(reference)).filter(|file| self.is_free(file));
+        let names = around.filter_map(|file| near(file, reference)).filter(|name| is_name(name));
         let near = self.suggestions.nearest(reference.text, names);
         did_you_mean(near, "correct the name, add the picture, or remove the line")
+    }
+
+    /// The pictures below a folder.
+    fn below(&self, folder: &str) -> impl Iterator<Item = &'a FileFacts> {
+        let within = format!("{folder}/");
+        let from = self.paths.range::<str, _>((Bound::Included(within.as_str()), Bound::Unbounded));
+        from.map(|(_, file)| *file).take_while(move |file| file.rel.starts_with(&within))
+    }
+
+    /// Whether a picture lies where a material looks for this name.
+    fn is_near(&self, name: &str, reference: &Reference<'_>) -> bool {
+        let folders = [parent(&reference.from.rel), around(reference)];
+        let found = folders.iter().filter_map(|folder| self.paths.get(format!("{folder}/{name}").as_str()));
+        found.into_iter().any(|file| near(file, reference) == Some(name))
     }
 
     /// A picture of this name in another folder: one of the same asset, or one that nobody names.
     fn moved(&self, reference: &Reference<'_>) -> Option<&'a str> {
         let same = self.pictures.get(file_name(reference.text))?;
         let has_own_folder = around(reference).matches('/').count() > 1;
+        let same = same.get(..SAME_NAMES).unwrap_or(same);
         let around = same.iter().filter(|file| has_own_folder || self.is_free(file));
         let mut around = around.filter_map(|file| near(file, reference));
         let sort = reference.from.rel.split('/').next().filter(|folder| *folder != "base").unwrap_or("skins");
@@ -58,6 +76,9 @@ impl<'v, 'a> Advice<'v, 'a> {
     }
 }
 
+/// Pictures of one name that are looked at: of more of them none is meant more than another.
+const SAME_NAMES: usize = 1000;
+
 /// Whether it can be written as a name.
 fn is_name(name: &str) -> bool {
     !name.contains([' ', char::REPLACEMENT_CHARACTER])
@@ -65,8 +86,11 @@ fn is_name(name: &str) -> bool {
 
 /// The whole name, where the one that is looked for may end too early.
 fn with_blanks(reference: &Reference<'_>) -> Option<String> {
-    let is_it = |texture: &&Texture| reference.place == Place::Span(texture.span.clone());
-    let texture = reference.from.material()?.textures.iter().find(is_it)?;
+    let Place::Span(span) = &reference.place else { return None };
+    // They stand in the order of the file.
+    let textures = &reference.from.material()?.textures;
+    let at = textures.partition_point(|texture| texture.span.start < span.start);
+    let texture = textures.get(at).filter(|texture| texture.span == *span)?;
     (!texture.lost.is_empty()).then(|| format!("{} {}", texture.word, texture.lost).replace('"', ""))
 }
 

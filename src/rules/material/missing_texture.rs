@@ -49,11 +49,16 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         return;
     }
     let advice = Advice::of(view);
+    let references = view.references().iter().filter(|one| one.kind == ReferenceKind::Texture && one.found().is_some());
+    let kept: Kept<'_> = references.map(|one| (one.from.path.as_str(), one.owner)).collect();
     for (cause, references) in causes {
         let help = references.first().map(|first| advice.on(first));
-        out.extend(finding(view, cause, &references).zip(help).map(|(one, help)| one.help(help)));
+        out.extend(finding(view, &kept, cause, &references).zip(help).map(|(one, help)| one.help(help)));
     }
 }
+
+/// The files and their keywords that have a picture in some line.
+type Kept<'r> = BTreeSet<(&'r str, &'r str)>;
 
 /// What is not there: the picture, or a folder above it.
 fn cause<'r>(layer: &Layer, reference: &'r Reference<'_>) -> &'r str {
@@ -62,7 +67,7 @@ fn cause<'r>(layer: &Layer, reference: &'r Reference<'_>) -> &'r str {
     absent.last().unwrap_or(&reference.rel)
 }
 
-fn finding(view: &View<'_>, cause: &str, references: &[&Reference<'_>]) -> Option<Finding> {
+fn finding(view: &View<'_>, kept: &Kept<'_>, cause: &str, references: &[&Reference<'_>]) -> Option<Finding> {
     let first = references.first()?;
     let cases = references.iter().map(|reference| format!("{} {}", reference.from.file_name(), reference.owner));
     let parts = references.iter().map(|reference| (&reference.from.path, reference.place.clone()));
@@ -70,10 +75,7 @@ fn finding(view: &View<'_>, cause: &str, references: &[&Reference<'_>]) -> Optio
     let asset = view.layers().checked.display(parent(cause));
     let finding = RULE.at(first.from, first.place.clone(), message(cause, first, references));
     let finding = finding.key(file_name(cause)).asset(asset).parts_at(parts).evidence(Evidence::of_cases(cases));
-    let is_kept = |reference: &&Reference<'_>| {
-        let mut lines = view.references().of_file(reference.from);
-        lines.any(|other| other.owner == reference.owner && other.found().is_some())
-    };
+    let is_kept = |reference: &&Reference<'_>| kept.contains(&(reference.from.path.as_str(), reference.owner));
     Some(if references.iter().all(is_kept) {
         finding.case(KEPT)
     } else if references.iter().any(|reference| reference.owner == "diffuseTexture") {

@@ -53,7 +53,7 @@ fn has_faces_of(one: &Mesh, other: &Mesh) -> bool {
 fn finding(file: &FileFacts, groups: &[&Reopened], faces: usize) -> Option<Finding> {
     let strayed: usize = groups.iter().map(|group| group.strayed).sum();
     let first = groups.iter().find(|group| group.strayed > 0)?;
-    let lands_in = first.lands_in.first().map_or("", String::as_str);
+    let lands_in = first.lands_in.first().map_or("", AsRef::as_ref);
     let message = match groups {
         [only] if strayed == 1 => {
             format!("group `{}` is opened again: 1 of its faces ends up in `{lands_in}`", only.name)
