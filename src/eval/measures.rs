@@ -160,6 +160,6 @@ pub struct Received {
     pub without_weights: Vec<String>,
     /// Bones of the pose skeleton whose weights nobody takes.
     pub lost_bones: Vec<String>,
-    /// Vertices whose weights are lost with them, all that they have.
-    pub lost_vertices: Vec<u32>,
+    /// How many vertices there are whose weights are lost with them, all that they have.
+    pub lost_vertices: usize,
 }

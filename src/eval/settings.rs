@@ -5,6 +5,7 @@
 //! on request every corner of the whole product.
 
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
 use super::macros::Macros;
 use super::scene::{Scene, SceneSlider, Setting, SliderKind};
@@ -33,8 +34,8 @@ pub enum Dimension {
     Steps {
         /// Place in the macro settings.
         place: usize,
-        /// Slider positions, ascending.
-        steps: Vec<f64>,
+        /// Slider positions, ascending. Shared: a component may be named by any number of macrodefs.
+        steps: Arc<[f64]>,
     },
     /// A barycentric set: places of its numbers.
     Corners(Vec<usize>),
@@ -113,10 +114,14 @@ impl Dimension {
 /// Each dimension once, in the order of the products.
 fn distinct(products: &[Vec<Dimension>]) -> Vec<Dimension> {
     let mut seen: BTreeSet<(&[usize], Vec<u64>)> = BTreeSet::new();
+    // What shares its steps with another one needs no look at them.
+    let mut shared: BTreeSet<(usize, *const f64)> = BTreeSet::new();
     let mut all = Vec::new();
     for dimension in products.iter().flatten() {
         let is_new = match dimension {
+            Dimension::Steps { place, steps } if !shared.insert((*place, steps.as_ptr())) => false,
             Dimension::Steps { place, steps } => {
+                steps.iter().for_each(|_| step());
                 seen.insert((std::slice::from_ref(place), steps.iter().map(|step| (step + 0.0).to_bits()).collect()))
             }
             Dimension::Corners(places) => seen.insert((places, vec![u64::MAX])),
@@ -288,8 +293,6 @@ pub fn moved(scene: &Scene, setting: &Setting) -> Vec<SliderSetting> {
 
 #[cfg(test)]
 mod tests {
-    use std::sync::Arc;
-
     use super::super::steps::steps_of;
     use super::*;
 
@@ -317,8 +320,8 @@ mod tests {
 
     fn dimensions() -> Vec<Dimension> {
         vec![
-            Dimension::Steps { place: 0, steps: vec![0.0, 0.25, 1.0] },
-            Dimension::Steps { place: 1, steps: vec![0.0, 1.0] },
+            Dimension::Steps { place: 0, steps: [0.0, 0.25, 1.0].into() },
+            Dimension::Steps { place: 1, steps: [0.0, 1.0].into() },
         ]
     }
 
@@ -354,6 +357,14 @@ mod tests {
         assert_eq!((settings.len(), is_cut), (count + 11, false));
         let own: BTreeSet<_> = settings.iter().map(|setting| Arc::as_ptr(&setting.macros)).collect();
         assert_eq!(own.len(), 1);
+    }
+
+    #[test]
+    fn steps_that_are_named_again_and_again_are_looked_at_once() {
+        let steps: Arc<[f64]> = (0..3000).map(f64::from).collect();
+        let product = vec![Dimension::Steps { place: 0, steps }; 3000];
+        let steps = steps_of(|| assert_eq!(distinct(&[product]).len(), 1));
+        assert!(steps <= 3000, "{steps}");
     }
 
     #[test]

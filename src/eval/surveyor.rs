@@ -37,7 +37,7 @@ pub struct Surveyor<'s> {
     pub(super) anchors: Vec<Anchor>,
     /// Whether there are too many joints and vertices to search the skin around each joint.
     pub is_without_anchors: bool,
-    /// Bones, and vertices of joints.
+    /// Bones, vertices of joints, and vertices of the skin around them.
     skeleton_size: usize,
     /// Vertices that joints or the skin around them depend on.
     pub(super) holds_joint: Vec<bool>,
@@ -196,6 +196,8 @@ impl<'s> Surveyor<'s> {
     fn joints_at_rest(&mut self, rest: &[Point]) {
         let Some((skeleton, joints)) = self.scene.skeleton.as_ref().zip(self.joints(rest)) else { return };
         self.skeleton_size = skeleton.bones.len() + skeleton.joints.iter().map(Vec::len).sum::<usize>();
+        // The skin around a joint is looked at with it.
+        self.skeleton_size += SKIN_AROUND_JOINT * skeleton.joints.len();
         self.is_without_anchors = joints.len().saturating_mul(self.visible.len()) > MOST_PAIRS;
         let mut near = Vec::new();
         for (joint, place) in joints.iter().enumerate().filter(|_| !self.is_without_anchors) {

@@ -45,6 +45,8 @@ pub(super) struct Composed {
     pub(super) scene: Scene,
     /// Every skeleton of the base.
     pub(super) rigs: Vec<Rig>,
+    /// Whether something was left out because it was too much work.
+    pub(super) is_cut: bool,
 }
 
 /// A skeleton of a base.
@@ -58,7 +60,7 @@ pub(super) struct Rig {
 
 /// Measures a base mesh.
 pub(super) fn gauge(composed: &Composed, options: &Config) -> Measures {
-    let Composed { scene, rigs } = composed;
+    let Composed { scene, rigs, .. } = composed;
     let samples = options.samples.unwrap_or(DEFAULT_SAMPLES).min(MOST_SAMPLES);
     let (settings, is_planned) = plan(scene, samples, options.exhaustive);
     let work = if options.exhaustive { MOST_EXHAUSTIVE_WORK } else { MOST_WORK };
@@ -71,7 +73,7 @@ pub(super) fn gauge(composed: &Composed, options: &Config) -> Measures {
     );
     let macros = macros.unwrap_or_default();
     let lacks_settings = scene.lacks_macros || macros.is_cut;
-    Measures { lacks_settings, space, macros, is_cut: is_planned || is_cut, ..shape }
+    Measures { lacks_settings, space, macros, is_cut: composed.is_cut || is_planned || is_cut, ..shape }
 }
 
 /// Everything that needs the default character only.

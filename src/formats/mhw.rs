@@ -272,7 +272,7 @@ mod tests {
         ) {
             let text = format!("{{\"weights\": {{\"a\": [[{index}, {weight}]]}}}}");
             if let Ok(weights) = parse(text.as_bytes(), &Encoding::of(text.as_bytes()), Some(mesh)) {
-                prop_assert_eq!((weights.facts.pairs, weights.facts.sums.len()), (1, mesh));
+                prop_assert_eq!((weights.facts.pairs, weights.facts.vertices), (1, mesh));
             }
         }
 

@@ -1,12 +1,13 @@
 //! Facts on weights: faults of single pairs, and the sum of every vertex as the loader forms it
 //! (formats/makehuman2.md §11).
 //!
-//! Gets the pairs of all bones and the vertex count of the mesh; one walk, then one over the vertices.
+//! Gets the pairs of all bones and the vertex count of the mesh; costs what the pairs are, not the size of the mesh.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use super::mhw::{BoneWeights, Pair};
+use super::mhw_sums::{Sums, VertexSum};
 use crate::diag::{Cases, EXAMPLES, Evidence, Few};
 
 /// Entries whose normalised weight is not above this are dropped by the loaders.
@@ -48,9 +49,9 @@ pub struct WeightsFacts {
     pub out_of_range: PairTally,
     /// How many of them are negative.
     pub negative_index: u64,
-    /// Sum over all bones per vertex of the mesh, float32 as in the loader. Empty without a mesh.
-    pub sums: Vec<f32>,
-    /// What the sums look like. Empty without a mesh.
+    /// Vertices of the mesh; none without one.
+    pub vertices: usize,
+    /// What the sums over all bones look like, float32 as in the loader. Empty without a mesh.
     pub sum: SumFacts,
     /// Whether a key occurs twice; the schema reader, which is then asked, knows the places.
     pub has_duplicate_keys: bool,
@@ -59,8 +60,9 @@ pub struct WeightsFacts {
 /// Facts on the sums of the vertices.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct SumFacts {
-    /// Vertices whose sum is exactly 0: not mentioned, or with zeros only.
-    pub unweighted: Vec<u32>,
+    /// Vertices whose sum is not exactly 0, or that have a faulty entry. All others ([`WeightsFacts::unweighted`]) may be
+    /// far more than the file has entries.
+    pub reached: Vec<u32>,
     /// Vertices whose sum is not 1, without those that are unweighted or have a faulty entry.
     pub off: u64,
     /// How many of them are off by more than the [`FAR_SUMS`].
@@ -110,27 +112,35 @@ impl PairTally {
 impl WeightsFacts {
     /// Counts everything. `vertices` is the vertex count of the mesh, if it is known.
     pub(super) fn count(&mut self, bones: &[BoneWeights], vertices: Option<usize>) {
-        self.sums = vec![0.0; vertices.unwrap_or(0)];
-        let mut faulty = vec![false; vertices.unwrap_or(0)];
+        self.vertices = vertices.unwrap_or(0);
+        let mut sums = Sums::of(bones, self.vertices);
         for bone in bones {
             let name = &Arc::from(bone.name.as_str());
             self.count_malformed(bone, name);
             self.pairs += bone.pairs.len();
             for pair in &bone.pairs {
-                self.count_pair(name, *pair, vertices.is_some(), &mut faulty);
+                self.count_pair(name, *pair, vertices.is_some(), &mut sums);
             }
-            self.count_duplicates(bone, name, &mut faulty);
+            self.count_duplicates(bone, name, &mut sums);
         }
         let mut lost = BTreeMap::new();
         for bone in bones {
-            self.count_alone(bone);
-            self.count_below_threshold(bone, &Arc::from(bone.name.as_str()), &mut lost);
+            self.count_alone(bone, &sums);
+            self.count_below_threshold(bone, &sums, &mut lost);
         }
         let all = bones.iter().flat_map(|bone| &bone.pairs);
         self.may_overflow = !all.map(|pair| pair.weight.abs()).sum::<f32>().is_finite();
         self.negative_alone = if self.negative.count > 0 { negative_alone(bones) } else { 0 };
         self.lost = lost.into_iter().collect();
-        self.sum = SumFacts::of(&self.sums, &faulty);
+        self.sum = SumFacts::of(&sums);
+    }
+
+    /// Vertices of the mesh whose sum is exactly 0: not mentioned, or with zeros only. Put together when asked for: kept
+    /// for each of many files they would be files times vertices.
+    pub fn unweighted(&self) -> Vec<u32> {
+        let mut reached = self.sum.reached.iter().copied().peekable();
+        let all = 0..u32::try_from(self.vertices).unwrap_or(u32::MAX);
+        all.filter(|vertex| reached.next_if_eq(vertex).is_none()).collect()
     }
 
     fn count_malformed(&mut self, bone: &BoneWeights, name: &Arc<str>) {
@@ -141,7 +151,7 @@ impl WeightsFacts {
         self.malformed.count += bone.listed.saturating_sub(kept) as u64;
     }
 
-    fn count_pair(&mut self, bone: &Arc<str>, pair: Pair, has_mesh: bool, faulty: &mut [bool]) {
+    fn count_pair(&mut self, bone: &Arc<str>, pair: Pair, has_mesh: bool, sums: &mut Sums) {
         let tally = match pair.weight {
             weight if !weight.is_finite() => Some(&mut self.non_finite),
             weight if weight < 0.0 => Some(&mut self.negative),
@@ -150,21 +160,17 @@ impl WeightsFacts {
         };
         if let Some(tally) = tally {
             tally.add(bone, pair);
-            mark(faulty, pair);
+            sums.mark_faulty(&pair);
         }
-        let slot = usize::try_from(pair.vertex).ok().and_then(|vertex| self.sums.get_mut(vertex));
-        match slot {
-            Some(sum) => *sum += pair.weight,
-            None if has_mesh || pair.vertex < 0 => {
-                self.out_of_range.add(bone, pair);
-                self.negative_index += u64::from(pair.vertex < 0);
-            }
-            None => {}
+        let is_in_mesh = usize::try_from(pair.vertex).is_ok_and(|vertex| !has_mesh || vertex < self.vertices);
+        if !is_in_mesh {
+            self.out_of_range.add(bone, pair);
+            self.negative_index += u64::from(pair.vertex < 0);
         }
     }
 
     /// Shipped lists are sorted, which needs no table.
-    fn count_duplicates(&mut self, bone: &BoneWeights, name: &Arc<str>, faulty: &mut [bool]) {
+    fn count_duplicates(&mut self, bone: &BoneWeights, name: &Arc<str>, sums: &mut Sums) {
         if bone.pairs.is_sorted_by(|a, b| a.vertex < b.vertex) {
             return;
         }
@@ -172,22 +178,22 @@ impl WeightsFacts {
         for pair in &bone.pairs {
             if !seen.insert(pair.vertex) {
                 self.duplicate.add(name, *pair);
-                mark(faulty, *pair);
+                sums.mark_faulty(pair);
             }
         }
     }
 
-    fn count_alone(&mut self, bone: &BoneWeights) {
+    fn count_alone(&mut self, bone: &BoneWeights, sums: &Sums) {
         // Exactly the sum: another weight, however small, has its share of the vertex.
-        let sum = |pair: &Pair| self.sums.get(usize::try_from(pair.vertex).ok()?).copied();
         let above = bone.pairs.iter().filter(|pair| pair.weight.is_finite() && pair.weight > 1.0 + SUM_TOLERANCE);
-        self.above_one_alone += above.filter(|pair| sum(pair) == Some(pair.weight)).count() as u64;
+        self.above_one_alone += above.filter(|pair| sums.of_pair(pair) == Some(pair.weight)).count() as u64;
     }
 
-    fn count_below_threshold(&mut self, bone: &BoneWeights, name: &Arc<str>, lost: &mut BTreeMap<u32, f32>) {
+    fn count_below_threshold(&mut self, bone: &BoneWeights, sums: &Sums, lost: &mut BTreeMap<u32, f32>) {
+        let name = &Arc::from(bone.name.as_str());
         for pair in &bone.pairs {
             let vertex = u32::try_from(pair.vertex).ok();
-            let sum = vertex.and_then(|vertex| Some((vertex, *self.sums.get(vertex as usize)?)));
+            let sum = vertex.and_then(|vertex| Some((vertex, sums.of_pair(pair)?)));
             if let Some((vertex, sum)) = sum
                 // Of a sum beyond float32 every share is 0, however large the weight.
                 && sum > 0.0
@@ -213,23 +219,15 @@ fn negative_alone(bones: &[BoneWeights]) -> u64 {
     pairs().filter(is_alone).count() as u64
 }
 
-fn mark(faulty: &mut [bool], pair: Pair) {
-    if let Some(faulty) = usize::try_from(pair.vertex).ok().and_then(|vertex| faulty.get_mut(vertex)) {
-        *faulty = true;
-    }
-}
-
 impl SumFacts {
-    fn of(sums: &[f32], faulty: &[bool]) -> Self {
+    fn of(sums: &Sums) -> Self {
         let mut facts = Self { range: (f32::INFINITY, f32::NEG_INFINITY), ..Self::default() };
-        for (vertex, (sum, faulty)) in (0u32..).zip(sums.iter().zip(faulty)) {
-            if *faulty {
-                continue;
+        for VertexSum { vertex, sum, is_faulty } in sums.iter() {
+            if *sum != 0.0 || *is_faulty {
+                facts.reached.push(*vertex);
             }
-            if *sum == 0.0 {
-                facts.unweighted.push(vertex);
-            } else if (sum - 1.0).abs() > SUM_TOLERANCE {
-                facts.add(vertex, *sum);
+            if *sum != 0.0 && !is_faulty && (sum - 1.0).abs() > SUM_TOLERANCE {
+                facts.add(*vertex, *sum);
             }
         }
         facts
@@ -251,23 +249,29 @@ impl SumFacts {
 
 #[cfg(test)]
 mod tests {
-    use super::super::mhw::{Weights, parse};
+    use super::super::mhw::{Pair, Weights, parse};
+    use super::Sums;
     use crate::source::Encoding;
 
     fn weights(text: &str, vertices: usize) -> Weights {
         parse(text.as_bytes(), &Encoding::of(text.as_bytes()), Some(vertices)).unwrap()
     }
 
+    fn sums(weights: &Weights) -> Vec<f32> {
+        Sums::of(&weights.bones, weights.facts.vertices).iter().map(|sum| sum.sum).collect()
+    }
+
     #[test]
     fn pairs_are_sorted_into_their_faults() {
         let text = r#"{"name": "x", "weights": {"a": [[0, 0.5], [0, 0.5], [1, -0.25], [2, 1.5], [4, 1], [-1, 1]],
             "b": [[1, 1], [3, NaN], [2, 0.0001], 7, [1], ["1", 1], [1.0, 1]], "c": []}}"#;
-        let f = weights(text, 4).facts;
+        let weights = weights(text, 4);
+        assert_eq!(sums(&weights)[..2], [1.0, 0.75]);
+        let f = weights.facts;
         let counts = [&f.duplicate, &f.negative, &f.above_one, &f.out_of_range, &f.non_finite, &f.malformed];
         assert_eq!(counts.map(|tally| tally.count), [1, 1, 1, 2, 1, 4]);
         assert_eq!(f.below_threshold.first, [("b".into(), 2, 2, 0.0001)]);
         assert_eq!(f.lost, [(2, 0.0001 / 1.5001)]);
-        assert_eq!((f.sums[0], f.sums[1]), (1.0, 0.75));
         assert_eq!((f.sum.off, f.negative_index), (0, 1));
     }
 
@@ -291,15 +295,32 @@ mod tests {
 
     #[test]
     fn true_and_false_are_weights_and_no_vertices() {
-        let facts = weights(r#"{"weights": {"a": [[0, true], [1, false], [true, 1]]}}"#, 2).facts;
-        assert_eq!((facts.pairs, facts.malformed.count, facts.sums), (2, 1, vec![1.0, 0.0]));
+        let weights = weights(r#"{"weights": {"a": [[0, true], [1, false], [true, 1]]}}"#, 2);
+        assert_eq!(sums(&weights), [1.0, 0.0]);
+        assert_eq!((weights.facts.pairs, weights.facts.malformed.count), (2, 1));
     }
 
     #[test]
     fn sums_have_a_distribution() {
         let text = r#"{"weights": {"a": [[0, 1], [1, 0.75], [2, 0.995], [3, 0.99995], [5, 0]], "b": [[1, 0.5]]}}"#;
-        let sum = weights(text, 6).facts.sum;
+        let facts = weights(text, 6).facts;
+        assert_eq!(facts.unweighted(), [4, 5]);
+        let sum = facts.sum;
         assert_eq!((sum.off, sum.far_off, sum.worst), (2, [1, 1], Some((1, 1.25))));
-        assert_eq!((sum.unweighted, sum.vertices, sum.range), (vec![4, 5], vec![1, 2], (0.995, 1.25)));
+        assert_eq!((sum.vertices, sum.range), (vec![1, 2], (0.995, 1.25)));
+    }
+
+    #[test]
+    fn a_small_file_is_small_whatever_the_mesh() {
+        // Nobody has room for a number for each of these vertices.
+        let weights = weights(r#"{"weights": {"b": [[9, 0.5]], "a": [[9, 0.5], [7, 1], [8, 0]]}}"#, 1 << 50);
+        assert_eq!((sums(&weights), weights.facts.sum.reached), (vec![1.0, 0.0, 1.0], vec![7, 9]));
+    }
+
+    #[test]
+    fn weights_of_a_vertex_are_added_in_the_order_of_the_file() {
+        let text = r#"{"weights": {"b": [[0, 1e8]], "a": [[1, 1], [0, 1]], "c": [[0, -1e8], [0, 0.5]]}}"#;
+        let pair = Pair { position: 0, vertex: 0, weight: 0.0 };
+        assert_eq!(Sums::of(&weights(text, 2).bones, 2).of_pair(&pair), Some(1e8_f32 + 1.0 - 1e8 + 0.5));
     }
 }

@@ -23,6 +23,7 @@ pub mod mhskel;
 pub mod mhw;
 pub(crate) mod mhw_edit;
 mod mhw_facts;
+mod mhw_sums;
 pub mod modelling;
 mod npy;
 mod npy_header;

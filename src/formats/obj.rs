@@ -140,6 +140,22 @@ impl Mesh {
     }
 }
 
+impl Mesh {
+    /// For each vertex the number of the group that it counts for, the first that uses it. Walks all faces.
+    pub fn homes(&self) -> Vec<Option<u32>> {
+        let mut homes = vec![None; self.positions.len()];
+        for face in self.faces.iter().filter(|face| (face.group as usize) < self.groups.len()) {
+            let run = face.start as usize..(face.start as usize).saturating_add(face.len as usize);
+            for vertex in self.corners.get(run).unwrap_or_default() {
+                if let Some(home) = homes.get_mut(*vertex as usize) {
+                    home.get_or_insert(face.group);
+                }
+            }
+        }
+        homes
+    }
+}
+
 impl Parser {
     fn line(&mut self, line: &[u8]) {
         let fields = fields(line);

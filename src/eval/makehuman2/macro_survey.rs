@@ -48,7 +48,9 @@ pub(in crate::eval) fn measure(table: &MacroTable, scene: &Scene, settings: &[Se
 pub fn dead_ranges(table: &MacroTable, macrodefs: &[Vec<Dimension>], budget: &mut Budget) -> Vec<DeadRange> {
     let mut found = Vec::new();
     for (macrodef, dimensions) in macrodefs.iter().enumerate() {
-        if !budget.take(table.combination_count(macrodef).saturating_mul(dimensions.len())) {
+        let values = dimensions.iter().map(Dimension::corners).fold(0, usize::saturating_add);
+        let combinations = table.combination_count(macrodef).saturating_mul(dimensions.len());
+        if !budget.take(combinations.saturating_add(values)) {
             continue;
         }
         for (position, states) in value_states(table, macrodef, dimensions).into_iter().enumerate() {
@@ -314,8 +316,8 @@ mod tests {
 
     fn dimensions() -> Vec<Vec<Dimension>> {
         vec![vec![
-            Dimension::Steps { place: 0, steps: vec![0.0, 0.5, 1.0] },
-            Dimension::Steps { place: 1, steps: vec![0.0, 1.0] },
+            Dimension::Steps { place: 0, steps: [0.0, 0.5, 1.0].into() },
+            Dimension::Steps { place: 1, steps: [0.0, 1.0].into() },
         ]]
     }
 

@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::references::received;
+use super::references::Giver;
 use crate::eval::macros::Macros;
 use crate::eval::makehuman2::MacroTable;
 use crate::eval::makehuman2::macro_def::{Blend, Component, Macrodef, Slider};
@@ -21,7 +21,7 @@ use crate::eval::weights::{Entry, LoadedWeights};
 use crate::evaluate::Rows;
 use crate::evaluate::gauge::{Composed, Rig};
 use crate::evaluate::rows::is_usable;
-use crate::formats::macro_json::MacroFile;
+use crate::formats::macro_json::{self, MacroFile};
 use crate::formats::mhskel::{self, Plane, RotationPlane, Skeleton};
 use crate::formats::mhw::Weights;
 use crate::formats::obj::Mesh;
@@ -51,14 +51,17 @@ pub(in crate::evaluate) fn compose(base: &Base<'_>, rows: &mut Rows) -> Option<C
         let weights = rig.usable_weights().map(|(_, weights)| weights);
         scene.weights = scene.skeleton.as_ref().zip(weights).and_then(|(bones, weights)| bind(bones, weights, mesh));
     }
+    let mut giver = Giver::of(&scene);
     let rigs = base.rigs.iter().filter_map(|rig| {
         let model = rig.skeleton()?;
         let skeleton = skeleton_of(model, mesh.positions.len()).ok()?;
-        let received = if rig.is_default { Received::default() } else { received(&scene, model) };
+        let giver = giver.as_mut().filter(|_| !rig.is_default);
+        let received = giver.map_or_else(Received::default, |giver| giver.received(model));
         Some(Rig { path: rig.file.path.clone(), skeleton, received })
     });
     let rigs = rigs.collect();
-    Some(Composed { scene, rigs })
+    let is_cut = giver.is_some_and(|giver| giver.is_cut);
+    Some(Composed { scene, rigs, is_cut })
 }
 
 struct Composer<'r, 'm> {
@@ -177,7 +180,9 @@ impl Composer<'_, '_> {
             }
             macrodefs.push(Macrodef { components: macrodef.components.iter().map(String::as_str).collect(), links });
         }
-        let products = file.macrodefs.iter().map(|macrodef| dimensions(file, &macrodef.components, registered));
+        let by_name: BTreeMap<&str, Option<Dimension>> =
+            file.components.iter().map(|one| (one.name.as_str(), dimension(one, registered))).collect();
+        let products = file.macrodefs.iter().map(|macrodef| dimensions(&by_name, &macrodef.components));
         self.scene.products = products.collect();
         let components: Vec<Component<'_>> = file.components.iter().filter_map(component).collect();
         let table = MacroTable::new(&components, &macrodefs, |pattern| registered.get(pattern).copied());
@@ -189,26 +194,27 @@ impl Composer<'_, '_> {
 
 /// Sliders of the components of a macrodef; empty where one of them is undefined or unbound, which is reported for
 /// itself.
-fn dimensions(file: &MacroFile, names: &[String], registered: &BTreeMap<String, Slider>) -> Vec<Dimension> {
-    let one = |name: &String| {
-        let component = file.components.iter().rev().find(|component| component.name == *name)?;
-        let pattern = component.pattern.as_deref()?;
-        Some(match (&component.steps, &component.sum) {
-            (Some(steps), _) => match registered.get(pattern)? {
-                Slider::Value(place) => Dimension::Steps { place: *place, steps: steps.clone() },
-                Slider::Barycentric(_) => return None,
-            },
-            (None, Some(sum)) => {
-                let place = |(value, end): (usize, &String)| match registered.get(&format!("{pattern}{end}"))? {
-                    Slider::Barycentric(places) => places.get(value).copied(),
-                    Slider::Value(_) => None,
-                };
-                Dimension::Corners(sum.iter().enumerate().map(place).collect::<Option<_>>()?)
-            }
-            (None, None) => return None,
-        })
-    };
-    names.iter().map(one).collect::<Option<_>>().unwrap_or_default()
+fn dimensions(by_name: &BTreeMap<&str, Option<Dimension>>, names: &[String]) -> Vec<Dimension> {
+    names.iter().map(|name| by_name.get(name.as_str())?.clone()).collect::<Option<_>>().unwrap_or_default()
+}
+
+/// The slider of a component, if it is bound.
+fn dimension(component: &macro_json::Component, registered: &BTreeMap<String, Slider>) -> Option<Dimension> {
+    let pattern = component.pattern.as_deref()?;
+    match (&component.steps, &component.sum) {
+        (Some(steps), _) => match registered.get(pattern)? {
+            Slider::Value(place) => Some(Dimension::Steps { place: *place, steps: steps.as_slice().into() }),
+            Slider::Barycentric(_) => None,
+        },
+        (None, Some(sum)) => {
+            let place = |(value, end): (usize, &String)| match registered.get(&format!("{pattern}{end}"))? {
+                Slider::Barycentric(places) => places.get(value).copied(),
+                Slider::Value(_) => None,
+            };
+            Some(Dimension::Corners(sum.iter().enumerate().map(place).collect::<Option<_>>()?))
+        }
+        (None, None) => None,
+    }
 }
 
 /// Rows that rules report for themselves: looking at them again in every setting would say it many times.
@@ -223,7 +229,7 @@ fn is_suspect(file: &FileFacts, extent: Option<f32>) -> bool {
     facts.non_finite.count > 0 || oversized
 }
 
-fn component(component: &crate::formats::macro_json::Component) -> Option<Component<'_>> {
+fn component(component: &macro_json::Component) -> Option<Component<'_>> {
     let blend = match (&component.steps, &component.sum) {
         (Some(steps), _) => Blend::Steps(steps.clone()),
         (None, Some(sum)) => Blend::Sum(sum.iter().map(String::as_str).collect()),

@@ -1,13 +1,16 @@
 //! Which weights no skeleton names.
 
+use std::collections::BTreeSet;
+
 use super::Base;
 use crate::repo::{Reference, ReferenceKind, Rig};
 
 /// Of each weights file of a base whether no skeleton names it; never where nobody can tell.
 pub(super) fn unbound(base: &Base<'_>) -> Vec<bool> {
     let can_tell = can_tell(base);
-    let used: Vec<_> = base.rigs.iter().filter_map(|rig| rig.weights.as_ref()?.meant()).collect();
-    let is_unbound = |rel: &str| can_tell && !used.iter().any(|found| found.rel == rel);
+    let used = base.rigs.iter().filter_map(|rig| Some(rig.weights.as_ref()?.meant()?.rel.as_str()));
+    let used: BTreeSet<&str> = used.collect();
+    let is_unbound = |rel: &str| can_tell && !used.contains(rel);
     base.weights.iter().map(|file| is_unbound(&file.rel)).collect()
 }
 

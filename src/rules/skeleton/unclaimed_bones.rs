@@ -46,7 +46,7 @@ fn knows_its_references(rig: &Measured<'_>, defaults: &BTreeSet<&String>) -> boo
 fn finding(rig: &Measured<'_>, vertices: usize) -> Option<Finding> {
     let received = &rig.measure.received;
     let bones: Vec<&str> = received.lost_bones.iter().map(String::as_str).collect();
-    let lost = received.lost_vertices.len();
+    let lost = received.lost_vertices;
     if bones.is_empty() || lost == 0 {
         return None;
     }

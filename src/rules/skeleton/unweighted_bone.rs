@@ -39,8 +39,7 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
 
 /// Of a skeleton that nothing of the weights comes to, `skeleton-unclaimed-bones` says so.
 fn receives_anything(rig: &Measured<'_>) -> bool {
-    rig.measure.received.without_weights.len() < rig.skeleton.bones.len()
-        || rig.measure.received.lost_vertices.is_empty()
+    rig.measure.received.without_weights.len() < rig.skeleton.bones.len() || rig.measure.received.lost_vertices == 0
 }
 
 /// A bone that names default bones takes what they have, be it nothing; names that do not exist are reported as such.

@@ -32,7 +32,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         // An entry that cannot be used may be what one vertex lacks; of more vertices it is not the reason.
         let explained = |weights: &&Weights| unusable_entries(weights).is_none_or(|lost| weights.facts.sum.off <= lost);
         let Some(weights) = file.weights().filter(|weights| !explained(weights)) else { continue };
-        let (sums, vertices) = (&weights.facts.sum, weights.facts.sums.len());
+        let (sums, vertices) = (&weights.facts.sum, weights.facts.vertices);
         let Some((vertex, sum)) = sums.worst else { continue };
         let message = if sums.off == 1 {
             format!("the weights of vertex {vertex} add up to {sum}")

@@ -1,11 +1,12 @@
 //! Every vertex should have a weight.
 
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
 use super::{has_unusable_entries, is_empty};
 use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::mhw::Weights;
+use crate::formats::obj::Mesh;
 use crate::repo::{Body, FileFacts};
 
 pub(in crate::rules) static RULE: Rule = Rule {
@@ -27,6 +28,9 @@ const WITHOUT_ANY: Case =
     &[(Application::Makehuman2, Level::Warning, "gives the whole mesh to the root bone: no other bone moves anything")];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    // Walks the mesh once, not for each of many files.
+    let homes = body.whole_mesh().filter(|_| !body.weights.is_empty()).map(Homes::of);
+    let mut room = MOST_NAMED;
     // Of a file that is never read that is all there is to say.
     for file in body.weights.iter().filter(|own| !own.is_unbound).map(|own| own.file) {
         // Entries that cannot be used may be the missing ones.
@@ -35,28 +39,29 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             out.push(without_any(file, weights));
             continue;
         }
-        let Some(mesh) = body.whole_mesh() else { continue };
-        // Vertices without a face are not seen.
-        let groups = mesh.groups_of(&weights.facts.sum.unweighted);
-        let vertices: BTreeSet<u32> = groups.values().flatten().copied().collect();
+        let Some(homes) = &homes else { continue };
+        let mut vertices = weights.facts.unweighted();
+        let groups = homes.keep_used(&mut vertices);
         let Some(first) = vertices.first() else { continue };
-        let named: Vec<String> = groups
-            .iter()
-            .take(GROUPS_NAMED)
-            .map(|(group, vertices)| format!("{} in `{group}`", vertices.len()))
-            .collect();
+        let named: Vec<String> =
+            groups.iter().take(GROUPS_NAMED).map(|(group, count)| format!("{count} in `{group}`")).collect();
         let named = named.join(", ");
         let message = match vertices.len() {
             1 => {
                 let group = groups.keys().next().map(|group| format!(" (in `{group}`)")).unwrap_or_default();
                 format!("vertex {first} has no weight{group}")
             }
-            count => format!("{count} of {} vertices have no weight ({named})", weights.facts.sums.len()),
+            count => format!("{count} of {} vertices have no weight ({named})", weights.facts.vertices),
         };
         let finding = RULE
             .at(file, Place::pointer(["weights"]), message)
-            .help("paint the vertices for the bones that should move them")
-            .evidence(Evidence::of_cases(&vertices).out_of(weights.facts.sums.len()));
+            .help("paint the vertices for the bones that should move them");
+        let left = room.checked_sub(vertices.len());
+        room = left.unwrap_or(room);
+        let finding = match left {
+            Some(_) => finding.evidence(Evidence::of_cases(&vertices).out_of(weights.facts.vertices)),
+            None => finding.evidence(Evidence::of_unnamed(&vertices).out_of(weights.facts.vertices)),
+        };
         let is_seen = groups.keys().any(|group| body.shows(group));
         out.push(if is_seen { finding } else { finding.at_most(Level::Info) });
     }
@@ -64,7 +69,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 
 /// A file without a single entry, which needs no mesh to be told.
 fn without_any(file: &FileFacts, weights: &Weights) -> Finding {
-    let vertices = weights.facts.sums.len();
+    let vertices = weights.facts.vertices;
     let mut finding = RULE
         .at(file, Place::pointer(["weights"]), "no vertex has a weight: the file has no entry at all")
         .help("paint the weights and export them again, or name another file in the skeleton")
@@ -78,3 +83,34 @@ fn without_any(file: &FileFacts, weights: &Weights) -> Finding {
 
 /// How many mesh groups a message names.
 const GROUPS_NAMED: usize = 4;
+/// Vertices that the findings of a body name: files times vertices have no end. Further findings count theirs.
+const MOST_NAMED: usize = 1 << 20;
+
+/// Groups that the vertices of a mesh count for. Vertices without a face, which nobody sees, count for none.
+struct Homes<'m> {
+    /// Names of the groups.
+    names: Vec<&'m str>,
+    /// Number of the group of each vertex.
+    of: Vec<Option<u32>>,
+}
+
+impl<'m> Homes<'m> {
+    fn of(mesh: &'m Mesh) -> Self {
+        Self { names: mesh.groups.iter().map(|group| group.name.as_str()).collect(), of: mesh.homes() }
+    }
+
+    /// Leaves out vertices without a face; how many of the others are in which group.
+    fn keep_used(&self, vertices: &mut Vec<u32>) -> BTreeMap<&'m str, usize> {
+        let mut counts = vec![0_usize; self.names.len()];
+        vertices.retain(|vertex| {
+            let home = self.of.get(*vertex as usize).copied().flatten();
+            let count = home.and_then(|home| counts.get_mut(home as usize));
+            count.map(|count| *count += 1).is_some()
+        });
+        let mut groups: BTreeMap<&str, usize> = BTreeMap::new();
+        for (name, count) in self.names.iter().zip(counts).filter(|(_, count)| *count > 0) {
+            *groups.entry(name).or_default() += count;
+        }
+        groups
+    }
+}

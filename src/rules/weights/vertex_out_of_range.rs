@@ -28,7 +28,7 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     let Some(weights) = bones_of(file) else { return };
     let tally = &weights.facts.out_of_range;
     let (Some((bone, _, vertex, _)), Some(place)) = (tally.first.first(), pair_place(tally)) else { return };
-    let vertices = weights.facts.sums.len();
+    let vertices = weights.facts.vertices;
     let size = match vertices.checked_sub(1) {
         Some(last) => format!(", but the mesh has vertices 0 to {last}"),
         None => String::new(),

@@ -17,6 +17,8 @@ pub(super) const INPUTS: &[Input] = &[
     input("skeletons: pairs of bones on one large joint", 4000, rigs::pairs),
     input("skeletons: references to one bone of many weights", 4000, rigs::references),
     input("skeletons: as many joints as vertices", 5000, rigs::joints),
+    input("skeletons: beside a default one of many bones", 1_000, rigs::takers),
+    input("weights: small files beside a large mesh", 800, rigs::small_weights),
     input("mesh: all vertices in one place", 60_000, one_place),
     input("mesh: places of two vertices, one hub", 20_000, hub),
     input("sliders: half of details, half of macros", 15_000, |count| sliders(count, "0", true)),

@@ -8,6 +8,7 @@ pub(super) const INPUTS: &[Input] = &[
     Input { name: "macrodefs with thousands of corners", times: 13, files: corners, args: &[], exit: 1 },
     Input { name: "macro sliders", times: 3_000, files: sliders, args: &[], exit: 1 },
     Input { name: "a component of many steps", times: 20_000, files: steps, args: &[], exit: 1 },
+    Input { name: "a component of many steps, named as often", times: 8_000, files: named_steps, args: &[], exit: 1 },
     Input { name: "components with misspelt steps", times: 30_000, files: misspelt, args: &[], exit: 1 },
 ];
 
@@ -72,6 +73,12 @@ fn steps(times: usize) -> Vec<(String, Vec<u8>)> {
         (listed(times, |n| format!("\"{n}\"")), listed(times, |n| (n as f64 / times as f64).to_string()));
     let component = format!(r#""c0":{{"values":[{values}],"steps":[{steps}],"pattern":"m/S0"}}"#);
     system(1, &component, &macrodef("\"c0\""))
+}
+
+fn named_steps(times: usize) -> Vec<(String, Vec<u8>)> {
+    let component =
+        format!(r#""c0":{{"values":["x"],"steps":[{}],"pattern":"m/S0"}}"#, listed(times, |_| "0.5".into()));
+    system(1, &component, &macrodef(&listed(times, |_| "\"c0\"".into())))
 }
 
 fn misspelt(times: usize) -> Vec<(String, Vec<u8>)> {

@@ -67,3 +67,27 @@ pub(super) fn joints(count: usize) -> Files {
     let mesh = format!("{mesh}\nv 0 0 1\ng body\n{faces}\n");
     [base(&mesh), vec![file("data/rigs/b/default.mhskel", skeleton)]].concat()
 }
+
+/// Skeletons of one bone, which takes nothing of as many weighted bones.
+pub(super) fn takers(count: usize) -> Files {
+    let joints = r#""a":[0,3],"c":[1,2]"#;
+    let own = joined((0..count).map(|at| format!(r#""b{at}":{{"head":"a","tail":"c","parent":{}}}"#, parent(at))), ",");
+    let weights = joined((0..count).map(|at| format!(r#""b{at}":[[{},1]]"#, at % 4)), ",");
+    let other = |at: usize| {
+        let text = skeleton(r#""r":{"head":"a","tail":"c","parent":null}"#, joints);
+        file(&format!("data/rigs/b/r{at}.mhskel"), text)
+    };
+    let more = [
+        file("data/rigs/b/default.mhskel", skeleton(&own, joints)),
+        file("data/rigs/b/w.mhw", format!(r#"{{"weights":{{{weights}}}}}"#)),
+    ];
+    [base(SQUARE), more.to_vec(), (0..count).map(other).collect()].concat()
+}
+
+/// Weights of one vertex each. Of the mesh only every other vertex is used, so that those without weight are no run.
+pub(super) fn small_weights(count: usize) -> Files {
+    let mesh = "v 1 1 1\n".repeat(20 * count);
+    let faces = joined((0..3 * count).map(|at| 6 * at + 1).map(|at| format!("f {at} {} {}", at + 2, at + 4)), "\n");
+    let weights = |at: usize| file(&format!("data/rigs/b/w{at}.mhw"), r#"{"weights":{"a":[[0,1]]}}"#);
+    [base(&format!("{mesh}g body\n{faces}\n")), (0..count).map(weights).collect()].concat()
+}
