@@ -6,7 +6,7 @@ use std::ops::Bound;
 use super::super::did_you_mean;
 use crate::diag::Suggestions;
 use crate::formats::macro_json::Component;
-use crate::repo::makehuman2::Base;
+use crate::repo::makehuman2::{Base, View};
 
 /// Beginning of the groups of user targets, which come and go.
 const USER: &str = "user";
@@ -37,9 +37,14 @@ impl Unknown {
 }
 
 impl<'n, 'a> Names<'n, 'a> {
-    /// The names of a base. `checks_macros` says whether `macro.json` is checked, too.
-    pub(super) fn new(base: &'n Base<'a>, checks_macros: bool, suggestions: &'n Suggestions) -> Self {
-        let components = base.macro_file().filter(|_| checks_macros).map(|(_, file)| file.components.as_slice());
+    /// The names of a base.
+    pub(super) fn of(view: &View<'_>, base: &'n Base<'a>, suggestions: &'n Suggestions) -> Self {
+        // A user's sliders over the system's macros are checked against these, too.
+        let sliders = base.modelling.winner().map(|(file, _)| file);
+        let checked = base.macro_file().filter(|(macros, _)| {
+            [sliders, Some(*macros)].into_iter().flatten().any(|file| view.layers.is_checked(file))
+        });
+        let components = checked.map(|(_, file)| file.components.as_slice());
         let read_by_macros = components.unwrap_or_default().iter().flat_map(read_by).collect();
         let groups = groups(base);
         let categories = groups.iter().filter_map(|group| group.split('|').next()).map(str::to_owned).collect();

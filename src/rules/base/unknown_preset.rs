@@ -31,12 +31,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, settings)) = base.settings().filter(|_| has_sliders(base)) else { return };
-    // A user's sliders over the system's macros are checked against these, too.
-    let sliders = base.modelling.winner().map(|(file, _)| file);
-    let macros = base.macro_file().map(|(file, _)| file);
-    let checks_macros =
-        macros.is_some() && [sliders, macros].into_iter().flatten().any(|file| view.layers.is_checked(file));
-    let names = Names::new(base, checks_macros, &cx.suggestions);
+    let names = Names::of(view, base, &cx.suggestions);
     let mut found = Vec::new();
     for (pattern, _) in &settings.presets {
         found.extend(names.pattern(pattern).map(|unknown| unknown_name(file, &["modifier-presets", pattern], unknown)));
@@ -141,10 +136,13 @@ fn random_group(file: &FileFacts, names: &Names<'_, '_>, group: &str, selected: 
 /// A whole category that stands before one of its own groups.
 fn nested(file: &FileFacts, group: &str, category: &str, selected: bool) -> Finding {
     let message = format!("the random group `{group}` follows its whole category `{category}`");
-    let (level, effect) = match selected {
-        true => (Level::Error, "stops at start with an AttributeError: both are selected from the beginning"),
-        false => (Level::Warning, "stops with an AttributeError when a random character is made with both selected"),
+    let finding = finding(file, &["random", "groups", group], message, group);
+    let finding = if selected {
+        finding
+            .level(Level::Error)
+            .effect("stops at start with an AttributeError: both are selected from the beginning")
+    } else {
+        finding.effect("stops with an AttributeError when a random character is made with both selected")
     };
-    let finding = finding(file, &["random", "groups", group], message, group).level(level);
-    finding.effect(effect).help("list either the category or its groups")
+    finding.help("list either the category or its groups")
 }
