@@ -18,17 +18,17 @@ pub(super) const INPUTS: &[Input] = &[
         times: 8000,
         files: unknown_components,
         args: &["check", "."],
-        exit: 1,
+        exit: 0,
     },
     Input {
         name: "start values of unknown sliders",
         times: 8000,
         files: unknown_presets,
         args: &["check", "."],
-        exit: 0,
+        exit: 1,
     },
-    Input { name: "measures of unknown sliders", times: 8000, files: unknown_measures, args: &["check", "."], exit: 0 },
-    Input { name: "groups that no category has", times: 6000, files: unknown_groups, args: &["check", "."], exit: 0 },
+    Input { name: "measures of unknown sliders", times: 8000, files: unknown_measures, args: &["check", "."], exit: 1 },
+    Input { name: "groups that no category has", times: 6000, files: unknown_groups, args: &["check", "."], exit: 1 },
 ];
 
 /// The example repository with other files in place of some of its own.
