@@ -72,6 +72,12 @@ impl<'r> Coverage<'r> {
         view: &View<'_>,
         measures: Option<&BTreeMap<String, Arc<Measures>>>,
     ) {
+        let is_cut = |measure: &Arc<Measures>| measure.is_cut || measure.lacks_settings;
+        let is_whole = measures.is_none_or(|measures| !measures.values().any(is_cut));
+        // To gather the bodies once more takes time, and hardly ever is there something to say of them.
+        if is_whole && !view.has_too_many_macros() {
+            return;
+        }
         for body in view.bodies() {
             let measure = measures.and_then(|measures| measures.get(body.name));
             if measure.is_some_and(|measure| measure.is_cut) {

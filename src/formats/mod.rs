@@ -29,7 +29,6 @@ mod npy;
 mod npy_header;
 mod npy_table;
 pub mod npz;
-#[cfg(test)]
 mod npz_samples;
 mod number;
 pub mod obj;

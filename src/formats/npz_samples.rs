@@ -1,4 +1,5 @@
 //! Arrays and archives for tests.
+#![cfg(test)]
 
 use std::io::{Cursor, Write};
 

@@ -4,7 +4,7 @@
 //! that was open before does not switch back: the faces stay in the group opened last. Vertices used
 //! with a second texture coordinate are duplicated behind the real ones ("seam").
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::faulty_rows::row_name;
@@ -122,25 +122,12 @@ struct Parser {
 }
 
 impl Mesh {
-    /// Names of the groups that hold the vertices, with these vertices; a vertex counts for the first group
-    /// that uses it, one without a face for none. For findings: walks all faces.
-    pub fn groups_of(&self, vertices: &[u32]) -> BTreeMap<&str, Vec<u32>> {
-        let mut left: BTreeSet<u32> = vertices.iter().copied().collect();
-        let mut groups: BTreeMap<&str, Vec<u32>> = BTreeMap::new();
-        for face in &self.faces {
-            let Some(group) = self.groups.get(face.group as usize) else { continue };
-            let run = face.start as usize..(face.start as usize).saturating_add(face.len as usize);
-            for vertex in self.corners.get(run).unwrap_or_default() {
-                if left.remove(vertex) {
-                    groups.entry(&group.name).or_default().push(*vertex);
-                }
-            }
-        }
-        groups
+    /// Name of the group that a vertex counts for. For findings: walks all faces.
+    pub fn group_of(&self, vertex: u32) -> Option<&str> {
+        let home = self.homes().get(vertex as usize).copied().flatten()?;
+        self.groups.get(home as usize).map(|group| group.name.as_str())
     }
-}
 
-impl Mesh {
     /// For each vertex the number of the group that it counts for, the first that uses it. Walks all faces.
     pub fn homes(&self) -> Vec<Option<u32>> {
         let mut homes = vec![None; self.positions.len()];

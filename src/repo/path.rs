@@ -6,7 +6,7 @@ use super::{Layer, Resolution};
 const LONGEST: usize = 4096;
 
 /// As much of a name as a path may have.
-pub(super) fn shortened(text: &str) -> &str {
+pub(crate) fn shortened(text: &str) -> &str {
     text.get(..text.floor_char_boundary(LONGEST)).unwrap_or(text)
 }
 

@@ -77,6 +77,14 @@ impl<'a> View<'a> {
         }
     }
 
+    /// Whether some body has more macros than are compared with one another.
+    pub(crate) fn has_too_many_macros(&self) -> bool {
+        match self {
+            Self::Makehuman2(view) => view.bases.iter().any(makehuman2::Base::has_too_many_macros),
+            Self::Makehuman1(_) | Self::Mpfb(_) => false,
+        }
+    }
+
     /// Folders of the checked layer in which that of a base mesh is left out, each with a file that shows it.
     pub(crate) fn unsorted(&self) -> Vec<(&'static str, &'a FileFacts)> {
         match self {

@@ -26,8 +26,8 @@ use crate::formats::mhskel::{self, Plane, RotationPlane, Skeleton};
 use crate::formats::mhw::Weights;
 use crate::formats::obj::Mesh;
 use crate::formats::target::Row;
-use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, Pattern, TargetFolder};
+use crate::repo::{FileFacts, shortened};
 
 /// Barycentric sets after a reset, whatever `default` says.
 const BARYCENTRIC_DEFAULTS: [f64; 3] = [0.33, 0.33, 0.34];
@@ -169,7 +169,7 @@ impl Composer<'_, '_> {
             let mut links = Vec::new();
             for link in &macrodef.links {
                 let number = link.target.as_ref().map(|target| {
-                    let place = self.target(base.targets, &format!("{folder}/{target}"));
+                    let place = self.target(base.targets, &format!("{}/{}", shortened(folder), shortened(target)));
                     let next = u32::try_from(numbers.len()).unwrap_or(u32::MAX);
                     *numbers.entry(place).or_insert_with(|| {
                         self.scene.macro_targets.push(place);

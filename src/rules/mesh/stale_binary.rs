@@ -99,8 +99,7 @@ impl Told<'_> {
 
     fn moved(&self, (vertex, distance): (u32, f32)) -> String {
         let vertices = self.packed.facts.vertices;
-        let groups = self.packed.groups_of(&[vertex]);
-        let group = groups.keys().next().map(|group| format!(" (`{group}`)")).unwrap_or_default();
+        let group = self.packed.group_of(vertex).map(|group| format!(" (`{group}`)")).unwrap_or_default();
         let by = length(distance);
         let moved = self.difference.moved;
         format!("{moved} of {vertices} vertices moved, the farthest by {by}: vertex {vertex}{group}")

@@ -1,5 +1,6 @@
 //! Every vertex should have a weight.
 
+use std::cell::OnceCell;
 use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
@@ -28,8 +29,8 @@ const WITHOUT_ANY: Case =
     &[(Application::Makehuman2, Level::Warning, "gives the whole mesh to the root bone: no other bone moves anything")];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    // Walks the mesh once, not for each of many files.
-    let homes = body.whole_mesh().filter(|_| !body.weights.is_empty()).map(Homes::of);
+    // Walks the mesh once, not for each of many files, and only where some vertex has no weight.
+    let homes = OnceCell::new();
     let mut room = MOST_NAMED;
     // Of a file that is never read that is all there is to say.
     for file in body.weights.iter().filter(|own| !own.is_unbound).map(|own| own.file) {
@@ -39,9 +40,12 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             out.push(without_any(file, weights));
             continue;
         }
-        let Some(homes) = &homes else { continue };
+        let Some(mesh) = body.whole_mesh() else { continue };
         let mut vertices = weights.facts.unweighted();
-        let groups = homes.keep_used(&mut vertices);
+        if vertices.is_empty() {
+            continue;
+        }
+        let groups = homes.get_or_init(|| Homes::of(mesh)).keep_used(&mut vertices);
         let Some(first) = vertices.first() else { continue };
         let named: Vec<String> =
             groups.iter().take(GROUPS_NAMED).map(|(group, count)| format!("{count} in `{group}`")).collect();
