@@ -217,6 +217,21 @@ mod tests {
     }
 
     #[test]
+    fn however_many_names_are_sought_only_so_much_is_compared() {
+        let groups: Vec<String> = (0..20_000).map(|at| format!("group {at}|{}", at * 7919 % 20_011)).collect();
+        let suggestions = Suggestions::default();
+        let touched = Cell::new(0);
+        for at in 0..20_000 {
+            let candidates = groups.iter().inspect(|_| touched.set(touched.get() + 1)).map(String::as_str);
+            suggestions.nearest(&format!("grop {at}"), candidates);
+        }
+        // Each name that is sought in vain asks for one candidate more.
+        assert!(touched.get() < COMPARED / COST_OF_CANDIDATE + 20_000, "{}", touched.get());
+        let most = COMPARED + COST_OF_CANDIDATE + COST_OF_PAIR * LONGEST * LONGEST;
+        assert!(suggestions.compared.get() < most, "{}", suggestions.compared.get());
+    }
+
+    #[test]
     fn suggestions_have_an_end() {
         let suggestions = Suggestions::default();
         assert_eq!(suggestions.nearest("l-kne", ["l-knee"]), Some("l-knee"));

@@ -14,6 +14,9 @@ const FEW: usize = 16;
 pub(super) struct Sorted {
     /// Numbers of the members, of equal ones the last, for each object by its first byte.
     objects: BTreeMap<usize, BTreeMap<String, usize>>,
+    /// Members gone through: a bound on the work, for tests.
+    #[cfg(test)]
+    passed: usize,
 }
 
 /// A document of which many places are asked for.
@@ -57,6 +60,10 @@ impl Sorted {
 
     pub(super) fn member<'n>(&mut self, node: &'n Node, key: &str) -> Option<&'n Member> {
         let members = node.members();
+        #[cfg(test)]
+        if members.len() <= FEW || !self.objects.contains_key(&node.span.start) {
+            self.passed += members.len();
+        }
         if members.len() <= FEW {
             return node.member(key);
         }
@@ -91,5 +98,19 @@ mod tests {
             );
         }
         assert_eq!((finder.key_at(""), finder.key_at("/none"), finder.key_at("/list/0")), (None, None, None));
+    }
+
+    #[test]
+    fn members_are_gone_through_once_however_many_are_asked_for() {
+        let members = |value: &str| (0..20_000).map(|at| format!("\"k{at}\": {value}")).collect::<Vec<_>>().join(", ");
+        let text = format!("{{\"wide\": {{{}}}, \"deep\": {{{}}}}}", members("7"), members("{\"default\": \"x\"}"));
+        let mut finder = Finder::new(parse(text.as_bytes()).unwrap());
+        for at in 0..20_000 {
+            assert!(finder.at(&format!("/wide/k{at}")).is_some());
+            assert!(finder.at(&format!("/deep/k{at}/default")).is_some());
+            assert!(finder.key_at(&format!("/wide/k{at}")).is_some());
+        }
+        // The two large objects once; the top and the object with one member each time.
+        assert_eq!(finder.sorted.passed, 2 * 20_000 + 3 * 20_000 * 2 + 20_000);
     }
 }

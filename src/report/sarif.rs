@@ -3,6 +3,7 @@
 use std::io::{self, Write};
 
 use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, utf8_percent_encode};
+use serde::{Serialize, Serializer};
 use serde_json::{Map, Value, json};
 
 use super::note::step;
@@ -22,30 +23,53 @@ const PATH: &AsciiSet = &NON_ALPHANUMERIC.remove(b'/').remove(b'-').remove(b'.')
 pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> io::Result<()> {
     let findings = gravest(&outcome.findings);
     let rules = used(&findings, view.rules);
-    let results: Vec<Value> = findings.iter().map(|finding| result(finding, &rules)).collect();
-    let log = json!({
-        "$schema": "https://json.schemastore.org/sarif-2.1.0.json",
-        "version": "2.1.0",
-        "runs": [{
-            "tool": { "driver": {
-                "name": env!("CARGO_PKG_NAME"),
-                "semanticVersion": env!("CARGO_PKG_VERSION"),
-                "shortDescription": { "text": env!("CARGO_PKG_DESCRIPTION") },
-                "rules": rules.iter().map(|rule| descriptor(rule)).collect::<Vec<_>>(),
-            }},
-            "invocations": [{
-                "executionSuccessful": outcome.is_whole(),
-                "toolExecutionNotifications": notifications(outcome, findings.len()),
-            }],
-            "columnKind": "unicodeCodePoints",
-            "originalUriBaseIds": { "%SRCROOT%": {
-                "description": { "text": "The top of the repository where the CI system names it, the folder in which mhlint was run elsewhere." },
-            }},
-            "results": results,
+    let head = json!({
+        "tool": { "driver": {
+            "name": env!("CARGO_PKG_NAME"),
+            "semanticVersion": env!("CARGO_PKG_VERSION"),
+            "shortDescription": { "text": env!("CARGO_PKG_DESCRIPTION") },
+            "rules": rules.iter().map(|rule| descriptor(rule)).collect::<Vec<_>>(),
+        }},
+        "invocations": [{
+            "executionSuccessful": outcome.is_whole(),
+            "toolExecutionNotifications": notifications(outcome, findings.len()),
         }],
+        "columnKind": "unicodeCodePoints",
+        "originalUriBaseIds": { "%SRCROOT%": {
+            "description": { "text": "The top of the repository where the CI system names it, the folder in which mhlint was run elsewhere." },
+        }},
     });
+    let runs = [Run { head, results: Results { findings, rules } }];
+    let log = Log { schema: "https://json.schemastore.org/sarif-2.1.0.json", version: "2.1.0", runs };
     serde_json::to_writer_pretty(&mut *out, &log)?;
     writeln!(out)
+}
+
+#[derive(Serialize)]
+struct Log<'a> {
+    #[serde(rename = "$schema")]
+    schema: &'static str,
+    version: &'static str,
+    runs: [Run<'a>; 1],
+}
+
+#[derive(Serialize)]
+struct Run<'a> {
+    #[serde(flatten)]
+    head: Value,
+    results: Results<'a>,
+}
+
+/// Made one by one while they are written: all at once take more room than everything that was checked.
+struct Results<'a> {
+    findings: Vec<&'a Finding>,
+    rules: Vec<&'a RuleInfo>,
+}
+
+impl Serialize for Results<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(self.findings.iter().map(|finding| result(finding, &self.rules)))
+    }
 }
 
 /// All findings, or the gravest where there are more than may be uploaded.

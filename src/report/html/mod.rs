@@ -22,6 +22,9 @@ const SCRIPT: &str = include_str!("page.js");
 const POLICY: &str = "default-src 'none'; base-uri 'none'; form-action 'none'; img-src data:; \
     style-src 'sha256-6a3zt/DznwmnzK5eVJJEHWCwY83s8WizqPa3sLJkL+M='; script-src 'sha256-F5Tix3ZfqcXROthsX9dMec4CsE1/5R0HMWsHwsPcOP8='";
 
+/// Where the list of the findings goes. No text of an asset can hold it: there `<` is escaped.
+const LIST: &str = "<!--list-->";
+
 /// Levels, gravest first, with what they mean.
 const LEVELS: [(Level, &str); 3] = [
     (Level::Error, "crashes, refuses or loses something"),
@@ -52,7 +55,8 @@ pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> 
                     } @else {
                         (controls(outcome))
                         (files(&outcome.findings))
-                        (findings(&outcome.findings))
+                        div #list { (PreEscaped(LIST)) }
+                        p #nothing .empty hidden { "No finding fits. " button #again type="button" { "Show all" } }
                     }
                 }
                 (rules(&outcome.findings, view.rules))
@@ -61,7 +65,12 @@ pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> 
             }
         }
     };
-    writeln!(out, "{}", page.into_string())
+    let page = page.into_string();
+    // The list is made file by file while it is written: a page of many findings is larger than all that was checked.
+    let (before, after) = page.split_once(LIST).unwrap_or((&page, ""));
+    out.write_all(before.as_bytes())?;
+    list(&outcome.findings, out)?;
+    writeln!(out, "{after}")
 }
 
 fn top(outcome: &Outcome, view: &View<'_>) -> Markup {
@@ -185,24 +194,21 @@ fn files(findings: &[Finding]) -> Markup {
     }
 }
 
-fn findings(findings: &[Finding]) -> Markup {
+/// The findings, file by file.
+fn list(findings: &[Finding], out: &mut dyn Write) -> io::Result<()> {
     let mut ids = BTreeMap::new();
-    let files = findings.chunk_by(|a, b| a.path == b.path);
     // A long list is read by its messages; the gravest stand open.
     let opened = |finding: &Finding| finding.level == Level::Error || findings.len() <= 20;
-    html! {
-        div #list {
-            @for (number, file) in files.enumerate() {
-                section .group #{ "file-" (number + 1) } {
-                    h2 { code { (path_of(file)) } " " (chips(file)) }
-                    @for finding in file {
-                        (finding::article(finding, &unique(&finding.fingerprint, &mut ids), opened(finding)))
-                    }
-                }
-            }
+    for (number, file) in findings.chunk_by(|a, b| a.path == b.path).enumerate() {
+        let head = html! { h2 { code { (path_of(file)) } " " (chips(file)) } }.into_string();
+        write!(out, "<section class=\"group\" id=\"file-{}\">{head}", number + 1)?;
+        for finding in file {
+            let article = finding::article(finding, &unique(&finding.fingerprint, &mut ids), opened(finding));
+            out.write_all(article.into_string().as_bytes())?;
         }
-        p #nothing .empty hidden { "No finding fits. " button #again type="button" { "Show all" } }
+        out.write_all(b"</section>")?;
     }
+    Ok(())
 }
 
 fn path_of(file: &[Finding]) -> String {

@@ -21,6 +21,8 @@ pub(super) struct Names<'n, 'a> {
     groups: BTreeSet<String>,
     /// What stands before the `|` in them.
     categories: BTreeSet<String>,
+    /// The same with the `|`.
+    beginnings: Vec<String>,
 }
 
 /// A name that does not exist.
@@ -47,8 +49,10 @@ impl<'n, 'a> Names<'n, 'a> {
         let components = checked.map(|(_, file)| file.components.as_slice());
         let read_by_macros = components.unwrap_or_default().iter().flat_map(read_by).collect();
         let groups = groups(base);
-        let categories = groups.iter().filter_map(|group| group.split('|').next()).map(str::to_owned).collect();
-        Self { base, suggestions, read_by_macros, groups, categories }
+        let categories: BTreeSet<String> =
+            groups.iter().filter_map(|group| group.split('|').next()).map(str::to_owned).collect();
+        let beginnings = categories.iter().map(|category| format!("{category}|")).collect();
+        Self { base, suggestions, read_by_macros, groups, categories, beginnings }
     }
 
     /// A pattern; one that is missing only because its endings are not declared has a finding of its own.
@@ -108,15 +112,14 @@ impl<'n, 'a> Names<'n, 'a> {
 
     /// The beginning of a group.
     pub(super) fn head(&self, beginning: &str) -> Option<Unknown> {
-        let Self { groups, categories, .. } = self;
+        let Self { groups, beginnings, .. } = self;
         let is_user = beginning.split('|').next() == Some(USER);
         // Of all that come no earlier, those that begin so are the first.
         let first = groups.range::<str, _>((Bound::Included(beginning), Bound::Unbounded)).next();
         if is_user || first.is_some_and(|group| group.starts_with(beginning)) {
             return None;
         }
-        let categories: Vec<String> = categories.iter().map(|category| format!("{category}|")).collect();
-        let near = self.suggestions.nearest(beginning, groups.iter().chain(&categories).map(String::as_str));
+        let near = self.suggestions.nearest(beginning, groups.iter().chain(beginnings).map(String::as_str));
         let message = format!("no group of a slider begins with `{beginning}`");
         Some(Unknown::new(beginning, message, near, "name the beginning of a group, or remove the line"))
     }

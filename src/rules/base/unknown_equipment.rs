@@ -1,5 +1,7 @@
 //! `visible groups` and `equipment` must name what exists.
 
+use std::collections::BTreeSet;
+
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, nearest};
 use crate::formats::base_json::BaseJson;
@@ -72,7 +74,8 @@ fn drawn(mesh: &Mesh) -> impl Iterator<Item = &str> {
 }
 
 fn visible(file: &FileFacts, groups: &[String], mesh: &Mesh, out: &mut Vec<Finding>) {
-    let unknown: Vec<&String> = groups.iter().filter(|name| !drawn(mesh).any(|group| group == **name)).collect();
+    let drawn: BTreeSet<&str> = drawn(mesh).collect();
+    let unknown: Vec<&String> = groups.iter().filter(|name| !drawn.contains(name.as_str())).collect();
     let nothing_left = unknown.len() == groups.len();
     let message = match unknown.as_slice() {
         [] if nothing_left => "`visible groups` is empty".to_owned(),
@@ -80,7 +83,7 @@ fn visible(file: &FileFacts, groups: &[String], mesh: &Mesh, out: &mut Vec<Findi
         [only] => format!("the visible group `{only}` is not in the mesh"),
         [first, ..] => format!("`{first}` and {} other visible groups are not in the mesh", unknown.len() - 1),
     };
-    let near = unknown.first().and_then(|name| nearest(name, drawn(mesh)));
+    let near = unknown.first().and_then(|name| nearest(name, drawn));
     let help = did_you_mean(near, "name groups (`g`) of the mesh that have faces");
     let finding = RULE.at(file, Place::pointer([MEMBER]), message).key(MEMBER).help(help);
     let finding = finding.evidence(Evidence::of_cases(&unknown).out_of(groups.len()));

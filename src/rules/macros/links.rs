@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::fit::{fits, values_of};
+use super::fit::{Spellings, values_of};
 use crate::diag::{Place, Suggestions};
 use crate::formats::macro_json::{Link, Macrodef};
 use crate::repo::makehuman2::{Base, View, is_beneath};
@@ -90,34 +90,30 @@ pub(super) fn unreferenced<'s>(
 struct FaultyEntries<'s> {
     /// Last parts of what they write.
     stems: BTreeSet<&'s str>,
-    /// Their definitions and names, with the parts of the names.
-    names: Vec<(&'s Macrodef, BTreeSet<&'s str>)>,
+    /// Their names, with their definitions.
+    names: Spellings<'s, &'s Macrodef>,
 }
 
 impl<'s> FaultyEntries<'s> {
     fn of(view: &'s View<'_>, base: &'s Base<'_>) -> Self {
-        let mut faulty = Self { stems: BTreeSet::new(), names: Vec::new() };
-        let Some((_, macros)) = base.macro_file() else { return faulty };
-        for link in links(view, base) {
-            if link.is_nowhere() {
-                faulty.stems.extend(last_part(link.reference.text));
-                faulty.names.push((link.macrodef, values_of(&link.link.name)));
-            }
+        let (mut stems, mut names) = (BTreeSet::new(), Vec::new());
+        for link in links(view, base).iter().filter(|link| link.is_nowhere()) {
+            stems.extend(last_part(link.reference.text));
+            names.push((link.link.name.as_str(), link.macrodef));
         }
-        for macrodef in &macros.macrodefs {
-            faulty.stems.extend(macrodef.nameless.iter().filter_map(|text| last_part(text)));
+        for macrodef in base.macro_file().iter().flat_map(|(_, macros)| &macros.macrodefs) {
+            stems.extend(macrodef.nameless.iter().filter_map(|text| last_part(text)));
             let empty = macrodef.links.iter().filter(|link| link.target.as_deref() == Some(""));
-            let names = empty.map(|link| &link.name).chain(&macrodef.unusable);
-            faulty.names.extend(names.map(|name| (macrodef, values_of(name))));
+            let own = empty.map(|link| &link.name).chain(&macrodef.unusable);
+            names.extend(own.map(|name| (name.as_str(), macrodef)));
         }
-        faulty
+        Self { stems, names: Spellings::of(names.into_iter()) }
     }
 
     /// Whether a file is what one of them was meant to name.
     fn mean(&self, base: &Base<'_>, file: &FileFacts) -> bool {
-        let spelt = values_of(file.stem());
-        self.stems.contains(file.stem())
-            || self.names.iter().any(|(macrodef, name)| fits(&spelt, name) && is_in_folder(base, macrodef, file))
+        let fitted = self.names.fitted_by(&values_of(file.stem()));
+        self.stems.contains(file.stem()) || fitted.iter().any(|(_, macrodef)| is_in_folder(base, macrodef, file))
     }
 }
 

@@ -1,8 +1,8 @@
 //! Entries of `macro.json` that name a file of other values while a better one is free.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
-use super::fit::{contradiction, fits, values_of};
+use super::fit::{Spellings, contradiction, values_of};
 use super::links::{MacroLink, links};
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, View};
@@ -37,18 +37,16 @@ pub(super) fn is_crowd(suspects: &[&Suspect<'_>]) -> bool {
 pub(super) fn suspects<'s>(view: &'s View<'_>, base: &'s Base<'_>, free: &[&'s FileFacts]) -> Vec<Suspect<'s>> {
     let Some((_, macros)) = base.macro_file() else { return Vec::new() };
     let all = links(view, base);
+    let free = Spellings::of(free.iter().map(|file| (file.stem(), *file)));
     let found = all.iter().filter_map(|link| Some((link, link.found()?)));
     found
         .filter_map(|(link, file)| {
             let values = contradiction(macros, link.macrodef, &link.link.name, &values_of(file.stem()))?;
             let folder = file.rel.rsplit_once('/')?.0;
-            let beside = |other: &&&FileFacts| other.rel.rsplit_once('/').is_some_and(|(parent, _)| parent == folder);
-            let name = values_of(&link.link.name);
-            let better = |other: &&&FileFacts| {
-                let spelt = values_of(other.stem());
-                spelt.contains(&values.1) && fits(&spelt, &name)
-            };
-            let better = free.iter().filter(beside).find(better)?;
+            let fitting = free.fitting(&values_of(&link.link.name));
+            let beside = |other: &FileFacts| other.rel.rsplit_once('/').is_some_and(|(parent, _)| parent == folder);
+            let better = |(spelt, other): &&(BTreeSet<&str>, &FileFacts)| spelt.contains(values.1) && beside(other);
+            let (_, better) = fitting.into_iter().find(better)?;
             Some(Suspect { link: *link, better, values })
         })
         .collect()

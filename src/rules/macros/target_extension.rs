@@ -1,9 +1,10 @@
 //! `t` is written without suffix.
 
+use std::cell::OnceCell;
 use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx};
-use super::fit::{fits, values_of};
+use super::fit::{Spellings, values_of};
 use super::links::{has_suffix, is_in_folder, links};
 use super::titles;
 use crate::diag::{Application, Change, Evidence, Finding, Fix, FixKind, Level, Place, RuleInfo};
@@ -61,6 +62,12 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
 /// Takes the suffix off where that leads to a file. For an empty text writes the combination's own name if there is such
 /// a file, else `null`, unless an unused file may be the one that was meant.
 fn fix(view: &View<'_>, base: &Base<'_>, file: &FileFacts, macrodef: &Macrodef, wrong: &[&Link]) -> Fix {
+    let unused = OnceCell::new();
+    // Whether the folder has a target for the combination that nothing uses.
+    let has_candidate = |macrodef: &Macrodef, link: &Link| {
+        let fitting = unused.get_or_init(|| unused_targets(view, base)).fitting(&values_of(&link.name));
+        fitting.into_iter().any(|(_, file)| is_in_folder(base, macrodef, file))
+    };
     let mut fix = Fix::new(RULE.info.fix, "remove the suffix; for an empty text write the name of its file, or `null`");
     for link in wrong {
         let text = match without_suffix(link.target.as_deref().unwrap_or_default()) {
@@ -68,7 +75,7 @@ fn fix(view: &View<'_>, base: &Base<'_>, file: &FileFacts, macrodef: &Macrodef, 
             text if exists(base, macrodef, text) => Some(text),
             _ => continue,
         };
-        if text.is_none() && has_candidate(view, base, macrodef, link) {
+        if text.is_none() && has_candidate(macrodef, link) {
             continue;
         }
         let pointer = macrodef.link_pointer(link, "t");
@@ -89,10 +96,9 @@ fn own_target<'a>(base: &Base<'_>, macrodef: &Macrodef, link: &'a Link) -> Optio
     Some(link.name.as_str()).filter(|name| !name.is_empty() && exists(base, macrodef, name))
 }
 
-/// Whether the folder has a target for the combination that nothing uses.
-fn has_candidate(view: &View<'_>, base: &Base<'_>, macrodef: &Macrodef, link: &Link) -> bool {
-    let is_used = |file: &FileFacts| view.references.to_file(file).next().is_some();
-    let name = values_of(&link.name);
-    let fitting = |file: &&FileFacts| is_in_folder(base, macrodef, file) && fits(&values_of(file.stem()), &name);
-    base.targets.is_some_and(|targets| targets.targets().filter(fitting).any(|file| !is_used(file)))
+/// Targets that nothing uses, by what their names spell.
+fn unused_targets<'s>(view: &View<'_>, base: &Base<'s>) -> Spellings<'s, &'s FileFacts> {
+    let all = base.targets.iter().flat_map(|targets| targets.targets());
+    let unused = all.filter(|file| view.references.to_file(file).next().is_none());
+    Spellings::of(unused.map(|file| (file.stem(), file)))
 }

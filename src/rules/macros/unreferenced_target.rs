@@ -1,7 +1,7 @@
 //! A target in a macro folder that nothing uses.
 
 use super::super::{Check, Rule, RuleCx};
-use super::fit::{fitting_names, values_of};
+use super::fit::{fitting_names, listed_names, values_of};
 use super::links::{is_in_folder, unreferenced};
 use super::survey::survey;
 use super::suspects::{by_file, is_crowd, suspects};
@@ -42,10 +42,11 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
     let surveys = macros.macrodefs.iter().filter_map(|macrodef| survey(base, macrodef, &free, &cx.suggestions));
     let awaited: BTreeSet<&str> = surveys.flat_map(|survey| survey.files).map(|file| file.rel.as_str()).collect();
     let is_told = |file: &&&FileFacts| awaited.contains(file.rel.as_str()) || better.contains(file.rel.as_str());
+    let listed = listed_names(&macros.macrodefs);
     for file in free.iter().filter(|file| !is_told(file)) {
         let holders: Vec<&Macrodef> =
             macros.macrodefs.iter().filter(|macrodef| is_in_folder(base, macrodef, file)).collect();
-        let fitting = fitting_names(&holders, &values_of(file.stem()));
+        let fitting = fitting_names(&listed, &holders, &values_of(file.stem()));
         // Combinations that were all given one file are told as that, with the files that they should name.
         if fitting.iter().any(|name| crowd.contains(*name)) {
             continue;
