@@ -83,3 +83,21 @@ impl fmt::Display for Error {
 }
 
 impl std::error::Error for Error {}
+
+#[cfg(test)]
+mod tests {
+    use crate::config::Config;
+    use crate::source::PASSED;
+
+    #[test]
+    fn the_lines_of_a_file_are_found_once_however_many_faults_it_has() {
+        let text = "[[ignore]]\n".repeat(10_000);
+        let before = PASSED.get();
+        let faults = Config::parse(&text, "mhlint.toml", &[]).unwrap_err().faults;
+        assert!(faults.len() >= 10_000);
+        assert!(faults.iter().any(|fault| fault.place.is_some_and(|(line, _)| line == 10_000)));
+        // The text twice, and a few thousand bytes for each fault.
+        let passed = PASSED.get() - before;
+        assert!(passed < 2 * text.len() + faults.len() * 5 * 4100, "{passed} bytes for {} faults", faults.len());
+    }
+}

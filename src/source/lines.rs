@@ -40,6 +40,12 @@ pub(crate) struct Position {
 /// Bytes between two places up to which the characters are counted once for all.
 const COUNTED_STEP: usize = 4096;
 
+#[cfg(test)]
+thread_local! {
+    /// Bytes gone through by this thread: a bound on the work, for tests.
+    pub(crate) static PASSED: std::cell::Cell<usize> = const { std::cell::Cell::new(0) };
+}
+
 /// Where the lines of a text begin, found once for any number of questions.
 pub(crate) struct Lines<'t> {
     bytes: &'t [u8],
@@ -52,6 +58,8 @@ pub(crate) struct Lines<'t> {
 impl<'t> Lines<'t> {
     /// The lines of a text.
     pub(crate) fn of(bytes: &'t [u8]) -> Self {
+        #[cfg(test)]
+        PASSED.set(PASSED.get() + bytes.len());
         let ended = lines(bytes).filter(|(range, line)| range.len() > line.len());
         let starts = std::iter::once(0).chain(ended.map(|(range, _)| range.end)).collect();
         Self { bytes, starts, counted: counted(bytes) }
@@ -61,7 +69,7 @@ impl<'t> Lines<'t> {
     pub(crate) fn position(&self, offset: usize) -> Position {
         let offset = offset.min(self.bytes.len());
         let line = self.line_of(offset);
-        let column = self.characters(offset) - self.characters(self.start(line));
+        let column = self.column(self.start(line).min(offset), offset);
         let number = |count: usize| u32::try_from(count).unwrap_or(u32::MAX - 1) + 1;
         Position { line: number(line), column: number(column) }
     }
@@ -110,10 +118,22 @@ impl<'t> Lines<'t> {
         next - if upto.ends_with(b"\r\n") { 2 } else { 1 }
     }
 
+    /// Characters between the beginning of a line and an offset in it.
+    fn column(&self, start: usize, offset: usize) -> usize {
+        if offset - start > COUNTED_STEP {
+            return self.characters(offset) - self.characters(start);
+        }
+        #[cfg(test)]
+        PASSED.set(PASSED.get() + (offset - start));
+        String::from_utf8_lossy(self.bytes.get(start..offset).unwrap_or_default()).chars().count()
+    }
+
     /// Characters before an offset.
     fn characters(&self, offset: usize) -> usize {
         let step = self.counted.partition_point(|(at, _)| *at <= offset).checked_sub(1);
         let (at, before) = step.and_then(|step| self.counted.get(step)).copied().unwrap_or_default();
+        #[cfg(test)]
+        PASSED.set(PASSED.get() + (offset - at));
         before + String::from_utf8_lossy(self.bytes.get(at..offset).unwrap_or_default()).chars().count()
     }
 }

@@ -23,6 +23,8 @@ pub use tree::Tree;
 
 pub(crate) use folder::{Folder, Outer, holds, is_below};
 pub(crate) use gunzip::{GzipFault, gunzip, try_gunzip};
+#[cfg(test)]
+pub(crate) use lines::PASSED;
 pub(crate) use lines::{Lines, first_line, lines};
 pub(crate) use place::{canonical, folder_of, link_targets, own_place, resolved, slashed};
 pub(crate) use tree::{Contents, Entry, EntryKind, ReadFault, WalkFault, WalkFaultKind, read_file};
