@@ -22,6 +22,7 @@ mod generated;
 mod honest;
 mod hostile;
 mod ignores;
+mod listing;
 mod overlay;
 mod reports;
 mod rules;
