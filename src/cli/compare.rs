@@ -24,7 +24,7 @@ pub(super) fn compared(args: &CheckArgs, paths: &[PathBuf], err: &mut dyn Write)
     }
     let found = staged(&around_all(paths, "--staged")?)?;
     if let (Err(reason), false) = (&found, args.quiet) {
-        writeln!(err, "mhlint: {}: the whole report", printable(reason))?;
+        writeln!(err, "mhlint: {}; reporting all findings", printable(reason))?;
     }
     Ok(found.ok())
 }
@@ -32,11 +32,11 @@ pub(super) fn compared(args: &CheckArgs, paths: &[PathBuf], err: &mut dyn Write)
 fn against(folder: &Path, paths: &[PathBuf]) -> Result<Compare, Failure> {
     let shown = folder.display();
     if paths.len() > 1 {
-        let text = format!("--against compares one folder with one other: give one PATH besides `{shown}`");
+        let text = format!("`--against` compares one PATH with `{shown}`; run mhlint once for each PATH");
         return Err(Failure::Usage(text));
     }
     if !folder.exists() {
-        return Err(Failure::Usage(format!("--against: there is no folder `{shown}`; give the one to compare with")));
+        return Err(Failure::Usage(format!("`--against`: folder `{shown}` does not exist; use an existing folder")));
     }
     Ok(Compare {
         with: folder.to_string_lossy().into_owned(),
@@ -69,11 +69,11 @@ fn staged(repository: &Repository) -> Result<Result<Compare, &'static str>, Fail
     let unmerged = repository.files(&["diff", "--name-only", "--diff-filter=U", "-z"]).map_err(failed)?;
     if let Some(first) = unmerged.first() {
         let shown = first.display();
-        let text = format!("--staged: a merge has left conflicts in `{shown}`; resolve them and `git add` the file");
+        let text = format!("`--staged`: `{shown}` has unresolved merge conflicts; resolve them and `git add` the file");
         return Err(Failure::Usage(text));
     }
     if repository.ask(&["rev-parse", "--verify", "--quiet", "HEAD^{commit}"]).is_err() {
-        return Ok(Err("there is no commit yet"));
+        return Ok(Err("the repository has no commits yet"));
     }
     if repository.ask(&["diff", "--cached", "--name-only", "-z"]).map_err(failed)?.is_empty() {
         return Ok(Err("nothing is staged"));
@@ -91,7 +91,8 @@ fn around_all(paths: &[PathBuf], option: &str) -> Result<Repository, Failure> {
     for path in paths.iter().skip(1) {
         if around(path, option)?.top() != repository.top() {
             let (first, path) = (first.display(), path.display());
-            let text = format!("{option}: `{path}` is not in the repository of `{first}`; run mhlint for each");
+            let text =
+                format!("`{option}`: `{path}` and `{first}` are in different repositories; run mhlint once for each");
             return Err(Failure::Usage(text));
         }
     }
@@ -110,39 +111,39 @@ fn around(first: &Path, option: &str) -> Result<Repository, Failure> {
     };
     Repository::around(folder).map(outermost).map_err(|refusal| {
         let (words, shown) = (refusal.words(), folder.display());
-        let remedy = "compare with another folder: --against FOLDER";
+        let remedy = "compare with a folder (`--against FOLDER`)";
         Failure::Usage(match refusal {
-            Refusal::Said(_) => format!("{option}: `{shown}` is in no git repository ({words}); {remedy}"),
-            Refusal::NotStarted(_) | Refusal::NoFolder(_) => format!("{option}: {words}; install git, or {remedy}"),
+            Refusal::Said(_) => format!("`{option}`: `{shown}` is not in a git repository ({words}); {remedy}"),
+            Refusal::NotStarted(_) | Refusal::NoFolder(_) => format!("`{option}`: {words}; install git, or {remedy}"),
         })
     })
 }
 
 fn failed(option: &str, refusal: &Refusal) -> Failure {
-    Failure::Usage(format!("{option}: git failed: {}", refusal.words()))
+    Failure::Usage(format!("`{option}`: git failed: {}", refusal.words()))
 }
 
 fn unknown(repository: &Repository, revision: &str, said: &str) -> Failure {
-    let advice = "name a commit, a tag or a branch (`git branch --all` lists those; `git fetch` brings what is new)";
+    let advice = "use a commit, a tag or a branch (`git branch --all` lists branches; `git fetch` downloads new ones)";
     let shallow = if repository.is_shallow() {
-        format!("; if it is one, it lies beyond what this shallow clone holds: {FETCH}")
+        format!("; this is a shallow clone, which may lack it: {FETCH}")
     } else {
         String::new()
     };
-    Failure::Usage(format!("--since: git knows no revision `{revision}`{}; {advice}{shallow}", bracketed(said)))
+    Failure::Usage(format!("`--since`: unknown revision `{revision}`{}; {advice}{shallow}", bracketed(said)))
 }
 
 fn unrelated(repository: &Repository, revision: &str, said: &str) -> Failure {
     let advice = if repository.is_shallow() {
         format!("this is a shallow clone: {FETCH}")
     } else {
-        "name a revision of the same history".to_owned()
+        "use a revision of the same history".to_owned()
     };
     let said = bracketed(said);
-    Failure::Usage(format!("--since: `{revision}` and HEAD have no commit in common{said}; {advice}"))
+    Failure::Usage(format!("`--since`: `{revision}` and `HEAD` have no commit in common{said}; {advice}"))
 }
 
-const FETCH: &str = "fetch its history (`git fetch --unshallow`, `fetch-depth: 0` in a workflow)";
+const FETCH: &str = "fetch the full history (`git fetch --unshallow`, or `fetch-depth: 0` in a workflow)";
 
 fn bracketed(said: &str) -> String {
     if said.is_empty() { String::new() } else { format!(" ({said})") }

@@ -63,7 +63,7 @@ pub(super) fn run(args: &CheckArgs, out: &mut dyn Write) -> Result<Exit, Failure
     } else {
         let first = args.paths_or_here();
         let first = first.first().map_or(Path::new("."), PathBuf::as_path);
-        writeln!(out, "# no mhlint.toml at or above `{}`; `mhlint init` writes one", printable(&slashed(first)))?;
+        writeln!(out, "# no mhlint.toml at or above `{}`; `mhlint init` creates one", printable(&slashed(first)))?;
     }
     let mut rows = sheet.general();
     rows.extend(sheet.levels());

@@ -76,7 +76,7 @@ impl fmt::Display for Failure {
         match self {
             Self::Usage(text) => f.write_str(text),
             Self::Io(error) => {
-                write!(f, "cannot write to standard output: {error}; send it to a file or program that takes it")
+                write!(f, "cannot write to standard output: {error}; redirect it to a file or another program")
             }
         }
     }

@@ -17,13 +17,17 @@ use crate::source::Limits;
 /// Options of `check` that fix.
 #[derive(Debug, Clone, Copy, Default, clap::Args)]
 pub(super) struct FixArgs {
-    /// Mend what can be mended without a person, then report what remains.
+    /// Apply the safe fixes, then report the remaining findings.
     #[arg(long, group = "fixing")]
     fix: bool,
-    /// Show what --fix would change as a diff, and change nothing; exit code 1 if there is something.
+    /// Show what --fix would change as a diff, and write nothing.
+    ///
+    /// The exit code is 1 if anything would change.
     #[arg(long, group = "fixing", conflicts_with = "reports")]
     pub(super) diff: bool,
-    /// With --fix or --diff: also fixes that may change more than the fault.
+    /// Include unsafe fixes in --fix or --diff.
+    ///
+    /// An unsafe fix may change more than the fault. Check the result with --diff first.
     #[arg(long, requires = "fixing")]
     unsafe_fixes: bool,
 }
@@ -71,7 +75,7 @@ pub(super) fn tell(all: &Fixed, asked: &CheckArgs, err: &mut dyn Write) -> Resul
         return Ok(());
     }
     if let Some(above) = names_of(&all.changes).above.filter(|_| args.diff) {
-        writeln!(err, "mhlint: the patch is for the folder `{above}`: use `git apply` or `patch -p1` there")?;
+        writeln!(err, "mhlint: the patch is for the folder `{above}`; run `git apply` or `patch -p1` there")?;
     }
     let files = count(all.changes.len(), "file");
     let done = if args.fix { "fixed" } else { "would be fixed" };
@@ -80,24 +84,22 @@ pub(super) fn tell(all: &Fixed, asked: &CheckArgs, err: &mut dyn Write) -> Resul
         number => writeln!(err, "mhlint: {number} {done} in {files}: {}", by_rule(&all.fixed))?,
     }
     if all.outside > 0 {
-        let more = count(all.outside, "finding");
-        let whole = asked.comparing().map_or_else(String::new, |option| format!("; run without {option} to mend them"));
-        writeln!(err, "mhlint: {more} would be mended in files that have not changed; those stay as they are{whole}")?;
+        let more = count(all.outside, "fixable finding");
+        let whole =
+            asked.comparing().map_or_else(String::new, |option| format!("; to fix all, run without `{option}`"));
+        writeln!(err, "mhlint: {more} not fixed: the fix is for files that have not changed{whole}")?;
     }
     if !all.unstaged.is_empty() {
         let files = printable(&all.unstaged.join("`, `"));
-        writeln!(err, "mhlint: not fixed, because they lie in the folder otherwise than they are staged: `{files}`")?;
+        writeln!(err, "mhlint: not fixed, because the files differ from their staged versions: `{files}`")?;
     }
     if all.left_out > 0 {
-        let more = count(all.left_out, "finding");
-        writeln!(
-            err,
-            "mhlint: {more} would be mended in files that are muted or beside the PATHs; those stay as they are"
-        )?;
+        let more = count(all.left_out, "fixable finding");
+        writeln!(err, "mhlint: {more} not fixed: the fix is for files that are ignored or outside the PATHs")?;
     }
     let (_, risky) = fixable(&all.outcome.findings);
     if risky > 0 && !args.unsafe_fixes {
-        writeln!(err, "mhlint: {risky} more can be mended with --unsafe-fixes; look at --diff --unsafe-fixes first")?;
+        writeln!(err, "mhlint: {risky} more can be fixed with `--unsafe-fixes`; check `--diff --unsafe-fixes` first")?;
     }
     Ok(())
 }

@@ -171,9 +171,9 @@ impl Refusal {
     /// What git complained about; may be empty.
     pub(super) fn words(&self) -> String {
         match self {
-            Self::NotStarted(error) => format!("git cannot be started: {error}"),
+            Self::NotStarted(error) => format!("cannot start git: {error}"),
             Self::Said(said) => said.clone(),
-            Self::NoFolder(error) => format!("no folder can be made for what git writes: {error}"),
+            Self::NoFolder(error) => format!("cannot create a temporary folder for git: {error}"),
         }
     }
 }

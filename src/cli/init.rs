@@ -14,7 +14,7 @@ pub(super) fn run(folder: Option<&Path>, out: &mut dyn Write, err: &mut dyn Writ
     if !folder.is_dir() {
         let shown = folder.display();
         return Err(Failure::Usage(format!(
-            "there is no folder `{shown}`; make it first, or name the one of the data"
+            "folder `{shown}` does not exist; create it first, or use the folder of the data"
         )));
     }
     let file = if folder == Path::new(".") { FILE_NAME.into() } else { folder.join(FILE_NAME) };
@@ -26,22 +26,18 @@ pub(super) fn run(folder: Option<&Path>, out: &mut dyn Write, err: &mut dyn Writ
     match written {
         Ok(()) => {}
         Err(error) if error.kind() == ErrorKind::AlreadyExists => {
-            let remedy = "edit it, or remove it first; `mhlint config` shows what is in force";
-            return Err(Failure::Usage(format!("`{shown}` is there already and was left alone: {remedy}")));
+            let remedy = "edit it, or remove it first (`mhlint config` shows the settings in force)";
+            return Err(Failure::Usage(format!("`{shown}` already exists and was not changed; {remedy}")));
         }
         Err(error) => {
             return Err(Failure::Usage(format!("cannot write `{shown}`: {error}; {}", remedy(&error))));
         }
     }
-    writeln!(
-        out,
-        "wrote {}: every setting with its meaning, all of them commented out",
-        printable(&shown.to_string())
-    )?;
+    writeln!(out, "wrote {}: all settings, explained and commented out", printable(&shown.to_string()))?;
     if let Some(above) = above {
         let above = above.display();
-        let remedy = "copy what is to hold here, or remove the new file";
-        writeln!(err, "mhlint: `{above}` no longer counts below `{}`; {remedy}", folder.display())?;
+        let remedy = "copy its settings to the new file, or remove the new file";
+        writeln!(err, "mhlint: `{above}` no longer applies in `{}`; {remedy}", folder.display())?;
     }
     Ok(Exit::Clean)
 }

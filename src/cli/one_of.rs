@@ -6,7 +6,7 @@ use crate::diag::nearest;
 pub(super) fn not_one_of(what: &str, text: &str, known: &[&str]) -> String {
     let list = known.join(", ");
     nearest(text, known.iter().copied()).map_or_else(
-        || format!("there is no {what} `{text}`; known: {list}"),
-        |name| format!("there is no {what} `{text}`; did you mean `{name}`? known: {list}"),
+        || format!("unknown {what} `{text}`; use one of: {list}"),
+        |name| format!("unknown {what} `{text}`; did you mean `{name}`? (known: {list})"),
     )
 }

@@ -28,7 +28,7 @@ impl Target {
         let found = Format::ALL.iter().find(|(known, _)| *known == name);
         let (_, format) = found.ok_or_else(|| not_one_of("report format", name, &known))?;
         if file == Some("") {
-            return Err(format!("a file is wanted behind `=`, `{name}=report.txt` say"));
+            return Err(format!("missing file after `=`; use for example `{name}=report.txt`"));
         }
         Ok(Self { format: *format, file: file.map(PathBuf::from) })
     }
@@ -44,7 +44,7 @@ pub(super) fn targets(asked: &[Target], config: &Config) -> Result<Vec<Target>, 
     let to_stdout = asked.iter().filter(|target| target.file.is_none()).count();
     if to_stdout > 1 {
         return Err(Failure::Usage(format!(
-            "{to_stdout} reports to standard output would run into each other; give all but one a file: --report FORMAT=FILE"
+            "{to_stdout} reports go to standard output; write all but one to a file with `--report FORMAT=FILE`"
         )));
     }
     let files: Vec<&PathBuf> = asked.iter().filter_map(|target| target.file.as_ref()).collect();
@@ -52,14 +52,14 @@ pub(super) fn targets(asked: &[Target], config: &Config) -> Result<Vec<Target>, 
     let mut places: Vec<PathBuf> = files.into_iter().map(|file| resolved(file)).collect();
     places.sort_unstable();
     if let Some(twice) = places.windows(2).find(|pair| pair.first() == pair.last()).and_then(<[_]>::first) {
-        return Err(Failure::Usage(format!("two reports to `{}`; give each its own file", twice.display())));
+        return Err(Failure::Usage(format!("two reports go to `{}`; use a different file for each", twice.display())));
     }
     Ok(asked.to_vec())
 }
 
 /// Refuses a report or baseline in place of the baseline or the configuration.
 fn refuse_shared(asked: &[Target], config: &Config) -> Result<(), Failure> {
-    let settings = config.file.as_ref().map(|file| ("the configuration in use", resolved(Path::new(&file.path))));
+    let settings = config.file.as_ref().map(|file| ("the configuration file", resolved(Path::new(&file.path))));
     let baseline = config.baseline.as_deref().map(|file| ("the baseline", resolved(file)));
     let reports = asked.iter().filter_map(|target| Some(("a report", target.file.as_deref()?)));
     let baselines = config.baseline.as_deref().filter(|_| config.write_baseline).map(|file| ("the baseline", file));
@@ -68,9 +68,7 @@ fn refuse_shared(asked: &[Target], config: &Config) -> Result<(), Failure> {
         let taken = settings.iter().chain(&baseline).find(|(other, taken)| *other != what && *taken == place);
         if let Some((other, _)) = taken {
             let shown = file.display();
-            return Err(Failure::Usage(format!(
-                "cannot write {what} to `{shown}`: that is {other}; give each its own file"
-            )));
+            return Err(Failure::Usage(format!("cannot write {what} to `{shown}`: that is {other}; use another file")));
         }
     }
     Ok(())
@@ -80,20 +78,20 @@ fn refuse_shared(asked: &[Target], config: &Config) -> Result<(), Failure> {
 pub(super) fn refuse_unwritable(what: &str, file: &Path) -> Result<(), Failure> {
     let shown = file.display();
     if file.is_dir() {
-        return Err(Failure::Usage(format!("cannot write {what} to `{shown}`: it is a folder; name a file in it")));
+        return Err(Failure::Usage(format!("cannot write {what} to `{shown}`: it is a folder; use a file in it")));
     }
     let behind = link_targets(file).pop();
     if behind.as_ref().is_some_and(|end| end.is_symlink()) {
         return Err(Failure::Usage(format!(
-            "cannot write {what} to `{shown}`: the link leads in a circle; name another file"
+            "cannot write {what} to `{shown}`: the link leads back to itself; use another file"
         )));
     }
     let parent = folder_of(behind.as_deref().unwrap_or(file));
     if !parent.is_dir() {
         let folder = parent.display();
-        let whose = if behind.is_some() { ", which the link leads to" } else { "" };
+        let whose = if behind.is_some() { ", which the link leads to," } else { "" };
         return Err(Failure::Usage(format!(
-            "cannot write {what} to `{shown}`: there is no folder `{folder}`{whose}; make it first"
+            "cannot write {what} to `{shown}`: folder `{folder}`{whose} does not exist; create it first"
         )));
     }
     Ok(())
@@ -110,9 +108,9 @@ pub(super) fn refuse_asset(
     let is_path = |file: &Path| paths.iter().any(|path| path.is_file() && resolved(path) == resolved(file));
     let mut files = targets.iter().filter_map(|target| target.file.as_deref());
     files.find(|file| file.is_file() && (is_path(file) || holds_asset(outcome, file, system))).map_or(Ok(()), |file| {
-        let (shown, remedy) = (file.display(), "name another file, outside of the data");
+        let (shown, remedy) = (file.display(), "use a file outside the data");
         Err(Failure::Usage(format!(
-            "cannot write a report to `{shown}`: that is an asset, and would be lost; {remedy}"
+            "cannot write a report to `{shown}`: it is an asset and would be overwritten; {remedy}"
         )))
     })
 }
@@ -129,11 +127,11 @@ pub(super) fn write_file(what: &str, file: &Path, bytes: &[u8]) -> Result<(), Fa
 /// What to do about a write that failed.
 pub(super) fn remedy(error: &io::Error) -> &'static str {
     match error.kind() {
-        io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => "make room or name a file on another disk",
+        io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => "free some space, or use a file on another disk",
         io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem => {
-            "name a file in a folder that you may write to"
+            "use a file in a folder that you can write to"
         }
-        io::ErrorKind::BrokenPipe => "nobody reads it any more; keep the reader running or name a file",
-        _ => "name another file",
+        io::ErrorKind::BrokenPipe => "the program that reads it has ended; keep it running, or use a file",
+        _ => "use another file",
     }
 }

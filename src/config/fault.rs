@@ -32,7 +32,7 @@ impl Error {
     pub(super) fn unreadable(path: &str, reason: &str) -> Self {
         let fault = Fault {
             message: format!("cannot be read: {reason}"),
-            help: "name a file that exists with `--config`, or write one with `mhlint init`".to_owned(),
+            help: "use an existing file with `--config`, or create one with `mhlint init`".to_owned(),
             place: None,
             quoted: String::new(),
         };

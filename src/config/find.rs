@@ -60,10 +60,10 @@ pub(super) fn load(path: &Path, rules: &[&'static RuleInfo]) -> Result<Config, E
 fn reason(path: &Path, fault: ReadFault) -> String {
     match fault {
         ReadFault::Unreadable(_) if is_link(path) && canonical(path).is_none() => {
-            "it is a link that leads nowhere; mend or remove it".to_owned()
+            "it is a broken link; fix or remove it".to_owned()
         }
         ReadFault::Unreadable(reason) => reason,
-        ReadFault::TooLarge { size, limit } => format!("{size} bytes, more than {limit}"),
+        ReadFault::TooLarge { size, limit } => format!("it has {size} bytes, more than the limit of {limit}"),
     }
 }
 

@@ -49,7 +49,7 @@ fn compiled(text: &str, star_stops_at_slash: bool) -> Result<Option<GlobMatcher>
         return Ok(None);
     }
     if depth(text) > DEEPEST {
-        return Err(format!("more than {DEEPEST} braces stand inside one another"));
+        return Err(format!("its braces are nested deeper than {DEEPEST} levels"));
     }
     let glob = GlobBuilder::new(text).literal_separator(star_stops_at_slash).build();
     Ok(Some(glob.map_err(|error| error.kind().to_string())?.compile_matcher()))

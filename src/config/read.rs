@@ -28,8 +28,8 @@ pub(super) fn read(
     match DeTable::parse(text) {
         Ok(table) => reader.file(table.get_ref()),
         Err(error) => {
-            let help = "correct the line; texts stand in quotes, lists in brackets".to_owned();
-            reader.fault((error.span().unwrap_or(0..0), format!("no TOML: {}", error.message()), help));
+            let help = "correct the line; put strings in quotes and lists in brackets".to_owned();
+            reader.fault((error.span().unwrap_or(0..0), format!("not valid TOML: {}", error.message()), help));
         }
     }
     let Reader { mut config, file, mut faults, .. } = reader;
@@ -77,7 +77,7 @@ impl Reader<'_> {
                 let known = keys.iter().map(|key| key.name);
                 let text = name.get_ref();
                 let help = elsewhere(text, !within.is_empty()).unwrap_or_else(|| meant(text, known));
-                self.fault((name.span(), format!("there is no key `{text}`{within}"), help));
+                self.fault((name.span(), format!("unknown key `{text}`{within}"), help));
                 continue;
             };
             if within.is_empty() && !matches!(key.shape, Shape::Table(_) | Shape::Tables(_)) {
@@ -86,7 +86,7 @@ impl Reader<'_> {
             found.push((key, value));
         }
         for key in keys.iter().filter(|key| key.required && !found.iter().any(|(known, _)| known.name == key.name)) {
-            self.fault((span.clone(), format!("there is no `{}`{within}", key.name), format!("add it: {}", key.docs)));
+            self.fault((span.clone(), format!("missing key `{}`{within}", key.name), format!("add it: {}", key.docs)));
         }
         found
     }
@@ -129,7 +129,7 @@ impl Reader<'_> {
 
     fn glob(&mut self, text: &str, span: Range<usize>) -> Option<PathGlob> {
         let glob = self.compile(text, &span, PathGlob::new, PathGlob::compiled)?;
-        let help = "`*` is any part of a name, `**/` any folders; a bracket or brace must be closed";
+        let help = "`*` matches any part of a name, `**/` any folders; close every bracket and brace";
         self.take(glob.map_err(|reason| (span, no_glob(text, &reason), help.to_owned())))
     }
 
@@ -160,12 +160,12 @@ impl Reader<'_> {
 
     fn selector(&mut self, setting: &str, text: &str, span: Range<usize>, ignores: bool) -> Option<Selector> {
         let selector = self.compile(text, &span, Selector::new, Selector::compiled)?;
-        let help = "a rule such as `macro-steps-length`, or a glob such as `macro-*`";
+        let help = "use a rule such as `macro-steps-length`, or a glob such as `macro-*`";
         let selector = self.take(selector.map_err(|why| (span.clone(), no_glob(text, &why), help.to_owned())))?;
         if ignores && self.rules.iter().any(|rule| rule.id == text && rule.cannot_be_ignored) {
-            let why = "it guards against running foreign code, leaving the data or filling memory";
-            let message = format!("`{text}` cannot be muted or lowered: {why}");
-            self.fault((span.clone(), message, "remove this entry, and what the rule finds".to_owned()));
+            let why = "it protects against running foreign code, leaving the data folder or filling the memory";
+            let message = format!("`{text}` cannot be ignored or lowered: {why}");
+            self.fault((span.clone(), message, "remove this entry, and fix what the rule reports".to_owned()));
         }
         if !self.rules.iter().any(|rule| selector.fits(rule.id)) {
             self.unknown(setting, text, span);
@@ -186,7 +186,7 @@ impl Reader<'_> {
                 found.push(application);
             } else {
                 let known = Application::ALL.map(Application::word);
-                self.fault((span, format!("there is no application `{text}`"), meant(text, known)));
+                self.fault((span, format!("unknown application `{text}`"), meant(text, known)));
             }
         }
         found
@@ -195,14 +195,14 @@ impl Reader<'_> {
     /// A table of levels by rule, in order of the file.
     fn levels(&mut self, name: &str, value: &Value<'_>) -> Vec<(Selector, Option<Level>)> {
         let Some(table) = value.get_ref().as_table() else {
-            self.fault(value::wrong(name, value, "a table of levels by rule"));
+            self.fault(value::wrong(name, value, "a table of rules and levels"));
             return Vec::new();
         };
         let mut levels = Vec::new();
         for (rule, value) in table {
             let text = rule.get_ref();
             if let Some(help) = elsewhere(text, true) {
-                self.fault((rule.span(), format!("there is no rule `{text}` to give a level to"), help));
+                self.fault((rule.span(), format!("unknown rule `{text}` in `level`"), help));
                 continue;
             }
             let level = self.take(value::level(rule.get_ref(), value, "off"));
@@ -220,7 +220,7 @@ impl Reader<'_> {
         for (name, value) in table {
             let Some(rule) = self.rules.iter().find(|rule| rule.id == name.get_ref()) else {
                 match elsewhere(name.get_ref(), true) {
-                    Some(help) => self.fault((name.span(), format!("there is no rule `{}`", name.get_ref()), help)),
+                    Some(help) => self.fault((name.span(), format!("unknown rule `{}`", name.get_ref()), help)),
                     None => self.unknown("rule", name.get_ref(), name.span()),
                 }
                 continue;
@@ -237,7 +237,7 @@ impl Reader<'_> {
             let text = name.get_ref();
             if !rule.options.iter().any(|option| option.name == text) {
                 let known = rule.options.iter().map(|option| option.name);
-                let message = format!("the rule `{}` has no option `{text}`", rule.id);
+                let message = format!("rule `{}` has no option `{text}`", rule.id);
                 self.fault((name.span(), message, elsewhere(text, true).unwrap_or_else(|| meant(text, known))));
             } else if let Some(number) = self.take(value::real(text, value)) {
                 self.config.rule_options.insert((rule.id.to_owned(), text.to_string()), number);
@@ -247,7 +247,7 @@ impl Reader<'_> {
     }
 
     fn each(&mut self, key: &Key, value: &Value<'_>, read: fn(&mut Self, &DeTable<'_>, &Range<usize>)) {
-        let wanted = format!("a list of tables, written `[[{}]]`,", key.name);
+        let wanted = format!("a list of tables, written `[[{}]]`", key.name);
         let Some(list) = value.get_ref().as_array() else {
             return self.fault(value::wrong(key.name, value, &wanted));
         };
@@ -317,7 +317,7 @@ impl Reader<'_> {
 }
 
 fn no_glob(text: &str, reason: &str) -> String {
-    format!("`{}` is no glob: {reason}", value::shortened(text))
+    format!("`{}` is not a valid glob: {reason}", value::shortened(text))
 }
 
 /// The keys of a table of the file.
@@ -332,7 +332,7 @@ fn members_of(name: &str) -> &'static [Key] {
 fn date(value: &Value<'_>) -> Result<Date, Wrong> {
     let day = value.get_ref().as_datetime().filter(|moment| moment.time.is_none()).and_then(|moment| moment.date);
     let day = day.map(|day| Date(i64::from(day.year), day.month, day.day));
-    day.ok_or_else(|| value::wrong("until", value, "a day without quotes, such as 2027-06-30,"))
+    day.ok_or_else(|| value::wrong("until", value, "a date without quotes, such as 2027-06-30"))
 }
 
 /// What to do about a key that is one of another table: the top is above all tables, a table begins with its name.
@@ -340,7 +340,7 @@ fn elsewhere(name: &str, below: bool) -> Option<String> {
     let is_value =
         |key: &&Key| !matches!(key.shape, Shape::Table(_) | Shape::Tables(_) | Shape::Levels | Shape::Options);
     if below && FILE.iter().filter(is_value).any(|key| key.name == name) {
-        return Some(format!("`{name}` is a key of the top: put it above the first [section]"));
+        return Some(format!("`{name}` is a top-level key: put it above the first `[section]`"));
     }
     let tables = FILE.iter().filter_map(|table| match table.shape {
         Shape::Table(keys) => Some((format!("[{}]", table.name), keys)),
@@ -348,7 +348,7 @@ fn elsewhere(name: &str, below: bool) -> Option<String> {
         _ => None,
     });
     let mut holding = tables.filter(|(_, keys)| keys.iter().any(|key| key.name == name));
-    holding.next().map(|(table, _)| format!("`{name}` is a key of `{table}`: put it below a line `{table}`"))
+    holding.next().map(|(table, _)| format!("`{name}` is a key of `{table}`: put it below a `{table}` line"))
 }
 
 /// What may be meant by a name, or what there is.
@@ -357,5 +357,9 @@ fn meant(name: &str, known: impl IntoIterator<Item = &'static str> + Clone) -> S
         return format!("did you mean `{near}`?");
     }
     let known: Vec<&str> = known.into_iter().collect();
-    if known.is_empty() { "remove it; there are none".to_owned() } else { format!("there are {}", known.join(", ")) }
+    if known.is_empty() {
+        "remove it; the rule has no options".to_owned()
+    } else {
+        format!("use one of: {}", known.join(", "))
+    }
 }

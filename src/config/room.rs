@@ -17,9 +17,8 @@ impl Room {
         let before = self.is_full();
         self.taken = self.taken.saturating_add(characters);
         (self.is_full() && !before).then(|| {
-            let message = format!("the globs up to here have more than {MOST} characters");
-            let help =
-                "name folders and rules without wildcards, which do not count, or hide known findings in a baseline";
+            let message = format!("the globs up to this one have more than {MOST} characters in total");
+            let help = "use names without wildcards, which do not count, or a baseline for known findings";
             (message, help.to_owned())
         })
     }

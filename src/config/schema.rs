@@ -11,7 +11,7 @@ pub fn schema(rules: &[&RuleInfo]) -> Value {
     let head = [
         ("$schema", json!("https://json-schema.org/draft/2020-12/schema")),
         ("title", json!("mhlint.toml")),
-        ("description", json!("Configuration of mhlint. Globs and paths are relative to the folder of the file.")),
+        ("description", json!("Configuration of mhlint. Globs and paths are relative to the folder of this file.")),
     ];
     let mut all = Map::new();
     all.extend(head.map(|(key, value)| (key.to_owned(), value)));

@@ -1,37 +1,37 @@
 //! The file that `mhlint init` writes: every key with its meaning, all of them commented out.
 
 /// Text of a new `mhlint.toml`. A line that begins with `#` and a letter or bracket is a setting.
-pub const TEMPLATE: &str = r#"# Settings of mhlint for this repository. Everything has a default; remove the `#` of a line to change it.
-# Globs and paths are relative to the folder of this file. `mhlint config` shows what is in force.
+pub const TEMPLATE: &str = r#"# Settings of mhlint for this repository. All have defaults; remove the `#` of a line to change it.
+# Globs and paths are relative to the folder of this file. `mhlint config` shows the settings in force.
 
-# The level from which on findings make the exit code 1: "error", "warning", "info" or "never".
+# Lowest level of findings that makes the exit code 1: "error", "warning", "info" or "never".
 #fail-on = "error"
 
-# Makes the exit code 1 when there are more warnings than this.
+# The exit code is 1 if there are more warnings than this.
 #max-warnings = 0
 
-# Rules to run and rules to leave out, as names or globs; `mhlint rules` lists them.
+# Rules to run and rules to skip, as names or globs; `mhlint rules` lists them.
 #select = ["*"]
 #skip = ["weights-metadata"]
 
-# Files and folders that nothing is reported for. They are still read to resolve names.
+# Report nothing for these files and folders. They are still read to resolve names.
 #exclude = ["scratch/**"]
 
 # MakeHuman's own data: read to resolve references, not reported.
 #system = "../makehuman2/data"
 
-# Judge only what these applications load, and only these base meshes.
+# Check only what these applications load, and report only these base meshes.
 #apps = ["makehuman2"]
 #bases = ["hm08"]
 
 # Known findings to hide; `mhlint --write-baseline` writes the file.
 #baseline = "mhlint-baseline.json"
 
-# Another level for a rule: "error", "warning", "info" or "off".
+# Change the level of rules: "error", "warning", "info" or "off".
 #[level]
 #macro-unused-component = "warning"
 
-# Options of one rule; `mhlint explain RULE` lists them.
+# Options of rules; `mhlint explain RULE` lists them.
 #[rule.target-oversized-delta]
 #ratio = 20
 
@@ -41,14 +41,14 @@ pub const TEMPLATE: &str = r#"# Settings of mhlint for this repository. Everythi
 #skip = ["target-asymmetric"]
 #level = { target-missing-side = "info" }
 
-# A mute for a finding that is known. It needs a reason, and may end.
+# Ignore findings of a rule in some files. Needs a reason; `until` is optional.
 #[[ignore]]
 #rule = "weights-not-normalized"
 #path = "**/rigs/hm08/*.mhw"
 #reason = "normalised by the loader, kept as painted"
 #until = 2027-06-30
 
-# How much of the slider space is looked at.
+# How much of the slider space is evaluated.
 #[eval]
 #samples = 200
 #exhaustive = false

@@ -15,16 +15,16 @@ pub(super) type Wrong = (Range<usize>, String, String);
 
 /// `TEXT` of the key `name`.
 pub(super) fn text<'v>(name: &str, value: &'v Value<'_>) -> Result<&'v str, Wrong> {
-    value.get_ref().as_str().ok_or_else(|| wrong(name, value, "a text in quotes"))
+    value.get_ref().as_str().ok_or_else(|| wrong(name, value, "a string in quotes"))
 }
 
 /// A list of texts with their places.
 pub(super) fn texts<'v>(name: &str, value: &'v Value<'_>) -> Result<Vec<(&'v str, Range<usize>)>, Wrong> {
-    let wanted = "a list of texts";
+    let wanted = "a list of strings";
     let Some(list) = value.get_ref().as_array() else { return Err(wrong(name, value, wanted)) };
     let each = list.iter().map(|item| match item.get_ref().as_str() {
         Some(text) => Ok((text, item.span())),
-        None => Err(wrong(&format!("an element of `{name}`"), item, "a text in quotes")),
+        None => Err(wrong(&format!("an element of `{name}`"), item, "a string in quotes")),
     });
     each.collect()
 }
@@ -32,7 +32,7 @@ pub(super) fn texts<'v>(name: &str, value: &'v Value<'_>) -> Result<Vec<(&'v str
 /// A whole number that is not negative.
 pub(super) fn number(name: &str, value: &Value<'_>) -> Result<usize, Wrong> {
     let whole = value.get_ref().as_integer().and_then(integer);
-    whole.and_then(|whole| usize::try_from(whole).ok()).ok_or_else(|| wrong(name, value, "a whole number from 0 on"))
+    whole.and_then(|whole| usize::try_from(whole).ok()).ok_or_else(|| wrong(name, value, "a whole number, 0 or more"))
 }
 
 /// A whole number up to `most`.
@@ -49,12 +49,12 @@ pub(super) fn real(name: &str, value: &Value<'_>) -> Result<f64, Wrong> {
         _ => None,
     };
     let sound = number.filter(|number: &f64| number.is_finite() && *number >= 0.0);
-    sound.ok_or_else(|| wrong(name, value, "a finite number from 0 on"))
+    sound.ok_or_else(|| wrong(name, value, "a finite number, 0 or more"))
 }
 
 /// `true` or `false`.
 pub(super) fn flag(name: &str, value: &Value<'_>) -> Result<bool, Wrong> {
-    value.get_ref().as_bool().ok_or_else(|| wrong(name, value, "true or false"))
+    value.get_ref().as_bool().ok_or_else(|| wrong(name, value, "`true` or `false`"))
 }
 
 /// A level, `None` for the word `none_word`.
@@ -76,13 +76,13 @@ pub(super) fn level(name: &str, value: &Value<'_>, none_word: &str) -> Result<Op
 /// Says what is there and what is wanted.
 pub(super) fn wrong(name: &str, value: &Value<'_>, wanted: &str) -> Wrong {
     let name = if name.contains('`') { name.to_owned() } else { format!("`{name}`") };
-    let help = format!("write {}", wanted.trim_end_matches(','));
-    (value.span(), format!("{name} is {}; {wanted} is wanted", shown(value.get_ref())), help)
+    let help = format!("write {wanted}");
+    (value.span(), format!("{name} is {}, expected {wanted}", shown(value.get_ref())), help)
 }
 
 fn shown(value: &DeValue<'_>) -> String {
     match value {
-        DeValue::String(text) => format!("the text \"{}\"", text.chars().take(40).collect::<String>()),
+        DeValue::String(text) => format!("the string \"{}\"", text.chars().take(40).collect::<String>()),
         DeValue::Integer(number) => format!("the number {}", number.as_str()),
         DeValue::Float(number) => format!("the number {}", number.as_str()),
         DeValue::Boolean(flag) => format!("`{flag}`"),

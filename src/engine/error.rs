@@ -103,18 +103,19 @@ pub enum BaselineFault {
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
+            Self::Path { path, fault: fault @ PathFault::NoDataOf(_) } => write!(f, "`{path}` {fault}"),
             Self::Path { path, fault } => write!(f, "cannot read `{path}`: {fault}"),
-            Self::UnknownBase { name, known } if known.is_empty() => write!(f, "there is no base mesh `{name}`"),
+            Self::UnknownBase { name, known } if known.is_empty() => write!(f, "unknown base mesh `{name}`"),
             Self::UnknownBase { name, known } => {
-                write!(f, "there is no base mesh `{name}`; known: {}", known.join(", "))
+                write!(f, "unknown base mesh `{name}`; use one of: {}", known.join(", "))
             }
             Self::SeveralBases { file } => write!(
                 f,
-                "`{file}` is outside of a data folder, so one base mesh is needed: give `--base` once, or check such files \
-                 in a run of their own"
+                "`{file}` is not in a data folder and is checked for one base mesh only; use `--base` once, or check \
+                 such files in a separate run"
             ),
             Self::Baseline { path, fault } => write!(f, "the baseline `{path}` {fault}"),
-            Self::Selector { text, fault } => write!(f, "`{text}`: {fault}"),
+            Self::Selector { text, fault } => write!(f, "`{text}` {fault}"),
         }
     }
 }
@@ -126,8 +127,8 @@ impl fmt::Display for PathFault {
             Self::NoDataOf(applications) => {
                 let shape = |application: &Application| Layout::of(*application).shape;
                 let wanted =
-                    applications.iter().map(|one| format!("{one} data (a folder with {} in it is wanted)", shape(one)));
-                write!(f, "holds no {}", wanted.collect::<Vec<_>>().join(", and no "))
+                    applications.iter().map(|one| format!("{one} data (expected a folder with {} in it)", shape(one)));
+                write!(f, "contains no {}", wanted.collect::<Vec<_>>().join(", and no "))
             }
         }
     }
@@ -137,14 +138,17 @@ impl fmt::Display for SelectorFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let meant = |nearest: Option<&str>| match nearest {
             Some(name) => format!("did you mean `{name}`?"),
-            None => "`mhlint rules` lists them".to_owned(),
+            None => "`mhlint rules` lists all rules".to_owned(),
         };
         match self {
-            Self::NoGlob(reason) => f.write_str(reason),
-            Self::NoRule { nearest } => write!(f, "fits no rule; {}", meant(*nearest)),
-            Self::EmptySelect { place, nearest } => write!(f, "`select` in {place} fits no rule; {}", meant(*nearest)),
+            Self::NoGlob(reason) => write!(f, "is not a valid glob: {reason}"),
+            Self::NoRule { nearest } => write!(f, "matches no rule; {}", meant(*nearest)),
+            Self::EmptySelect { place, nearest } => {
+                write!(f, "matches no rule, so `select` in {place} selects nothing; {}", meant(*nearest))
+            }
             Self::Safety => f.write_str(
-                "this rule guards against running foreign code, leaving the data or filling memory and cannot be muted",
+                "cannot be ignored or lowered: it protects against running foreign code, leaving the data folder or \
+                 filling the memory",
             ),
         }
     }
@@ -152,24 +156,23 @@ impl fmt::Display for SelectorFault {
 
 impl fmt::Display for BaselineFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let anew = "write it anew with `--write-baseline`";
+        let anew = "create a new one with `--write-baseline`";
         match self {
-            Self::Unreadable(reason) => write!(f, "cannot be read: {reason}; `--write-baseline` writes one"),
-            Self::TooLarge => f.write_str("is too large for a baseline"),
+            Self::Unreadable(reason) => write!(f, "cannot be read: {reason}; create one with `--write-baseline`"),
+            Self::TooLarge => f.write_str("is too large; use another file with `--baseline`"),
             Self::Conflict => write!(
                 f,
-                "holds a merge conflict that was not resolved; keep the entries of both sides, or remove the file and \
-                 {anew}"
+                "has an unresolved merge conflict; keep the entries of both sides, or remove the file and {anew}"
             ),
             Self::Damaged(reason) => write!(f, "is damaged ({reason}); restore it, or remove it and {anew}"),
             Self::Format { found, read } => {
-                write!(f, "has the format `{found}`, this version reads `{read}`; remove it and {anew}")
+                write!(f, "has the format `{found}`, but this version reads `{read}`; remove it and {anew}")
             }
-            Self::Other => f.write_str("is no baseline of mhlint; name another file with `--baseline`"),
+            Self::Other => f.write_str("is not a baseline of mhlint; use another file with `--baseline`"),
             Self::Foreign { first } => write!(
                 f,
-                "seems to be that of another repository: nothing that it names is here, neither `{first}` nor its \
-                 folder; name another file with `--baseline`, or remove this one and {anew}"
+                "seems to belong to another repository: none of its paths exist here, neither `{first}` nor its \
+                 folder; use another file with `--baseline`, or remove this one and {anew}"
             ),
         }
     }

@@ -36,10 +36,10 @@ impl fmt::Display for EvalError {
             Self::VertexOutOfRange { vertex, count } => {
                 write!(f, "vertex {vertex} is outside the mesh of {count} vertices")
             }
-            Self::JointOutOfRange(joint) => write!(f, "there is no joint number {joint}"),
-            Self::BoneOutOfRange(bone) => write!(f, "there is no bone number {bone}"),
+            Self::JointOutOfRange(joint) => write!(f, "joint number {joint} does not exist"),
+            Self::BoneOutOfRange(bone) => write!(f, "bone number {bone} does not exist"),
             Self::EmptyJoint => f.write_str("a joint without vertices has no position"),
-            Self::NoRoot => f.write_str("no bone is without parent"),
+            Self::NoRoot => f.write_str("every bone has a parent, so there is no root"),
             Self::SecondRoot(bone) => write!(f, "bone number {bone} is a second bone without parent"),
         }
     }

@@ -116,36 +116,33 @@ impl fmt::Display for Error {
             Self::NoData(path) => {
                 let titles: Vec<&str> = evaluated().map(Application::title).collect();
                 let titles = titles.join(" or ");
-                write!(
-                    f,
-                    "`{path}` holds no {titles} data (a folder with base/<name>/base.obj or base.mhbin in it is wanted)"
-                )
+                write!(f, "`{path}` contains no {titles} data (expected base/<name>/base.obj or base.mhbin in it)")
             }
             Self::SeveralRoots(paths) => {
-                write!(f, "several data folders hold this base; give one of them: {}", paths.join(", "))
+                write!(f, "several data folders contain this base mesh; use one of: {}", paths.join(", "))
             }
             Self::BaseNeeded { known, .. } if known.is_empty() => {
-                f.write_str("there is no base mesh (base.obj or base.mhbin) here")
+                f.write_str("the data folder has no base mesh (base.obj or base.mhbin)")
             }
             Self::BaseNeeded { known, .. } => {
-                write!(f, "which base mesh? Give it with --base: {}", known.join(", "))
+                write!(f, "the data folder has several base meshes; choose one with `--base`: {}", known.join(", "))
             }
             Self::UnknownBase { name, nearest, known } => {
-                write!(f, "there is no base mesh `{name}`{}", meant(nearest))?;
+                write!(f, "unknown base mesh `{name}`{}", meant(nearest))?;
                 if known.is_empty() { Ok(()) } else { write!(f, " (known: {})", known.join(", ")) }
             }
-            Self::NoMacros { base, reason } => write!(f, "base `{base}` has no macros: {reason}"),
-            Self::UnknownSlider { name, nearest } => write!(f, "there is no slider `{name}`{}", meant(nearest)),
+            Self::NoMacros { base, reason } => write!(f, "base mesh `{base}` has no usable macros: {reason}"),
+            Self::UnknownSlider { name, nearest } => write!(f, "unknown slider `{name}`{}", meant(nearest)),
             Self::Setting { text, reason } => write!(f, "setting `{text}`: {reason}"),
             Self::MissingTarget { application, name } => {
-                write!(f, "target `{name}` is needed by this setting and has no file; {application} stops here")
+                write!(f, "this setting needs target `{name}`, which does not exist; {application} would crash")
             }
             Self::File { path, reason } => write!(f, "cannot use `{path}`: {reason}"),
-            Self::NoSkeleton { base, reason } => write!(f, "base `{base}`: {reason}"),
-            Self::UnknownBone { name, nearest } => write!(f, "there is no bone `{name}`{}", meant(nearest)),
+            Self::NoSkeleton { base, reason } => write!(f, "base mesh `{base}`: {reason}"),
+            Self::UnknownBone { name, nearest } => write!(f, "unknown bone `{name}`{}", meant(nearest)),
             Self::Input(what) => f.write_str(what),
             Self::Stops { application, exception, reason } => {
-                write!(f, "{application} stops with {exception}: {reason}")
+                write!(f, "{application} would crash with `{exception}`: {reason}")
             }
         }
     }

@@ -42,7 +42,7 @@ pub(super) fn document(bytes: &[u8]) -> Result<Document, String> {
 pub(super) fn read_cause(fault: &ReadFault) -> String {
     match fault {
         ReadFault::Unreadable(reason) => reason.clone(),
-        ReadFault::TooLarge { size, limit } => format!("{size} bytes are more than the limit of {limit}"),
+        ReadFault::TooLarge { size, limit } => format!("it has {size} bytes, more than the limit of {limit}"),
     }
 }
 
@@ -50,8 +50,8 @@ pub(super) fn read_cause(fault: &ReadFault) -> String {
 pub(super) fn json_cause(fault: &JsonFault, bytes: &[u8]) -> String {
     match fault {
         JsonFault::Empty => "it is empty".to_owned(),
-        JsonFault::ByteOrderMark => "it begins with a byte order mark, which Python refuses".to_owned(),
-        JsonFault::NotUtf8 => "it is no UTF-8".to_owned(),
+        JsonFault::ByteOrderMark => "it begins with a byte order mark, which Python rejects".to_owned(),
+        JsonFault::NotUtf8 => "it is not UTF-8".to_owned(),
         JsonFault::LfsPointer => "it is a Git LFS pointer; fetch the file with `git lfs pull`".to_owned(),
         JsonFault::Syntax(fault) => syntax_cause(fault, bytes),
     }
@@ -59,7 +59,7 @@ pub(super) fn json_cause(fault: &JsonFault, bytes: &[u8]) -> String {
 
 fn syntax_cause(fault: &SyntaxFault, bytes: &[u8]) -> String {
     let line = Lines::of(bytes).position(fault.span.start).line;
-    format!("no JSON, line {line}: {fault}")
+    format!("not valid JSON, line {line}: {fault}")
 }
 
 /// An OBJ text whose `v` lines hold other positions, one each; every other line is kept as it is.

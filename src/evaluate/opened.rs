@@ -17,7 +17,7 @@ use crate::formats::target::MeshSize;
 use crate::source::{Entry, Limits, Tree};
 
 /// What is said of a file without a mesh that can be used.
-pub(super) const NO_MESH: &str = "there is no mesh in it";
+pub(super) const NO_MESH: &str = "it contains no usable mesh";
 
 /// A base mesh ready for settings.
 #[derive(Debug)]
@@ -75,7 +75,7 @@ impl Evaluation {
     /// # Errors
     /// When it cannot be read any more.
     pub fn mesh_text(&self) -> Result<Vec<u8>, Error> {
-        let gone = || Error::file(&self.mesh_path, "is gone");
+        let gone = || Error::file(&self.mesh_path, "it no longer exists");
         let (tree, entry) = self.entry(&self.mesh_path).ok_or_else(gone)?;
         let read = tree.read(entry, &self.limits);
         let bytes = read.map_err(|fault| Error::file(&self.mesh_path, read_cause(&fault)))?;

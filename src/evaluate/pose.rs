@@ -36,7 +36,7 @@ pub fn read_poses(path: &Path) -> Result<Poses, Error> {
 /// Poses from a JSON value.
 pub(super) fn poses(node: &Node) -> Result<Poses, String> {
     if !node.is_object() {
-        return Err("a pose is an object of bones and matrices".to_owned());
+        return Err("expected a pose as an object of bones and matrices".to_owned());
     }
     let members = node.effective_members().into_iter();
     members.map(|member| Ok((member.key.clone(), pose(&member.key, &member.node)?))).collect()

@@ -41,7 +41,8 @@ impl Evaluation {
         }
         if let Some((path, _)) = self.archive.as_ref().filter(|(_, members)| members.contains(&known.name)) {
             let reason = format!(
-                "{} takes `{}` from it, and targets are only evaluated from text here; evaluate without the archive",
+                "{} takes `{}` from this archive, which mhlint cannot evaluate; move the archive away to evaluate the \
+                 text file",
                 self.application(),
                 known.name
             );
@@ -62,10 +63,10 @@ impl Evaluation {
         let bytes = tree.read(entry, &self.limits).map_err(|fault| Error::file(path, read_cause(&fault)))?;
         let encoding = Encoding::of(&bytes);
         if encoding.lfs_pointer {
-            return Err(Error::file(path, "it is a Git LFS pointer"));
+            return Err(Error::file(path, "it is a Git LFS pointer; fetch the file with `git lfs pull`"));
         }
         let target = target::parse_file(&bytes, &encoding, Some(self.size));
-        let target = target.ok_or_else(|| Error::file(path, "it is no target"))?;
+        let target = target.ok_or_else(|| Error::file(path, "it is not a target"))?;
         unusable(&target.facts).map_or(Ok(target.rows), |cause| Err(Error::file(path, cause)))
     }
 
@@ -94,10 +95,10 @@ fn unusable(target: &TargetFacts) -> Option<String> {
         return None;
     }
     if let Some(bad) = target.unreadable.first() {
-        return Some(format!("line {}: `{}` is no number", bad.line, bad.field));
+        return Some(format!("line {}: `{}` is not a number", bad.line, bad.field));
     }
     if target.negative.count > 0 {
-        return Some(format!("{} rows have a negative vertex", target.negative.count));
+        return Some(format!("rows with a negative vertex number: {}", target.negative.count));
     }
-    Some(format!("{} rows move vertices that the mesh does not have", target.out_of_range.count))
+    Some(format!("rows for vertices that the mesh does not have: {}", target.out_of_range.count))
 }

@@ -89,8 +89,8 @@ fn short(name: &str) -> String {
 /// No `=`, or a value that is no number.
 pub fn parse_setting(text: &str) -> Result<SliderSetting, Error> {
     let fault = |reason: &str| Error::Setting { text: text.to_owned(), reason: reason.to_owned() };
-    let (name, value) = text.rsplit_once('=').ok_or_else(|| fault("NAME=VALUE is wanted"))?;
-    let value = python_float(value.trim().as_bytes()).ok_or_else(|| fault("the value is no number"))?;
+    let (name, value) = text.rsplit_once('=').ok_or_else(|| fault("expected NAME=VALUE"))?;
+    let value = python_float(value.trim().as_bytes()).ok_or_else(|| fault("the value is not a number"))?;
     Ok((name.trim().to_owned(), value))
 }
 
@@ -111,17 +111,19 @@ pub fn read_settings(path: &Path) -> Result<Vec<SliderSetting>, Error> {
 /// Pairs of name and number from a JSON value.
 pub(super) fn modifiers(node: &Node) -> Result<Vec<SliderSetting>, String> {
     let number = |name: &str, node: &Node| {
-        node.as_f64().map(|value| (name.to_owned(), value)).ok_or_else(|| format!("the value of `{name}` is no number"))
+        node.as_f64()
+            .map(|value| (name.to_owned(), value))
+            .ok_or_else(|| format!("the value of `{name}` is not a number"))
     };
     if node.is_object() {
         return node.effective_members().into_iter().map(|member| number(&member.key, &member.node)).collect();
     }
     if !node.is_array() {
-        return Err("settings are a list of [name, number] or an object".to_owned());
+        return Err("expected settings as a list of [name, number] or an object".to_owned());
     }
     let pair = |(at, node): (usize, &Node)| match node.elements() {
         [name, value] => number(name.as_str().ok_or_else(|| format!("setting {at} has no name"))?, value),
-        _ => Err(format!("setting {at} is no [name, number]")),
+        _ => Err(format!("setting {at} is not a pair [name, number]")),
     };
     node.elements().iter().enumerate().map(pair).collect()
 }
@@ -134,10 +136,10 @@ fn model_lines(text: &[u8]) -> Result<Vec<SliderSetting>, String> {
         match words.as_slice() {
             ["modifier", name, value] => {
                 let value = python_float(value.as_bytes());
-                let value = value.ok_or_else(|| format!("line {number}: the value is no number"))?;
+                let value = value.ok_or_else(|| format!("line {number}: the value is not a number"))?;
                 settings.push(((*name).to_owned(), value));
             }
-            ["modifier", ..] => return Err(format!("line {number}: a modifier has a name and a value")),
+            ["modifier", ..] => return Err(format!("line {number}: expected `modifier`, a name and a value")),
             _ => {}
         }
     }

@@ -54,14 +54,12 @@ impl fmt::Display for WriteError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "cannot change `{}`: ", self.path)?;
         match &self.reason {
-            Reason::ChangedMeanwhile => f.write_str("it was changed while it was judged; run mhlint again"),
-            Reason::ReadOnly => {
-                f.write_str("it is read-only; allow writing to it, or leave it out by naming other PATHs")
-            }
+            Reason::ChangedMeanwhile => f.write_str("it changed during the check; run mhlint again"),
+            Reason::ReadOnly => f.write_str("it is read-only; make it writable, or use PATHs without it"),
             Reason::LeavesRoot => {
-                f.write_str("a link leads out of the data folder; give mhlint the folder it leads to")
+                f.write_str("a link leads out of the data folder; run mhlint on the folder that it leads to")
             }
-            Reason::NoFile => f.write_str("it is no regular file; leave it out by naming other PATHs"),
+            Reason::NoFile => f.write_str("it is not a regular file; use PATHs without it"),
             Reason::Io(error) => write!(f, "{error}; {}", remedy(error)),
         }
     }
@@ -72,11 +70,11 @@ impl std::error::Error for WriteError {}
 /// What to do about a change that the operating system refuses. The new file waits beside the old one.
 fn remedy(error: &io::Error) -> &'static str {
     match error.kind() {
-        io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => "make room on the disk",
+        io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => "free some disk space",
         io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem => {
-            "allow writing to its folder, or leave it out by naming other PATHs"
+            "make its folder writable, or use PATHs without it"
         }
-        _ => "run mhlint again, or leave it out by naming other PATHs",
+        _ => "run mhlint again, or use PATHs without it",
     }
 }
 
@@ -190,7 +188,7 @@ mod tests {
         let root = folder.path();
         let first = change(root, "a", "old", Some("new"));
         let changed = write_all(&[first.clone(), change(root, "b", "judged", Some("x"))]).unwrap_err();
-        assert!(changed.to_string().contains("`b`: it was changed while it was judged"), "{changed}");
+        assert!(changed.to_string().contains("`b`: it changed during the check"), "{changed}");
         fs::set_permissions(root.join("b"), fs::Permissions::from_mode(0o444)).unwrap();
         let read_only = write_all(&[first, change(root, "b", "other", Some("x"))]).unwrap_err();
         assert!(read_only.to_string().contains("`b`: it is read-only"), "{read_only}");
@@ -202,8 +200,8 @@ mod tests {
         let refused = |kind: io::ErrorKind| {
             WriteError { path: "a".to_owned(), reason: Reason::Io(io::Error::from(kind)) }.to_string()
         };
-        assert!(refused(io::ErrorKind::PermissionDenied).contains("; allow writing to its folder"));
-        assert!(refused(io::ErrorKind::StorageFull).contains("; make room"));
+        assert!(refused(io::ErrorKind::PermissionDenied).contains("; make its folder writable"));
+        assert!(refused(io::ErrorKind::StorageFull).contains("; free some disk space"));
     }
 
     #[test]

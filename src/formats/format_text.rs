@@ -26,7 +26,7 @@ pub(crate) fn check(text: &str, results: Option<Results>) -> Result<(), Fault> {
         }
         let end = rest.find('}').map(|length| start + length);
         let Some(end) = end.filter(|_| rest.starts_with('{')) else {
-            return Err(raises(start..start + 1, "has a brace without its partner"));
+            return Err(raises(start..start + 1, "has an unmatched brace"));
         };
         let body = text.get(start + 1..end).unwrap_or_default();
         field(body, start..end + 1, &mut numbering, results)?;
@@ -111,18 +111,18 @@ impl Layout {
         let fraction = self.code.is_none_or(|code| "neEfFgG%".contains(code));
         let text = self.code.is_none_or(|code| code == 's') && !self.is_of_numbers;
         if self.is_unknown || !(whole || fraction || text) {
-            return Some("has a layout that Python does not know".to_owned());
+            return Some("has an unknown layout".to_owned());
         }
         let types = results?;
         let refused = [
-            (types.text && !text, "a text"),
-            (types.fraction && !fraction, "a number with decimals"),
+            (types.text && !text, "a string"),
+            (types.fraction && !fraction, "a decimal number"),
             ((types.whole || types.truth) && !whole, "a whole number"),
         ];
         let (_, value) = refused.into_iter().find(|(is_refused, _)| *is_refused)?;
         Some(match self.code {
-            Some(code) => format!("lays out {value} as `{code}`, which Python refuses"),
-            None => format!("has a layout that Python refuses for {value}"),
+            Some(code) => format!("formats {value} as `{code}`, which Python rejects"),
+            None => format!("has a layout that Python rejects for {value}"),
         })
     }
 }
@@ -131,15 +131,15 @@ fn number(name: &str, span: &Range<usize>, numbering: &mut Numbering) -> Result<
     if name.is_empty() {
         numbering.automatic += 1;
         if numbering.automatic > 1 {
-            return Err(raises(span.clone(), "asks for a second value; there is only one"));
+            return Err(raises(span.clone(), "asks for a second value, but there is only one"));
         }
     } else if name.bytes().all(|byte| byte.is_ascii_digit()) {
         numbering.manual = true;
         if name.bytes().any(|byte| byte != b'0') {
-            return Err(raises(span.clone(), "asks for a second value; there is only one"));
+            return Err(raises(span.clone(), "asks for a second value, but there is only one"));
         }
     } else {
-        return Err(raises(span.clone(), format!("asks for a value called `{name}`; the only one has no name")));
+        return Err(raises(span.clone(), format!("asks for a value called `{name}`, but the only one has no name")));
     }
     if numbering.manual && numbering.automatic > 0 {
         return Err(raises(span.clone(), "mixes `{}` and `{0}`"));

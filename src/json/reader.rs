@@ -177,7 +177,7 @@ impl<'a> Reader<'a> {
                     return Err(self.fault(open..self.at, SyntaxKind::BadString("does not end on its line")));
                 }
                 Some(0..=0x1f) => {
-                    let what = SyntaxKind::BadString("holds a raw control character");
+                    let what = SyntaxKind::BadString("contains an unescaped control character");
                     return Err(self.fault(self.at..self.at + 1, what));
                 }
                 Some(byte) => {
@@ -201,7 +201,7 @@ impl<'a> Reader<'a> {
             Some(b'u') => return self.unicode_escape(out),
             _ => {
                 let end = (self.at + 2).min(self.text.len());
-                return Err(self.fault(self.at..end, SyntaxKind::BadString("holds an unknown escape")));
+                return Err(self.fault(self.at..end, SyntaxKind::BadString("contains an unknown escape sequence")));
             }
         };
         out.push(plain);
@@ -235,7 +235,7 @@ impl<'a> Reader<'a> {
             .and_then(|text| u32::from_str_radix(text, 16).ok())
             .ok_or_else(|| {
                 let end = (escape + 6).min(self.text.len());
-                self.fault(escape..end, SyntaxKind::BadString("holds a bad \\u escape"))
+                self.fault(escape..end, SyntaxKind::BadString("contains an invalid `\\u` escape sequence"))
             })
     }
 

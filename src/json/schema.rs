@@ -261,7 +261,7 @@ mod tests {
         let presets = check("base", &parse(br#"{"modifier-presets": {"a/b": "much"}}"#).unwrap()).faults;
         let [much] = presets.as_slice() else { panic!("{presets:?}") };
         assert_eq!((much.pointer.as_str(), much.other_forms), ("/modifier-presets/a~1b", 1));
-        let form = Some("number as text".to_owned());
+        let form = Some("a number as a string".to_owned());
         assert_eq!(much.fault, Misfit::Pattern { found: Found::Text(Some("much".to_owned())), form });
         let (_, fault) = fault("base", r#"{"modifier-presets": {"a": []}}"#);
         assert_eq!(fault, wrong_type(Found::List { is_empty: true }, &[Shape::Number, Shape::Text]));

@@ -14,13 +14,13 @@ impl fmt::Display for SyntaxFault {
                 }
                 None => write!(f, "expected {expected}, found `{found}`"),
             },
-            SyntaxKind::TrailingComma => f.write_str("a comma before the closing bracket"),
-            SyntaxKind::Comment => f.write_str("a comment, which JSON does not have"),
-            SyntaxKind::Conflict => f.write_str("a merge conflict that was not resolved"),
-            SyntaxKind::CutText => f.write_str("the file ends inside a text"),
-            SyntaxKind::BadString(what) => write!(f, "a text that {what}"),
-            SyntaxKind::UnexpectedEnd(expected) => write!(f, "the file ends where {expected} is expected"),
-            SyntaxKind::TrailingText => f.write_str("something follows after the end of the value"),
+            SyntaxKind::TrailingComma => f.write_str("comma before the closing bracket"),
+            SyntaxKind::Comment => f.write_str("JSON does not allow comments"),
+            SyntaxKind::Conflict => f.write_str("unresolved merge conflict"),
+            SyntaxKind::CutText => f.write_str("the file ends inside a string"),
+            SyntaxKind::BadString(what) => write!(f, "string {what}"),
+            SyntaxKind::UnexpectedEnd(expected) => write!(f, "expected {expected}, but the file ends"),
+            SyntaxKind::TrailingText => f.write_str("unexpected text after the end of the JSON value"),
             SyntaxKind::TooDeep => write!(f, "nested deeper than {DEEPEST} levels"),
         }
     }

@@ -175,8 +175,8 @@ impl Tree {
     /// When there is nothing to read, or more than the limit.
     pub fn read(&self, entry: &Entry, limits: &Limits) -> Result<Vec<u8>, ReadFault> {
         match entry.kind {
-            EntryKind::Folder => return Err(ReadFault::Unreadable("is a folder".to_owned())),
-            EntryKind::Special => return Err(ReadFault::Unreadable("is no regular file".to_owned())),
+            EntryKind::Folder => return Err(ReadFault::Unreadable("it is a folder".to_owned())),
+            EntryKind::Special => return Err(ReadFault::Unreadable("it is not a regular file".to_owned())),
             EntryKind::File => {}
         }
         if entry.size > limits.file_bytes {
@@ -190,7 +190,7 @@ impl Tree {
             Backend::Memory(files) => files
                 .get(&entry.path)
                 .map(|bytes| bytes.to_vec())
-                .ok_or_else(|| ReadFault::Unreadable("is gone".to_owned())),
+                .ok_or_else(|| ReadFault::Unreadable("it no longer exists".to_owned())),
         }?;
         if let Some(seen) = &self.seen {
             let mut seen = seen.lock().unwrap_or_else(PoisonError::into_inner);
@@ -305,10 +305,10 @@ fn linked(links: &BTreeMap<&str, Vec<&str>>, path: &str) -> BTreeSet<String> {
 pub(crate) fn read_file(path: &Path, limits: &Limits) -> Result<Vec<u8>, ReadFault> {
     let metadata = fs::metadata(path).map_err(|error| ReadFault::Unreadable(error.to_string()))?;
     if metadata.is_dir() {
-        return Err(ReadFault::Unreadable("is a folder".to_owned()));
+        return Err(ReadFault::Unreadable("it is a folder".to_owned()));
     }
     if !metadata.is_file() {
-        return Err(ReadFault::Unreadable("is no regular file".to_owned()));
+        return Err(ReadFault::Unreadable("it is not a regular file".to_owned()));
     }
     if metadata.len() > limits.file_bytes {
         return Err(too_large(metadata.len(), limits));

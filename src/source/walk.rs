@@ -17,7 +17,7 @@ const MOST_LINKED: usize = 10_000;
 /// Letters of all paths that are listed at most: each folder deep in others has all of their names in its own.
 pub(super) const MOST_LETTERS: usize = 32 << 20;
 /// What is said where they are passed.
-pub(super) const TOO_LONG: &str = "the paths are longer than 32 MiB together; the rest was not looked at";
+pub(super) const TOO_LONG: &str = "the paths take more than 32 MiB in total; the rest was not checked";
 
 /// Says of a hidden path, or of a path in a hidden folder, whether somebody reads it: a file that is to be listed, or
 /// (`true` behind it) a folder that is to be searched for such files.
@@ -41,7 +41,7 @@ fn walk_at_most(root: &Path, depth: usize, wanted: Wanted, most: usize) -> (Vec<
         let is_too_much = entries.len() + faults.len() >= most;
         if is_too_much || links.behind >= MOST_LINKED {
             let (most, what) = if is_too_much { (most, "") } else { (MOST_LINKED, " behind links to folders") };
-            let reason = format!("more than {most} files and folders{what}; the rest was not looked at");
+            let reason = format!("more than {most} files and folders{what}; the rest was not checked");
             let path = step.as_ref().map_or(root, |found| found.path().parent().unwrap_or(root));
             faults.push(fault(root, path, WalkFaultKind::Unreadable { reason }));
             break;
@@ -150,7 +150,7 @@ fn walk_fault(root: &Path, error: &walkdir::Error) -> WalkFault {
             to: fs::read_link(path).map_or_else(|_| String::new(), |to| to.display().to_string()),
         }
     } else {
-        let reason = error.io_error().map_or_else(|| "cannot be listed".to_owned(), ToString::to_string);
+        let reason = error.io_error().map_or_else(|| "it cannot be listed".to_owned(), ToString::to_string);
         WalkFaultKind::Unreadable { reason }
     };
     fault(root, path, kind)

@@ -74,7 +74,7 @@ fn the_baseline_of_the_configuration_is_used() {
     fs::write(repository.path().join("mhlint.toml"), "baseline = \"known.json\"\n").unwrap();
     let missing = mhlint(repository.path(), &[]);
     assert_eq!(missing.status.code(), Some(2));
-    assert!(stderr(&missing).contains("`--write-baseline` writes one"), "{}", stderr(&missing));
+    assert!(stderr(&missing).contains("create one with `--write-baseline`"), "{}", stderr(&missing));
     let written = mhlint(repository.path(), &["--write-baseline"]);
     assert_eq!(written.status.code(), Some(0), "{}", stderr(&written));
     assert!(stderr(&written).contains("written to `known.json`"), "{}", stderr(&written));
@@ -410,7 +410,7 @@ fn stale_entries_are_told_and_pruned() {
     let all = write(root, &[]).len();
     edit(root, OVAL, "339 0 0 0", "339 0 .001 .001");
     let found = run(root, &[]);
-    let expected = format!("known.json: info[baseline-stale] 1 of {all} entries of the baseline no longer occurs");
+    let expected = format!("known.json: info[baseline-stale] 1 of {all} baseline entries no longer occurs");
     assert_eq!(found, [expected]);
     assert_eq!(run(root, &["user", "--system", "data"]), Vec::<String>::new());
     assert_eq!(run(root, &["--skip", "target-*"]), Vec::<String>::new());
@@ -438,10 +438,10 @@ fn errors_hide_what_the_baseline_knows() {
             damage();
             let text = stdout(&mhlint(root, &["--baseline", "known.json"]));
             assert!(
-                text.contains(&format!(" of {all} entries of the baseline w")) && text.contains(" not found again"),
+                text.contains(&format!(" of {all} baseline entries w")) && text.contains(" not found again"),
                 "{text}"
             );
-            assert!(text.contains("help: mend the errors first: what they hide may still be there"), "{text}");
+            assert!(text.contains("help: fix the errors first: they may hide what is not found"), "{text}");
             assert!(!text.contains("prune"), "{text}");
             let written = mhlint(root, &["--baseline", "known.json", "--write-baseline"]);
             let said = stderr(&written);
@@ -492,8 +492,8 @@ fn the_ignore_of_what_an_error_hides_is_not_to_be_removed() {
     let whole = fs::read(root.join(MACROS)).unwrap();
     fs::write(root.join(MACROS), &whole[..whole.len() / 2]).unwrap();
     let found = words(root, "human");
-    assert!(found.contains("config-unused-ignore") && found.contains("help: mend the errors first"), "{found}");
-    assert!(!found.contains("help: remove the mute"), "{found}");
+    assert!(found.contains("config-unused-ignore") && found.contains("help: fix the errors first"), "{found}");
+    assert!(!found.contains("help: remove the unused ignore"), "{found}");
 }
 
 #[test]
@@ -532,9 +532,9 @@ fn a_baseline_that_is_none_is_refused_and_left_alone() {
     for (text, words) in [
         (text[..text.len() / 2].to_owned(), "is damaged"),
         (text.replace("baseline/1", "baseline/2"), "this version reads `mhlint-baseline/1`"),
-        ("{\"format\": \"mhlint-report/1\"}".to_owned(), "is no baseline of mhlint"),
+        ("{\"format\": \"mhlint-report/1\"}".to_owned(), "is not a baseline of mhlint"),
         (String::new(), "is damaged"),
-        (format!("<<<<<<< HEAD\n{text}=======\n{text}>>>>>>> other\n"), "holds a merge conflict"),
+        (format!("<<<<<<< HEAD\n{text}=======\n{text}>>>>>>> other\n"), "has an unresolved merge conflict"),
         ("{\"format\": \"mhlint-baseline/1\", \"entries\": [{\"path\": 3}]}".to_owned(), "is damaged"),
     ] {
         fs::write(root.join("known.json"), &text).unwrap();
@@ -552,9 +552,9 @@ fn a_baseline_that_cannot_be_written_is_refused_before_the_run() {
     let repository = damaged();
     for (args, words) in [
         (&["--write-baseline"][..], "add `--baseline FILE`"),
-        (&["--baseline", "no/such/b.json", "--write-baseline"], "no folder `no/such`"),
+        (&["--baseline", "no/such/b.json", "--write-baseline"], "folder `no/such` does not exist"),
         (&["--baseline", "data", "--write-baseline"], "is a folder"),
-        (&["--baseline", "gone.json"], "`--write-baseline` writes one"),
+        (&["--baseline", "gone.json"], "create one with `--write-baseline`"),
     ] {
         let output = mhlint(repository.path(), args);
         assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0), "{}", stderr(&output));
@@ -569,7 +569,7 @@ fn entries_of_another_repository_are_told_as_such() {
     let other = example();
     fs::copy(repository.path().join("known.json"), other.path().join("known.json")).unwrap();
     let found = run(other.path(), &[]);
-    assert!(found.len() == 1 && found[0].contains("is it that of another repository?"), "{found:?}");
+    assert!(found.len() == 1 && found[0].contains("it may be the baseline of another repository"), "{found:?}");
 }
 
 /// A baseline of which nothing is here is refused; one whose assets were removed is not, nor one of moved data.
@@ -585,7 +585,7 @@ fn a_baseline_of_other_data_is_refused() {
     entry("assets/target/troll/nose.target");
     for args in [&[][..], &["--write-baseline"]] {
         let output = mhlint(root, &[&["--baseline", "known.json"], args].concat());
-        assert_refused(&output, &["known.json", "that of another repository", "troll/nose.target", "--write-baseline"]);
+        assert_refused(&output, &["known.json", "to another repository", "troll/nose.target", "--write-baseline"]);
     }
     assert_eq!(run(root, &["--only", "macro-*"]), Vec::<String>::new());
     for path in ["data/target/figure/head/gone.target", "gone.target", OVAL] {
@@ -606,10 +606,10 @@ fn two_writers_of_one_file_are_refused() {
     for (args, words) in [
         (&["--baseline", "known.json", "--report", "json=./known.json"][..], "that is the baseline"),
         (&["--baseline", "known.json", "--write-baseline", "--report", "json=known.json"], "that is the baseline"),
-        (&["--report", "human=mhlint.toml"], "that is the configuration in use"),
-        (&["--baseline", "mhlint.toml", "--write-baseline"], "that is the configuration in use"),
+        (&["--report", "human=mhlint.toml"], "that is the configuration file"),
+        (&["--baseline", "mhlint.toml", "--write-baseline"], "that is the configuration file"),
     ] {
-        assert_refused(&mhlint(root, args), &[words, "give each its own file"]);
+        assert_refused(&mhlint(root, args), &[words, "use another file"]);
     }
     assert_eq!(fs::read(root.join("known.json")).unwrap(), before);
     assert!(fs::read(root.join("mhlint.toml")).unwrap().is_empty());

@@ -154,19 +154,22 @@ fn the_point_where_a_branch_left_is_what_counts() {
 fn what_git_cannot_tell_is_refused_with_the_remedy() {
     let repository = repository();
     let root = repository.path();
-    assert_refused(&check(root, &["--since", "nowhere"]), &["git knows no revision `nowhere`", "name a commit"]);
-    assert_refused(&check(root, &["--against", "nowhere"]), &["there is no folder `nowhere`", "give the one"]);
+    assert_refused(&check(root, &["--since", "nowhere"]), &["unknown revision `nowhere`", "use a commit"]);
+    assert_refused(
+        &check(root, &["--against", "nowhere"]),
+        &["folder `nowhere` does not exist", "use an existing folder"],
+    );
     let both = check(root, &["--since", "HEAD", "--against", "data"]);
     assert_eq!(both.status.code(), Some(2));
     let several = mhlint(root, &["check", "data", "user", "--against", "data"]);
-    assert_refused(&several, &["--against compares one folder with one other", "give one PATH"]);
+    assert_refused(&several, &["`--against` compares one PATH with", "run mhlint once for each PATH"]);
     assert_eq!(check(root, &["--since", "HEAD", "--write-baseline", "--baseline", "b.json"]).status.code(), Some(2));
     let outside = example();
     for option in [&["--since", "HEAD"][..], &["--staged"]] {
-        assert_refused(&check(outside.path(), option), &[option[0], "in no git repository", "--against"]);
+        assert_refused(&check(outside.path(), option), &[option[0], "is not in a git repository", "--against"]);
         let mut lonely = Command::new(env!("CARGO_BIN_EXE_mhlint"));
         let output = lonely.current_dir(root).arg("check").args(option).env("PATH", "").output().unwrap();
-        assert_refused(&output, &[option[0], "git cannot be started", "install git", "--against"]);
+        assert_refused(&output, &[option[0], "cannot start git", "install git", "--against"]);
     }
 }
 
@@ -179,7 +182,7 @@ fn a_shallow_clone_is_named_as_the_reason() {
     let url = format!("file://{}", root.display());
     git(clone.path(), &["clone", "-q", "--depth", "1", &url, "shallow"]);
     let output = check(&clone.path().join("shallow"), &["--since", "HEAD~1"]);
-    assert_refused(&output, &["name a commit, a tag or a branch", "shallow clone", "fetch-depth: 0"]);
+    assert_refused(&output, &["use a commit, a tag or a branch", "shallow clone", "fetch-depth: 0"]);
 }
 
 #[test]
@@ -218,7 +221,7 @@ fn with_nothing_staged_everything_is_shown_and_that_is_said() {
     ruin(root, OVAL);
     let output = check(root, &["--staged"]);
     assert_shown(&output, 1, &[OLD, OVAL], &[]);
-    assert_eq!(stderr(&output), "mhlint: nothing is staged: the whole report\n");
+    assert_eq!(stderr(&output), "mhlint: nothing is staged; reporting all findings\n");
     assert_eq!(stderr(&check(root, &["--staged", "--quiet"])), "");
 }
 
@@ -231,8 +234,8 @@ fn before_the_first_commit_everything_is_shown() {
     git(root, &["add", OVAL]);
     let output = check(root, &["--staged"]);
     assert_shown(&output, 1, &[OVAL], &[]);
-    assert_eq!(stderr(&output), "mhlint: there is no commit yet: the whole report\n");
-    assert_refused(&check(root, &["--since", "HEAD"]), &["git knows no revision `HEAD`"]);
+    assert_eq!(stderr(&output), "mhlint: the repository has no commits yet; reporting all findings\n");
+    assert_refused(&check(root, &["--since", "HEAD"]), &["unknown revision `HEAD`"]);
 }
 
 #[test]
@@ -270,7 +273,7 @@ fn conflicts_are_refused_until_they_are_resolved() {
         git(root, &["commit", "-q", "-a", "-m", branch]);
     }
     assert!(!try_git(root, &["merge", "-q", "theirs"]).status.success());
-    assert_refused(&check(root, &["--staged"]), &["left conflicts in", "macro.json", "git add"]);
+    assert_refused(&check(root, &["--staged"]), &["has unresolved merge conflicts", "macro.json", "git add"]);
     git(root, &["checkout", "-q", "--theirs", MACROS]);
     git(root, &["add", MACROS]);
     assert_shown(&check(root, &["--staged"]), 0, &[], &[OLD]);
@@ -417,8 +420,8 @@ fn what_belongs_together_is_not_fixed_by_halves() {
     let output = check(root, &fix);
     assert_eq!(written(root), [EMPTY]);
     assert_shown(&output, 0, &["macro-empty-target"], &[]);
-    let said = "1 finding would be mended in files that have not changed; those stay as they are; \
-        run without --since to mend them";
+    let said = "1 fixable finding not fixed: the fix is for files that have not changed; \
+        to fix all, run without `--since`";
     assert!(stderr(&output).contains(said), "{}", stderr(&output));
     // With macro.json in the change the fix is whole.
     edit(root, MACROS, "\"name\"", "\"name\" ");
@@ -438,7 +441,7 @@ fn a_fix_leaves_alone_what_is_staged_otherwise() {
     assert!(!fs::read_to_string(root.join(OVAL)).unwrap().contains("5 0 0 0"), "{}", stderr(&output));
     assert_eq!(fs::read_to_string(root.join(SIDE)).unwrap(), later);
     let said = stderr(&output);
-    assert!(said.contains("otherwise than they are staged: ") && said.contains("head-side-in.target"), "{said}");
+    assert!(said.contains("differ from their staged versions: ") && said.contains("head-side-in.target"), "{said}");
 }
 
 /// A finding that speaks for several files shows what is new of it, where that is.
@@ -643,7 +646,7 @@ fn paths_of_two_repositories_are_refused() {
     let args = ["check", "data", other.path().to_str().unwrap(), "--no-eval"];
     for option in [&["--since", "HEAD"][..], &["--staged"]] {
         let output = mhlint(one.path(), &[&args[..], option].concat());
-        assert_refused(&output, &["is not in the repository of `data`", "run mhlint for each"]);
+        assert_refused(&output, &["and `data` are in different repositories", "run mhlint once for each"]);
     }
 }
 

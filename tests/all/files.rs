@@ -21,7 +21,8 @@ fn a_pipe_is_never_opened() {
     let root = example();
     let pipe = root.path().join("data/target/figure/head/pipe.target");
     assert!(Command::new("mkfifo").arg(&pipe).status().unwrap().success());
-    let expected = "data/target/figure/head/pipe.target: error[file-unreadable] cannot be read: is no regular file";
+    let expected =
+        "data/target/figure/head/pipe.target: error[file-unreadable] cannot be read: it is not a regular file";
     assert_eq!(check(root.path(), &["."]), [expected]);
 }
 
@@ -33,7 +34,7 @@ fn a_name_that_is_no_unicode_is_named_and_its_file_is_read() {
     let path = "data/target/figure/head/J\u{fffd}rg.target";
     let expected = [
         format!("{path}: warning[file-empty] `J\u{fffd}rg.target` is empty (0 bytes)"),
-        format!("{path}: warning[file-unportable-name] `J\u{fffd}rg.target` is no Unicode"),
+        format!("{path}: warning[file-unportable-name] `J\u{fffd}rg.target` is not valid Unicode"),
     ];
     assert_eq!(check(root.path(), &["."]), expected);
 }
@@ -100,7 +101,7 @@ fn an_endless_file_is_read_up_to_the_limit_only() {
     let file = fs::File::create(root.path().join("data/target/figure/head/huge.target")).unwrap();
     file.set_len(2 << 30).unwrap();
     let path = "data/target/figure/head/huge.target";
-    let expected = format!("{path}: warning[file-too-large] target with 2147.5 MB: too large to be judged");
+    let expected = format!("{path}: warning[file-too-large] target too large to check: 2147.5 MB");
     assert_eq!(check(root.path(), &["."]), [expected]);
 }
 

@@ -55,7 +55,7 @@ fn about(family: &str) -> &'static str {
         "base" => "the settings of a base mesh: `base.json`, `geometry.json` and what they name",
         "baseline" => "the baseline of mhlint itself",
         "catalog" => "sliders of MPFB: `target.json` and the targets it names",
-        "config" => "mutes and levels in `mhlint.toml`",
+        "config" => "ignores and levels in `mhlint.toml`",
         "file" => "files as such: names, references, links, encodings, packing",
         "json" => "JSON as such: syntax, schema, keys",
         "macro" => "macro targets: `macro.json` and the combinations it names",
@@ -67,7 +67,7 @@ fn about(family: &str) -> &'static str {
         "skeleton" => "skeletons (`.mhskel`)",
         "target" => "targets (`.target`)",
         "weights" => "weights (`.mhw`)",
-        _ => panic!("say in tests/all/generated.rs what the rules of the family `{family}` judge"),
+        _ => panic!("say in tests/all/generated.rs what the rules of the family `{family}` check"),
     }
 }
 

@@ -119,7 +119,7 @@ fn a_fix_that_is_one_whole_is_left_out_where_a_file_of_it_is_ignored() {
     let before = fs::read_to_string(repository.path().join("data/target/figure/macro.json")).unwrap();
     fs::write(repository.path().join(empty), "# mhlint: ignore macro-empty-target kept\n0 0 0 0\n").unwrap();
     let output = mhlint(repository.path(), &["data", "--fix", "--unsafe-fixes", "--only", "macro-empty-target"]);
-    let said = "1 finding would be mended in files that are muted or beside the PATHs; those stay as they are";
+    let said = "1 fixable finding not fixed: the fix is for files that are ignored or outside the PATHs";
     assert!(stderr(&output).contains(said), "{}", stderr(&output));
     assert!(repository.path().join(empty).exists());
     assert_eq!(fs::read_to_string(repository.path().join("data/target/figure/macro.json")).unwrap(), before);
@@ -168,10 +168,13 @@ fn every_format_with_comments_holds_ignores_of_its_own() {
         assert_eq!(told("# mhlint: ignore file-not-utf8 an old name"), [""; 0], "{name}");
         assert!(matches!(told("# a hat").as_slice(), [line] if line.contains("[file-not-utf8]")), "{name}");
         for (comment, said) in [
-            ("# mhlint: ignore file-empty not so", "[config-unused-ignore] the mute of `file-empty` hides nothing"),
+            (
+                "# mhlint: ignore file-empty not so",
+                "[config-unused-ignore] the ignore comment for `file-empty` hides nothing",
+            ),
             ("# mhlint: ignore file-not-utf8", "[config-missing-reason]"),
             ("# mhlint: ignore file-not-utf9 why", "[config-unknown-rule]"),
-            ("# mhlint: ignore", "[config-unused-ignore] the comment `mhlint: ignore` is no mute"),
+            ("# mhlint: ignore", "[config-unused-ignore] the comment `mhlint: ignore` is not a valid ignore"),
         ] {
             let told = told(comment);
             let [upkeep, fault] = told.as_slice() else { panic!("{name} {comment}: {told:#?}") };

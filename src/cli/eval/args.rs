@@ -7,26 +7,26 @@ use clap::{Args, Subcommand, ValueEnum};
 /// What to evaluate.
 #[derive(Debug, Subcommand)]
 pub(in crate::cli) enum EvalCommand {
-    /// Factors of the macro targets, and what became of every combination.
+    /// Compute the factors of macro targets and combinations.
     Macros(MacrosArgs),
-    /// The base mesh at a setting.
+    /// Compute the base mesh for slider settings.
     Mesh(MeshArgs),
-    /// Joints and rest matrices at a setting.
+    /// Compute joints and rest matrices for slider settings.
     Skeleton(SkeletonArgs),
-    /// A weights file as the application loads it.
+    /// Load a weights file as the application does.
     Weights(WeightsArgs),
-    /// The base mesh at a setting in a pose.
+    /// Compute the posed base mesh for slider settings.
     Skin(SkinArgs),
-    /// An asset fitted to the base mesh.
+    /// Fit an asset to the base mesh.
     Fit(FitArgs),
-    /// A batch of cases: computed, or compared with the outputs that are there.
+    /// Compute a batch of cases, or compare it with recorded outputs.
     Cases(CasesArgs),
 }
 
 /// A base mesh and its setting.
 #[derive(Debug, Args)]
 pub(super) struct BaseArgs {
-    /// Data folder.
+    /// Data folder to evaluate.
     #[arg(value_name = "ROOT")]
     pub(super) root: PathBuf,
     #[command(flatten)]
@@ -36,16 +36,20 @@ pub(super) struct BaseArgs {
 /// How a base is chosen and set.
 #[derive(Debug, Args)]
 pub(super) struct SettingArgs {
-    /// MakeHuman's own data, when the folder is a user's.
+    /// MakeHuman's own data, if ROOT is a user's data folder.
     #[arg(long, value_name = "DIR")]
     pub(super) system: Option<PathBuf>,
-    /// Base mesh; the only one if not given.
+    /// Base mesh to use; optional if there is only one.
     #[arg(long, value_name = "NAME")]
     pub(super) base: Option<String>,
-    /// A slider by the name that models use, or by its key in modelling.json; not clamped; repeatable.
+    /// Set a slider; repeatable.
+    ///
+    /// NAME is the name in models (.mhm) or the key in modelling.json. VALUE is not clamped.
     #[arg(long = "set", value_name = "NAME=VALUE")]
     pub(super) set: Vec<String>,
-    /// Settings from a model (.mhm) or a JSON file; --set comes on top.
+    /// Read slider settings from a model (.mhm) or a JSON file.
+    ///
+    /// --set overrides them.
     #[arg(long, value_name = "FILE")]
     pub(super) settings: Option<PathBuf>,
 }
@@ -53,13 +57,13 @@ pub(super) struct SettingArgs {
 /// What is written of a mesh.
 #[derive(Debug, Args)]
 pub(super) struct MeshOutput {
-    /// File to write instead of standard output.
+    /// Write to this file instead of standard output.
     #[arg(short, long, value_name = "FILE")]
     pub(super) output: Option<PathBuf>,
-    /// The mesh itself, or its box, sums and chosen vertices.
+    /// Output format; obj unless FILE ends in .json or --vertices is used.
     #[arg(long, value_name = "FORMAT")]
     pub(super) format: Option<MeshFormat>,
-    /// Vertices to report in JSON, from 0, with commas.
+    /// Vertices to list in the JSON output; the first vertex is 0.
     #[arg(long, value_name = "N,N", value_delimiter = ',')]
     pub(super) vertices: Vec<i64>,
 }
@@ -67,9 +71,9 @@ pub(super) struct MeshOutput {
 /// Formats of a mesh.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(super) enum MeshFormat {
-    /// Wavefront OBJ: the lines of the original file with other coordinates.
+    /// Wavefront OBJ: the original file with new coordinates.
     Obj,
-    /// Box, sums and chosen vertices.
+    /// Bounding box, sums and chosen vertices.
     Json,
 }
 
@@ -102,7 +106,7 @@ pub(in crate::cli) struct MeshArgs {
 pub(in crate::cli) struct SkeletonArgs {
     #[command(flatten)]
     pub(super) base: BaseArgs,
-    /// Another skeleton than the pose skeleton of the base.
+    /// Use this skeleton instead of the pose skeleton of the base.
     #[arg(long, value_name = "FILE")]
     pub(super) skeleton: Option<PathBuf>,
 }
@@ -113,19 +117,23 @@ pub(in crate::cli) struct WeightsArgs {
     /// Weights file (.mhw).
     #[arg(value_name = "FILE")]
     pub(super) file: PathBuf,
-    /// Skeleton of the weights; names the root bone (`root` if not given).
+    /// Skeleton of the weights.
+    ///
+    /// Vertices without weights go to its root bone, or to `root` if no skeleton is used.
     #[arg(long, value_name = "FILE")]
     pub(super) skeleton: Option<PathBuf>,
-    /// Vertices of the mesh; up to the highest that is listed if not given.
+    /// Number of vertices of the mesh.
+    ///
+    /// By default, up to the highest vertex in the file.
     #[arg(long, value_name = "N")]
     pub(super) vertices: Option<usize>,
-    /// Keep only so many bones a vertex.
+    /// Keep at most this many bones per vertex.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub(super) max_influences: Option<u16>,
-    /// Move the weights to this skeleton through its reference bones.
+    /// Transfer the weights to this skeleton by its reference bones.
     #[arg(long, value_name = "FILE", requires = "skeleton")]
     pub(super) remap_to: Option<PathBuf>,
-    /// Write the weights as .mhw.
+    /// Write the resulting weights to this .mhw file.
     #[arg(short, long, value_name = "FILE")]
     pub(super) output: Option<PathBuf>,
 }
@@ -135,7 +143,7 @@ pub(in crate::cli) struct WeightsArgs {
 pub(in crate::cli) struct SkinArgs {
     #[command(flatten)]
     pub(super) base: BaseArgs,
-    /// Pose: bones with rotation matrices (JSON).
+    /// Pose file (JSON): bones with rotation matrices.
     #[arg(long, value_name = "FILE")]
     pub(super) pose: PathBuf,
     #[command(flatten)]
@@ -145,15 +153,17 @@ pub(in crate::cli) struct SkinArgs {
 /// Arguments of `eval fit`.
 #[derive(Debug, Args)]
 pub(in crate::cli) struct FitArgs {
-    /// Asset (.mhclo or .proxy).
+    /// Asset file (.mhclo or .proxy).
     #[arg(value_name = "FILE")]
     pub(super) file: PathBuf,
-    /// Data folder, or an OBJ.
+    /// Data folder, or an OBJ file of the base mesh.
     #[arg(long, value_name = "ROOT")]
     pub(super) base_mesh: PathBuf,
     #[command(flatten)]
     pub(super) setting: SettingArgs,
-    /// Whether the asset was attached before or after the mesh took its shape: its scales are measured then.
+    /// Whether the asset was attached before or after the morph.
+    ///
+    /// The scales of the asset are measured on the mesh of that moment.
     #[arg(long, value_name = "WHEN", default_value = "after")]
     pub(super) attached: Attached,
     #[command(flatten)]
@@ -163,25 +173,27 @@ pub(in crate::cli) struct FitArgs {
 /// When an asset was attached.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(super) enum Attached {
-    /// Scales of the plain base mesh.
+    /// Measure the scales on the base mesh before the morph.
     Before,
-    /// Scales of the mesh as it is.
+    /// Measure the scales on the base mesh after the morph.
     After,
 }
 
 /// Arguments of `eval cases`.
 #[derive(Debug, Args)]
 pub(in crate::cli) struct CasesArgs {
-    /// File of cases (JSON).
+    /// File with the cases (JSON).
     #[arg(value_name = "FILE")]
     pub(super) file: PathBuf,
-    /// Folder of a program or of assets that the cases name: makehuman2, makehuman1, mpfb, makehuman-assets; repeatable.
+    /// Folder of a program or of assets that the cases use; repeatable.
+    ///
+    /// NAME is makehuman2, makehuman1, mpfb or makehuman-assets.
     #[arg(long = "root", value_name = "NAME=DIR")]
     pub(super) roots: Vec<String>,
-    /// Compare with the outputs in the file instead of printing own ones.
+    /// Compare with the outputs in the file instead of printing outputs.
     #[arg(long)]
     pub(super) compare: bool,
-    /// File to write instead of standard output.
+    /// Write to this file instead of standard output.
     #[arg(short, long, value_name = "FILE")]
     pub(super) output: Option<PathBuf>,
 }

@@ -38,7 +38,7 @@ pub(super) fn run(args: &CasesArgs, out: &mut dyn Write, err: &mut dyn Write) ->
 }
 
 fn root(text: &str) -> Result<(String, PathBuf), Error> {
-    let wanted = || Error::Input(format!("--root {text}: NAME=DIR is wanted, `makehuman2=/path` say"));
+    let wanted = || Error::Input(format!("`--root {text}`: expected NAME=DIR, for example `makehuman2=/path`"));
     let (name, folder) = text.split_once('=').filter(|(_, folder)| !folder.is_empty()).ok_or_else(wanted)?;
     Ok((name.to_owned(), PathBuf::from(folder)))
 }
@@ -69,7 +69,7 @@ fn line(comparison: &Comparison) -> String {
     let shown = comparison.differences.iter().take(SHOWN);
     lines.extend(shown.map(|difference| format!("        {}\n", printable(difference))));
     if comparison.differences.len() > SHOWN {
-        lines.push(format!("        and {} differences more\n", comparison.differences.len() - SHOWN));
+        lines.push(format!("        and {} more\n", comparison.differences.len() - SHOWN));
     }
     lines.concat()
 }

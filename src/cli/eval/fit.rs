@@ -36,7 +36,7 @@ struct Meshes {
 fn meshes(base: &Path, setting: &SettingArgs) -> Result<Meshes, Error> {
     if base.is_file() {
         if !setting.set.is_empty() || setting.settings.is_some() {
-            let reason = "an OBJ has no sliders; give a data folder as --base-mesh to set them".to_owned();
+            let reason = "an OBJ file has no sliders; use a data folder as `--base-mesh` to set them".to_owned();
             return Err(Error::Input(reason));
         }
         let plain = read_positions(base)?;

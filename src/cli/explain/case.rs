@@ -3,6 +3,8 @@
 use include_dir::{Dir, include_dir};
 use serde::Deserialize;
 
+use crate::report::count;
+
 static FIXTURES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/fixtures/rules");
 
 /// Lines of a written file that are shown.
@@ -86,7 +88,7 @@ impl Case {
         self.write.iter().for_each(|written| written.push_lines(&mut lines));
         self.pack.iter().for_each(|packed| packed.push_lines(&mut lines));
         self.edit.iter().for_each(|edit| edit.push_lines(&mut lines));
-        lines.extend(self.folder.iter().map(|path| format!("  {path}/ made")));
+        lines.extend(self.folder.iter().map(|path| format!("  {path}/ created")));
         lines.extend(self.link.iter().map(|[path, to]| format!("  {path} linked to {to}")));
         if !self.args.is_empty() {
             lines.push(format!("  mhlint {}", self.args.join(" ")));
@@ -118,16 +120,16 @@ impl Written {
     fn push_lines(&self, lines: &mut Vec<String>) {
         let bytes = self.hex.bytes().filter(|byte| !byte.is_ascii_whitespace()).count() / 2;
         let what = match (self.times, bytes) {
-            (Some(times), _) => format!(", {times} times"),
+            (Some(times), _) => format!(", repeated {times} times"),
             (None, 0) => String::new(),
-            (None, _) => format!(", {bytes} bytes that are no text"),
+            (None, _) => format!(", {bytes} bytes of binary data"),
         };
-        let packed = if self.gzip { ", packed as gzip" } else { "" };
+        let packed = if self.gzip { ", compressed with gzip" } else { "" };
         lines.push(format!("  {} (written{what}{packed})", self.file));
         let all: Vec<&str> = self.text.lines().collect();
         lines.extend(all.iter().take(SHOWN_LINES).map(|line| format!("    + {}", shorten(line))));
         if all.len() > SHOWN_LINES {
-            lines.push(format!("      ... {} lines more", all.len() - SHOWN_LINES));
+            lines.push(format!("      ... and {}", count(all.len() - SHOWN_LINES, "more line")));
         }
     }
 }

@@ -13,7 +13,7 @@ use crate::engine::rule_infos;
 use crate::report::{Paint, count, hang, paragraphs};
 use case::Case;
 
-const SAFETY: &str = "A matter of safety: cannot be muted or lowered.";
+const SAFETY: &str = "Safety rule: cannot be ignored or lowered.";
 
 pub(super) fn run(name: &str, format: ExplainFormat, page: Page, out: &mut dyn Write) -> Result<Exit, Failure> {
     let rules = rule_infos();
@@ -39,14 +39,14 @@ pub(super) fn run(name: &str, format: ExplainFormat, page: Page, out: &mut dyn W
 fn write_family(start: &str, family: &[&RuleInfo], paint: Paint, out: &mut dyn Write) -> Result<(), Failure> {
     writeln!(out, "{} whose name starts with `{start}`:\n", count(family.len(), "rule"))?;
     write_table(family, paint, out)?;
-    writeln!(out, "\nmhlint explain RULE tells more on one of them.")?;
+    writeln!(out, "\n`mhlint explain RULE` explains one of them.")?;
     Ok(())
 }
 
 fn unknown(name: &str, rules: &[&RuleInfo]) -> Failure {
     let guess = nearest(name, rules.iter().map(|rule| rule.id));
-    let hint = guess.map_or_else(|| "`mhlint rules` lists all".to_owned(), |id| format!("did you mean `{id}`?"));
-    Failure::Usage(format!("there is no rule `{name}`; {hint}"))
+    let hint = guess.map_or_else(|| "`mhlint rules` lists all rules".to_owned(), |id| format!("did you mean `{id}`?"));
+    Failure::Usage(format!("unknown rule `{name}`; {hint}"))
 }
 
 /// How the page is written.
@@ -111,18 +111,18 @@ fn write_case(case: &Case, page: Page, out: &mut dyn Write) -> Result<(), Failur
 /// What leads over to the findings of a case. A good one may need what another rule finds.
 fn result(case: &Case) -> &'static str {
     match (case.expected.is_empty(), case.name.starts_with("bad")) {
-        (true, _) => "gives nothing",
-        (false, true) => "gives",
-        (false, false) => "gives nothing of this rule, only",
+        (true, _) => "reports nothing",
+        (false, true) => "reports",
+        (false, false) => "reports nothing from this rule, only",
     }
 }
 
 const fn fix(kind: FixKind) -> &'static str {
     match kind {
-        FixKind::None => "none; only a person can decide what was meant.",
-        FixKind::Safe => "`--fix`, where the finding says so; nothing else about the asset changes.",
+        FixKind::None => "none; only you can decide what was meant.",
+        FixKind::Safe => "`--fix`, where the finding says so; changes nothing else in the asset.",
         FixKind::Unsafe => {
-            "`--fix --unsafe-fixes`, where the finding says so; look at the result (`--diff`), it may not be what was meant."
+            "`--fix --unsafe-fixes`, where the finding says so; check with `--diff`, it may not do what you want."
         }
     }
 }

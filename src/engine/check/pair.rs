@@ -41,9 +41,9 @@ fn at(mut finding: Finding, path: String) -> Finding {
     let other = std::mem::replace(&mut finding.path, path);
     let place = std::mem::replace(&mut finding.place, Place::File);
     let name = other.rsplit('/').next().unwrap_or_default();
-    finding.message = format!("does not fit `{name}` of the system data: {}", finding.message);
-    finding.help = Some(format!("change this file so that it fits, or put a `{name}` that fits beside it"));
-    let message = "the file of the system data".to_owned();
+    finding.message = format!("does not match `{name}` of the system data: {}", finding.message);
+    finding.help = Some(format!("change this file to match, or add a matching `{name}` next to it"));
+    let message = "the file in the system data".to_owned();
     finding.related.insert(0, Related { path: other, place, location: Location::default(), message });
     // A fix would be one of the other file.
     Finding { fix: None, ..finding }

@@ -87,10 +87,10 @@ impl fmt::Display for DropReason {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::UnknownComponent => "the component is not defined",
-            Self::UnknownPattern => "no slider is registered under its pattern",
+            Self::UnknownPattern => "no slider has its pattern",
             Self::TooFewSteps => "it has fewer than two steps",
-            Self::AboveLastStep => "the slider stands above the last step",
-            Self::NoShare => "no value has a share",
+            Self::AboveLastStep => "the slider is above the last step",
+            Self::NoShare => "no value has a weight",
         })
     }
 }
@@ -98,12 +98,12 @@ impl fmt::Display for DropReason {
 impl fmt::Display for ComponentFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::EqualSteps => f.write_str("two equal steps: division by zero"),
+            Self::EqualSteps => f.write_str("two steps are equal, which divides by zero"),
             Self::MissingValue(value) => write!(f, "the steps reach value number {value}, which does not exist"),
-            Self::MissingSum(entry) => write!(f, "`sum` has no entry number {entry}"),
-            Self::FourthCorner => f.write_str("a triangle has no fourth number"),
+            Self::MissingSum(entry) => write!(f, "entry number {entry} of `sum` does not exist"),
+            Self::FourthCorner => f.write_str("a triangle slider has only three values"),
             Self::NotBarycentric(entry) => {
-                write!(f, "entry number {entry} of `sum` names a slider that is no triangle")
+                write!(f, "entry number {entry} of `sum` names a slider that is not a triangle")
             }
             Self::MissingSetting(place) => write!(f, "setting number {place} is missing"),
         }

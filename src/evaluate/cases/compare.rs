@@ -62,14 +62,14 @@ pub(super) fn compare(kind: &Kind, case: &Node, report: &CaseReport) -> Comparis
                 for (key, expected) in &expected {
                     match found.get(key) {
                         Some(found) => comparer.field(key, expected, found),
-                        None => comparer.differ(format!("`{key}` is not among the outputs here")),
+                        None => comparer.differ(format!("`{key}` is expected, but not computed")),
                     }
                 }
                 if let Some(Value::String(error)) = found.get("error").filter(|_| !expected.contains_key("error")) {
-                    comparer.differ(format!("{error} here: {}", report.notes.join("; ")));
+                    comparer.differ(format!("`{error}` instead of outputs: {}", report.notes.join("; ")));
                 }
             }
-            _ => comparer.differ("the file has no outputs to compare with".to_owned()),
+            _ => comparer.differ("the case has no outputs to compare with".to_owned()),
         }
     }
     comparer.comparison
@@ -106,13 +106,13 @@ impl Comparer<'_> {
                 for (key, expected) in expected {
                     let at = format!("{at}/{key}");
                     let Some(found) = found.get(key) else {
-                        self.differ(format!("`{at}` is missing here"));
+                        self.differ(format!("`{at}` is expected, but not computed"));
                         continue;
                     };
                     self.member(quantity, &at, expected, found);
                 }
                 for key in found.keys().filter(|key| !expected.contains_key(*key)) {
-                    self.differ(format!("`{at}/{key}` is here only"));
+                    self.differ(format!("`{at}/{key}` is computed, but not expected"));
                 }
             }
             (Value::Array(expected), Value::Array(found)) if expected.len() == found.len() => {
@@ -161,14 +161,14 @@ impl Comparer<'_> {
     /// Bones with number of entries and sum of weights.
     fn bones(&mut self, expected: &Value, found: &Value) {
         let (Value::Object(expected), Value::Object(found)) = (expected, found) else {
-            return self.differ("`bones` is no object".to_owned());
+            return self.differ("`bones` is not an object".to_owned());
         };
         for (bone, expected) in expected {
             let at = format!("bones/{bone}");
             let pair = |value: &Value| Some((value.get(0)?.as_i64()?, value.get(1)?.as_f64()));
             let (Some((count, sum)), Some((count_here, sum_here))) = (pair(expected), found.get(bone).and_then(pair))
             else {
-                self.differ(format!("`{at}` is missing here"));
+                self.differ(format!("`{at}` is expected, but not computed"));
                 continue;
             };
             if self.of_asset && count.abs_diff(count_here) == 1 {
@@ -181,7 +181,7 @@ impl Comparer<'_> {
             self.number("bone sum", &at, self.kind.tolerance("bone sum"), sum, sum_here);
         }
         for bone in found.keys().filter(|bone| !expected.contains_key(*bone)) {
-            self.differ(format!("`bones/{bone}` is here only"));
+            self.differ(format!("`bones/{bone}` is computed, but not expected"));
         }
     }
 }

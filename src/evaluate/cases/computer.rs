@@ -49,7 +49,7 @@ fn open(open: OpenBase, data: &Path, name: Option<&str>) -> Result<Evaluation, E
     match open(data, None, name) {
         Err(Error::BaseNeeded { known, with_macros }) => match with_macros.as_slice() {
             [only] => open(data, None, Some(only)),
-            _ => Err(Error::Input(format!("the case names no base ({})", known.join(", ")))),
+            _ => Err(Error::Input(format!("the case names no base mesh (known: {})", known.join(", ")))),
         },
         other => other,
     }
@@ -69,7 +69,7 @@ pub(in crate::evaluate) fn morphed(
 /// The settings of a case; names that no slider has are left out.
 pub(in crate::evaluate) fn setting(base: &Evaluation, modifiers: &[SliderSetting], notes: &mut Vec<String>) -> Setting {
     let (setting, unknown) = base.model_setting(modifiers);
-    let left_out = |name| format!("no slider `{name}`: left out, as {} does", base.application());
+    let left_out = |name| format!("unknown slider `{name}` ignored, as in {}", base.application());
     notes.extend(unknown.into_iter().map(left_out));
     setting
 }

@@ -15,7 +15,7 @@ impl<'a> File<'a> {
         let kind = root.get("kind").and_then(Node::as_str);
         let kind = kind.ok_or_else(|| Error::file(path, "it has no `kind`"))?;
         if !root.get("cases").is_some_and(Node::is_array) {
-            return Err(Error::file(path, "it has no list `cases`"));
+            return Err(Error::file(path, "it has no `cases` list"));
         }
         Ok(Self { kind, root, cases: cases(root) })
     }
@@ -30,7 +30,7 @@ pub(super) fn cases(root: &Node) -> &[Node] {
 pub(super) fn title(case: &Node) -> String {
     let text = |key| case.get(key).and_then(Node::as_str);
     let parts: Vec<&str> = [text("base"), text("kind"), text("name")].into_iter().flatten().collect();
-    if parts.is_empty() { "(case without name)".to_owned() } else { parts.join(" ") }
+    if parts.is_empty() { "(unnamed case)".to_owned() } else { parts.join(" ") }
 }
 
 /// A field of the `inputs` of a case, or of the case itself.
@@ -43,12 +43,12 @@ pub(in crate::evaluate) fn wanted<'a>(case: &'a Node, key: &str) -> Result<&'a N
 }
 
 pub(in crate::evaluate) fn text<'a>(case: &'a Node, key: &str) -> Result<&'a str, Error> {
-    wanted(case, key)?.as_str().ok_or_else(|| Error::Input(format!("`{key}` of the case is no text")))
+    wanted(case, key)?.as_str().ok_or_else(|| Error::Input(format!("`{key}` of the case is not a string")))
 }
 
 pub(in crate::evaluate) fn count(case: &Node, key: &str) -> Result<usize, Error> {
     let number = wanted(case, key)?.as_i64().and_then(|number| usize::try_from(number).ok());
-    number.ok_or_else(|| Error::Input(format!("`{key}` of the case is no count")))
+    number.ok_or_else(|| Error::Input(format!("`{key}` of the case is not a whole number, 0 or more")))
 }
 
 /// Slider settings; `None` for `null`: the mesh as it is, without even the defaults.
@@ -68,7 +68,7 @@ pub(in crate::evaluate) fn vertex_ids(file: &Node, case: &Node, base: &str) -> R
         if ids.is_array() { Some(ids) } else { ids.get(base) }
     };
     let Some(ids) = field(case, "vertex_ids").or_else(common) else { return Ok(Vec::new()) };
-    let wrong = || Error::Input("`vertex_ids` of the case is no list of vertices".to_owned());
+    let wrong = || Error::Input("`vertex_ids` of the case is not a list of vertices".to_owned());
     if !ids.is_array() {
         return Err(wrong());
     }

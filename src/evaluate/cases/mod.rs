@@ -78,7 +78,7 @@ pub fn run_cases<'t>(path: &str, text: &'t [u8], roots: &Roots, open: OpenBase) 
     let file = File::new(path, &document.root)?;
     let kind = kind_called(file.kind)?;
     if file.cases.is_empty() {
-        return Err(Error::file(path, "there is no case in `cases`"));
+        return Err(Error::file(path, "its `cases` list is empty"));
     }
     let mut computer = Computer::new(kind, roots, &file, open);
     let mut room = MOST_VALUES;
@@ -95,13 +95,13 @@ pub fn run_cases<'t>(path: &str, text: &'t [u8], roots: &Roots, open: OpenBase) 
 fn kind_called(name: &str) -> Result<&'static Kind, Error> {
     kinds().find(|kind| kind.name == name).ok_or_else(|| {
         let names: Vec<&str> = kinds().map(|kind| kind.name).collect();
-        Error::Input(format!("cases of kind `{name}` are not supported yet (known: {})", names.join(", ")))
+        Error::Input(format!("cases of kind `{name}` are not supported; use one of: {}", names.join(", ")))
     })
 }
 
 /// A case that there is no room for.
 fn left_out(case: &Node) -> CaseReport {
-    let reason = "the cases before have more outputs than are computed for one file; use several files".to_owned();
+    let reason = "not computed: the cases before it reach the limit for one file; split the file".to_owned();
     CaseReport { name: inputs::title(case), outputs: Err(Error::Input(reason)), notes: Vec::new() }
 }
 

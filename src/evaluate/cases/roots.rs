@@ -25,7 +25,7 @@ impl Roots {
         for (name, folder) in folders {
             if !NAMES.contains(&name.as_str()) {
                 let meant = nearest(&name, NAMES).map_or(String::new(), |name| format!("; did you mean `{name}`?"));
-                return Err(Error::Input(format!("no root is called `{name}`{meant} ({})", NAMES.join(", "))));
+                return Err(Error::Input(format!("unknown root `{name}`{meant} (known: {})", NAMES.join(", "))));
             }
             roots.folders.insert(name, folder);
         }
@@ -50,12 +50,12 @@ impl Roots {
             match part {
                 Component::Normal(part) => parts.push(part),
                 Component::CurDir => {}
-                _ => return Err(Error::Input(format!("`{path}` leaves the folder of {name}"))),
+                _ => return Err(Error::Input(format!("`{path}` is outside the folder of {name}"))),
             }
         }
         let folder = self.folder(name)?;
         let [first, rest @ ..] = parts.as_slice() else {
-            return Err(Error::Input("a file name is empty".to_owned()));
+            return Err(Error::Input("a file name in the cases is empty".to_owned()));
         };
         let mut place = inside(folder, first);
         place.extend(rest);
@@ -63,7 +63,7 @@ impl Roots {
     }
 
     fn folder(&self, name: &str) -> Result<&Path, Error> {
-        let missing = || Error::Input(format!("the folder of {name} is needed: give --root {name}=DIR"));
+        let missing = || Error::Input(format!("the folder of {name} is needed; use `--root {name}=DIR`"));
         self.folders.get(name).map(PathBuf::as_path).ok_or_else(missing)
     }
 }

@@ -41,7 +41,7 @@ pub fn read_asset(path: &Path) -> Result<Asset, Error> {
         let reason = format!("`{}`, line {}: {}", shown(path), fault.line, fault.kind);
         return Err(stops(exception, reason));
     }
-    let name = clothes.obj_file.as_ref().ok_or_else(|| Error::file(shown(path), "it names no obj_file"))?;
+    let name = clothes.obj_file.as_ref().ok_or_else(|| Error::file(shown(path), "it has no `obj_file` line"))?;
     let obj_path = path.parent().unwrap_or(Path::new("")).join(name);
     let mesh = obj::parse(&read_text(&obj_path)?);
     if let Some(bad) = mesh.facts.unreadable.first() {
@@ -73,7 +73,8 @@ impl Asset {
     fn resolve(&mut self) -> Result<(), Error> {
         let rows = self.clothes.references.len();
         if rows == 0 || rows > self.positions.len() {
-            let reason = format!("`{}` has {rows} vertex lines, its mesh {} vertices", self.path, self.positions.len());
+            let reason =
+                format!("`{}` has {rows} vertex lines, but its mesh has {} vertices", self.path, self.positions.len());
             return Err(stops("IndexError", reason));
         }
         for line in &self.clothes.references {
@@ -91,7 +92,8 @@ impl Asset {
     }
 
     fn vertex(&self, vertex: i64, line: u32) -> Result<u32, Error> {
-        let outside = |_| stops("OverflowError", format!("`{}`, line {line}: vertex {vertex}", self.path));
+        let outside =
+            |_| stops("OverflowError", format!("`{}`, line {line}: vertex {vertex} does not exist", self.path));
         u32::try_from(vertex).map_err(outside)
     }
 

@@ -97,13 +97,13 @@ fn weights_fault(base: &Base<'_>, scene: &Scene) -> Option<Error> {
         if !names.contains(&bone.name) {
             return stops(
                 "KeyError",
-                format!("`{}` has weights for `{}`, which the skeleton lacks", file.path, bone.name),
+                format!("`{}` has weights for bone `{}`, which the skeleton does not have", file.path, bone.name),
             );
         }
         let outside = |vertex: i64| usize::try_from(vertex).map_or(true, |vertex| vertex >= scene.positions.len());
         if let Some(pair) = bone.pairs.iter().find(|pair| outside(pair.vertex)) {
             let reason = format!(
-                "`{}` weighs vertex {} for `{}`; the mesh has {}",
+                "`{}` has a weight for vertex {} of bone `{}`, but the mesh has {} vertices",
                 file.path,
                 pair.vertex,
                 bone.name,
@@ -122,14 +122,14 @@ fn key_and_patterns(bound: &BoundSlider<'_>) -> (String, Vec<String>) {
 fn macros_of(base: &Base<'_>, scene: &Scene) -> Result<MacroFile, String> {
     match base.macro_file() {
         Some((file, _)) if scene.macros.is_none() => {
-            Err(format!("`{}` has more combinations than are evaluated", file.path))
+            Err(format!("`{}` has too many combinations to evaluate", file.path))
         }
         Some((_, macros)) => Ok(macros.clone()),
         None if base.macros.is_broken() => {
             let file = base.macros.contarget.file().or_else(|| base.macros.system.file());
             Err(format!("`{}` cannot be used", file.map_or("macro.json", |file| file.path.as_str())))
         }
-        None => Err("there is no macro.json".to_owned()),
+        None => Err("macro.json is missing".to_owned()),
     }
 }
 
@@ -138,10 +138,10 @@ fn skeleton_of(base: &Base<'_>) -> Result<SkeletonFile, String> {
         return Ok(SkeletonFile { path: rig.file.path.clone(), model: model.clone() });
     }
     let Some((file, settings)) = base.settings() else {
-        return Err("no skeleton, since there is no usable base.json".to_owned());
+        return Err("no skeleton, because base.json is missing or cannot be used".to_owned());
     };
     Err(match &settings.pose_skeleton {
-        None => format!("`{}` names no pose-skeleton", file.path),
+        None => format!("`{}` has no `pose-skeleton`", file.path),
         Some(name) => format!("the pose skeleton `rigs/{}/{name}` is missing or cannot be used", base.name),
     })
 }

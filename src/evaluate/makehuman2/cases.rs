@@ -120,7 +120,9 @@ fn fit(of: &mut Computer<'_>, case: &Node, notes: &mut Vec<String>) -> Result<Ou
     let measured = match attached {
         "before the morph" => base.scene().positions.as_slice(),
         "after the morph" | "same mesh" => positions.as_slice(),
-        other => return Err(Error::Input(format!("`attached` is neither before nor after the morph: `{other}`"))),
+        other => {
+            return Err(Error::Input(format!("`attached` is `{other}`; use `before the morph` or `after the morph`")));
+        }
     };
     let fitted = asset.fit(&positions, measured, is_proxy)?;
     let mut outputs = fit_json(&fitted, &inputs::vertex_ids(file, case, base.base())?)?;
@@ -140,7 +142,7 @@ fn is_asset(path: &Path) -> bool {
 fn inline(node: &Node) -> Result<WeightLists, Error> {
     let stop = |exception, reason| Err(stops(exception, reason));
     if !node.is_object() {
-        return stop("AttributeError", "`weights` is no object".to_owned());
+        return stop("AttributeError", "`weights` is not an object".to_owned());
     }
     for member in node.effective_members() {
         if let Some((exception, reason)) = member.node.elements().iter().find_map(pair_fault) {
@@ -165,18 +167,18 @@ fn inline(node: &Node) -> Result<WeightLists, Error> {
 /// What Python raises over a pair (formats/makehuman2.md §11).
 fn pair_fault(pair: &Node) -> Option<(&'static str, &'static str)> {
     match (pair.is_array(), pair.elements()) {
-        (false, _) => Some(("TypeError", "an entry is no pair")),
+        (false, _) => Some(("TypeError", "an entry is not a pair")),
         (true, [vertex, weight]) => {
             if weight.as_f64().is_none() {
-                Some(("TypeError", "a weight is no number"))
+                Some(("TypeError", "a weight is not a number"))
             } else if matches!(vertex.value, Json::Null | Json::Array(_) | Json::Object(_) | Json::Bool(_)) {
-                Some(("TypeError", "a vertex is no number"))
+                Some(("TypeError", "a vertex is not a number"))
             } else if vertex.as_i64().is_none() {
-                Some(("IndexError", "a vertex is no integer"))
+                Some(("IndexError", "a vertex is not an integer"))
             } else {
                 None
             }
         }
-        (true, _) => Some(("ValueError", "an entry has not two members")),
+        (true, _) => Some(("ValueError", "an entry does not have two members")),
     }
 }

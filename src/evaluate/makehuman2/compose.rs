@@ -249,7 +249,8 @@ pub(in crate::evaluate) fn skeleton_of(skeleton: &Skeleton, vertices: usize) -> 
     for joint in &skeleton.joints {
         // A joint without vertices does not exist for the application; it matters only where a bone names it.
         let Some(list) = joint.vertices.as_deref().filter(|list| !list.is_empty()) else { continue };
-        let outside = |vertex| format!("joint `{}` names vertex {vertex}, the mesh has {vertices}", joint.name);
+        let outside =
+            |vertex| format!("joint `{}` uses vertex {vertex}, but the mesh has {vertices} vertices", joint.name);
         let number = |vertex: &i64| joint_vertex(*vertex, vertices).ok_or_else(|| outside(*vertex));
         out.joints.push(list.iter().map(number).collect::<Result<_, _>>()?);
         out.joint_names.push(joint.name.clone());
@@ -272,11 +273,11 @@ pub(in crate::evaluate) fn skeleton_of(skeleton: &Skeleton, vertices: usize) -> 
         }
         let plane = match &bone.rotation_plane {
             RotationPlane::Absent => None,
-            RotationPlane::Malformed => return Err(format!("`rotation_plane` of bone `{name}` is no name")),
+            RotationPlane::Malformed => return Err(format!("`rotation_plane` of bone `{name}` is not a name")),
             RotationPlane::Named(plane) => {
                 let found = by_plane.get(plane.as_str()).and_then(|at| skeleton.planes.get(*at));
                 let three = found.and_then(|found| plane_joints(found, joint));
-                Some(three.ok_or_else(|| format!("plane `{plane}` of bone `{name}` has no three joints"))?)
+                Some(three.ok_or_else(|| format!("plane `{plane}` of bone `{name}` does not have three joints"))?)
             }
         };
         Ok(Bone { parent: None, head, tail, plane })

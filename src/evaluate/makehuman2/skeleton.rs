@@ -18,7 +18,7 @@ pub fn read_skeleton(path: &Path) -> Result<SkeletonFile, Error> {
     let document = read_document(path)?;
     let model = mhskel::read(&document);
     if model.joints_section != Section::Present || model.bones_section != Section::Present {
-        return Err(Error::file(shown(path), "a skeleton has `joints` and `bones`"));
+        return Err(Error::file(shown(path), "`joints` or `bones` is missing"));
     }
     Ok(SkeletonFile { path: shown(path), model })
 }
@@ -32,7 +32,7 @@ impl SkeletonFile {
         let mut roots = self.model.bones.iter().filter(|bone| bone.parent.is_none());
         match (roots.next(), roots.next()) {
             (Some(root), None) => Ok(&root.name),
-            (None, _) => Err(Error::file(&self.path, "no bone is without parent")),
+            (None, _) => Err(Error::file(&self.path, "every bone has a parent, so there is no root")),
             (Some(_), Some(second)) => {
                 Err(Error::file(&self.path, format!("`{}` is a second bone without parent", second.name)))
             }

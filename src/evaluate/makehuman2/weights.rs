@@ -36,10 +36,10 @@ pub fn read_weights(path: &Path) -> Result<WeightLists, Error> {
     let bytes = read_text(path)?;
     let weights = mhw::parse(&bytes, &Encoding::of(&bytes), None).map_err(|f| fault(json_cause(&f, &bytes)))?;
     if !weights.has_weights {
-        return Err(fault("a weights file has an object `weights`".to_owned()));
+        return Err(fault("the object `weights` is missing".to_owned()));
     }
     if let Some((bone, position, ..)) = weights.facts.malformed.first.first() {
-        return Err(fault(format!("entry {position} of bone `{bone}` is no [vertex, weight]")));
+        return Err(fault(format!("entry {position} of bone `{bone}` is not a pair [vertex, weight]")));
     }
     Ok(weights.into())
 }
@@ -63,7 +63,9 @@ impl WeightLists {
     /// Vertices that the mesh does not have: `IndexError` as in the application, `OverflowError` for negative ones.
     pub fn load(&self, root: &str, vertices: usize) -> Result<NamedWeights, Error> {
         if vertices > MOST_VERTICES {
-            return Err(Error::Input(format!("{vertices} vertices are more than are evaluated")));
+            return Err(Error::Input(format!(
+                "{vertices} vertices are too many to evaluate (at most {MOST_VERTICES})"
+            )));
         }
         self.check(vertices)?;
         let mut names: Vec<String> = self.bones.iter().map(|(name, _)| name.clone()).collect();
@@ -80,7 +82,7 @@ impl WeightLists {
     fn check(&self, vertices: usize) -> Result<(), Error> {
         let all = || self.bones.iter().flat_map(|(bone, pairs)| pairs.iter().map(move |pair| (bone, pair.vertex)));
         let stop = |exception, (bone, vertex): (&String, i64)| {
-            stops(exception, format!("bone `{bone}` lists vertex {vertex}, the mesh has {vertices}"))
+            stops(exception, format!("bone `{bone}` has vertex {vertex}, but the mesh has {vertices} vertices"))
         };
         let count = i64::try_from(vertices).unwrap_or(i64::MAX);
         if let Some(found) = all().find(|(_, vertex)| *vertex >= count || *vertex < -count) {
@@ -123,7 +125,9 @@ pub fn transferred(
     let moved = through_references(&bound, &parents, &other.model, find);
     let entries = moved.entries_taken(&bound);
     if entries > MOST_ENTRIES {
-        return Err(Error::Input(format!("the references hand on {entries} weights, more than are evaluated")));
+        return Err(Error::Input(format!(
+            "the references give {entries} weights, too many to evaluate (at most {MOST_ENTRIES})"
+        )));
     }
     let lost = moved.lost.iter().filter_map(|bone| names.get(*bone)).map(|name| (*name).to_owned()).collect();
     let loaded = LoadedWeights { bones: moved.taken(&bound), ..weights.loaded.clone() };

@@ -115,12 +115,12 @@ impl<'a> Parser<'a> {
         match self.next.token {
             Token::End => Fault::new(FaultKind::Syntax, span, "ends too early"),
             Token::Operator("&" | "|" | "^" | "~" | "<<" | ">>" | "@") => {
-                Fault::new(FaultKind::Mistyped, span, format!("uses `{shown}`, which is not for numbers with decimals"))
+                Fault::new(FaultKind::Mistyped, span, format!("uses `{shown}`, which does not work on decimal numbers"))
             }
             Token::Name if shown == "in" => {
-                Fault::new(FaultKind::Mistyped, span, "uses `in`, which is not for numbers".to_owned())
+                Fault::new(FaultKind::Mistyped, span, "uses `in`, which does not work on numbers".to_owned())
             }
-            Token::Operator(",") => Fault::new(FaultKind::Pair, span, "holds a comma"),
+            Token::Operator(",") => Fault::new(FaultKind::Pair, span, "contains a comma"),
             Token::Operator("[" | "{" | ":=" | "." | "...") => Self::foreign(span, format!("uses `{shown}`")),
             Token::Name if matches!(shown, "is" | "for" | "async") => Self::foreign(span, format!("uses `{shown}`")),
             _ => Fault::new(FaultKind::Syntax, span, format!("has an unexpected `{shown}`")),
@@ -185,7 +185,7 @@ impl<'a> Parser<'a> {
             let span = self.advance()?;
             let right = self.sum()?;
             if !matches!(operator, "==" | "!=") && left.clashes_with(right) {
-                return Err(Self::raises(span, "compares a text with a number"));
+                return Err(Self::raises(span, "compares a string with a number"));
             }
             power |= right.power;
             (left, compared) = (right, true);
@@ -199,10 +199,10 @@ impl<'a> Parser<'a> {
             let span = self.advance()?;
             let right = self.term()?;
             if operator == "+" && left.clashes_with(right) {
-                return Err(Self::raises(span, "adds a text and a number"));
+                return Err(Self::raises(span, "adds a string and a number"));
             }
             if operator == "-" && (left.is_text() || right.is_text()) {
-                return Err(Self::raises(span, "subtracts with a text"));
+                return Err(Self::raises(span, "uses a string in a subtraction"));
             }
             left = left.calculated(right);
         }
@@ -215,13 +215,17 @@ impl<'a> Parser<'a> {
             let span = self.advance()?;
             let right = self.factor()?;
             match operator {
-                "*" if left.may_be_text() || right.may_be_text() => return Err(Self::endless(span, "repeats a text")),
+                "*" if left.may_be_text() || right.may_be_text() => {
+                    return Err(Self::endless(span, "repeats a string"));
+                }
                 "%" if left.is_layout && !right.may_be_text() => {
                     left = Operand { power: left.power, ..Operand::TEXT };
                     continue;
                 }
-                "%" if left.may_be_text() => return Err(Self::endless(span, "formats a text with `%`")),
-                _ if left.is_text() || right.is_text() => return Err(Self::raises(span, "divides with a text")),
+                "%" if left.may_be_text() => return Err(Self::endless(span, "formats a string with `%`")),
+                _ if left.is_text() || right.is_text() => {
+                    return Err(Self::raises(span, "uses a string in a division"));
+                }
                 "/" | "//" | "%" if right.literal.is_some_and(|(value, _)| value == 0.0) => {
                     return Err(Self::raises(span, "divides by zero"));
                 }
@@ -246,7 +250,7 @@ impl<'a> Parser<'a> {
         let operand = self.power()?;
         let Some((span, negative)) = sign else { return Ok(operand) };
         if operand.is_text() {
-            return Err(Self::raises(span, "puts a sign before a text"));
+            return Err(Self::raises(span, "puts a sign before a string"));
         }
         let literal = operand.literal.map(|(value, integer)| (if negative { -value } else { value }, integer));
         Ok(Operand { literal, ..operand })
@@ -262,11 +266,11 @@ impl<'a> Parser<'a> {
         let exponent = self.factor()?;
         self.depth -= 1;
         if base.is_text() || exponent.is_text() {
-            return Err(Self::raises(span, "raises a text to a power"));
+            return Err(Self::raises(span, "raises a string to a power"));
         }
         let bounded = exponent.variable || exponent.literal.is_some_and(|(value, _)| value.abs() <= LARGEST_EXPONENT);
         if !bounded || base.power || exponent.power {
-            return Err(Self::endless(span, "raises to a power without bound"));
+            return Err(Self::endless(span, "raises to a power without a limit"));
         }
         let is_whole =
             base.results == Results::WHOLE && exponent.literal.is_some_and(|(value, whole)| whole && value >= 0.0);
@@ -296,7 +300,7 @@ impl<'a> Parser<'a> {
         };
         match self.operator() {
             "." => Err(self.attribute()),
-            "[" => Err(Self::foreign(self.next.span.clone(), "takes an element with `[`")),
+            "[" => Err(Self::foreign(self.next.span.clone(), "reads an element with `[`")),
             "(" => Err(Self::foreign(self.next.span.clone(), "calls a value")),
             _ => Ok(operand),
         }
@@ -360,7 +364,7 @@ impl<'a> Parser<'a> {
                 Self::digits(*digits, call.clone())?;
                 Self::rounded(*value, call)
             }
-            _ => Err(Self::raises(call, format!("calls `{function}` with {} values", arguments.len()))),
+            _ => Err(Self::raises(call, format!("calls `{function}` with {} arguments", arguments.len()))),
         }
     }
 
@@ -372,14 +376,14 @@ impl<'a> Parser<'a> {
         let is_keyword = self.next.token == Token::Name
             && self.lexer.clone().next().is_ok_and(|lexeme| lexeme.token == Token::Operator("="));
         if is_keyword {
-            return Err(Self::foreign(span, format!("passes `{}` by name", self.word())));
+            return Err(Self::foreign(span, format!("passes `{}` as a keyword argument", self.word())));
         }
         self.expression()
     }
 
     fn rounded(value: Operand, call: Range<usize>) -> Parsed {
         if value.is_text() {
-            return Err(Self::raises(call, "rounds a text"));
+            return Err(Self::raises(call, "rounds a string"));
         }
         Ok(Operand { power: value.power, ..Operand::of(value.results.rounded()) })
     }
@@ -387,11 +391,11 @@ impl<'a> Parser<'a> {
     fn digits(digits: Operand, call: Range<usize>) -> Result<(), Fault> {
         match digits.literal {
             Some((value, true)) if value.abs() <= MOST_DIGITS => Ok(()),
-            Some((_, false)) => Err(Self::raises(call, "rounds to digits that are no integer")),
+            Some((_, false)) => Err(Self::raises(call, "rounds to a number of digits that is not an integer")),
             None if digits.variable || digits.is_text() => {
-                Err(Self::raises(call, "rounds to digits that are no integer"))
+                Err(Self::raises(call, "rounds to a number of digits that is not an integer"))
             }
-            _ => Err(Self::endless(call, "rounds to digits without bound")),
+            _ => Err(Self::endless(call, "rounds to a number of digits without a limit")),
         }
     }
 }

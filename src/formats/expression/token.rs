@@ -101,7 +101,7 @@ impl<'a> Lexer<'a> {
                 Some('#') => self.at += self.rest().find(['\n', '\r']).unwrap_or(self.rest().len()),
                 Some('\\') if matches!(self.byte(1), Some(b'\n')) => self.at += 2,
                 Some('\n' | '\r') if self.is_line_end_harmless() => self.at += 1,
-                Some('\n' | '\r') => return Err(self.syntax(self.at..self.at + 1, "goes on after a line end")),
+                Some('\n' | '\r') => return Err(self.syntax(self.at..self.at + 1, "continues after a line end")),
                 _ => return Ok(()),
             }
         }
@@ -124,9 +124,9 @@ impl<'a> Lexer<'a> {
             "r" => self.string(start, true),
             "u" => self.string(start, false),
             "f" | "fr" | "rf" | "t" | "tr" | "rt" => {
-                Err(Fault::new(FaultKind::Foreign, start..self.at + 1, "holds a formatted text, which is code"))
+                Err(Fault::new(FaultKind::Foreign, start..self.at + 1, "contains a formatted string, which is code"))
             }
-            "b" | "br" | "rb" => Err(Fault::new(FaultKind::Foreign, start..self.at + 1, "holds bytes")),
+            "b" | "br" | "rb" => Err(Fault::new(FaultKind::Foreign, start..self.at + 1, "contains a bytes literal")),
             _ => Ok(Token::Name),
         }
     }
@@ -138,11 +138,11 @@ impl<'a> Lexer<'a> {
         self.at += if triple { 3 } else { 1 };
         loop {
             match self.peek() {
-                None => return Err(self.syntax(start..self.at, "holds a text without its closing quote")),
+                None => return Err(self.syntax(start..self.at, "contains a string without a closing quote")),
                 Some('\n' | '\r') if !triple => {
-                    return Err(self.syntax(start..self.at, "holds a text without its closing quote"));
+                    return Err(self.syntax(start..self.at, "contains a string without a closing quote"));
                 }
-                Some('\0') => return Err(self.syntax(self.at..self.at + 1, "holds a null character")),
+                Some('\0') => return Err(self.syntax(self.at..self.at + 1, "contains a null character")),
                 Some('\\') => self.escape(raw)?,
                 Some(character) if character == char::from(quote) => {
                     if !triple || (self.byte(1) == Some(quote) && self.byte(2) == Some(quote)) {
@@ -166,7 +166,7 @@ impl<'a> Lexer<'a> {
             'u' => 4,
             'U' => 8,
             'N' if !raw => {
-                return Err(Fault::new(FaultKind::Foreign, start..self.at, "names a character with `\\N`"));
+                return Err(Fault::new(FaultKind::Foreign, start..self.at, "contains a `\\N` escape sequence"));
             }
             _ => return Ok(()),
         };
@@ -174,7 +174,7 @@ impl<'a> Lexer<'a> {
         if raw || hex == digits {
             return Ok(());
         }
-        Err(self.syntax(start..self.at + hex, "holds an incomplete escape"))
+        Err(self.syntax(start..self.at + hex, "contains an incomplete escape sequence"))
     }
 
     fn number(&mut self) -> Result<Token, Fault> {
@@ -188,14 +188,14 @@ impl<'a> Lexer<'a> {
         let token = if radix == 10 { self.decimal() } else { self.based(radix) };
         let written = self.text.get(start..self.at).unwrap_or_default();
         if matches!(self.byte(0), Some(b'j' | b'J')) {
-            return Err(Fault::new(FaultKind::Foreign, start..self.at + 1, "holds an imaginary number"));
+            return Err(Fault::new(FaultKind::Foreign, start..self.at + 1, "contains an imaginary number"));
         }
         let leading_zero = matches!(token, Some(Token::Number(value, true)) if radix == 10 && value != 0.0)
             && written.starts_with('0');
         let misplaced = written.contains("__") || written.ends_with('_') || written.contains("_.");
         match token {
             Some(token) if !leading_zero && !misplaced && self.ends_cleanly() => Ok(token),
-            _ => Err(self.syntax(start..self.at.max(start + 1), "holds a malformed number")),
+            _ => Err(self.syntax(start..self.at.max(start + 1), "contains a malformed number")),
         }
     }
 
@@ -247,7 +247,9 @@ impl<'a> Lexer<'a> {
         let Some(found) = OPERATORS.iter().find(|operator| rest.starts_with(**operator)) else {
             let length = rest.chars().next().map_or(0, char::len_utf8);
             let shown: String = rest.chars().take(1).flat_map(char::escape_debug).collect();
-            return Err(self.syntax(self.at..self.at + length, format!("holds `{shown}`, which is no Python")));
+            return Err(
+                self.syntax(self.at..self.at + length, format!("contains `{shown}`, which is not valid Python"))
+            );
         };
         match *found {
             "(" => self.open += 1,

@@ -80,13 +80,13 @@ pub enum FaultKind {
 impl fmt::Display for FaultKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::FieldCount(count) => write!(f, "a vertex line has 1, 6 or at least 9 words, here are {count}"),
-            Self::NoNumber => f.write_str("a word is no number"),
-            Self::MissingValue => f.write_str("a keyword lacks its values"),
+            Self::FieldCount(count) => write!(f, "a vertex line needs 1, 6 or at least 9 words, but has {count}"),
+            Self::NoNumber => f.write_str("a word is not a number"),
+            Self::MissingValue => f.write_str("the values of a keyword are missing"),
             Self::OpenRange => f.write_str("a range begins with `-`"),
-            Self::KeywordInDelete => f.write_str("a keyword among the vertices to delete"),
-            Self::Dropped => f.write_str("the line begins with no vertex number and is dropped"),
-            Self::OldFormat => f.write_str("`weights` is a format that is no longer read"),
+            Self::KeywordInDelete => f.write_str("a keyword is in the list of vertices to delete"),
+            Self::Dropped => f.write_str("the line does not begin with a vertex number and is dropped"),
+            Self::OldFormat => f.write_str("`weights` belongs to an old format that is no longer read"),
         }
     }
 }

@@ -1,5 +1,6 @@
 //! What is wrong with an archive, in words.
 
+use super::super::counted;
 use crate::diag::{Application, Case, Level};
 use crate::formats::mhbin::{MeshFault, Misfit, Part};
 use crate::formats::npz::{ArchiveFault, NpyFault};
@@ -8,24 +9,24 @@ use crate::repo::{FileFacts, View, parent};
 const REFUSED: Case = &[(
     Application::Makehuman2,
     Level::Error,
-    "refuses the mesh with a line in its log; the window opens without a base",
+    "rejects the mesh with only a log line; the window opens without a base",
 )];
 const TORN: Case = &[(
     Application::Makehuman2,
     Level::Warning,
-    "shows the mesh, but no slider and no pose moves that position: the surface tears there",
+    "shows the mesh, but no slider or pose moves that position: the surface tears there",
 )];
 
 /// A fault of a packed mesh, with what comes of it where that is not the usual. Nothing where another rule has the words.
 pub(super) fn of_mesh(fault: &MeshFault) -> Option<(String, Case)> {
     Some(match fault {
         MeshFault::Archive(ArchiveFault::Empty) => return None,
-        MeshFault::Archive(ArchiveFault::NotZip(reason)) => (format!("no zip archive: {reason}"), &[]),
-        MeshFault::Oversized => ("unpacks to more than any mesh of its size".to_owned(), &[]),
+        MeshFault::Archive(ArchiveFault::NotZip(reason)) => (format!("not a zip archive: {reason}"), &[]),
+        MeshFault::Oversized => ("unpacks to more data than any mesh of its size".to_owned(), &[]),
         MeshFault::Missing(members) => (missing(members), REFUSED),
-        MeshFault::Member(name, NpyFault::Shape) => (format!("member `{name}` has rows of another length"), &[]),
+        MeshFault::Member(name, NpyFault::Shape) => (format!("member `{name}` has rows of the wrong length"), &[]),
         MeshFault::Member(name, fault) => (format!("member `{name}` {}", of_member(fault)), &[]),
-        MeshFault::Misfit(Misfit::Copy(position)) => (format!("position {position} is a copy of no vertex"), TORN),
+        MeshFault::Misfit(misfit @ Misfit::Copy(_)) => (misfit_words(misfit), TORN),
         MeshFault::Misfit(misfit) => (misfit_words(misfit), &[]),
     })
 }
@@ -34,8 +35,8 @@ pub(super) fn of_mesh(fault: &MeshFault) -> Option<(String, Case)> {
 pub(super) fn help_with_mesh(view: &View<'_>, file: &FileFacts) -> &'static str {
     let text = format!("{}/base.obj", parent(&file.rel));
     match view.layers().first_existing(&text) {
-        Some(_) => "delete it: MakeHuman 2 then reads base.obj, which compile_meshes.py packs anew",
-        None => "restore it, or pack base.obj anew with compile_meshes.py",
+        Some(_) => "delete it, so that MakeHuman 2 reads base.obj, or rebuild it with compile_meshes.py",
+        None => "restore it, or rebuild it from base.obj with compile_meshes.py",
     }
 }
 
@@ -49,36 +50,36 @@ fn missing(members: &[&str]) -> String {
 
 fn misfit_words(misfit: &Misfit) -> String {
     match misfit {
-        Misfit::Header => "`header` states no number of vertices".to_owned(),
+        Misfit::Header => "`header` has no number of vertices".to_owned(),
         Misfit::Short(part, there, needed) => short(*part, *there, *needed),
         Misfit::GroupName(name) => format!("the name of group `{name}` is not UTF-8"),
-        Misfit::Faces => "groups with more faces, or faces with more corners, than there are".to_owned(),
-        Misfit::SmallFace(corners) => format!("a face has {corners} corners"),
+        Misfit::Faces => "groups list more faces, or faces more corners, than the archive contains".to_owned(),
+        Misfit::SmallFace(corners) => format!("a face has {}, expected at least 3", counted(corners, "corner")),
         Misfit::Overflow(position) => format!("`overflow` names position {position}, which does not exist"),
-        Misfit::Copy(position) => format!("position {position} is a copy of no vertex"),
+        Misfit::Copy(position) => format!("position {position} is not a copy of any vertex"),
     }
 }
 
 fn short(part: Part, there: usize, needed: usize) -> String {
     match part {
-        Part::Positions => format!("`header` states {needed} vertices, `coord` has {there} positions"),
-        Part::Uvs => format!("`uvs` has {there} texture coordinates for {needed} positions"),
-        Part::Triangles => format!("`header` states {there} triangles, the faces make {needed}"),
-        Part::GroupNames => format!("`grpNames` has {there} names for {needed} groups"),
-        Part::Groups => format!("`groupinfo` has {there} groups for {needed} names"),
+        Part::Positions => format!("`coord` has {there} positions, but `header` says {needed} vertices"),
+        Part::Uvs => format!("`uvs` has {there} texture coordinates, but the mesh has {needed} positions"),
+        Part::Triangles => format!("`header` says {there} triangles, but the faces have {needed}"),
+        Part::GroupNames => format!("`grpNames` has {there} names, but the mesh has {needed} groups"),
+        Part::Groups => format!("`groupinfo` has {there} groups, but `grpNames` has {needed} names"),
     }
 }
 
 /// A fault of a member, behind its name.
 pub(super) fn of_member(fault: &NpyFault) -> String {
     match fault {
-        NpyFault::NotNpy => "is no NumPy array".to_owned(),
-        NpyFault::Header => "has a header that NumPy refuses".to_owned(),
-        NpyFault::Object => "holds Python objects, which are never unpickled".to_owned(),
+        NpyFault::NotNpy => "is not a NumPy array".to_owned(),
+        NpyFault::Header => "has a header that NumPy rejects".to_owned(),
+        NpyFault::Object => "contains Python objects, which are never unpickled".to_owned(),
         NpyFault::MissingField(name) => format!("has no field `{name}`"),
-        NpyFault::WrongType("", kind) => format!("holds values of type `{kind}`, which are not what it is for"),
-        NpyFault::WrongType(name, kind) => format!("has a field `{name}` of type `{kind}` that does not fit a target"),
-        NpyFault::Shape => "is no plain list of rows".to_owned(),
+        NpyFault::WrongType("", kind) => format!("has values of the wrong type `{kind}`"),
+        NpyFault::WrongType(name, kind) => format!("has a field `{name}` of the wrong type `{kind}`"),
+        NpyFault::Shape => "is not a plain list of rows".to_owned(),
         NpyFault::Truncated => "ends before its last row".to_owned(),
         NpyFault::Damaged(reason) => format!("cannot be unpacked: {reason}"),
     }

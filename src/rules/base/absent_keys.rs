@@ -18,12 +18,12 @@ pub(super) fn findings(rule: &Rule, view: &View<'_>, base: &Base<'_>) -> Vec<Fin
     };
     let mut found = Vec::new();
     if settings.mhm.is_none() && !base.sliders.is_empty() && !is_faulty(file, "mhm") {
-        let message = format!("the base `{}` names no start model (`mhm`)", base.name);
-        let effect = "loads the base with the default material and applies no targets, without a message";
+        let message = format!("`mhm` is missing: base `{}` has no start model", base.name);
+        let effect = "loads the base with the default material and silently applies no targets";
         found.push(finding("mhm", message, effect, "base.mhm"));
     }
     if let (None, [rig, ..], false) = (&settings.pose_skeleton, &*base.rigs, is_faulty(file, "pose-skeleton")) {
-        let message = format!("the base `{}` has skeletons, but names none as `pose-skeleton`", base.name);
+        let message = format!("`pose-skeleton` is missing, but base `{}` has skeletons", base.name);
         let own = base.rigs.iter().find(|rig| rig.file.stem() == "default").unwrap_or(rig);
         found.push(finding("pose-skeleton", message, NO_POSE_SKELETON, own.file.file_name()).level(Level::Error));
     }

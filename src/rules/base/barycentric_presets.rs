@@ -10,12 +10,13 @@ const TOLERANCE: f64 = 1e-6;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "starts with a mixture that no position of the triangle slider gives")],
-        docs: "The three values of a triangle slider are shares of a whole and sum to 1.\n\nMakeHuman 2 does not make presets sum \
-            to 1: with 0.33 three times a hundredth of the shape is missing, and the next reset, which gives 0.33, 0.33 and \
-            0.34, changes the character. Presets count only without a start model (`mhm`), whose loading resets them: with one there is nothing to report.\n\nChoose values that sum to 1, \
+        breaks: &[(Application::Makehuman2, "starts with a mixture that the triangle slider cannot produce")],
+        docs: "The three values of a triangle slider are shares and must sum to 1.\n\nMakeHuman 2 does not correct \
+            presets: with 0.33 three times, one hundredth of the shape is missing. The next reset sets 0.33, 0.33 \
+            and 0.34 and so changes the character. Presets count only without a start model (`mhm`), because loading \
+            one resets them; with a start model nothing is reported.\n\nChange the presets so that they sum to 1, \
             such as 0.33, 0.33 and 0.34.",
-        ..RuleInfo::new("base-barycentric-presets", Level::Warning, "presets of one barycentric set do not sum to 1")
+        ..RuleInfo::new("base-barycentric-presets", Level::Warning, "the presets of a triangle slider do not sum to 1")
     },
     check: Check::Makehuman2(run),
 };
@@ -39,12 +40,12 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         }
         let Some(first) = corners.first() else { continue };
         let shown = (sum * 1e6).round() / 1e6;
-        let message = format!("the presets of `{}` sum to {shown} instead of 1", bound.slider.key);
+        let message = format!("the presets of `{}` sum to {shown}, not 1", bound.slider.key);
         let each = corners.iter().zip(&values).map(|(corner, value)| format!("{corner}: {value}"));
         out.push(
             RULE.at(file, Place::pointer(["modifier-presets", first]), message)
                 .key(&bound.slider.key)
-                .help("choose values that sum to 1, such as 0.33, 0.33 and 0.34")
+                .help("change the presets so that they sum to 1, such as 0.33, 0.33 and 0.34")
                 .evidence(Evidence::of_unnamed(each)),
         );
     }

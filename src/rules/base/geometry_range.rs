@@ -18,12 +18,13 @@ const PREFIX: &str = "joint-";
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "aligns the wrong vertices, or none, with its scripts for joint cubes")],
-        docs: "`geometry.json` repeats which vertices of the OBJ belong to a part (`geometry-ranges`) and to a joint cube (`joint-ranges`, \
-            the group's name without `joint-`).\n\nMakeHuman 2 itself never reads it, but the scripts that align joint cubes move exactly \
-            these vertices of the base `hm08`. The file of any other base is opened by nothing: what is wrong with it is one finding.\n\n\
-            Correct the name or the range, or remove the file.",
-        ..RuleInfo::new("base-geometry-range", Level::Info, "`geometry.json` differs from the groups of the mesh")
+        breaks: &[(Application::Makehuman2, "moves the wrong vertices, or none, when its scripts align joint cubes")],
+        docs: "`geometry.json` repeats which vertices of the OBJ belong to a part (`geometry-ranges`) and to a joint \
+            cube (`joint-ranges`, named like the group without `joint-`). A range here differs from its \
+            group.\n\nMakeHuman 2 itself never reads the file, but its scripts that align joint cubes move exactly \
+            these vertices of the base `hm08`. No program opens the file of any other base; all its faults are one \
+            finding.\n\nCorrect the name or the range, or remove the file.",
+        ..RuleInfo::new("base-geometry-range", Level::Info, "a range in `geometry.json` differs from the mesh")
     },
     check: Check::Makehuman2(run),
 };
@@ -79,7 +80,7 @@ fn never_opened(found: Vec<Finding>) -> Option<Finding> {
     let keys: Vec<String> = found.iter().map(|finding| finding.subject.key.clone()).collect();
     let mut first = found.into_iter().next()?;
     if keys.len() > 1 {
-        first.message = format!("{} ({} ranges like it)", first.message, keys.len());
+        first.message = format!("{} ({} wrong ranges)", first.message, keys.len());
         first = first.help("correct the ranges, or remove the file");
     }
     Some(first.key("ranges").effect(NEVER_OPENED).evidence(Evidence::of_cases(&keys)))
@@ -92,7 +93,7 @@ fn without_joints(file: &FileFacts, base: &Base<'_>, ranges: &[Range], mesh: &Me
     let shown = base.settings().and_then(|(_, settings)| settings.shown.as_ref());
     let is_shown = |group: &String| shown.is_some_and(|shown| shown.contains(group));
     let is_told = mesh.groups.iter().all(|group| group.name == DEFAULT_GROUP && !is_shown(&group.name));
-    let message = format!("the mesh has no group `{PREFIX}…` at all, and {} ranges are for one", ranges.len());
+    let message = format!("{} joint ranges, but the mesh has no `{PREFIX}…` groups", ranges.len());
     let names = ranges.iter().map(|range| &range.name);
     let finding = RULE.at(file, Place::key([JOINTS, &first.name]), message).key(JOINTS);
     let finding = finding.help("export the mesh with its groups, or remove the ranges");
@@ -101,8 +102,8 @@ fn without_joints(file: &FileFacts, base: &Base<'_>, ranges: &[Range], mesh: &Me
 
 fn without_group(file: &FileFacts, range: &Range, mesh: &Mesh, suggestions: &Suggestions) -> Finding {
     let joints = mesh.groups.iter().filter_map(|group| group.name.strip_prefix(PREFIX));
-    let help = did_you_mean(suggestions.nearest(&range.name, joints), "name a group of the mesh without `joint-`");
-    let message = format!("the mesh has no group `{PREFIX}{}`", range.name);
+    let help = did_you_mean(suggestions.nearest(&range.name, joints), "use the name of a mesh group, without `joint-`");
+    let message = format!("`{}` has no group `{PREFIX}{}` in the mesh", range.name, range.name);
     RULE.at(file, Place::key([JOINTS, &range.name]), message).key(format!("{JOINTS} {}", range.name)).help(help)
 }
 
@@ -114,14 +115,15 @@ fn unlike(file: &FileFacts, (section, range): (&str, &Range), mesh: &Mesh, group
     };
     let vertices = i64::try_from(mesh.facts.vertices).unwrap_or(i64::MAX);
     if first > last || first < 0 || last >= vertices {
-        let message = format!("`{}` covers {first} to {last}, but the mesh has {vertices} vertices", range.name);
-        return Some(at(message).help("a range is the first and the last vertex, counted from 0"));
+        let message =
+            format!("`{}` covers vertices {first} to {last}, but the mesh has {vertices} vertices", range.name);
+        return Some(at(message).help("write the first and the last vertex of the part, counted from 0"));
     }
     let (lowest, highest) = group?.vertices.map(|(lowest, highest)| (i64::from(lowest), i64::from(highest)))?;
     if (lowest, highest) == (first, last) {
         return None;
     }
     let message =
-        format!("`{}` covers {first} to {last}, but its group has the vertices {lowest} to {highest}", range.name);
+        format!("`{}` covers vertices {first} to {last}, but its group covers {lowest} to {highest}", range.name);
     Some(at(message).help(format!("write {lowest} and {highest}")))
 }

@@ -10,18 +10,21 @@ use crate::repo::{FileFacts, Layer, Reference, ReferenceKind, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "stops with a traceback when the base is loaded")],
-        docs: "A base mesh consists of `base/<base>/base.json` and `base.obj` (or `base.mhbin`) beside it; `base.json` names a start model (`mhm`) in \
-            the same folder and a skeleton (`pose-skeleton`) in `rigs/<base>/`.\n\nWithout `base.json`, without the mesh, or with a start model \
-            that does not exist, loading the base ends in an exception. A skeleton that does not exist means a message at every visit to \
-            poses and rigs, no bone weights for assets, and an AttributeError in the editors and the glTF export. Targets for a base that exists nowhere are never loaded (a warning).\n\n\
-            The sliders of a base come from `modelling.json` in `target/<base>/`, their macros from `macro.json` beside it. Without the first \
-            all targets are lost, without the second those of the macros: errors, as when the file cannot be read, since MakeHuman 2 does \
-            the same in both cases and says nothing but a line in its log. A base whose macros no slider needs may do without macro.json. It is a \
-            warning where the folder could be a user's, whose system has the file, and an info where `base.json` pairs targets that there are none of.\n\n\
-            Without the key `mhm` no target is applied to the base, which loads without a message (a warning). Without `pose-skeleton` the \
-            skeletons in `rigs/<base>/` are not used for poses, as if the one it names did not exist (an error).\n\n\
-            Add the file, correct its name, or remove the key.",
+        breaks: &[(Application::Makehuman2, "crashes when it loads the base")],
+        docs: "A base mesh needs `base/<base>/base.json` and `base.obj` (or `base.mhbin`) beside it. `base.json` \
+            names a start model (`mhm`) in the same folder and a skeleton (`pose-skeleton`) in \
+            `rigs/<base>/`.\n\nWithout `base.json`, without the mesh, or with a start model that does not exist, \
+            MakeHuman 2 crashes when it loads the base. With a skeleton that does not exist it shows a message \
+            whenever poses or rigs are opened, has no bone weights for assets, and crashes with `AttributeError` in \
+            the editors and the glTF export. Targets for a base that does not exist are never loaded (a \
+            warning).\n\nThe sliders come from `modelling.json` in `target/<base>/`, their macros from `macro.json` \
+            beside it. Without the first all targets are lost, without the second those of the macros; only a log \
+            line says so. Both are errors. A base whose sliders need no macros may do without `macro.json`. The \
+            finding is a warning where the folder may be a user's whose system has the file, and an info where \
+            `base.json` only has `target-opposites` and there are no targets.\n\nWithout the key `mhm` the base \
+            loads, but silently applies no targets (a warning). Without `pose-skeleton` the skeletons in \
+            `rigs/<base>/` are not used for poses, as if the named one did not exist (an error).\n\nAdd the file or \
+            the key, or correct the name.",
         ..RuleInfo::new("base-missing-file", Level::Error, "a file that a base mesh needs does not exist")
     },
     check: Check::Makehuman2(run),
@@ -48,7 +51,7 @@ fn named(view: &View<'_>, base: &Base<'_>, reference: &Reference<'_>) -> Option<
         ReferenceKind::Model => ("start model", "base"),
         _ => return None,
     };
-    let message = format!("the {what} `{}` does not exist", reference.rel);
+    let message = format!("{what} `{}` does not exist", reference.rel);
     let finding = RULE.at(reference.from, reference.place.clone(), message).key(reference.owner);
     let extension = if what == "skeleton" { ".mhskel" } else { ".mhm" };
     let folder = format!("{folder}/{}", base.name);
@@ -59,14 +62,14 @@ fn named(view: &View<'_>, base: &Base<'_>, reference: &Reference<'_>) -> Option<
         nearest(reference.text, names.iter().copied()).or_else(|| names.first().copied()),
         // Without the key there are no poses either.
         match reference.kind {
-            ReferenceKind::PoseSkeleton => format!("add the file to `{folder}`, or name one that is there"),
-            _ => format!("add the file to `{folder}`, or remove the key"),
+            ReferenceKind::PoseSkeleton => format!("add the file to `{folder}`, or name a skeleton that exists"),
+            _ => format!("add the file to `{folder}`, or name a start model that exists"),
         },
     );
     let finding = finding.help(help);
     Some(match reference.kind {
         ReferenceKind::PoseSkeleton => finding.effect(NO_POSE_SKELETON),
-        _ => finding.effect("stops with a TypeError when the base is loaded"),
+        _ => finding.effect("crashes with `TypeError` when it loads the base"),
     })
 }
 
@@ -84,15 +87,15 @@ fn unnamed(view: &View<'_>, base: &Base<'_>) -> Option<Finding> {
     let has_base = checked.below(&folder).next().is_some();
     match (settings, mesh) {
         (true, false) if has_base => {
-            let message = format!("the base `{}` has no mesh: neither base.obj nor base.mhbin", base.name);
+            let message = format!("base `{}` has neither base.obj nor base.mhbin", base.name);
             let finding = RULE.in_layer(checked, &format!("{folder}/base.json"), message).key("mesh");
-            let effect = "stops with an AttributeError when the base is loaded";
+            let effect = "crashes with `AttributeError` when it loads the base";
             Some(finding.effect(effect).help(format!("add `{folder}/base.obj`")))
         }
         (false, true) if has_base && base.has_system => {
-            let message = format!("the base `{}` has no base.json", base.name);
+            let message = format!("base `{}` has no base.json", base.name);
             let finding = RULE.in_layer(checked, &format!("{folder}/base.json"), message).key("base.json");
-            let effect = "stops with a TypeError when the base is loaded";
+            let effect = "crashes with `TypeError` when it loads the base";
             Some(finding.effect(effect).help(format!("add `{folder}/base.json`")))
         }
         // One root with `contarget/` may be a user's folder whose system data was not given.
@@ -115,12 +118,12 @@ fn orphan(checked: &Layer, base: &Base<'_>) -> Option<Finding> {
     // A loose file lies in no folder of a base: that its base is not known is among what was not checked.
     let is_in = |folder: &&String| checked.below(folder).any(|file| !file.is_loose());
     let folder = folders.iter().find(is_in)?;
-    let message = format!("there is no base `{}`: neither base.json nor a mesh", base.name);
+    let message = format!("base `{}` does not exist: base.json and the mesh are missing", base.name);
     Some(
         RULE.in_layer(checked, folder, message)
             .key("base")
             .level(Level::Warning)
             .effect("never loads these targets")
-            .help("the folder must have the name of a base; give the system data with `--system` if the base is there"),
+            .help("rename the folder to an existing base; if the system data has the base, pass it with `--system`"),
     )
 }

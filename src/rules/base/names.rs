@@ -64,10 +64,10 @@ impl<'n, 'a> Names<'n, 'a> {
         let patterns = self.base.sliders.iter().flat_map(|slider| slider.pattern.names()).map(String::as_str);
         let message = format!("no slider has the pattern `{pattern}`");
         let near = self.suggestions.nearest(pattern, patterns);
-        let mut unknown = Unknown::new(pattern, message, near, "name the pattern of a slider, or remove the line");
+        let mut unknown = Unknown::new(pattern, message, near, "use the pattern of a slider, or remove the line");
         let of_key = self.base.entry(pattern);
         if let Some(own) = of_key.and_then(|slider| slider.pattern.names().first()) {
-            unknown.help = format!("this is the key of an entry; write its pattern `{own}`");
+            unknown.help = format!("write the pattern `{own}` instead of the key");
         }
         Some(unknown)
     }
@@ -86,10 +86,10 @@ impl<'n, 'a> Names<'n, 'a> {
             key,
             message,
             self.suggestions.nearest(key, keys),
-            "name the key of an entry of modelling.json",
+            "use the key of an entry in modelling.json",
         );
         if let Some(slider) = self.base.slider(key) {
-            unknown.help = format!("this is a pattern; write the key `{}`", slider.slider.key);
+            unknown.help = format!("write the key `{}` instead of the pattern", slider.slider.key);
         }
         Some(unknown)
     }
@@ -106,8 +106,8 @@ impl<'n, 'a> Names<'n, 'a> {
         } else {
             self.suggestions.nearest(group, categories.iter().map(String::as_str))
         };
-        let message = format!("no slider is in the random group `{group}`");
-        Some(Unknown::new(group, message, near, "name a category or group of the sliders, or remove the line"))
+        let message = format!("no slider belongs to the random group `{group}`");
+        Some(Unknown::new(group, message, near, "use a category or group of the sliders, or remove the line"))
     }
 
     /// The beginning of a group.
@@ -120,8 +120,8 @@ impl<'n, 'a> Names<'n, 'a> {
             return None;
         }
         let near = self.suggestions.nearest(beginning, groups.iter().chain(beginnings).map(String::as_str));
-        let message = format!("no group of a slider begins with `{beginning}`");
-        Some(Unknown::new(beginning, message, near, "name the beginning of a group, or remove the line"))
+        let message = format!("no slider group begins with `{beginning}`");
+        Some(Unknown::new(beginning, message, near, "use the beginning of a slider group, or remove the line"))
     }
 }
 

@@ -28,10 +28,10 @@ pub(super) fn of_other_base(
         !std::ptr::eq(*other, base) && settings.presets.iter().all(|(pattern, _)| other.slider(pattern).is_some())
     };
     let help = match view.bases.iter().find(has_presets).filter(|_| !settings.presets.is_empty()) {
-        Some(other) => format!("these are names of the base `{}`: name the sliders of this one", other.name),
-        None => "name the sliders of this base: these seem to be names of another one".to_owned(),
+        Some(other) => format!("replace the names with those of this base: they belong to base `{}`", other.name),
+        None => "replace the names with those of this base: they seem to belong to another one".to_owned(),
     };
-    let mut one = Finding { message: format!("{count} of {all} names of sliders do not exist"), ..first };
+    let mut one = Finding { message: format!("{count} of {all} slider and group names do not exist"), ..first };
     one.subject.parts = Parts::default();
     others.insert(0, one.key("names").help(help).evidence(Evidence::of_cases(&keys).out_of(all)));
     others

@@ -6,11 +6,12 @@ use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "calculates the rule and goes on as if it were not there")],
-        docs: "A condition in `random.rules` keeps a slider from being moved when its value is exactly `False`. That is what a comparison \
-            gives, or `not`. A number is never `False`, not even 0, and neither is a text: with such a condition the slider is moved \
-            whatever the other one says.\n\nWrite a comparison, such as `x < 0.5`.",
-        ..RuleInfo::new("base-rule-without-effect", Level::Warning, "a condition in `random.rules` that is never false")
+        breaks: &[(Application::Makehuman2, "evaluates the condition, but moves the slider in any case")],
+        docs: "A condition in `random.rules` keeps a slider from being moved only if its value is exactly `False`, \
+            as a comparison or `not` returns. A number is never `False`, not even 0, and neither is a string. With \
+            such a condition MakeHuman 2 moves the slider whatever the other slider is set to.\n\nWrite a \
+            comparison, such as `x < 0.5`.",
+        ..RuleInfo::new("base-rule-without-effect", Level::Warning, "a condition in `random.rules` is never `False`")
     },
     check: Check::Makehuman2(run),
 };
@@ -21,12 +22,12 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         // What cannot be evaluated is `base-unsafe-rule`.
         for condition in conditions.iter().filter(|condition| condition.fault.is_none() && !condition.can_forbid) {
             let (slider, text) = (condition.slider.as_str(), &condition.expression);
-            let message = format!("the rule of `{key}` on `{slider}`, `{text}`, is a value and no condition");
+            let message = format!("the condition of `{key}` on `{slider}` can never be `False`: `{text}`");
             let place = Place::pointer(["random", "rules", key, slider]);
             out.push(
                 RULE.at(file, place, message)
                     .key(format!("{key} {slider}"))
-                    .help("write a comparison of `x` with numbers, such as `0.2 < x < 0.75`"),
+                    .help("compare `x` with numbers, such as `0.2 < x < 0.75`"),
             );
         }
     }

@@ -3,6 +3,7 @@
 
 use std::collections::BTreeSet;
 
+use super::super::counted;
 use super::NO_MEASURE;
 use crate::diag::Level;
 use crate::discover::Kind;
@@ -53,22 +54,23 @@ fn without_sliders(checked: &Layer, base: &Base<'_>, folder: &str) -> Option<Gap
     let (level, message) = match (count, named, pairs) {
         (0, 0, 0) => return None,
         (0, 0, _) => {
-            let message = format!("base.json of `{}` has `target-opposites`, and there are no targets", base.name);
+            let message = format!("base `{}` has `target-opposites` but no targets", base.name);
             (Level::Info, message)
         }
         (0, ..) => {
-            let message = format!("base.json of `{}` names {named} sliders, and there is no modelling.json", base.name);
+            let named = counted(named, "slider");
+            let message = format!("base.json of `{}` names {named}, but modelling.json is missing", base.name);
             (lost, message)
         }
-        _ => (lost, format!("the base `{}` has {count} targets and no modelling.json", base.name)),
+        _ => (lost, format!("base `{}` has {} but no modelling.json", base.name, counted(count, "target"))),
     };
     let file = format!("{folder}/modelling.json");
     let help = if sure {
         format!("add `{file}`")
     } else {
-        format!("add `{file}`; if the program's own data have it, give them with `--system`")
+        format!("add `{file}`; if the system data has it, pass that with `--system`")
     };
-    let effect = "offers no sliders for the base and applies none of its targets, with no more than a line in its log";
+    let effect = "shows no sliders for the base and applies none of its targets; only a log line says so";
     Some(Gap { name: "modelling.json", level, message, effect, help })
 }
 
@@ -79,11 +81,10 @@ fn without_macros(checked: &Layer, base: &Base<'_>, folder: &str) -> Option<Gap>
     let (level, message) = match (sliders, waiting) {
         (0, 0) => return None,
         // Only the name of their folder says so.
-        (0, _) => (Level::Warning, format!("the base `{name}` has targets of macros and no macro.json")),
-        (1, _) => (Level::Error, format!("the base `{name}` has 1 macro slider and no macro.json")),
-        (count, _) => (Level::Error, format!("the base `{name}` has {count} macro sliders and no macro.json")),
+        (0, _) => (Level::Warning, format!("base `{name}` has macro targets but no macro.json")),
+        (count, _) => (Level::Error, format!("base `{name}` has {} but no macro.json", counted(count, "macro slider"))),
     };
-    let effect = "has no macros for the base: their sliders move nothing, and their targets are never loaded";
+    let effect = "loads no macros: the macro sliders move nothing, and their targets are never loaded";
     Some(Gap { name: "macro.json", level, message, effect, help: format!("add `{folder}/macro.json`") })
 }
 

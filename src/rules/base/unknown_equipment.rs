@@ -12,18 +12,20 @@ use crate::repo::makehuman2::{Base, View};
 /// Kinds of assets that a base can wear.
 const EQUIPMENT: [&str; 8] = ["clothes", "hair", "eyes", "eyebrows", "eyelashes", "teeth", "tongue", "proxy"];
 const MEMBER: &str = "visible groups";
+const INVISIBLE: &str = "silently shows an invisible character of height 0; the glTF export crashes with `ValueError`";
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "stops with a KeyError at start without `visible groups`")],
-        docs: "`visible groups` lists the groups of the OBJ that are drawn and measured; `equipment` lists the kinds of assets the base can \
-            wear.\n\nWithout `visible groups` MakeHuman 2 stops at start. If none of the groups exists the character is invisible and has the \
-            height 0 (both are errors); a single unknown group is only not drawn. A plain text instead of a list draws every group whose \
-            name is part of the text. Unknown equipment is ignored.\n\nCorrect the name, or remove it.",
+        breaks: &[(Application::Makehuman2, "crashes with `KeyError` at start if `visible groups` is missing")],
+        docs: "`visible groups` lists the groups of the OBJ that are drawn and measured. `equipment` lists the kinds \
+            of assets that the base can wear.\n\nWithout `visible groups` MakeHuman 2 crashes at start. If none of \
+            the groups exists, the character is invisible and has height 0. Both are errors. A single unknown group \
+            is only not drawn. A string instead of a list draws every group whose name is part of it. Unknown \
+            equipment is ignored.\n\nCorrect the name, or remove it.",
         ..RuleInfo::new(
             "base-unknown-equipment",
             Level::Error,
-            "an equipment folder or visible group that does not exist",
+            "an unknown kind of equipment, or a visible group that does not exist",
         )
     },
     check: Check::Makehuman2(run),
@@ -35,8 +37,8 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if !settings.has_visible_groups {
         let misspelt = file.schema.unknown.iter().find(|key| key.nearest.as_deref() == Some(MEMBER));
         let help = match misspelt {
-            Some(key) => format!("is `{}` meant to be `{MEMBER}`?", key.key),
-            None => "add `\"visible groups\": [\"body\"]` with the groups to draw".to_owned(),
+            Some(key) => format!("did you mean `{MEMBER}` instead of `{}`?", key.key),
+            None => "add `\"visible groups\": [\"body\"]`, with the groups to draw".to_owned(),
         };
         out.push(RULE.at(file, Place::File, "`visible groups` is missing").key(MEMBER).help(help));
         return;
@@ -57,12 +59,12 @@ fn equipment(file: &FileFacts, settings: &BaseJson, out: &mut Vec<Finding>) {
         if EQUIPMENT.contains(&name.as_str()) {
             continue;
         }
-        let help = did_you_mean(nearest(name, EQUIPMENT), format!("known are {}", EQUIPMENT.join(", ")));
+        let help = did_you_mean(nearest(name, EQUIPMENT), format!("use one of: {}", EQUIPMENT.join(", ")));
         out.push(
             RULE.at(file, Place::pointer(["equipment", &index.to_string()]), format!("unknown equipment `{name}`"))
                 .key(name)
                 .level(Level::Warning)
-                .effect("ignores it: assets of this kind are not offered")
+                .effect("ignores it and offers no assets of this kind")
                 .help(help),
         );
     }
@@ -80,19 +82,17 @@ fn visible(file: &FileFacts, groups: &[String], mesh: &Mesh, out: &mut Vec<Findi
     let message = match unknown.as_slice() {
         [] if nothing_left => "`visible groups` is empty".to_owned(),
         [] => return,
-        [only] => format!("the visible group `{only}` is not in the mesh"),
-        [first, ..] => format!("`{first}` and {} other visible groups are not in the mesh", unknown.len() - 1),
+        [only] => format!("visible group `{only}` is not in the mesh"),
+        [first, ..] => format!("{} visible groups are not in the mesh, such as `{first}`", unknown.len()),
     };
     let near = unknown.first().and_then(|name| nearest(name, drawn));
-    let help = did_you_mean(near, "name groups (`g`) of the mesh that have faces");
+    let help = did_you_mean(near, "use the names of mesh groups (`g`) that have faces");
     let finding = RULE.at(file, Place::pointer([MEMBER]), message).key(MEMBER).help(help);
     let finding = finding.evidence(Evidence::of_cases(&unknown).out_of(groups.len()));
     out.push(if nothing_left {
-        finding.effect(
-            "shows an invisible character of height 0, without a message; the glTF export stops with a ValueError",
-        )
+        finding.effect(INVISIBLE)
     } else {
-        finding.level(Level::Warning).effect("does not draw the group, without a message")
+        finding.level(Level::Warning).effect("silently does not draw the group")
     });
 }
 
@@ -104,13 +104,12 @@ fn plain_text(file: &FileFacts, text: &str, mesh: &Mesh) -> Finding {
         RULE.at(file, Place::pointer([MEMBER]), message).key(MEMBER).help(help)
     };
     if shown.is_empty() {
-        let effect =
-            "shows an invisible character of height 0, without a message; the glTF export stops with a ValueError";
-        return finding(format!("no group of the mesh is part of the text `{text}`")).effect(effect);
+        return finding(format!("`visible groups` is the string `{text}`, which contains no group name"))
+            .effect(INVISIBLE);
     }
     let level = if shown == [text] { Level::Info } else { Level::Warning };
-    finding("`visible groups` is a text; every group whose name is part of it is drawn".to_owned())
+    finding("`visible groups` is a string, expected a list".to_owned())
         .level(level)
-        .effect("draws every group whose name is part of the text")
+        .effect("draws every group whose name is part of the string")
         .evidence(Evidence::of_cases(shown))
 }

@@ -14,17 +14,15 @@ use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "ignores the name; what it was for has no effect")],
-        docs: "`modifier-presets` and `measure` name sliders by their pattern, `random.gender`, `random.ideal` and `random.rules` by their key, \
-            `random.groups` and `head-pattern` name groups of sliders.\n\nA name that does not exist is ignored, mostly without a message; a rule of \
-            the randomizer on an unknown slider always resets its target. Errors are what stops the program: an `age` whose slider \
-            has no `display`, a random group with two `|`, and a category that is selected before one of its own groups. Groups of \
-            user targets are not judged, and `none` is the way to leave a measure out.\n\nCorrect the name, or remove it.",
-        ..RuleInfo::new(
-            "base-unknown-preset",
-            Level::Warning,
-            "a preset, measure or random rule names what does not exist",
-        )
+        breaks: &[(Application::Makehuman2, "ignores the name; the setting has no effect")],
+        docs: "`modifier-presets` and `measure` name sliders by their pattern. `random.gender`, `random.ideal` and \
+            `random.rules` name them by their key. `random.groups` and `head-pattern` name groups of \
+            sliders.\n\nMakeHuman 2 ignores a name that does not exist, mostly without a message; a rule of the \
+            randomizer on an unknown slider always resets its own slider to 0. Errors are those that crash it: an \
+            `age` whose slider has no `display`, a random group with two `|`, and a category that is selected before \
+            one of its own groups. Groups of user targets are not checked, and `none` turns a measure \
+            off.\n\nCorrect the name, or remove it.",
+        ..RuleInfo::new("base-unknown-preset", Level::Warning, "a name in `base.json` that does not exist")
     },
     check: Check::Makehuman2(run),
 };
@@ -72,18 +70,19 @@ fn measures(file: &FileFacts, names: &Names<'_, '_>, settings: &BaseJson, out: &
         let slider = names.base.slider(pattern).map(|bound| bound.slider);
         out.extend(match (purpose.as_str(), slider) {
             ("size", Some(_)) => {
-                let message = format!("`size` names the pattern `{pattern}`: the height is then not shown");
-                Some(finding(file, &at, message, pattern).help("write `\"size\": \"none\"`"))
+                let message = format!("`size` names the slider `{pattern}`, expected `none`");
+                let finding = finding(file, &at, message, pattern).effect("does not show the height");
+                Some(finding.help("write `\"size\": \"none\"`"))
             }
             ("age", Some(slider)) if slider.display.is_none() => {
                 let message = format!("`age` names `{}`, which has no `display`", slider.key);
-                let effect = "stops with an AttributeError when the size information is shown";
+                let effect = "crashes with `AttributeError` when it shows the size information";
                 let finding = finding(file, &at, message, pattern).level(Level::Error);
-                Some(finding.effect(effect).help("name the slider that displays the age"))
+                Some(finding.effect(effect).help("use the pattern of the slider that displays the age"))
             }
             ("chest" | "waist" | "hips" | "underbust", Some(slider)) if slider.measure.is_none() => {
                 let message = format!("`{purpose}` names `{}`, which has no `measure`", slider.key);
-                Some(finding(file, &at, message, pattern).help("name an entry with `measure`, or `none`"))
+                Some(finding(file, &at, message, pattern).help("use the pattern of an entry with `measure`, or `none`"))
             }
             // Not a pattern is what `size` needs; other keys are read by nobody.
             ("gender" | "age" | "chest" | "waist" | "hips" | "underbust", None) => {
@@ -116,7 +115,7 @@ fn randomizer(file: &FileFacts, names: &Names<'_, '_>, random: &Random, out: &mu
         for condition in conditions {
             let Some(unknown) = names.entry(&condition.slider) else { continue };
             let at = ["random", "rules", key, &condition.slider];
-            out.push(unknown_name(file, &at, unknown).effect("always resets the target of the rule to 0"));
+            out.push(unknown_name(file, &at, unknown).effect("always resets the slider of the rule to 0"));
         }
     }
 }
@@ -126,23 +125,21 @@ fn random_group(file: &FileFacts, names: &Names<'_, '_>, group: &str, selected: 
     if group.matches('|').count() < 2 {
         return names.group(group).map(|unknown| unknown_name(file, &at, unknown));
     }
-    let message = format!("the random group `{group}` has more than two parts");
-    let when = if selected { "at start, as the group is selected" } else { "when the group is selected" };
-    let effect = format!("stops {when}, with a ValueError");
+    let message = format!("random group `{group}` has more than two parts");
+    let when = if selected { "at start, because the group is preselected" } else { "when the group is selected" };
+    let effect = format!("crashes with `ValueError` {when}");
     let finding = finding(file, &at, message, group).level(Level::Error).effect(effect);
     Some(finding.help("write `category` or `category|subcategory`"))
 }
 
 /// A whole category that stands before one of its own groups.
 fn nested(file: &FileFacts, group: &str, category: &str, selected: bool) -> Finding {
-    let message = format!("the random group `{group}` follows its whole category `{category}`");
+    let message = format!("random group `{group}` comes after its category `{category}`");
     let finding = finding(file, &["random", "groups", group], message, group);
     let finding = if selected {
-        finding
-            .level(Level::Error)
-            .effect("stops at start with an AttributeError: both are selected from the beginning")
+        finding.level(Level::Error).effect("crashes with `AttributeError` at start, because both are preselected")
     } else {
-        finding.effect("stops with an AttributeError when a random character is made with both selected")
+        finding.effect("crashes with `AttributeError` when it makes a random character with both selected")
     };
-    finding.help("list either the category or its groups")
+    finding.help("keep either the category or its groups")
 }

@@ -10,15 +10,16 @@ pub(in crate::rules) static RULE: Rule = Rule {
         cannot_be_ignored: true,
         breaks: &[(
             Application::Makehuman2,
-            "evaluates it as Python with all rights of the user when a random character is made",
+            "runs it as Python code with the rights of the user when it makes a random character",
         )],
-        docs: "The conditions in `random.rules` are handed to Python's `eval` with the other slider as `x`.\n\nThat can run any program, read \
-            and delete files, or never come to an end. Safe are numbers, `x`, arithmetic, comparisons, `and`, `or`, `not`, conditional \
-            expressions, `round`, `str`, texts in quotes and `+` between them; powers with a fixed small exponent. \
-            Everything else is reported, and also what Python refuses, because then the random character view stops; so is a division by `x`, \
-            which can be 0, unless a condition stands before it. This finding \
-            cannot be muted.\n\nRewrite the condition as a comparison, such as `0.2 < x < 0.75`.",
-        ..RuleInfo::new("base-unsafe-rule", Level::Error, "`random.rules` holds more than harmless arithmetic")
+        docs: "MakeHuman 2 passes the conditions in `random.rules` to Python's `eval`, with the other slider as `x`. \
+            That can run any program, read and delete files, or never end.\n\nSafe are numbers, `x`, arithmetic, \
+            comparisons, `and`, `or`, `not`, conditional expressions, `round`, `str`, quoted strings and `+` between \
+            them, and powers with a fixed small exponent. Everything else is reported. So is what Python refuses, \
+            because the random character view then crashes, and a division by `x`, which can be 0, unless a \
+            condition before it excludes that. This finding cannot be ignored.\n\nRewrite the condition as a \
+            comparison, such as `0.2 < x < 0.75`.",
+        ..RuleInfo::new("base-unsafe-rule", Level::Error, "`random.rules` contains more than harmless arithmetic")
     },
     check: Check::Makehuman2(run),
 };
@@ -29,20 +30,18 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         for condition in conditions {
             let Some(fault) = &condition.fault else { continue };
             let effect = match fault.kind {
-                FaultKind::Foreign => {
-                    "evaluates it as Python: a data file runs foreign code with all rights of the user"
-                }
-                FaultKind::Endless => "may hang or run out of memory when a random character is made",
-                FaultKind::Syntax => "stops with a SyntaxError when a random character is made",
-                FaultKind::Mistyped => "stops with a TypeError when a random character is made",
-                FaultKind::Pair => "makes a pair of it, which is never exactly False: the rule has no effect",
-                FaultKind::Raises | FaultKind::Layout => "stops with an exception when a random character is made",
+                FaultKind::Foreign => "runs it as Python code: the data file can do anything that the user may do",
+                FaultKind::Endless => "may hang or run out of memory when it makes a random character",
+                FaultKind::Syntax => "crashes with `SyntaxError` when it makes a random character",
+                FaultKind::Mistyped => "crashes with `TypeError` when it makes a random character",
+                FaultKind::Pair => "reads it as two values, which are never `False`: the condition has no effect",
+                FaultKind::Raises | FaultKind::Layout => "crashes when it makes a random character",
             };
             let help = match fault.kind {
-                FaultKind::Pair => "write a point in a number, such as `x < 0.5`",
-                _ => "write a comparison of `x` with numbers, such as `0.2 < x < 0.75`",
+                FaultKind::Pair => "write numbers with a decimal point, such as `x < 0.5`",
+                _ => "compare `x` with numbers, such as `0.2 < x < 0.75`",
             };
-            let message = format!("the rule of `{key}` on `{}` {}", condition.slider, fault.what);
+            let message = format!("the condition of `{key}` on `{}` {}", condition.slider, fault.what);
             out.push(
                 RULE.at(file, Place::Span(fault.span.clone()), message)
                     .key(format!("{key} {}", condition.slider))

@@ -12,18 +12,20 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "builds binary assets whose delete masks have the wrong length: wearing them with others ends in a ValueError",
+            "builds binary assets with wrong delete masks; crashes with `ValueError` when they are worn with others",
         )],
-        docs: "`numverts` is the number of `v` lines of `base.obj`.\n\nMakeHuman 2 itself never reads it, but its command line tools do. \
-            `compile_meshes.py` makes the mask of hidden vertices of every binary asset that long; `adapt_morphs.py` counts by it. \
-            A mask that is too long cannot be combined with those of other assets, and the program stops with a ValueError as soon as two \
-            such assets are worn together. Nothing warns when the binaries are built. \
-            A number that is too large is a warning: with one that is too small `compile_meshes.py` itself stops, too. Without the key `compile_meshes.py` refuses the base.\n\n\
-            Where the weights for poses are made for the number that `numverts` says, it is the mesh that was exported anew: with fewer \
-            vertices MakeHuman 2 stops at start, with more everything behind the first new vertex moves another one. Nothing else is \
-            judged against such a mesh. The mesh is that of `base.mhbin` where there is one: packed from another base, it stops the program at \
-            start with an IndexError (bone.py:268).\n\nWrite the number of vertices of the mesh, and build binary assets anew; or export the mesh \
-            with the vertices that everything else is made for.",
+        docs: "`numverts` must be the number of vertices of the base mesh, the `v` lines of `base.obj`.\n\nMakeHuman \
+            2 itself never reads it, but its command line tools do. `compile_meshes.py` makes the mask of hidden \
+            vertices of every binary asset that long, and `adapt_morphs.py` counts by it. A mask that is too long \
+            cannot be combined with those of other assets: MakeHuman 2 crashes with `ValueError` as soon as two such \
+            assets are worn together. Nothing warns when the binaries are built.\n\nA number that is too large is a \
+            warning; with one that is too small, `compile_meshes.py` itself crashes, too. Without the key, \
+            `compile_meshes.py` refuses the base.\n\nIf the weights for poses agree with `numverts`, it is the mesh \
+            that has changed. With fewer vertices MakeHuman 2 crashes at start; with more, everything from the first \
+            added vertex on moves the wrong vertices. Nothing else is checked against such a mesh. If `base.mhbin` \
+            exists, it is the mesh; one packed from another base crashes MakeHuman 2 at start with `IndexError` \
+            (bone.py:268).\n\nWrite the number of vertices of the mesh and rebuild the binary assets, or export the \
+            mesh with the vertices that all other data is for.",
         ..RuleInfo::new("base-vertex-count", Level::Error, "`numverts` differs from the base mesh, or is missing")
     },
     check: Check::Makehuman2(run),
@@ -32,26 +34,26 @@ pub(in crate::rules) static RULE: Rule = Rule {
 const ABSENT: Case = &[(
     Application::Makehuman2,
     Level::Error,
-    "cannot build binary assets for this base: compile_meshes.py refuses it with exit code 2",
+    "cannot build binary assets for this base: compile_meshes.py exits with code 2",
 )];
 
 const TOO_LARGE: Case = &[(
     Application::Makehuman2,
     Level::Warning,
-    "builds binary assets whose delete masks are too long: wearing them with others ends in a ValueError",
+    "builds binary assets with too long delete masks; crashes with `ValueError` when they are worn with others",
 )];
 
 const TOO_FEW: Case =
-    &[(Application::Makehuman2, Level::Error, "stops at start with an IndexError while it loads the weights")];
+    &[(Application::Makehuman2, Level::Error, "crashes with `IndexError` at start when it loads the weights")];
 const PACKED_TOO_FEW: Case = &[(
     Application::Makehuman2,
     Level::Error,
-    "stops at start with an IndexError: targets, joints and weights name vertices that the archive lacks",
+    "crashes with `IndexError` at start: targets, joints and weights use vertices that are not in the archive",
 )];
 const TOO_MANY: Case = &[(
     Application::Makehuman2,
     Level::Error,
-    "gives targets, weights and joints to other vertices than they were made for, from the first one that was added",
+    "applies targets, weights and joints to the wrong vertices, from the first added vertex on",
 )];
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -84,7 +86,7 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
     let finding = RULE
         .at(file, Place::pointer(["numverts"]), message)
         .key("numverts")
-        .help(format!("write {vertices}, and compile binary assets of this base anew"))
+        .help(format!("write {vertices}, and rebuild the binary assets of this base"))
         .related(mesh_file.path.clone(), Place::File, format!("has {vertices} vertices"));
     out.push(if is_larger { finding.case(TOO_LARGE) } else { finding });
 }
@@ -98,7 +100,7 @@ fn foreign(
     let is_short = i64::try_from(vertices).is_ok_and(|vertices| vertices < claimed);
     let is_packed = mesh_file.kind == Kind::MeshArchive;
     let name = mesh_file.file_name();
-    let message = format!("{name} has {vertices} vertices, but `numverts` and {others} are made for {claimed}");
+    let message = format!("{name} has {vertices} vertices, but `numverts` and {others} are for {claimed}");
     // Of two layers it is told in the one that is checked.
     let is_own = view.layers.is_checked(mesh_file);
     let (at, place) = if is_own { (mesh_file, Place::File) } else { (file, Place::pointer(["numverts"])) };
@@ -108,10 +110,11 @@ fn foreign(
         (false, _) => TOO_MANY,
     };
     let help = if is_packed {
-        "delete the archive, or pack the mesh that the others are made for with compile_meshes.py"
+        "rebuild the archive with compile_meshes.py from the mesh that the other data is for, or delete it if base.obj \
+         is that mesh"
     } else {
-        "export the mesh again without adding or removing vertices, in the same order"
+        "export the mesh again with the same vertices in the same order"
     };
     let finding = RULE.at(at, place, message).key("mesh").case(case).help(help);
-    finding.related(file.path.clone(), Place::pointer(["numverts"]), format!("says {claimed}"))
+    finding.related(file.path.clone(), Place::pointer(["numverts"]), format!("`numverts` is {claimed}"))
 }

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, counted};
 use super::neighbours::Neighbours;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, pointer};
 use crate::formats::target_catalog::Section;
@@ -13,16 +13,15 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Mpfb,
-            "raises an exception when the slider moves: it jumps back, nothing changes, and only the console tells why",
+            "raises an exception when the slider moves: the slider jumps back, and only the console shows why",
         )],
-        docs: "A slider with `opposites` loads `<slot>.target.gz` from the folder of its section, which is called as the \
-            section. It looks in no other folder, not for a plain `.target`, and not into the user's data. Only the slots of \
-            the sides in use are asked for. A slider without `opposites` loads `<name>.target.gz` or `<name>.target`, with \
-            `l-` and `r-` before it if it has sides.\n\n\
-            MPFB checks none of them at start. The slider looks normal; when it moves, an exception is raised, of \
-            which there is a message on the console only. No file is looked for by the entries of `targets`: one \
-            that no slot has and that does not exist is a leftover.\n\n\
-            Correct the name, or add the target.",
+        docs: "A slider of `target.json` names a target that does not exist.\n\nA slider with `opposites` loads \
+            `<slot>.target.gz` from the folder named like its section. It looks in no other folder, not for a plain \
+            `.target`, and not in the user's data. Only the slots of the sides in use are needed. A slider without \
+            `opposites` loads `<name>.target.gz` or `<name>.target`, with `l-` and `r-` before the name if it has \
+            sides.\n\nMPFB checks none of this at start. The slider looks normal, but raises an exception when it \
+            moves, and only the console shows it. The entries of `targets` do not name files to load: one that no \
+            slot has and that does not exist is a leftover (an info).\n\nCorrect the name, or add the target.",
         ..RuleInfo::new(
             "catalog-missing-target",
             Level::Error,
@@ -59,13 +58,13 @@ fn told(cause: &str, references: &[&Reference<'_>], neighbours: &Neighbours<'_, 
     let (first, count) = (references.first()?, references.len());
     let owner = first.owner;
     let message = if cause == parent(&first.rel) {
-        format!("nothing is in `{cause}`, but {count} targets are read from it")
+        format!("`{cause}` contains no files, but sliders use {} from it", counted(count, "target"))
     } else if first.text.is_empty() {
-        format!("`{owner}` has {count} {} without a target", if count == 1 { "slot" } else { "slots" })
+        format!("`{owner}` has {} without a target", counted(count, "slot"))
     } else if count > 1 {
-        format!("`{}`, which {count} sliders or ends of sliders ask for, does not exist", first.rel)
+        format!("`{}` does not exist, but sliders use it {count} times", first.rel)
     } else {
-        format!("`{owner}` moves `{}`, which does not exist", first.rel)
+        format!("`{owner}` uses `{}`, which does not exist", first.rel)
     };
     let finding = RULE.at(first.from, first.place.clone(), message).key(cause).help(neighbours.help(first));
     Some(finding.evidence(Evidence::of_cases(references.iter().map(|one| format!("{} {}", one.owner, one.rel)))))
@@ -85,15 +84,18 @@ fn leftovers(catalog: &Catalog<'_>, section: &Section) -> Option<Finding> {
     let (category, at, name) = left.first()?;
     let place = [section.name.as_str(), "categories", &category.index.to_string(), "targets", &at.to_string()];
     let message = match left.len() {
-        1 => format!("`targets` names `{name}`, which does not exist and which no slider asks for"),
+        1 => format!("`targets` lists `{name}`, which does not exist and is not used by a slider"),
         many => format!(
-            "`targets` names {many} files in section `{}` that do not exist and that no slider asks for",
+            "`targets` lists {many} files in section `{}` that do not exist and are not used by a slider",
             section.name
         ),
     };
     let finding =
         RULE.at(catalog.file, Place::Pointer(pointer(&place)), message).key(format!("{} targets", section.name));
-    let finding =
-        finding.level(Level::Info).effect("does nothing with the entry: files are looked for by slots and names");
-    Some(finding.help("remove what is left over").evidence(Evidence::of_cases(left.iter().map(|(.., name)| name))))
+    let finding = finding.level(Level::Info).effect("ignores the entry: it finds targets by slots and names");
+    Some(
+        finding
+            .help(if left.len() == 1 { "remove the entry" } else { "remove the entries" })
+            .evidence(Evidence::of_cases(left.iter().map(|(.., name)| name))),
+    )
 }

@@ -28,11 +28,11 @@ impl<'v, 'a> Neighbours<'v, 'a> {
         if text.is_empty() {
             "name a target in every slot".to_owned()
         } else if let Some(stem) = stem {
-            format!("write it without the suffix: `{stem}`")
+            format!("remove the suffix: write `{stem}`")
         } else if let Some(plain) = plain.filter(|_| reference.kind == ReferenceKind::Slot) {
-            format!("a slider with `opposites` reads packed targets only: pack `{}` with gzip", plain.file_name())
+            format!("pack `{}` with gzip: a slider with `opposites` loads only `.target.gz`", plain.file_name())
         } else if let Some(other) = self.elsewhere(reference) {
-            format!("it lies in `{}`: move it to `{}`", parent(&other.rel), parent(&reference.rel))
+            format!("move or copy it from `{}` to `{}`", parent(&other.rel), parent(&reference.rel))
         } else if let Some(near) = self.nearest(reference) {
             format!("did you mean `{near}`?")
         } else {

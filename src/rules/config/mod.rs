@@ -11,13 +11,18 @@ use super::Rule;
 use crate::diag::{Finding, IgnoreUse};
 
 /// What to do about something that is not found any more, while there are errors.
-const FIX_FIRST: &str = "mend the errors first: what they hide may still be there";
+const FIX_FIRST: &str = "fix the errors first: they may hide what is not found";
 
 /// A finding of `rule` on an ignore.
 fn on(rule: &Rule, ignore: &IgnoreUse, message: String) -> Finding {
     let covers = ignore.covers.as_deref().unwrap_or_default();
     let finding = Finding::new(&rule.info, ignore.path.clone(), ignore.place.clone(), message);
     finding.key(format!("{} {covers}", ignore.rule).trim_end())
+}
+
+/// What an ignore is called.
+fn called(ignore: &IgnoreUse) -> &'static str {
+    if ignore.covers.is_some() { "`[[ignore]]`" } else { "ignore comment" }
 }
 
 /// ` in PATH` for an ignore that names its files.

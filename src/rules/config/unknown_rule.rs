@@ -1,34 +1,34 @@
 //! A setting or ignore for a rule that does not exist.
 
-use super::on;
+use super::{called, on};
 use crate::diag::{Finding, IgnoreState, Level, RuleInfo, Upkeep};
 use crate::rules::{Check, Rule, RuleCx, did_you_mean};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         docs: "A setting of mhlint.toml, or a comment `# mhlint: ignore RULE reason`, names a rule that does not \
-               exist. It has no effect: what it was meant to mute or to change is reported as ever. Names of rules \
-               never change, so it is a slip of the pen or a rule of a newer version.\n\nWrite the name of a rule; \
-               `mhlint rules` lists them. A glob such as `macro-*` must fit at least one.",
-        ..RuleInfo::new("config-unknown-rule", Level::Warning, "a setting for a rule that does not exist")
+            exist. It has no effect. Rule names never change, so the name is misspelt or belongs to a newer \
+            version.\n\nWrite the name of a rule; `mhlint rules` lists them. A glob such as `macro-*` must match at \
+            least one.",
+        ..RuleInfo::new("config-unknown-rule", Level::Warning, "a setting or ignore for a rule that does not exist")
     },
     check: Check::Upkeep(run),
 };
 
 fn run(upkeep: &Upkeep, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for unknown in &upkeep.unknown {
-        let message = format!("`{}` names `{}`, and there is no such rule", unknown.setting, unknown.rule);
+        let message = format!("`{}` in `{}` matches no rule", unknown.rule, unknown.setting);
         let finding = Finding::new(&RULE.info, unknown.path.clone(), unknown.place.clone(), message);
         out.push(finding.key(format!("{} {}", unknown.setting, unknown.rule)).help(help(unknown.nearest)));
     }
     for ignore in &upkeep.ignores {
         if let IgnoreState::UnknownRule { nearest } = ignore.state {
-            let message = format!("the mute names `{}`, and there is no such rule", ignore.rule);
+            let message = format!("`{}` in the {} matches no rule", ignore.rule, called(ignore));
             out.push(on(&RULE, ignore, message).help(help(nearest)));
         }
     }
 }
 
 fn help(nearest: Option<&str>) -> String {
-    did_you_mean(nearest, "`mhlint rules` lists all rules")
+    did_you_mean(nearest, "run `mhlint rules` to list all rules")
 }

@@ -7,10 +7,11 @@ use crate::repo::{Resolution, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "finds nothing there on any other computer")],
-        docs: "The name begins with `/`, `\\` or a drive letter: it says where the file is on one computer. Names in assets are relative to a \
-            folder of the data (targets and icons to the target folder, weights and skeletons to `rigs/<base>/`, models to \
-            `base/<base>/`, textures to that of their material).\n\nOn every other computer the file is missing. Write the name relative to its folder.",
+        breaks: &[(Application::Makehuman2, "does not find the file on other computers")],
+        docs: "The name begins with `/`, `\\` or a drive letter, so it only fits one computer. On any other, the \
+            file is missing.\n\nWrite the path relative to its folder: targets and icons to the target folder, \
+            weights and skeletons to `rigs/<base>/`, models to `base/<base>/`, textures to the folder of their \
+            material.",
         ..RuleInfo::new("file-absolute-path", Level::Error, "a reference with an absolute path or a drive letter")
     },
     check: Check::Repository(run),
@@ -20,10 +21,10 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let is_absolute = |resolution| matches!(resolution, Resolution::Absolute);
     for cause in causes(view, |reference| is_absolute(reference.resolution).then(String::new)) {
         let finding = cause.finding(&RULE, |text| match text {
-            "" => "`folder` is empty, which makes an absolute path of every name behind it".to_owned(),
+            "" => "`folder` is empty, which makes every name in it an absolute path".to_owned(),
             text => format!("`{text}` is an absolute path"),
         });
         let finding = finding.map(|finding| cause.unfound(view, finding, "on other computers"));
-        out.extend(finding.map(|finding| finding.help("write the name relative to its folder in the data")));
+        out.extend(finding.map(|finding| finding.help("write the path relative to its folder in the data")));
     }
 }

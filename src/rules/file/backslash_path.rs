@@ -10,11 +10,12 @@ use crate::repo::{Reference, Resolution, View};
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         fix: FixKind::Safe,
-        breaks: &[(Application::Makehuman2, "finds it on Windows only, and never in compressedtargets.npz")],
-        docs: "The name separates folders by `\\`. Only Windows takes that for a separator; on Linux and macOS it is a letter of the name, and \
-            the file is not found. The keys of `compressedtargets.npz` have `/` everywhere.\n\nWhat follows is what \
-            follows from a missing file: an exception when the slider moves, a refused skeleton. Where the file does not exist with `/` either, nobody finds it.\n\nWrite `/`.",
-        ..RuleInfo::new("file-backslash-path", Level::Warning, "a backslash in the name of a file")
+        breaks: &[(Application::Makehuman2, "finds the file only on Windows, and never in compressedtargets.npz")],
+        docs: "The path separates folders with `\\`. Windows accepts that, but on Linux and macOS the backslash is \
+            part of the name, and the file is not found. The keys of `compressedtargets.npz` use `/` \
+            everywhere.\n\nThe consequence is that of a missing file, such as a crash when the slider moves or a \
+            rejected skeleton. A file that does not exist with `/` either is not found on any system.\n\nWrite `/`.",
+        ..RuleInfo::new("file-backslash-path", Level::Warning, "a backslash in the path of a file")
     },
     check: Check::Repository(run),
 };
@@ -27,14 +28,14 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }) {
         let exists = cause.key.starts_with(key(true));
         let finding = cause.finding(&RULE, |text| {
-            let also = if exists { "" } else { "; with `/` there is no such file either" };
-            format!("`{text}` is separated by backslashes{also}")
+            let also = if exists { "" } else { " and does not exist with `/` either" };
+            format!("`{text}` uses backslashes{also}")
         });
         let Some(finding) = finding else { continue };
         let slashed = cause.text().replace('\\', "/");
         let is_fixable =
             |reference: &Reference<'_>| exists && reference.text.contains('\\') && !view.is_known_by(reference);
-        let mut fix = Fix::new(RULE.info.fix, "write `/` for `\\`");
+        let mut fix = Fix::new(RULE.info.fix, "replace `\\` with `/`");
         // Where nobody finds the file, its name has to be found out first.
         for reference in cause.references.iter().filter(|reference| is_fixable(reference)) {
             let text = Some(reference.text.replace('\\', "/"));

@@ -11,12 +11,13 @@ use crate::repo::{FileFacts, View};
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         fix: FixKind::Safe,
-        breaks: &[(Application::Makehuman2, "refuses the file, or loses its first line")],
-        docs: "Some editors put three invisible bytes (EF BB BF, the byte order mark) before the text. MakeHuman 2 does not remove \
-            them.\n\nPython's JSON reader refuses such a file, and it counts as missing. In a target the mark belongs to the first \
-            field: if the first line has four words, a comment included, the program stops at start. In the other text formats \
-            the first word is not recognised and its line is lost; where that is a comment nothing happens, and the finding is an \
-            info.\n\nSave the file as UTF-8 without byte order mark.",
+        breaks: &[(Application::Makehuman2, "rejects the file, or loses its first line")],
+        docs: "The file begins with a byte order mark: three invisible bytes (EF BB BF) that some editors write \
+            before the text. MakeHuman 2 does not remove them.\n\nPython's JSON reader rejects such a file, so it \
+            counts as missing. In a target the mark becomes part of the first word: if the first line has four \
+            words, even in a comment, MakeHuman 2 crashes at start. In other text formats the first word is not \
+            recognised and its line is lost; if that is a comment, nothing else happens, and the finding is an \
+            info.\n\nSave the file as UTF-8 without a byte order mark.",
         ..RuleInfo::new("file-byte-order-mark", Level::Error, "a byte order mark at the beginning of a text file")
     },
     check: Check::File(run),
@@ -35,11 +36,11 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     let damage = damage(file);
     let Some(loss) = consequence(view, &file.rel, damage) else { return };
     let message = format!("`{}` begins with a byte order mark", file.file_name());
-    let fix = Fix::new(RULE.info.fix, "remove the mark");
+    let fix = Fix::new(RULE.info.fix, "remove the byte order mark");
     let finding = RULE
         .at(file, Place::Span(0..3), message)
         .fix(fix.step(&file.path, Change::Rewrite(Rewrite::DropByteOrderMark)))
-        .help("save the file as UTF-8 without byte order mark");
+        .help("save the file as UTF-8 without a byte order mark");
     let finding = loss.of(view, finding);
     out.push(if damage == Damage::MarkedRow { weigh(&view.target(file), finding) } else { finding });
 }

@@ -8,10 +8,11 @@ use crate::repo::View;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "on Windows and macOS only one of them can exist; which one is chance")],
-        docs: "Linux keeps `Nose.target` and `nose.target` apart; Windows and macOS do not. When such a repository is checked out or \
-            unpacked there, the later file replaces the earlier one, and what refers to it gets the wrong content.\n\nOnly \
-            names in the same folder are compared. Rename one of them and what refers to it.",
+        breaks: &[(Application::Makehuman2, "finds only one of them on Windows and macOS, where both cannot exist")],
+        docs: "Linux keeps `Nose.target` and `nose.target` apart; Windows and macOS do not. If the repository is \
+            checked out or unpacked there, the later file replaces the earlier one, and what refers to the earlier \
+            one gets the wrong content.\n\nOnly names in the same folder are compared. Rename one of them, and \
+            update what refers to it.",
         ..RuleInfo::new("file-case-conflict", Level::Warning, "two names in one folder that differ only in case")
     },
     check: Check::Repository(run),
@@ -32,9 +33,9 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let name = |path: &str| path.rsplit('/').next().unwrap_or_default().to_owned();
         let before: Vec<String> =
             paths.iter().filter(|path| *path != last).map(|path| format!("`{}`", name(path))).collect();
-        let message = format!("`{}` and {} differ only in case", name(last), before.join(" and "));
-        let finding =
-            RULE.in_layer(layer, last, message).key(folded).help("rename all but one, and what refers to them");
+        let message = format!("{} and `{}` differ only in case", before.join(", "), name(last));
+        let help = "rename all but one, and update what refers to them";
+        let finding = RULE.in_layer(layer, last, message).key(folded).help(help);
         let finding = finding.asset(layer.display(folder)).parts(&paths);
         out.push(finding.related(layer.display(first), Place::File, "the other name"));
     }

@@ -13,14 +13,17 @@ use crate::repo::{Reference, ReferenceKind, Resolution, View};
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         fix: FixKind::Unsafe,
-        breaks: &[(Application::Makehuman2, "finds it on Windows and macOS, on Linux it does not exist")],
-        docs: "The name is written with other capitals than the file has. On Windows and on most Macs that makes no difference, on Linux it \
-            does, and inside `compressedtargets.npz` everywhere.\n\nWhat follows is what follows from a missing file: an exception when \
-            the slider moves, a refused skeleton, an empty button, a colour instead of a texture.\n\nThe same goes for base.json, base.obj (or base.mhbin), macro.json, modelling.json and target_cat.json, which are looked for by these names alone, and for the folders of a data root and those of a base mesh in \
-            them: `Target` is not `target`.\n\nAccented letters can be written in two forms that \
-            look alike, as one letter or as a letter and a mark (Unicode normalisation). macOS finds either, other systems only what is written.\n\nWrite the name exactly as the file is called, or rename \
-            the file. A folder whose name differs is reported once for the file that refers into it.",
-        ..RuleInfo::new("file-case-mismatch", Level::Error, "a reference that differs from its file in case")
+        breaks: &[(Application::Makehuman2, "finds the file on Windows and macOS, but not on Linux")],
+        docs: "The name is written with other capitals than the file has. On Windows and most Macs that makes no \
+            difference; on Linux the file is not found, and neither is its member in `compressedtargets.npz` on any \
+            system. The consequence is that of a missing file: a crash when the slider moves, a rejected skeleton, a \
+            button without a picture, a colour instead of a texture.\n\nThe same applies to base.json, base.obj (or \
+            base.mhbin), macro.json, modelling.json and target_cat.json, to the folders of a data root and to those \
+            of a base mesh in them: `Target` is not `target`.\n\nAccented letters can be written in two forms that \
+            look alike, as one letter or as a letter and a mark (Unicode normalisation). macOS finds both, other \
+            systems only the exact one.\n\nWrite the name exactly as the file is called, or rename the file. A \
+            folder whose name differs is reported once for each file that refers to it.",
+        ..RuleInfo::new("file-case-mismatch", Level::Error, "a reference that differs from its file only in case")
     },
     check: Check::Repository(run),
 };
@@ -38,9 +41,9 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         told.insert(on_disk.clone());
         let finding = cause.finding(&RULE, |_| {
             if in_form {
-                return format!("`{name}` and the name on disk differ only in Unicode normalisation");
+                return format!("`{name}` differs from the name on disk only in Unicode normalisation");
             }
-            format!("`{name}` is called `{on_disk}` on disk")
+            format!("`{name}` is named `{on_disk}` on disk")
         });
         let Some(finding) = finding else { continue };
         let systems = if in_form { "on Linux and Windows" } else { "on Linux" };
@@ -50,24 +53,23 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             finding.place = first.place.clone();
         }
         if let Some(layer) = holder {
-            finding = finding.related(layer.display(target), Place::File, "the file that is meant");
+            finding = finding.related(layer.display(target), Place::File, "the file on disk");
         }
         let what = if on_disk == target { "file" } else { "folder" };
         if in_form {
-            let help =
-                format!("the {what} and its name here look alike: give both plain letters, or copy one to the other");
+            let help = format!("rename the {what} with plain letters here and on disk, or copy its name from the disk");
             out.push(finding.help(help));
             continue;
         }
         let meant = meant(first, &name, &on_disk);
         if differs_in_extension(&written, target) {
             let right = written.rsplit('/').next().unwrap_or_default();
-            out.push(finding.help(format!("rename the file to `{right}`: extensions count with their capitals")));
+            out.push(finding.help(format!("rename the file to `{right}`: extensions are case-sensitive")));
             continue;
         }
         let alike = holder.map(|layer| layer.alike(target)).unwrap_or_default();
         if let Some(others) = others(alike, target) {
-            out.push(finding.help(format!("write which is meant: there are `{target}` and {others}")));
+            out.push(finding.help(format!("write the name of one of these files: `{target}`, {others}")));
             continue;
         }
         let fix = fix(view, &cause, &format!("write `{meant}`"));
@@ -81,7 +83,7 @@ fn others(alike: &[String], target: &str) -> Option<String> {
     let named = alike.iter().filter(|other| *other != target).take(EXAMPLES);
     let mut named: Vec<String> = named.map(|other| format!("`{other}`")).collect();
     if let Some(more @ 1..) = alike.len().checked_sub(named.len() + 1) {
-        named.push(format!("{more} more"));
+        named.push(format!("and {more} more"));
     }
     (!named.is_empty()).then(|| named.join(", "))
 }
@@ -130,11 +132,11 @@ fn fixed_names(view: &View<'_>, out: &mut Vec<Finding>) {
     for file in layer.files.values().filter(|file| !view.is_generated(&file.rel)) {
         let Some(right) = (view.layout().misnamed)(&file.rel, &|rel| layer.file(rel).is_some()) else { continue };
         let (name, wanted) = (file.file_name(), right.rsplit('/').next().unwrap_or_default());
-        let message = format!("`{name}` is looked for as `{wanted}`");
+        let message = format!("`{name}` must be named `{wanted}`");
         let effect = consequence(view, &right, Damage::Absent).and_then(|loss| loss.effect);
-        let effect = effect.map_or_else(|| format!("takes `{wanted}` as missing, without a word"), str::to_owned);
+        let effect = effect.map_or_else(|| format!("silently treats `{wanted}` as missing"), str::to_owned);
         let finding = RULE.at(file, Place::File, message).key("name").help(format!("rename it to `{wanted}`"));
-        out.push(finding.effect_in(view.application(), format!("on Linux: {effect}")));
+        out.push(finding.effect_in(view.application(), format!("on Linux, {effect}")));
     }
 }
 
@@ -148,6 +150,6 @@ mod tests {
         assert_eq!(others(&alike[..1], "a0"), None);
         assert_eq!(others(&alike[..3], "a1").unwrap(), "`a0`, `a2`");
         assert_eq!(others(&alike[..6], "a5").unwrap(), "`a0`, `a1`, `a2`, `a3`, `a4`");
-        assert!(others(&alike, "a3").unwrap().ends_with("`a5`, 994 more"));
+        assert!(others(&alike, "a3").unwrap().ends_with("`a5`, and 994 more"));
     }
 }

@@ -9,17 +9,14 @@ use crate::source::GzipFault;
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         cannot_be_ignored: true,
-        breaks: &[(Application::Makehuman2, "unpacks archives without a limit: memory runs out")],
-        docs: "A small packed file can hold gigabytes of zeros. Loaders unpack without asking, and the computer runs out of memory. \
-            Packed assets shrink three to ten times; `mhlint` gives up beyond 512 MiB, or beyond 200 times the packed size once \
-            16 MiB are passed. For `.npz`, `.mhbin` and `.zip` the sizes stated in the archive are added up; the arrays of the \
-            first two shrink less, and the limit is 32 times the packed size once 64 KiB are passed.\n\nThis rule \
-            cannot be muted. Do not open the file; ask where it comes from.",
-        ..RuleInfo::new(
-            "file-decompression-bomb",
-            Level::Error,
-            "a packed file that unpacks beyond every sensible size",
-        )
+        breaks: &[(Application::Makehuman2, "unpacks the file without a limit until memory runs out")],
+        docs: "A small packed file can unpack to gigabytes of zeros. Loaders unpack it without asking, and the \
+            computer runs out of memory.\n\nPacked assets shrink three to ten times. `mhlint` stops beyond 512 MiB, \
+            or beyond 200 times the packed size once 16 MiB are passed. For `.npz`, `.mhbin` and `.zip` it adds up \
+            the sizes stated in the archive; arrays in the first two shrink less, so their limit is 32 times the \
+            packed size once 64 KiB are passed.\n\nThis finding cannot be ignored. Do not open the file; ask where \
+            it comes from.",
+        ..RuleInfo::new("file-decompression-bomb", Level::Error, "a packed file that unpacks to an unreasonable size")
     },
     check: Check::File(run),
 };
@@ -34,6 +31,8 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     out.push(if is_opened {
         finding
     } else {
-        finding.level_in(application, Level::Info).effect_in(application, "never opens it, as it has no gzip")
+        finding
+            .level_in(application, Level::Info)
+            .effect_in(application, "never opens it, because it does not support gzip")
     });
 }

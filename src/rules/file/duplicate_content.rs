@@ -3,17 +3,18 @@
 use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
 use crate::repo::{FileFacts, ReferenceKind, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "loads and keeps the same content more than once")],
-        docs: "Several targets with the same displacements, or pictures or meshes with the same bytes. It does no harm, but costs space, and whoever \
-            changes one forgets the other.\n\nTargets are compared by their numbers, whatever their comments; targets that move nothing and \
-            files below 200 bytes are left out. Only files of the same base mesh and category are compared, because others cannot be \
-            shared.\n\nLet all references name one of the files and remove the rest.",
+        breaks: &[(Application::Makehuman2, "loads the same content more than once")],
+        docs: "Several targets have the same displacements, or several pictures or meshes the same bytes. That does \
+            no harm, but takes space, and a change to one is easily forgotten in the others.\n\nTargets are compared \
+            by their numbers, not their comments. Targets that move nothing and files below 200 bytes are left out. \
+            Only files of the same base mesh and category are compared, because others cannot be shared.\n\nUse one \
+            of the files in all references, and remove the others.",
         ..RuleInfo::new("file-duplicate-content", Level::Info, "several files with the same content")
     },
     check: Check::Repository(run),
@@ -41,10 +42,12 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             continue;
         }
         let message = if let [other] = others {
-            format!("the same {class} as `{}`", other.shown())
+            format!("has the same {class} as `{}`", other.shown())
         } else {
-            let names: Vec<String> = files.iter().map(|file| format!("`{}`", file.shown())).collect();
-            format!("the same {class} in {} files: {}", files.len(), names.join(", "))
+            let names: Vec<String> = files.iter().take(EXAMPLES).map(|file| format!("`{}`", file.shown())).collect();
+            let more = files.len() - names.len();
+            let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+            format!("{} files have the same {class}: {}{more}", files.len(), names.join(", "))
         };
         let mut finding = RULE.at(first, Place::File, message).help(advice(view, first, others));
         for other in others {
@@ -61,7 +64,7 @@ fn class(file: &FileFacts) -> Option<&'static str> {
     let extension = file.rel.rsplit('.').next().unwrap_or_default();
     match file.kind {
         _ if file.size < SMALLEST || file.encoding.lfs_pointer => None,
-        Kind::Target => file.target().filter(|facts| facts.moving > 0).map(|_| "displacement"),
+        Kind::Target => file.target().filter(|facts| facts.moving > 0).map(|_| "displacements"),
         Kind::BaseMesh | Kind::AssetMesh => Some("mesh"),
         // Every asset has its own thumb, named after it.
         Kind::Image if extension == "thumb" => None,
@@ -81,17 +84,17 @@ fn advice(view: &View<'_>, first: &FileFacts, others: &[&FileFacts]) -> String {
     match references.find(|reference| reference.found().is_some()) {
         // With another target the slider would have another name in saved models.
         Some(reference) if matches!(reference.kind, ReferenceKind::Incr | ReferenceKind::Decr) => format!(
-            "if `{}` in {} is meant to move the same, leave both files: saved models know the slider by the name of its \
-             target; otherwise give it a shape of its own",
+            "keep both files if `{}` in {} is meant to have the same shape, because saved models find a slider by the \
+             name of its target; otherwise give it its own shape",
             reference.owner,
             reference.from.file_name()
         ),
         Some(reference) => format!(
-            "let `{}` in {} name the file `{}`, and remove the other",
+            "use `{}` for `{}` in {}, and remove the other file",
+            first.file_name(),
             reference.owner,
-            reference.from.file_name(),
-            first.file_name()
+            reference.from.file_name()
         ),
-        None => "let everything that uses them name one file, and remove the others".to_owned(),
+        None => "use one file in all references, and remove the others".to_owned(),
     }
 }

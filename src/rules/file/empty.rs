@@ -10,13 +10,15 @@ use crate::repo::{FileFacts, Reference, ReferenceKind, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "loads nothing, or stops")],
-        docs: "The file has no bytes, or nothing but blanks and comments. Often a download or an export was interrupted.\n\nHow bad that is \
-            depends on the file. An empty `.mhskel`, `.mhpose` or `.mhbin` stops MakeHuman 2 while it scans the assets, an empty `base.mhbin` when it loads the base, an empty \
-            `compressedtargets.npz` stops every start until it is deleted, and an empty JSON, also one that is no more than `{}`, `[]`, `\"\"`, `0`, `false` or `null`, counts as missing (an override in `contarget/` is the business of `overlay-broken-override`). A target \
-            without a row loads and moves nothing; where a macro names it, `macro-empty-target` speaks instead.\n\nRestore the \
+        breaks: &[(Application::Makehuman2, "loads nothing from it, or crashes")],
+        docs: "The file has no bytes, or only whitespace and comments. Often a download or an export was \
+            interrupted.\n\nAn empty `.mhskel`, `.mhpose` or `.mhbin` crashes MakeHuman 2 when it scans the assets, \
+            an empty `base.mhbin` when it loads the base, and an empty `compressedtargets.npz` at every start until \
+            it is deleted. An empty JSON counts as missing, even if it contains `{}`, `[]`, `\"\"`, `0`, `false` or \
+            `null`. (Overrides in `contarget/` are reported by `overlay-broken-override`.) A target without a row \
+            loads and moves nothing; if a macro uses it, `macro-empty-target` reports it instead.\n\nRestore the \
             content, or remove the file and what refers to it.",
-        ..RuleInfo::new("file-empty", Level::Warning, "an empty file where content is needed")
+        ..RuleInfo::new("file-empty", Level::Warning, "an empty file that needs content")
     },
     check: Check::File(run),
 };
@@ -34,7 +36,8 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     let Some(loss) = consequence(view, &file.rel, damage) else { return };
     let message = format!("`{}` is empty{what}", file.file_name());
     let help = match file.kind {
-        Kind::TargetArchive => "delete it: MakeHuman 2 makes a new one from the targets",
+        Kind::TargetArchive => "delete it; MakeHuman 2 rebuilds it from the targets",
+        Kind::BaseJson | Kind::BaseMesh => "restore the content",
         _ => "restore the content, or remove the file and what refers to it",
     };
     out.push(loss.of(view, RULE.at(file, Place::File, message)).help(help));
@@ -44,9 +47,9 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
 fn counts_as_missing(view: &View<'_>, file: &FileFacts) -> Option<&'static str> {
     let usual = file.kind == Kind::ModellingJson && view.is_generated(&file.rel);
     let what = if is_of_wrong_type(file) {
-        " (null, 0, false and empty values count as no file)"
+        " (`null`, `0`, `false` and empty values count as a missing file)"
     } else {
-        " (`{}` counts as no file)"
+        " (`{}` counts as a missing file)"
     };
     (cause::counts_as_missing(file) && !usual).then_some(what)
 }
@@ -62,10 +65,10 @@ fn emptiness(file: &FileFacts) -> Option<&'static str> {
     match file.kind {
         _ if file.size == 0 => Some(" (0 bytes)"),
         kind if !kind.is_text() => None,
-        _ if encoding.blank && encoding.byte_order_mark => Some(" (nothing but a byte order mark)"),
-        _ if encoding.blank => Some(" (nothing but blanks)"),
+        _ if encoding.blank && encoding.byte_order_mark => Some(" (only a byte order mark)"),
+        _ if encoding.blank => Some(" (only whitespace)"),
         // A comment is no JSON: that is a matter of syntax.
-        kind if !kind.is_json() && encoding.only_comments => Some(" (nothing but comments)"),
+        kind if !kind.is_json() && encoding.only_comments => Some(" (only comments)"),
         _ => None,
     }
 }

@@ -25,10 +25,10 @@ fn finding(rule: &Rule, view: &View<'_>, folders: &[MisnamedFolder]) -> Option<F
     let right = first.right.rsplit('/').next().unwrap_or_default();
     let more = match folders.len() {
         1 => String::new(),
-        count => format!(" ({} like it)", counted(count - 1, "more folder")),
+        count => format!(" (and {})", counted(count - 1, "more folder")),
     };
-    let message = format!("`{}` is looked for as `{}`{more}", first.rel, first.right);
-    let effect = format!("on Linux: does not read the folder with its {}", counted(files, "file"));
+    let message = format!("`{}` must be named `{}`{more}", first.rel, first.right);
+    let effect = format!("on Linux, does not read the folder and its {}", counted(files, "file"));
     let finding = rule.in_layer(view.layers().checked, &first.rel, message).key("folder");
     let evidence = Evidence::of_cases(folders.iter().map(|folder| &folder.rel));
     Some(finding.effect_in(view.application(), effect).help(format!("rename it to `{right}`")).evidence(evidence))

@@ -10,16 +10,16 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "cannot open or list it: what belongs in it is missing, or the program stops at start",
+            "cannot open it, so its content is missing or the program crashes at start",
         )],
-        docs: "A file has the name of a folder that an application looks into, or a folder the name of a file that it opens.\n\n\
-            MakeHuman 2 stops at start where it lists or fills such a folder, treats a JSON that is a folder as missing, and \
-            refuses the base mesh if `target/<base>` of the user is a file (\"File exists instead of folder\").\n\nRemove what \
-            stands there, or give it another name.",
+        docs: "A file has the name of a folder that an application looks into, or a folder has the name of a file \
+            that it opens.\n\nMakeHuman 2 crashes at start where it lists or fills such a folder, and treats a JSON \
+            that is a folder as missing. If the user's `target/<base>` is a file, it rejects the base mesh (\"File \
+            exists instead of folder\").\n\nRemove or rename it.",
         ..RuleInfo::new(
             "file-in-place-of-folder",
             Level::Error,
-            "a file where an application expects a folder, or the reverse",
+            "a file instead of a folder, or a folder instead of a file",
         )
     },
     check: Check::Repository(run),
@@ -29,7 +29,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers().checked;
     let finding = |rel: &str, stands: &str, belongs: &str, help: &str| {
         let name = rel.rsplit('/').next().unwrap_or(rel);
-        let message = format!("`{name}` is a {stands}, but a {belongs} belongs here");
+        let message = format!("`{name}` is a {stands}, expected a {belongs}");
         let finding = RULE.in_layer(layer, rel, message).help(help);
         consequence(view, rel, Damage::Closed).map(|loss| loss.of(view, finding))
     };
@@ -37,11 +37,11 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let is_base = |name: &str| all().any(|file| file.base_in(view.application()) == Some(name));
     for file in view.files().filter(|file| file.unreadable.is_none() && !file.failed) {
         if (view.layout().is_folder)(&file.rel, &is_base) {
-            out.extend(finding(&file.rel, "file", "folder", "remove the file or give it another name"));
+            out.extend(finding(&file.rel, "file", "folder", "remove or rename the file"));
         }
     }
     for folder in layer.folders.iter().filter(|folder| is_file(view.kind_at(folder))) {
-        out.extend(finding(folder, "folder", "file", "put the file here, or give the folder another name"));
+        out.extend(finding(folder, "folder", "file", "rename the folder, or replace it with the file"));
     }
 }
 

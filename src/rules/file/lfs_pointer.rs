@@ -13,13 +13,14 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "reads the text of the pointer: JSON is refused, a target moves nothing, a picture cannot be shown",
+            "reads the pointer instead of the content: JSON is rejected, targets move nothing, pictures are not shown",
         )],
-        docs: "Git LFS keeps large files elsewhere and leaves a small text in their place until the content is fetched. Without it \
-            the asset is not there, although a file of its name is.\n\nOne finding counts the stand-ins of a data root, folder by folder. It is an error \
-            where some of them must be parsed (JSON, targets, meshes, weights, skeletons), a warning for pictures and the rest. \
-            Nothing else is said about these files.\n\nRun `git lfs pull`, or in a CI job check out with LFS switched on.",
-        ..RuleInfo::new("file-lfs-pointer", Level::Warning, "a Git LFS pointer stands where the content should be")
+        docs: "Git LFS keeps large files elsewhere and leaves a small text in their place, the pointer, until the \
+            content is fetched. Without it the asset is missing, although a file of its name exists.\n\nOne finding \
+            counts the pointers of a data root, folder by folder. It is an error if some of the files must be parsed \
+            (JSON, targets, meshes, weights, skeletons), and a warning for pictures and the rest. Nothing else is \
+            reported for these files.\n\nRun `git lfs pull`, or switch on LFS for the checkout of a CI job.",
+        ..RuleInfo::new("file-lfs-pointer", Level::Warning, "a Git LFS pointer instead of the content")
     },
     check: Check::Repository(run),
 };
@@ -61,7 +62,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 fn message(files: &[&FileFacts], folders: &BTreeMap<&str, usize>) -> String {
     let count = files.len();
     match folders.len() {
-        1 => format!("{count} files of this folder are Git LFS pointers"),
+        1 => format!("{count} files in this folder are Git LFS pointers"),
         several => format!("{count} files in {several} folders are Git LFS pointers"),
     }
 }
@@ -83,13 +84,13 @@ fn effect(files: &[&FileFacts]) -> String {
     let has = |of: &dyn Fn(Kind) -> bool| files.iter().any(|file| of(file.kind));
     let concerned = [
         (has(&|kind| kind == Kind::Target), "targets move nothing"),
-        (has(&Kind::is_json), "JSON is refused"),
+        (has(&Kind::is_json), "JSON is rejected"),
         (has(&|kind| matches!(kind, Kind::BaseMesh | Kind::AssetMesh)), "meshes have no vertices"),
-        (has(&|kind| matches!(kind, Kind::Image | Kind::TargetIcon)), "pictures cannot be shown"),
+        (has(&|kind| matches!(kind, Kind::Image | Kind::TargetIcon)), "pictures are not shown"),
     ];
     let seen: Vec<&str> = concerned.iter().filter(|(is_here, _)| *is_here).map(|(_, what)| *what).collect();
     match seen.as_slice() {
-        [] => "reads the text of the pointer, which is not what it looks for".to_owned(),
-        seen => format!("reads the text of the pointer: {}", seen.join(", ")),
+        [] => "reads the pointer instead of the content".to_owned(),
+        seen => format!("reads the pointer instead of the content: {}", seen.join(", ")),
     }
 }

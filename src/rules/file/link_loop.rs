@@ -7,10 +7,11 @@ use crate::source::{WalkFault, WalkFaultKind};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "lists the same files again and again, or fails to open the link")],
-        docs: "A symbolic link points to a folder above it, or to a link that points back. Whoever lists the folder finds the same files \
-            under ever longer names until the system stops it.\n\nIn its target folders MakeHuman 2 follows no link to a folder: such a link \
-            harms nothing there (an info).\n\n`mhlint` does not follow the circle. Remove the link.",
+        breaks: &[(Application::Makehuman2, "lists the same files over and over, or fails to open the link")],
+        docs: "A symbolic link points to a folder above it, or to a link that points back. A program that lists the \
+            folder finds the same files under longer and longer names until the system stops it.\n\nIn its target \
+            folders MakeHuman 2 follows no links to folders, so such a link has no effect there (an info). `mhlint` \
+            does not follow the loop either.\n\nRemove the link.",
         ..RuleInfo::new(
             "file-link-loop",
             Level::Error,
@@ -22,7 +23,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 /// Targets are looked for without following links to folders.
 const NOT_FOLLOWED: Case =
-    &[(Application::Makehuman2, Level::Info, "nothing: it follows no link to a folder where it looks for targets")];
+    &[(Application::Makehuman2, Level::Info, "ignores it: links to folders are not followed in target folders")];
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers().checked;
@@ -37,7 +38,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             continue;
         }
         let message = if *back_to == fault.path || back_to.is_empty() {
-            "the link leads back to where it started".to_owned()
+            "the link leads back to itself or the data folder".to_owned()
         } else {
             format!("the link leads back to `{back_to}`")
         };

@@ -44,7 +44,7 @@ impl Cause<'_, '_> {
         let mut message = message(self.text());
         let place = first.folder_at_fault.as_ref().map_or_else(|| first.place.clone(), |(place, _)| place.clone());
         if self.references.len() > 1 {
-            message = format!("{message} ({} references like it)", self.references.len());
+            message = format!("{message} ({} such references)", self.references.len());
         }
         let names = self.references.iter().map(|reference| reference.text);
         Some(rule.at(first.from, place, message).key(&self.key).evidence(Evidence::of_cases(names)))
@@ -55,7 +55,7 @@ impl Cause<'_, '_> {
     pub(super) fn unfound(&self, view: &View<'_>, finding: Finding, on: &str) -> Finding {
         let losses: Vec<_> = self.references.iter().filter_map(|reference| unfound(view, reference.kind)).collect();
         let worst = losses.iter().map(|loss| loss.level).max();
-        let on = if on.is_empty() { String::new() } else { format!("{on}: ") };
+        let on = if on.is_empty() { String::new() } else { format!("{on}, ") };
         let effect = losses.first().and_then(|loss| loss.effect).map(|effect| format!("{on}{effect}"));
         let (Some(worst), Some(effect)) = (worst, effect) else { return finding };
         finding.level_in(view.application(), worst).effect_in(view.application(), effect)

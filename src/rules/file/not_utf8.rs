@@ -11,13 +11,13 @@ use crate::source::Guess;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "stops with a UnicodeDecodeError that nothing catches")],
-        docs: "MakeHuman 2 reads JSON, targets, meshes and BVH as strict UTF-8. One letter in Latin-1 or a Windows code page, even in a \
-            comment, or a file saved as UTF-16, ends the program with a UnicodeDecodeError: at start for everything that is \
-            loaded or scanned then, otherwise when the asset is used.\n\nThe loaders of clothes, materials and models drop bytes that \
-            are no UTF-8. But the asset scan at start reads `.mhclo`, `.proxy`, `.mhm` and `.meta` strictly, so there the same byte is \
-            fatal, too; only materials and files that the scan does not reach merely lose the letters.\n\nOpen the file in an editor \
-            and save it as UTF-8 without byte order mark.",
+        breaks: &[(Application::Makehuman2, "crashes with `UnicodeDecodeError`")],
+        docs: "MakeHuman 2 reads JSON, targets, meshes and BVH as strict UTF-8. One letter in Latin-1 or a Windows \
+            code page, even in a comment, or a file saved as UTF-16 crashes it with `UnicodeDecodeError`: at start \
+            for everything that is loaded or scanned then, otherwise when the asset is used.\n\nThe loaders of \
+            clothes, materials and models drop invalid bytes. But the asset scan at start reads `.mhclo`, `.proxy`, \
+            `.mhm` and `.meta` strictly and crashes as well. Only materials and files that the scan does not reach \
+            merely lose the letters.\n\nOpen the file in an editor, and save it as UTF-8 without a byte order mark.",
         ..RuleInfo::new("file-not-utf8", Level::Error, "a text file that is not UTF-8")
     },
     check: Check::File(run),
@@ -34,14 +34,14 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     out.push(if file.kind == Kind::Target { weigh(&view.target(file), finding) } else { finding });
 }
 
-const SAVE: &str = "save the file as UTF-8 without byte order mark";
+const SAVE: &str = "save the file as UTF-8 without a byte order mark";
 
 /// What the bytes are, and what to do.
 const fn worded(guess: Guess) -> (&'static str, &'static str) {
     match guess {
         Guess::Utf16 => ("probably UTF-16", SAVE),
         Guess::SingleByte => ("probably Latin-1 or a Windows code page", SAVE),
-        Guess::Gzip => ("it is packed with gzip", "unpack the file: it is read as plain text"),
-        Guess::Binary => ("probably binary data", "put the text file in its place"),
+        Guess::Gzip => ("packed with gzip", "unpack the file, which is read as plain text"),
+        Guess::Binary => ("probably binary data", "replace it with the text file"),
     }
 }

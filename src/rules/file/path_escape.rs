@@ -9,11 +9,11 @@ use crate::source::WalkFaultKind;
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         cannot_be_ignored: true,
-        breaks: &[(Application::Makehuman2, "opens whatever file lies there, or finds nothing on another computer")],
-        docs: "A name with `..`, or a symbolic link, that leads out of the data folder. On the computer of its author that may work; on \
-            any other it finds nothing, or a foreign file that was never meant.\n\n`mhlint` neither follows nor reads what lies outside. \
-            A link or `..` that stays inside the data is left alone.\n\nThis rule cannot be muted. Copy the file into the data \
-            folder.",
+        breaks: &[(Application::Makehuman2, "opens a file outside the data folder, or finds none on another computer")],
+        docs: "A name with `..`, or a symbolic link, leads outside the data folder. On the author's computer that \
+            may work; on any other it finds nothing, or a file that was never meant.\n\n`mhlint` neither follows nor \
+            reads what is outside. A link or `..` that stays inside the data folder is fine. This finding cannot be \
+            ignored.\n\nCopy the file into the data folder.",
         ..RuleInfo::new("file-path-escape", Level::Error, "a reference or link that leaves the data root")
     },
     check: Check::Repository(run),
@@ -22,12 +22,12 @@ pub(in crate::rules) static RULE: Rule = Rule {
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let leaves = |resolution| matches!(resolution, Resolution::Escapes);
     for cause in causes(view, |reference| leaves(reference.resolution).then(String::new)) {
-        let finding = cause.finding(&RULE, |text| format!("`{text}` leads out of the data folder"));
+        let finding = cause.finding(&RULE, |text| format!("`{text}` leads outside the data folder"));
         out.extend(finding.map(|finding| finding.help("copy the file into the data folder")));
     }
     let layer = view.layers().checked;
     for fault in layer.walk_faults.iter().filter(|fault| fault.kind == WalkFaultKind::LinkLeavesRoot) {
-        let finding = RULE.in_layer(layer, &fault.path, "the link leads out of the data folder and was not followed");
+        let finding = RULE.in_layer(layer, &fault.path, "the link leads outside the data folder and was not followed");
         out.push(finding.key("link").help("copy what it points to into the data folder"));
     }
 }

@@ -8,7 +8,7 @@ use crate::source::ReadFault;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "loads it slowly and needs much memory")],
+        breaks: &[(Application::Makehuman2, "loads it slowly and uses a lot of memory")],
         options: &[
             OptionInfo {
                 name: "json",
@@ -28,11 +28,11 @@ pub(in crate::rules) static RULE: Rule = Rule {
             },
             OptionInfo { name: "other", default: 256.0, docs: "largest file of any other kind in MB" },
         ],
-        docs: "The file is much larger than files of its kind are. Often a picture was saved without compression, a mesh was exported with \
-            subdivision, or something was packed into the repository by accident. All users download and load it.\n\nThe limits are \
-            options of this rule, one for each kind, in MB. A file of more than 512 MiB is not read at all, so nothing else is \
-            said about it.",
-        ..RuleInfo::new("file-too-large", Level::Warning, "a file beyond the size of its kind")
+        docs: "The file is much larger than usual for its kind. Often a picture was saved without compression, a \
+            mesh was exported with subdivision, or something was added to the repository by accident. All users \
+            download and load it.\n\nThe limits are options of this rule, one for each kind, in MB. A file of more \
+            than 512 MiB is not read, so nothing else is reported for it.",
+        ..RuleInfo::new("file-too-large", Level::Warning, "a file that is unusually large for its kind")
     },
     check: Check::File(run),
 };
@@ -48,12 +48,12 @@ fn run(_: &View<'_>, file: &FileFacts, cx: &RuleCx<'_>, out: &mut Vec<Finding>) 
         return;
     }
     let message = if unread {
-        format!("{} with {:.1} MB: too large to be judged", file.kind.title(), size / MB)
+        format!("{} too large to check: {:.1} MB", file.kind.title(), size / MB)
     } else {
-        format!("{} with {:.1} MB; more than {limit} MB is unusual", file.kind.title(), size / MB)
+        format!("unusually large {}: {:.1} MB (limit {limit} MB)", file.kind.title(), size / MB)
     };
     let help = if unread {
-        "make it smaller; mhlint reads no file of more than 512 MiB".to_owned()
+        "make it smaller: mhlint reads no file of more than 512 MiB".to_owned()
     } else {
         format!("make it smaller, or raise the option `{}` of this rule", option(file))
     };

@@ -10,14 +10,15 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "on Windows the file cannot be unpacked or checked out; elsewhere it may get another name",
+            "does not find it on Windows, where it cannot be unpacked or checked out; elsewhere its name may change",
         )],
-        docs: "Windows reserves names (`CON`, `PRN`, `AUX`, `NUL`, `COM1` to `COM9`, `LPT1` to `LPT9`, with any extension) and the characters \
-            `< > : \" | ? * \\`, and removes a point or blank at the end. Control characters and names that are no Unicode cannot be written \
-            in JSON or in an asset's text. A name with separate accent marks looks like the same name with whole letters, but is \
-            another one: macOS writes the first, keyboards write the second, and what refers to the file finds it by \
-            chance.\n\nRename the file, and what refers to it, with plain letters.",
-        ..RuleInfo::new("file-unportable-name", Level::Warning, "a name that not every system can hold")
+        docs: "Windows reserves the names `CON`, `PRN`, `AUX`, `NUL`, `COM1` to `COM9` and `LPT1` to `LPT9`, with \
+            any extension, and the characters `< > : \" | ? * \\`. It removes a dot or space at the end.\n\nControl \
+            characters and names that are not valid Unicode cannot be written in JSON or in an asset's text. A name \
+            with separate accent marks looks like the name with whole letters, but is a different one: macOS writes \
+            the first and keyboards the second, so references to the file may not find it.\n\nRename the file with \
+            plain letters, and update what refers to it.",
+        ..RuleInfo::new("file-unportable-name", Level::Warning, "a name that not every system supports")
     },
     check: Check::Repository(run),
 };
@@ -40,7 +41,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 continue;
             }
             let finding = RULE.in_layer(layer, path, format!("`{name}` {fault}"));
-            out.push(finding.help("rename it, and what refers to it, with plain letters"));
+            out.push(finding.help("rename it with plain letters, and update what refers to it"));
         }
     }
 }
@@ -59,16 +60,16 @@ fn named_in_another_form<'a>(view: &View<'a>) -> Vec<&'a str> {
 /// What is wrong with a name, if anything.
 fn fault(name: &str) -> Option<String> {
     if name.contains(char::REPLACEMENT_CHARACTER) {
-        return Some("is no Unicode".to_owned());
+        return Some("is not valid Unicode".to_owned());
     }
     if name.chars().any(char::is_control) {
-        return Some("holds a control character".to_owned());
+        return Some("contains a control character".to_owned());
     }
     if let Some(character) = name.chars().find(|character| FORBIDDEN.contains(character)) {
-        return Some(format!("holds `{character}`, which Windows does not allow"));
+        return Some(format!("contains `{character}`, which Windows does not allow"));
     }
     if name.ends_with(['.', ' ']) {
-        return Some("ends in a point or blank, which Windows removes".to_owned());
+        return Some("ends with a dot or space, which Windows removes".to_owned());
     }
     if is_reserved(name) {
         return Some("is a reserved name on Windows".to_owned());

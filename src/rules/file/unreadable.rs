@@ -10,23 +10,24 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "cannot open it either: what is in it is missing, or the program stops at start",
+            "cannot open it either, so its content is missing or the program crashes at start",
         )],
-        docs: "The file is there, but nobody can read it: the link points to nothing, the permissions forbid it, the disk reports \
-            an error, or it is a pipe or a device.\n\nMakeHuman 2 treats an unreadable JSON as missing and stops at start when it cannot open a target or the \
-            base mesh.\n\nMend the link or the permissions, or put a file in its place.",
+        docs: "The file exists but cannot be read: a link points to nothing, the permissions forbid it, the disk \
+            reports an error, or it is a pipe or a device.\n\nMakeHuman 2 treats an unreadable JSON as missing, and \
+            crashes at start if it cannot open a target or the base mesh.\n\nFix the link or the permissions, or \
+            replace the file.",
         ..RuleInfo::new("file-unreadable", Level::Error, "a file or folder that cannot be opened or read")
     },
     check: Check::Repository(run),
 };
 
 /// What is said of a file on which a reader of ours panicked.
-const FAILED: &str = "cannot be read: mhlint itself failed on this file; please report it with the file";
+const FAILED: &str = "cannot be read: mhlint failed on this file; please report it with the file";
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers().checked;
     let finding = |rel: &str, damage: Damage, message: String| {
-        let help = "mend the link or the permissions, or put a file in its place";
+        let help = "fix the link or the permissions, or replace the file";
         let finding = RULE.in_layer(layer, rel, message).help(help);
         consequence(view, rel, damage).map(|loss| loss.of(view, finding))
     };

@@ -12,11 +12,12 @@ use crate::repo::{FileFacts, Reference, ReferenceKind, Resolution};
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(Application::Makehuman2, "never opens it")],
-        docs: "Nothing in the repository refers to the file, and no loader looks for its name. It does no harm, but it is often the sign of a \
-            slip: an icon whose slider is called differently, a target packed as `.target.gz` (MakeHuman 2 reads plain targets only), an \
-            extension in capitals, a backup copy.\n\nLooked at are the icons of targets and the folders `target`, `contarget`, \
-            `rigs` and `base` of each base mesh; notes and licences are left alone. Targets and weights have rules of their \
-            own.\n\nGive the file the name that is looked for, refer to it, or remove it.",
+        docs: "Nothing in the repository refers to the file, and no loader opens a file with its name. It does no \
+            harm, but is often the sign of a mistake: an icon whose slider has a different name, a target packed as \
+            `.target.gz` (MakeHuman 2 reads only plain targets), an extension in capitals, a backup copy.\n\nThe \
+            rule checks the icons of targets and the folders `target`, `contarget`, `rigs` and `base` of each base \
+            mesh. Notes and licences are left out. Targets and weights have their own rules.\n\nRename the file, \
+            refer to it, or remove it.",
         ..RuleInfo::new("file-unreferenced", Level::Info, "a file that nothing refers to and no loader opens")
     },
     check: Check::Makehuman2(run),
@@ -27,7 +28,7 @@ const FOLDERS: [&str; 4] = ["target", "contarget", "rigs", "base"];
 
 /// Of the user's targets every one that is called so becomes a slider.
 const NO_SLIDER: Case =
-    &[(Application::Makehuman2, Level::Warning, "makes no slider of it: the extension has to be `.target`")];
+    &[(Application::Makehuman2, Level::Warning, "makes no slider for it: the extension must be `.target`")];
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let references = References::of(view, base);
@@ -51,12 +52,12 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
             ),
             [first, .., last] => {
                 let (count, first, last) = (files.len(), first.file_name(), last.file_name());
-                let message = format!("{count} files here (`{first}` to `{last}`) are not used: {}", reason.1);
+                let message = format!("{count} files here are not used (`{first}` to `{last}`): {}", reason.1);
                 RULE.in_layer(view.layers.checked, folder, message)
             }
             [] => continue,
         };
-        let help = "give it the name that is looked for, refer to it, or remove it";
+        let help = "rename it, refer to it, or remove it";
         let asset = view.layers.checked.display(folder);
         let is_lost = reason.0.ends_with(".target") && base.user_targets.is_some() && folder.starts_with("target/");
         let finding = if is_lost { finding.case(NO_SLIDER) } else { finding };
@@ -106,7 +107,7 @@ fn reason(base: &Base<'_>, file: &FileFacts, references: &References<'_>) -> Opt
         let idle = icons::is_store(layer, base, file) && !references.used_icons.contains(&file.rel);
         let icons = &references.icons;
         let idle = idle && !icons.is_misspelt(name) && !icons.is_of_unused_target(file.stem());
-        return idle.then(|| ("icon".to_owned(), "no slider has this icon".to_owned()));
+        return idle.then(|| ("icon".to_owned(), "no slider uses this icon".to_owned()));
     }
     // `file-case-mismatch` names a file that takes the place of one that is needed.
     if (layout.misnamed)(&file.rel, &|rel| layer.file(rel).is_some()).is_some()
@@ -118,15 +119,12 @@ fn reason(base: &Base<'_>, file: &FileFacts, references: &References<'_>) -> Opt
         return None;
     }
     Some(match (file.kind, name.to_lowercase()) {
-        (Kind::PackedTarget, _) => {
-            ("packed".to_owned(), "MakeHuman 2 reads no packed targets, only `.target`".to_owned())
+        (Kind::PackedTarget, _) => ("packed".to_owned(), "MakeHuman 2 reads only plain `.target` files".to_owned()),
+        (_, lower) if lower != name && (layout.opens)(&format!("{}{lower}", folder_of(&file.rel))) => {
+            (format!("capitals {lower}"), format!("names are case-sensitive, expected `{lower}`"))
         }
-        (_, lower) if lower != name && (layout.opens)(&format!("{}{lower}", folder_of(&file.rel))) => (
-            format!("capitals {lower}"),
-            format!("extensions and names count with their capitals, `{lower}` is looked for"),
-        ),
-        (Kind::Image, _) => ("picture".to_owned(), "icons are looked for in `icons/` of the target folder".to_owned()),
-        _ => ("name".to_owned(), "no loader opens a file of this name here".to_owned()),
+        (Kind::Image, _) => ("picture".to_owned(), "icons must be in `icons/` of the target folder".to_owned()),
+        _ => ("name".to_owned(), "no loader opens a file with this name here".to_owned()),
     })
 }
 

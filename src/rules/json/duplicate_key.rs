@@ -10,12 +10,12 @@ use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "takes the last value and forgets the others without a word")],
-        docs: "The same key twice in one object is allowed by the grammar of JSON, but only one value can be kept. Python \
-            keeps the last, so what stands before it is lost: a slider, a bone, a macro component.\n\nMostly an entry was \
-            copied and its key not changed. Give one of the two another key, or remove the one that is not meant. If both \
-            values are the same nothing is lost, which makes it an info.",
-        ..RuleInfo::new("json-duplicate-key", Level::Warning, "a key occurs twice in an object")
+        breaks: &[(Application::Makehuman2, "silently keeps only the last value")],
+        docs: "JSON allows the same key twice in one object, but Python keeps only the last value. Whatever stood \
+            under the key before is lost: a slider, a bone, a macro component.\n\nMostly an entry was copied and its \
+            key not changed. Give one of the two another key, or remove the wrong one. If both values are equal \
+            nothing is lost, and the finding is an info.",
+        ..RuleInfo::new("json-duplicate-key", Level::Warning, "a key that appears more than once in an object")
     },
     check: Check::File(run),
 };
@@ -26,7 +26,7 @@ fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         by_member.entry(&duplicate.pointer).or_default().push(duplicate);
     }
     out.extend(by_member.into_iter().filter_map(|(pointer, all)| finding(file, pointer, &all)));
-    out.extend(left_out(&RULE, file, file.json.duplicates_left_out, "keys that occur twice"));
+    out.extend(left_out(&RULE, file, file.json.duplicates_left_out, "duplicate key"));
 }
 
 /// One finding for a key, however often it occurs: at the first one that is lost, with the one that wins.
@@ -35,14 +35,14 @@ fn finding(file: &FileFacts, pointer: &str, all: &[&Duplicate]) -> Option<Findin
     let key = steps(pointer).last().unwrap_or_default();
     let equal = all.iter().all(|duplicate| duplicate.equal);
     let times = if all.len() == 1 { "twice".to_owned() } else { format!("{} times", all.len() + 1) };
-    let loss = if equal { "with the same value" } else { "only the last value counts" };
-    let finding = RULE.at(file, Place::Span(first.lost.clone()), format!("key `{key}` occurs {times}; {loss}"));
+    let loss = if equal { " with the same value" } else { "; only the last value counts" };
+    let finding = RULE.at(file, Place::Span(first.lost.clone()), format!("key `{key}` appears {times}{loss}"));
     let related = Place::Span(last.kept.clone());
     let finding = if equal { finding.at_most(Level::Info) } else { finding };
     Some(
         finding
             .key(structural(pointer))
-            .help(if equal { "remove one of them" } else { "give one of them another key, or remove it" })
-            .related(file.path.clone(), related, format!("this `{key}` wins")),
+            .help(if equal { "keep one of them" } else { "rename or remove all but one" })
+            .related(file.path.clone(), related, format!("this `{key}` is used")),
     )
 }

@@ -16,14 +16,14 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "takes the value unchecked and fails where it is used, mostly with a TypeError or KeyError at start",
+            "does not check the value and crashes where it uses it, mostly with `TypeError` or `KeyError` at start",
         )],
-        docs: "Each format has a JSON Schema that says which keys an object needs and what their values are; `mhlint schema \
-            NAME` prints it, and editors can complete and check by it.\n\nMakeHuman 2 checks almost nothing when it reads a \
-            JSON. A text in place of a number, or a missing key, becomes an exception wherever the value is used first, \
-            often at start. In a few places the entry is skipped without a word instead; that is a warning.\n\nWrite the \
-            value as the schema wants it.",
-        ..RuleInfo::new("json-schema", Level::Error, "a value does not fit the schema of its format")
+        docs: "Each format has a JSON Schema that says which keys an object needs and what their values are. `mhlint \
+            schema NAME` prints it, and editors can use it for completion and checks.\n\nMakeHuman 2 checks almost \
+            nothing when it reads a JSON. A string instead of a number, or a missing key, crashes it wherever the \
+            value is used first, often at start. In a few places it silently skips the entry instead; that is a \
+            warning.\n\nWrite the value as the schema requires.",
+        ..RuleInfo::new("json-schema", Level::Error, "a value that does not match the schema of its format")
     },
     check: Check::File(run),
 };
@@ -38,7 +38,7 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
         by_keyword.entry((&fault.keyword, lack(fault))).or_default().push(fault);
     }
     out.extend(by_keyword.into_iter().filter_map(|((keyword, lack), all)| finding(view, file, keyword, lack, &all)));
-    out.extend(left_out(&RULE, file, file.schema.faults_left_out, "values that do not fit the schema"));
+    out.extend(left_out(&RULE, file, file.schema.faults_left_out, "schema error"));
 }
 
 /// One finding for all values that fail in the same way.
@@ -52,7 +52,7 @@ fn finding(
     let first = all.first()?;
     let message = match all.len() {
         1 => sentence(first),
-        count => format!("{} ({count} values like it)", sentence(first)),
+        count => format!("{} ({count} such values)", sentence(first)),
     };
     let mut finding = RULE.at(file, Place::Pointer(first.pointer.clone()), message);
     finding = finding.key(format!("{keyword}{}", lack.unwrap_or_default())).help(help(file, first));
@@ -77,7 +77,7 @@ fn help(file: &FileFacts, fault: &SchemaFault) -> String {
             && missing.is_some_and(|missing| stands_for(unknown, missing))
     };
     if let Some((meant, missing)) = file.schema.unknown.iter().find(is_meant).zip(missing) {
-        return format!("is `{}` meant to be `{missing}`?", meant.key);
+        return format!("did you mean `{missing}` instead of `{}`?", meant.key);
     }
-    fault.description.clone().unwrap_or_else(|| "`mhlint schema` shows what the format wants".to_owned())
+    fault.description.clone().unwrap_or_else(|| "run `mhlint schema` to see what the format allows".to_owned())
 }

@@ -1,5 +1,6 @@
 //! A schema fault in plain words.
 
+use super::super::counted;
 use crate::diag::steps;
 use crate::json::{Bound, Found, Misfit, SchemaFault, Shape};
 
@@ -8,35 +9,39 @@ pub(super) fn sentence(fault: &SchemaFault) -> String {
     format!("{} {}", subject(&fault.pointer), predicate(fault))
 }
 
-/// What a value has none of, where that is the fault: part of the key of a finding.
+/// What a value has none of, where that is the fault: part of the key of a finding, which baselines hold. So these
+/// words stay as they are, whatever a message says.
 pub(super) fn lack(fault: &SchemaFault) -> Option<String> {
     match &fault.fault {
         Misfit::Missing { key, and_more } => {
             let more = if *and_more { ", nor anything else" } else { "" };
             Some(format!("`{key}`{}{more}", others(fault)))
         }
-        Misfit::Length { found: 0, bound } => Some(format!("element; {}{}", length(bound), others(fault))),
+        Misfit::Length { found: 0, bound } => {
+            let limit = match bound {
+                Bound::Least(limit) => format!("at least {limit} are wanted"),
+                Bound::Most(limit) => format!("at most {limit} are allowed"),
+            };
+            Some(format!("element; {limit}{}", others(fault)))
+        }
         _ => None,
     }
 }
 
 fn predicate(fault: &SchemaFault) -> String {
-    if let Some(lack) = lack(fault) {
-        return format!("has no {lack}");
-    }
     let is = fault.found().map(found).unwrap_or_default();
     let says = match &fault.fault {
-        Misfit::Missing { key, .. } => format!("has no `{key}`"),
+        Misfit::Missing { key, and_more: true } => format!("is empty, expected at least `{key}`"),
+        Misfit::Missing { key, and_more: false } => format!("has no `{key}`"),
         Misfit::Type { wanted, .. } => {
-            format!("is {is}; {} is wanted", wanted.iter().copied().map(shape).collect::<Vec<_>>().join(" or "))
+            format!("is {is}, expected {}", wanted.iter().copied().map(shape).collect::<Vec<_>>().join(" or "))
         }
-        Misfit::Pattern { form, .. } => format!("is {is}; {} is wanted", form.as_deref().unwrap_or("another form")),
-        Misfit::Enum { allowed, .. } => format!("is {is}; allowed: {}", allowed.join(", ")),
-        Misfit::Length { found: 1, bound } => format!("has 1 element; {}", length(bound)),
-        Misfit::Length { found, bound } => format!("has {found} elements; {}", length(bound)),
-        Misfit::Range { bound: Bound::Least(limit), .. } => format!("is {is}; at least {limit} is wanted"),
-        Misfit::Range { bound: Bound::Most(limit), .. } => format!("is {is}; at most {limit} is allowed"),
-        Misfit::Other(text) => format!("does not fit its format: {text}"),
+        Misfit::Pattern { form, .. } => format!("is {is}, expected {}", form.as_deref().unwrap_or("another form")),
+        Misfit::Enum { allowed, .. } => format!("is {is}, expected {}", allowed.join(" or ")),
+        Misfit::Length { found: 0, bound } => format!("has no elements, expected {}", limit(bound)),
+        Misfit::Length { found, bound } => format!("has {}, expected {}", counted(found, "element"), limit(bound)),
+        Misfit::Range { bound, .. } => format!("is {is}, expected {}", limit(bound)),
+        Misfit::Other(text) => format!("does not match its format: {text}"),
     };
     says + &others(fault)
 }
@@ -49,10 +54,10 @@ fn others(fault: &SchemaFault) -> String {
     }
 }
 
-fn length(bound: &Bound) -> String {
+fn limit(bound: &Bound) -> String {
     match bound {
-        Bound::Least(limit) => format!("at least {limit} are wanted"),
-        Bound::Most(limit) => format!("at most {limit} are allowed"),
+        Bound::Least(limit) => format!("at least {limit}"),
+        Bound::Most(limit) => format!("at most {limit}"),
     }
 }
 
@@ -62,7 +67,7 @@ fn shape(shape: Shape) -> &'static str {
         Shape::Bool => "true or false",
         Shape::Integer => "a whole number",
         Shape::Number => "a number",
-        Shape::Text => "a text",
+        Shape::Text => "a string",
         Shape::List => "a list",
         Shape::Object => "an object",
     }
@@ -73,9 +78,9 @@ fn found(found: &Found) -> String {
         Found::Null => "null".to_owned(),
         Found::Bool(value) => format!("`{value}`"),
         Found::Number(number) => format!("the number {number}"),
-        Found::Text(None) => "a long text".to_owned(),
-        Found::Text(Some(text)) if text.is_empty() => "an empty text".to_owned(),
-        Found::Text(Some(text)) => format!("the text `{text}`"),
+        Found::Text(None) => "a long string".to_owned(),
+        Found::Text(Some(text)) if text.is_empty() => "an empty string".to_owned(),
+        Found::Text(Some(text)) => format!("the string `{text}`"),
         Found::List { is_empty: true } => "an empty list".to_owned(),
         Found::List { is_empty: false } => "a list".to_owned(),
         Found::Object => "an object".to_owned(),
@@ -114,24 +119,25 @@ mod tests {
             (
                 "modelling",
                 r#"{"Age": {"default": "half"}}"#,
-                "`default` of `Age` is the text `half`; a number is wanted",
+                "`default` of `Age` is the string `half`, expected a number",
             ),
             (
                 "modelling",
                 r#"{"Age": {"measure": [1, 2.5]}}"#,
-                "`measure[1]` of `Age` is the number 2.5; a whole number is wanted",
+                "`measure[1]` of `Age` is the number 2.5, expected a whole number",
             ),
-            ("macro", "[1]", "the file is a list; an object is wanted"),
-            ("modelling", r#"{"Age": {"rsym": 1}}"#, "`rsym` of `Age` is the number 1; a text or null is wanted"),
+            ("macro", "[1]", "the file is a list, expected an object"),
+            ("modelling", r#"{"Age": {"rsym": 1}}"#, "`rsym` of `Age` is the number 1, expected a string or null"),
             (
                 "base",
                 r#"{"modifier-presets": {"a/b": "much"}}"#,
-                "`a/b` of `modifier-presets` is the text `much`; number as text is wanted (1 other form is allowed)",
+                "`a/b` of `modifier-presets` is the string `much`, expected a number as a string \
+                 (1 other form is allowed)",
             ),
             (
                 "base",
                 r#"{"modifier-presets": {"a": []}}"#,
-                "`a` of `modifier-presets` is an empty list; a number or a text is wanted",
+                "`a` of `modifier-presets` is an empty list, expected a number or a string",
             ),
         ];
         for (name, text, words) in cases {
@@ -145,8 +151,8 @@ mod tests {
         assert_eq!(said("macro", text), "`targets[0]` of `macrodef[0]` has no `t`");
         assert_eq!(said("macro", r#"{"macrodef": [{"comp": []}]}"#), "the file has no `components`");
         let empty = r#"{"components": {"a": {}}, "macrodef": []}"#;
-        assert_eq!(said("macro", empty), "`a` of `components` has no `pattern`, nor anything else");
+        assert_eq!(said("macro", empty), "`a` of `components` is empty, expected at least `pattern`");
         let short = r#"{"joint-ranges": {"a": []}}"#;
-        assert!(said("geometry", short).contains("`a` of `joint-ranges` has no element; at least 3 are wanted"));
+        assert!(said("geometry", short).contains("`a` of `joint-ranges` has no elements, expected at least 3"));
     }
 }

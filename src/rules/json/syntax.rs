@@ -12,16 +12,17 @@ use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "treats the file as absent, or stops at start if it is an asset")],
-        docs: "JSON is strict: keys and texts in double quotes, a comma between two members and none after the last, no \
-            comments, no text after the end.\n\nPython, which all applications are written in, is as strict, with one \
-            exception: it reads `NaN`, `Infinity` and `-Infinity` as numbers, which JSON does not have and other tools \
-            refuse. Such a file loads, so that is a warning.\n\nWhat a fault costs depends on the file. MakeHuman 2 takes a \
-            broken macro.json, modelling.json or target_cat.json for absent, with no more than a line in its log; it does not load \
-            a base whose base.json is broken; and a broken skeleton or pose stops it at start, because it reads all \
-            assets then. A broken override in `contarget/` is the business of `overlay-broken-override`.\n\nMend the text \
-            at the place that is shown; the cause may stand just before it.",
-        ..RuleInfo::new("json-syntax", Level::Error, "a file is no JSON")
+        breaks: &[(Application::Makehuman2, "treats the file as missing, or crashes at start if it is an asset")],
+        docs: "The file is not valid JSON. JSON is strict: keys and strings in double quotes, a comma between two \
+            members and none after the last, no comments, no text after the end.\n\nPython, in which all \
+            applications are written, is just as strict, except that it reads `NaN`, `Infinity` and `-Infinity` as \
+            numbers. JSON does not have these, and other tools refuse them. Such a file loads, so that is a \
+            warning.\n\nWhat a fault costs depends on the file. MakeHuman 2 treats a broken macro.json, \
+            modelling.json or target_cat.json as missing, with only a line in its log. It does not load a base whose \
+            base.json is broken. A broken skeleton or pose crashes it at start, because it reads all assets then. \
+            Broken overrides in `contarget/` are reported by `overlay-broken-override`.\n\nFix the text at the place \
+            shown; the cause may be just before it.",
+        ..RuleInfo::new("json-syntax", Level::Error, "a file that is not valid JSON")
     },
     check: Check::File(run),
 };
@@ -33,7 +34,7 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     match &*file.content {
         Content::Broken(JsonFault::Syntax(fault)) if fault.kind != SyntaxKind::TooDeep && !is_stray(view, file) => {
             let finding = RULE
-                .at(file, Place::Span(fault.span.clone()), format!("no JSON: {fault}"))
+                .at(file, Place::Span(fault.span.clone()), format!("not valid JSON: {fault}"))
                 .parts([format!("{} {}", sort(&fault.kind), fault.within)])
                 .help(help(fault));
             out.extend(consequence(view, &file.rel, Damage::Syntax).map(|loss| loss.of(view, finding)));
@@ -69,34 +70,34 @@ const TYPOGRAPHIC: [char; 10] = [
 
 fn help(fault: &SyntaxFault) -> &'static str {
     match &fault.kind {
-        SyntaxKind::TrailingComma => "remove the comma; Python refuses it, too",
-        SyntaxKind::Comment => "remove the comment (a key `comment` is a place for it); Python refuses it, too",
+        SyntaxKind::TrailingComma => "remove the comma",
+        SyntaxKind::Comment => "remove the comment; notes can go under a key `comment`",
         SyntaxKind::Conflict => {
-            "keep one side, or what is needed of both, and remove the lines `<<<<<<<`, `=======` and `>>>>>>>`"
+            "keep one version or combine both, and remove the lines `<<<<<<<`, `=======` and `>>>>>>>`"
         }
-        SyntaxKind::CutText => "the file seems to be cut off: restore it, or close the text and all brackets",
+        SyntaxKind::CutText => "restore the file, which seems to be cut off, or close the string and all brackets",
         SyntaxKind::BadString("does not end on its line") => {
-            "close the text with `\"`; a line break in it is written `\\n`"
+            "close the string with `\"`; write a line break in it as `\\n`"
         }
         SyntaxKind::BadString(_) => "write control characters and backslashes as escapes: `\\n`, `\\t`, `\\\\`",
-        SyntaxKind::UnexpectedEnd(_) => "the file is cut off (restore it), or a bracket is not closed",
-        SyntaxKind::TrailingText => "remove what follows, or a bracket was closed too early",
+        SyntaxKind::UnexpectedEnd(_) => "restore the file if it is cut off, or close the open bracket",
+        SyntaxKind::TrailingText => "remove what follows, or the bracket that closes too early",
         SyntaxKind::Expected { found, .. } if fault.span.start == 0 && found.starts_with('<') => {
-            "this is a web page in place of the file: download the file itself"
+            "download the file itself: this is a web page"
         }
         SyntaxKind::Expected { .. } if fault.span.start == 0 => {
-            "this is another kind of file: put the JSON in its place"
+            "replace it with the JSON file: this is another kind of file"
         }
         SyntaxKind::Expected { .. } if fault.invisible().is_some() => {
-            "remove it, and others like it: outside of texts JSON has blanks, tabs and line ends only"
+            "remove all such characters: outside strings, JSON allows only spaces, tabs and line breaks"
         }
-        SyntaxKind::Expected { found, .. } if found.starts_with('\'') => {
-            "use double quotes; Python refuses others, too"
-        }
+        SyntaxKind::Expected { found, .. } if found.starts_with('\'') => "use double quotes",
         SyntaxKind::Expected { found, .. } if found.starts_with(TYPOGRAPHIC) => {
-            "write straight quotes (`\"`): a word processor has bent these, and Python refuses them, too"
+            "replace the curly quotes by straight ones (`\"`)"
         }
-        SyntaxKind::Expected { .. } | SyntaxKind::TooDeep => "look for a missing comma, quote or bracket just before",
+        SyntaxKind::Expected { .. } | SyntaxKind::TooDeep => {
+            "add the missing comma, quote or bracket, which may belong just before this place"
+        }
     }
 }
 
@@ -105,14 +106,14 @@ fn special_numbers(view: &View<'_>, file: &FileFacts) -> Option<Finding> {
     let first = specials.first()?;
     let consequence = of_special(view, file)?;
     let message = match specials.len() {
-        1 => "a number that JSON does not have (`NaN` or `Infinity`)".to_owned(),
-        count => format!("{count} numbers that JSON does not have (`NaN` or `Infinity`)"),
+        1 => "a number is `NaN` or `Infinity`, which JSON does not allow".to_owned(),
+        count => format!("{count} numbers are `NaN` or `Infinity`, which JSON does not allow"),
     };
     let evidence = Evidence::of_unnamed(specials.iter().map(|span| format!("byte {}", span.start)));
     let finding = RULE
         .at(file, Place::Span(first.clone()), message)
         .key("special numbers")
-        .help("write a finite number; Python accepts this one, JSON does not")
+        .help("write a finite number")
         .evidence(evidence);
     Some(consequence.of(view, finding))
 }

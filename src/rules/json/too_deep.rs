@@ -12,13 +12,13 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "stops with a RecursionError: the nesting passes Python's limit of about 1000 levels",
+            "crashes with `RecursionError` if the nesting exceeds Python's limit of about 1000 levels",
         )],
-        docs: "No format of the family nests deeper than a handful of levels. A file that goes beyond 990 was not made for \
-            any of them: it is damaged, or meant to bring a reader down.\n\n`mhlint` stops reading there, so nothing else \
-            can be said about the file. Python's reader gives up at about 1000 levels with an exception that MakeHuman 2 \
-            does not expect.\n\nReplace the file.",
-        ..RuleInfo::new("json-too-deep", Level::Error, "a JSON is nested beyond the limit")
+        docs: "The file is nested deeper than 990 levels. No MakeHuman format needs more than ten: the file is \
+            damaged, or made to crash its readers.\n\n`mhlint` stops reading there, so nothing else is reported for \
+            the file. Python's reader gives up at about 1000 levels with an exception that crashes MakeHuman \
+            2.\n\nReplace the file.",
+        ..RuleInfo::new("json-too-deep", Level::Error, "a JSON that is nested too deeply")
     },
     check: Check::File(run),
 };
@@ -27,7 +27,7 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     let Content::Broken(JsonFault::Syntax(fault)) = &*file.content else { return };
     if fault.kind == SyntaxKind::TooDeep {
         let finding = RULE.at(file, Place::Span(fault.span.clone()), fault.to_string());
-        let finding = finding.help("no format needs more than ten levels; replace the file");
+        let finding = finding.help("replace the file; no format needs more than ten levels");
         out.extend(consequence(view, &file.rel, Damage::TooDeep).map(|loss| loss.of(view, finding)));
     }
 }

@@ -14,26 +14,27 @@ use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "ignores the key without a word")],
-        docs: "Every loader takes the keys it knows and leaves the others, so a misspelt key is as good as none: the slider \
-            has no partner, the bone no parent. In the files of the sliders and of the base a key that is nearly a known one \
-            is a warning, and so is a misspelt `rotation_plane` of a bone, which then rolls otherwise. Where the known key is one that must be there, the finding on the missing key names the misspelt \
-            one, and nothing is said here.\n\nThe usual trap is `sym`: sliders have `rsym` on the left side (it names \
-            the right partner) and `lsym` on the right side.\n\nCorrect the key, or remove it. Notes are welcome under \
-            `comment` or `description`.",
+        breaks: &[(Application::Makehuman2, "silently ignores the key")],
+        docs: "No application reads this key. Every loader takes the keys it knows and ignores the others, so a \
+            misspelt key has no effect: the slider has no partner, the bone no parent.\n\nIn the files of the \
+            sliders and of the base, a key that is nearly a known one is a warning. So is a misspelt \
+            `rotation_plane` of a bone, which then rolls differently. If the known key is required, the finding on \
+            the missing key names the misspelt one instead.\n\nA common mistake is `sym`: sliders on the left side \
+            have `rsym`, which names the right partner, and sliders on the right side have `lsym`.\n\nCorrect the \
+            key, or remove it. Notes can go under `comment` or `description`.",
         ..RuleInfo::new("json-unknown-key", Level::Info, "a key that no application reads")
     },
     check: Check::File(run),
 };
 
 /// Something slipped inside another thing of its kind.
-const NESTED: Case = &[(Application::Makehuman2, Level::Warning, "ignores all that is in it, without a word")];
+const NESTED: Case = &[(Application::Makehuman2, Level::Warning, "silently ignores everything in it")];
 
 /// Whoever has no plane takes the vertical, which changes the rest pose (formats/makehuman2.md §10.1).
 const NO_PLANE: Case = &[(
     Application::Makehuman2,
     Level::Warning,
-    "ignores the key: the bones have no plane and roll as if the vertical were its normal",
+    "ignores the key: the bones have no plane, so the vertical decides their roll",
 )];
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -46,7 +47,7 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
         by_key.entry((&unknown.key, unknown.object.as_deref())).or_default().push(unknown);
     }
     out.extend(by_key.into_values().filter_map(|all| finding(view, file, &all)));
-    out.extend(left_out(&RULE, file, file.schema.unknown_left_out, "keys that no application reads"));
+    out.extend(left_out(&RULE, file, file.schema.unknown_left_out, "unknown key"));
 }
 
 /// One finding for a key, however many objects have it.
@@ -54,7 +55,8 @@ fn finding(view: &View<'_>, file: &FileFacts, all: &[&UnknownKey]) -> Option<Fin
     let first = all.first()?;
     let owner = first.object.as_deref().map(|object| format!(" of a {}", object.to_lowercase())).unwrap_or_default();
     let times = if all.len() == 1 { String::new() } else { format!(" ({} times)", all.len()) };
-    let message = format!("no application reads the key `{}`{owner}{times}", first.key);
+    let kind = first.object.as_deref().map(|object| format!("{} ", object.to_lowercase())).unwrap_or_default();
+    let message = format!("unknown {kind}key `{}`{times}", first.key);
     let mut finding = RULE
         .at(file, Place::Key(first.pointer.clone()), message)
         .key(format!("{}{owner}", first.key))
@@ -66,10 +68,10 @@ fn finding(view: &View<'_>, file: &FileFacts, all: &[&UnknownKey]) -> Option<Fin
     } else if let Some(loss) = of_misspelt(view, file, first) {
         finding = loss.of(view, finding);
     } else if let Some(noun) = nested(file, first) {
-        finding = finding.case(NESTED).help(format!("a {noun} inside another one? Move it one level up"));
+        finding = finding.case(NESTED).help(format!("move it one level up if it is a {noun} of its own"));
     }
     for other in all.iter().skip(1).take(EXAMPLES - 1) {
-        finding = finding.related(file.path.clone(), Place::Key(other.pointer.clone()), "here, too");
+        finding = finding.related(file.path.clone(), Place::Key(other.pointer.clone()), "also here");
     }
     Some(finding)
 }

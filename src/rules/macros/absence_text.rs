@@ -1,5 +1,6 @@
 //! What is said of absent combinations.
 
+use super::super::counted;
 use super::absence::Absence;
 use super::survey::Survey;
 
@@ -23,23 +24,19 @@ pub(super) fn message(absence: &Absence, total: usize, survey: &Survey<'_>, kind
     let (first, size) = absence.patterns.first()?;
     let shown = shown(absence);
     Some(match (kind, *size, count) {
-        (Kind::Hole, 1, 1) => format!("`{first}` is not listed, a hole in a block that is listed otherwise"),
+        (Kind::Hole, 1, 1) => format!("combination `{first}` is missing"),
         (Kind::Hole, ..) if survey.listed == 0 => {
-            let files = survey.files.len();
-            format!(
-                "none of the {total} combinations is listed, but the folder holds {files} targets that nothing uses"
-            )
+            let files = counted(survey.files.len(), "unused target");
+            format!("none of the {total} combinations is listed, but the folder has {files}")
         }
         (Kind::Hole, ..) => {
-            format!("{count} of {total} combinations are holes in a block that is listed otherwise: {shown}")
+            format!("{count} of {total} combinations are missing: {shown}")
         }
         (Kind::System, 1, 1) => {
-            format!(
-                "`{first}` is not listed, a hole without effect: the state is neutral, or all its siblings are null"
-            )
+            format!("`{first}` is not listed, without harm: it is neutral, or all its siblings are `null`")
         }
         (Kind::System, ..) => format!("{count} of {total} combinations are left out systematically: {shown}"),
-        (Kind::Sparse, ..) => format!("{count} of {total} combinations are left out, more than are listed: {shown}"),
+        (Kind::Sparse, ..) => format!("{count} of {total} combinations are missing, more than are listed: {shown}"),
     })
 }
 
@@ -53,5 +50,5 @@ fn shown(absence: &Absence) -> String {
     if absence.patterns.len() <= SHOWN {
         return shown;
     }
-    format!("{shown} and {} patterns more", absence.patterns.len() - SHOWN)
+    format!("{shown} and {}", counted(absence.patterns.len() - SHOWN, "more pattern"))
 }

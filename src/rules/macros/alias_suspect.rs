@@ -9,16 +9,16 @@ use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "applies the target of another value for this combination")],
-        docs: "Several combinations may share a target, and then `t` does not spell all of their values. But when \
-            `t` spells *another* value of a component than the name does, and a file that spells the right one \
-            lies in the same folder and is used by nobody, the entry was probably copied and not \
-            finished.\n\nMakeHuman 2 applies what `t` says; the shape of this combination is that of \
-            another.\n\nLet `t` name the file that fits.",
+        breaks: &[(Application::Makehuman2, "applies the target of a different value to this combination")],
+        docs: "`t` spells a different value of a component than `name`, and an unused file in the same folder spells \
+            the right one. The entry was probably copied and not finished. Combinations may share a target, so `t` \
+            need not spell all values of the name; a `t` that only leaves values out is not reported.\n\nMakeHuman 2 \
+            applies the file that `t` names: the combination has the shape of another value.\n\nName the file that \
+            fits in `t`.",
         ..RuleInfo::new(
             "macro-alias-suspect",
             Level::Warning,
-            "`t` spells another value than `name` while a better fitting file lies unused beside it",
+            "`t` spells a different value than `name`, and a file that fits better is unused",
         )
     },
     check: Check::Makehuman2(run),
@@ -44,23 +44,24 @@ fn crowd(file: &FileFacts, first: &Suspect<'_>, others: &[&Suspect<'_>]) -> Find
     let (text, name) = (first.link.reference.text, &first.link.link.name);
     let names = || std::iter::once(name).chain(others.iter().map(|suspect| &suspect.link.link.name));
     let count = names().count();
-    let message = format!("{count} combinations name `{text}`, which spells other values than theirs, `{name}` first");
+    let more = others.len();
+    let message = format!("{count} combinations use `{text}`, which spells different values: `{name}` and {more} more");
     RULE.at(file, first.link.place(), message)
         .key(format!("all {text}"))
         .confidence(Confidence::Medium)
-        .help("was `t` of one entry copied to the others? Name the file of each combination")
-        .related(&first.better.path, Place::File, "fits better and is used by nothing")
+        .help("name the file of each combination in `t`; the `t` of one entry was probably copied to the others")
+        .related(&first.better.path, Place::File, "unused file that fits better")
         .evidence(Evidence::of_cases(names()))
 }
 
 fn single(file: &FileFacts, suspect: &Suspect<'_>) -> Finding {
     let (spelt, meant) = suspect.values;
     let name = &suspect.link.link.name;
-    let message = format!("`{name}` names `{}`: `{spelt}` where it means `{meant}`", suspect.link.reference.text);
+    let message = format!("`{name}` uses `{}`: `{spelt}` instead of `{meant}`", suspect.link.reference.text);
     let finding = RULE.at(file, suspect.link.place(), message).key(name).confidence(Confidence::Medium);
     finding.help(format!("did you mean `{}`?", suspect.better.stem())).related(
         &suspect.better.path,
         Place::File,
-        "fits better and is used by nothing",
+        "unused file that fits better",
     )
 }

@@ -11,21 +11,23 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "applies the target of an ambiguous name for every combination that spells it",
+            "applies the target of an ambiguous name to every combination with that name",
         )],
-        docs: "The name of a combination is its values joined by `-`. A value that holds a dash itself makes such a \
-            name hard to read, and possibly the name of two combinations: `a` + `b-c` and `a-b` + \
-            `c`.\n\nMakeHuman 2 compares whole names only. As long as every name has one meaning nothing happens \
-            (info); a name with two meanings is applied for both (warning).\n\nUse another character inside the \
-            names of values.",
+        docs: "The name of a combination is its values joined by `-`. A value that contains a dash makes the names \
+            hard to read, and two combinations can have the same name: `a` + `b-c` and `a-b` + `c`.\n\nMakeHuman 2 \
+            only compares whole names. While every listed name has one meaning, nothing goes wrong (an info). The \
+            target of a name with two meanings is applied to both combinations (a warning).\n\nUse another character \
+            inside values.",
         ..RuleInfo::new(
             "macro-ambiguous-value",
             Level::Warning,
-            "a value holds a dash, or two combinations spell the same name",
+            "a value contains a dash, or two combinations have the same name",
         )
     },
     check: Check::Makehuman2(run),
 };
+
+const HELP: &str = "rename the value without `-`, in the component and in the names that contain it";
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };
@@ -36,20 +38,21 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let Some(first) = ambiguous.first() else { continue };
         explained.extend(space.axes.iter().map(|axis| axis.name.as_str()));
         let message = match ambiguous.len() {
-            1 => format!("`{}` is the name of several combinations", first.name),
-            count => format!("{count} names stand for several combinations each, `{}` for one", first.name),
+            1 => format!("`{}` is the name of more than one combination", first.name),
+            count => format!("{count} names stand for more than one combination each, such as `{}`", first.name),
         };
         let finding = RULE.at(file, Place::Pointer(macrodef.link_pointer(first, "name")), message);
         let evidence = Evidence::of_cases(ambiguous.iter().map(|link| &link.name)).out_of(macrodef.links.len());
-        out.push(finding.key(macrodef.components.join("-")).help("name the values without `-`").evidence(evidence));
+        out.push(finding.key(macrodef.components.join("-")).help(HELP).evidence(evidence));
     }
     for component in sound_components(file, macros).filter(|component| !explained.contains(component.name.as_str())) {
         let Some((at, value)) = component.values.iter().enumerate().find(|(_, value)| value.contains('-')) else {
             continue;
         };
-        let message = format!("value `{value}` of `{}` holds a dash, which separates values in names", component.name);
+        let message =
+            format!("value `{value}` of `{}` contains a dash, which separates values in names", component.name);
         let place = Place::pointer(["components", &component.name, "values", &at.to_string()]);
         let finding = RULE.at(file, place, message).key(&component.name).level(Level::Info);
-        out.push(finding.effect("nothing yet: every listed name has one meaning").help("name the value without `-`"));
+        out.push(finding.effect("is not affected: every listed name still has one meaning").help(HELP));
     }
 }

@@ -11,17 +11,18 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "stops with a TypeError when an entry leads to a plain slider; another order gives the values each other's weights",
+            "crashes with `TypeError` if an entry of `sum` leads to a plain slider; in another order, values get the \
+             weights of other corners",
         )],
-        docs: "A triangle slider has three weights. `sum` names the corners for the values of a component, \
-            `barycentric` of the slider names them for the slider.\n\nMakeHuman 2 looks an entry of `sum` up by \
-            name, but then takes the weight at *its own* position in `sum`. If the order differs, the values \
-            silently get each other's weights (warning). If an entry leads to a plain slider there are no \
-            weights to choose from, and the program stops.\n\nList the corners in the same order in both files.",
+        docs: "`sum` of a component and `barycentric` of its triangle slider do not list the same corners in the same \
+            order. `sum` assigns the corners to the values of the component.\n\nMakeHuman 2 finds the slider by the \
+            name of an entry in `sum`, but takes the weight by the position of the entry. In another order, the \
+            values silently get the weights of other corners (a warning). An entry that leads to a plain slider has \
+            no weights, and MakeHuman 2 crashes (an error).\n\nList the corners in the same order in both files.",
         ..RuleInfo::new(
             "macro-barycentric-mismatch",
             Level::Error,
-            "`sum` of a component and the `barycentric` list of its slider differ",
+            "`sum` of a component and `barycentric` of its slider differ",
         )
     },
     check: Check::Makehuman2(run),
@@ -40,9 +41,9 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let (level, message, slider) = fault;
         let place = Place::pointer(["components", name, "sum", &at.to_string()]);
         let mut finding = RULE.at(file, place, format!("component `{name}`: {message}")).key(name).level(level);
-        finding = finding.help("list the corners as in `barycentric` of the slider, in the same order");
+        finding = finding.help("list the same corners in the same order as `barycentric` of the slider");
         if level == Level::Warning {
-            finding = finding.effect("takes the weights by position: values get the weights of others");
+            finding = finding.effect("takes the weights by position, so that values get the weights of other corners");
         }
         let place = Place::key([&slider.slider.key]);
         out.push(weigh(finding.related(&slider.file.path, place, "the slider"), macros, component));
@@ -58,16 +59,16 @@ fn fault<'s>(
 ) -> Option<(Level, String, &'s BoundSlider<'s>)> {
     let slider = base.slider(pattern)?;
     let Pattern::Barycentric(corners) = &slider.pattern else {
-        return Some((Level::Error, format!("`{pattern}` is a plain slider, no corner of a triangle"), slider));
+        return Some((Level::Error, format!("`{pattern}` is a plain slider, not a corner of a triangle"), slider));
     };
     let first = all.iter().find_map(|pattern| base.slider(pattern))?;
     if !std::ptr::eq(first, slider) {
-        let message = format!("`{pattern}` is a corner of another triangle slider than the entries before it");
+        let message = format!("`{pattern}` belongs to another triangle slider than the entries before it");
         return Some((Level::Warning, message, slider));
     }
     if corners.get(at).is_none_or(|corner| corner == pattern) {
         return None;
     }
     let corner = corners.get(at)?;
-    Some((Level::Warning, format!("`{pattern}` stands where the slider has `{corner}`"), slider))
+    Some((Level::Warning, format!("`{pattern}` is listed where the slider has `{corner}`"), slider))
 }

@@ -11,7 +11,7 @@ pub(super) fn weigh(finding: Finding, macros: &MacroFile, component: &Component)
     if macros.macrodefs.iter().any(|macrodef| macrodef.components.contains(&component.name)) {
         return finding;
     }
-    finding.level(Level::Info).effect("nothing yet: no macrodef uses the component")
+    finding.level(Level::Info).effect("never evaluates the component: no macrodef uses it")
 }
 
 /// The components that the schema has nothing against.

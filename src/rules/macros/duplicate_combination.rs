@@ -9,12 +9,12 @@ use std::collections::BTreeMap;
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         fix: FixKind::Unsafe,
-        breaks: &[(Application::Makehuman2, "takes the last entry; the target of the earlier one is never applied")],
-        docs: "The entries of all macrodefs become one table from names to files.\n\nMakeHuman 2 lets the last \
-            entry of a name win and says nothing. If the entries name different files, the earlier one is loaded \
-            and never used; if they are equal, the repetition is only waste (info).\n\nRemove one of the \
-            entries.",
-        ..RuleInfo::new("macro-duplicate-combination", Level::Error, "a macrodef lists a combination twice")
+        breaks: &[(Application::Makehuman2, "uses the last entry; the target of an earlier one is never applied")],
+        docs: "A macrodef lists the same combination more than once. The entries of all macrodefs form one table from \
+            names to files.\n\nMakeHuman 2 silently uses the last entry of a name. If the entries name different \
+            files, the earlier file is loaded but never used (an error). If the entries are equal, nothing goes \
+            wrong (an info).\n\nKeep one of the entries.",
+        ..RuleInfo::new("macro-duplicate-combination", Level::Error, "a macrodef lists a combination more than once")
     },
     check: Check::Makehuman2(run),
 };
@@ -37,12 +37,12 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                     format!("{} is listed {}", titles::combination(name), times(links.len())),
                 )
                 .key(name)
-                .help("remove all entries of the name but one")
-                .related(&file.path, Place::Pointer(macrodef.link_pointer(last, "name")), "this entry wins");
+                .help("keep one entry with this name, and remove the others")
+                .related(&file.path, Place::Pointer(macrodef.link_pointer(last, "name")), "this entry is used");
             if links.iter().all(|link| link.target == last.target) {
-                let effect = "nothing: the entries are equal";
+                let effect = "is not affected: the entries are equal";
                 let surplus = links.iter().skip(1);
-                let fix = surplus.fold(Fix::new(RULE.info.fix, "remove the repetition"), |fix, link| {
+                let fix = surplus.fold(Fix::new(RULE.info.fix, "remove the repeated entry"), |fix, link| {
                     fix.step(&file.path, Change::Element(macrodef.entry_pointer(link)))
                 });
                 finding = finding.level(Level::Info).effect(effect).fix(fix);

@@ -10,13 +10,13 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "takes both positions of the slider for the same combinations, so that one of the two shapes can never be had",
+            "uses the same combinations at both slider positions, so that one of the two shapes can never be reached",
         )],
-        docs: "The name of a value is the only thing that tells the combinations of one slider position from those \
-            of another.\n\nMakeHuman 2 does not check it. Two positions with one name lead to the same targets; \
-            the shape that was meant for one of them cannot be reached. Nothing stops, so this is a \
-            warning.\n\nGive every value a name of its own; the same file can still be used for several names.",
-        ..RuleInfo::new("macro-duplicate-value", Level::Warning, "a component names a value twice")
+        docs: "A component has the same value twice. Combinations are told apart only by the names of their \
+            values.\n\nMakeHuman 2 does not check this. Two slider positions with the same value use the same \
+            targets, and a shape that was meant for one of them can never be reached. Nothing crashes, so this is a \
+            warning.\n\nGive each value its own name; several names may still use the same file.",
+        ..RuleInfo::new("macro-duplicate-value", Level::Warning, "a component has a value twice")
     },
     check: Check::Makehuman2(run),
 };
@@ -28,9 +28,9 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let repeated = component.values.iter().enumerate().find(|(_, value)| !seen.insert(*value));
         let Some((at, value)) = repeated else { continue };
         let name = &component.name;
-        let message = format!("component `{name}` names the value `{value}` twice");
+        let message = format!("component `{name}` has the value `{value}` twice");
         let place = Place::pointer(["components", name, "values", &at.to_string()]);
-        let finding = RULE.at(file, place, message).key(name).help("give every value a name of its own");
+        let finding = RULE.at(file, place, message).key(name).help("give each value its own name");
         out.push(weigh(finding, macros, component));
     }
 }

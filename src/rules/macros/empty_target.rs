@@ -12,13 +12,13 @@ use std::collections::BTreeMap;
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         fix: FixKind::Unsafe,
-        breaks: &[(Application::Makehuman2, "reads and applies a file that changes nothing")],
-        docs: "A target without rows, or with nothing but zeros, does the same as `null`, which says clearly that \
-            this combination is meant to change nothing.\n\nMakeHuman 2 reads and applies the file without a \
-            complaint. If a shape was expected here, the file is the wrong one. A slider that uses the same file is \
-            dead as well (warning), and needs the file.\n\nWrite `null` and remove the \
-            file, or store the shape that was meant.",
-        ..RuleInfo::new("macro-empty-target", Level::Info, "a combination names a target without any displacement")
+        breaks: &[(Application::Makehuman2, "loads and applies a target that moves nothing")],
+        docs: "A combination uses a target without rows, or with zeros only. It does the same as `null`, which shows \
+            that the combination is meant to change nothing.\n\nMakeHuman 2 loads and applies the file without a \
+            message. If a shape is expected here, this is the wrong file. A slider that uses the same file does \
+            nothing either, and needs the file (a warning).\n\nWrite `null` and remove the file, or save the \
+            intended shape in it.",
+        ..RuleInfo::new("macro-empty-target", Level::Info, "a combination uses a target that moves nothing")
     },
     check: Check::Makehuman2(run),
 };
@@ -37,25 +37,25 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
         let Some((first, target)) = links.first().and_then(|link| Some((link, link.reference.meant()?))) else {
             continue;
         };
-        let more = if links.len() > 1 { format!(" ({} combinations)", links.len()) } else { String::new() };
+        let more = if links.len() > 1 { format!(" ({} combinations use it)", links.len()) } else { String::new() };
         let what = if target.size == 0 { "is an empty file and moves nothing" } else { "moves nothing" };
         let text = &first.reference.text;
         let finding = match slider_of(view, target) {
             Some(slider) => RULE
-                .at(file, first.place(), format!("`{text}` {what}{more}; the slider `{}` uses it, too", slider.owner))
+                .at(file, first.place(), format!("`{text}` {what}{more}; slider `{}` also uses it", slider.owner))
                 .level(Level::Warning)
-                .effect("loads it and changes nothing: the slider seems dead")
-                .help("store the shape that was meant; for the macro `null` would do, but the slider needs the file")
-                .related(&slider.from.path, slider.place.clone(), "uses it, too"),
+                .effect("loads the target, but the slider moves nothing")
+                .help("save the intended shape in the file; the macro could use `null`, but the slider needs the file")
+                .related(&slider.from.path, slider.place.clone(), "also uses it"),
             None => RULE
-                .at(file, first.place(), format!("`{text}` {what}{more}; `null` would do"))
-                .help("write `null` and remove the file, or store the shape that was meant"),
+                .at(file, first.place(), format!("`{text}` {what}{more}"))
+                .help("write `null` and remove the file, or save the intended shape in it"),
         };
         out.push(
             finding
                 .key(rel)
                 .fix(fix(view, base, file, &links, target, &unmet))
-                .related(&target.path, Place::File, "no displacement")
+                .related(&target.path, Place::File, "moves nothing")
                 .evidence(Evidence::of_cases(links.iter().map(|link| &link.link.name))),
         );
     }

@@ -11,14 +11,15 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "uses the folder of the previous macrodef, or stops if there is none; a folder that does not exist leaves every combination without its file, which stops it as soon as one has weight",
+            "looks in the folder of the previous macrodef, or crashes at start if no macrodef before has one; without \
+             its target, a combination crashes it with `AttributeError` as soon as it has weight",
         )],
-        docs: "`folder` says where the targets of a macrodef are, below the target folder of the base \
-            mesh.\n\nWithout `folder` MakeHuman 2 keeps using the folder of the previous macrodef; in the first \
-            macrodef that stops it at start. If all targets are in fact there, it works today (info). A folder \
-            that does not exist makes every target of the macrodef a missing file.\n\nWrite the name of the \
-            folder.",
-        ..RuleInfo::new("macro-folder-missing", Level::Error, "`folder` of a macrodef is not given, or does not exist")
+        docs: "A macrodef has no `folder`, or one without its targets. `folder` is the folder of the targets, below \
+            the target folder of the base mesh.\n\nWithout `folder`, MakeHuman 2 uses the folder of the previous \
+            macrodef; in the first macrodef, it crashes at start with `UnboundLocalError`. If all targets happen to \
+            be in the previous folder, it works (an info). If the folder does not exist, every target of the \
+            macrodef is missing.\n\nWrite the name of the folder.",
+        ..RuleInfo::new("macro-folder-missing", Level::Error, "`folder` of a macrodef is missing, or does not exist")
     },
     check: Check::Makehuman2(run),
 };
@@ -37,24 +38,23 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
                 let place = Place::pointer(["macrodef", &index, "folder"]);
                 let message = match base.targets {
                     Some(targets) if holds_files(targets, folder) => {
-                        format!("folder `{folder}` holds none of the {} targets of this macrodef", own.len())
+                        let count = own.len();
+                        format!("folder `{folder}` has none of the targets of this macrodef ({count} combinations)")
                     }
-                    _ => format!("folder `{folder}` holds no target"),
+                    _ => format!("folder `{folder}` is missing or empty"),
                 };
                 RULE.at(file, place, message)
-                    .effect(
-                        "finds none of the targets and stops with an AttributeError as soon as one of them has weight",
-                    )
+                    .effect("finds no target and crashes with `AttributeError` as soon as a combination has weight")
                     .help(folder_of_files(base, &own).unwrap_or_else(|| nearest_folder(base, folder, cx)))
             }
             (Some(_), _) => continue,
             (None, Some(folder)) => {
-                let message = format!("no `folder`: `{folder}` of the macrodef before is used again");
+                let message = format!("the macrodef has no `folder`, so `{folder}` of the previous one is used");
                 let effect =
-                    "searches the targets in that folder, and stops as soon as one that is not there has weight";
+                    "looks for the targets there and crashes with `AttributeError` as soon as a missing one has weight";
                 let finding = RULE.at(file, Place::pointer(["macrodef", &index]), message).effect(effect);
                 if own.iter().all(|link| link.found().is_some()) {
-                    let effect = "nothing: the targets are in the folder of the macrodef before";
+                    let effect = "finds the targets, because they are in the folder of the previous macrodef";
                     finding.level(Level::Info).effect(effect)
                 } else {
                     finding
@@ -62,9 +62,9 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
             }
             (None, None) => RULE
                 .at(file, Place::pointer(["macrodef", &index]), "the first macrodef has no `folder`")
-                .effect("stops at start"),
+                .effect("crashes at start with `UnboundLocalError`"),
         };
-        let help = finding.help.clone().unwrap_or_else(|| "write the name of the folder".to_owned());
+        let help = finding.help.clone().unwrap_or_else(|| "add `folder` with the folder of its targets".to_owned());
         let folder = macrodef.folder.as_deref().unwrap_or("none");
         out.push(finding.help(help).key(format!("{} {folder}", macrodef.components.join("-"))));
     }
@@ -80,7 +80,7 @@ fn folder_of_files(base: &Base<'_>, own: &[&MacroLink<'_>]) -> Option<String> {
         .filter_map(|file| targets.name_of(file)?.rsplit_once('/').map(|(folder, _)| folder.to_owned()));
     let holds_all =
         |folder: &String| own.iter().all(|link| targets.target(&format!("{folder}/{}", link.reference.text)).is_some());
-    folders.find(holds_all).map(|folder| format!("its targets are in `{folder}`: write that"))
+    folders.find(holds_all).map(|folder| format!("write `{folder}`, where its targets are"))
 }
 
 fn nearest_folder(base: &Base<'_>, folder: &str, cx: &RuleCx<'_>) -> String {

@@ -15,13 +15,13 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "nothing today: it evaluates all macrodefs and only looks whether the list is empty",
+            "is not affected: it evaluates all macrodefs and only checks whether the list is empty",
         )],
-        docs: "`macro_influence` is documented as the list of the macrodefs that a slider takes part \
-            in.\n\nMakeHuman 2 evaluates all macrodefs whatever it says, and only cares whether the list is \
-            empty. A wrong list is therefore harmless, but it misleads readers and any program that follows the \
-            documentation (info).\n\nA slider that no component of `macro.json` reads at all moves nothing \
-            (warning).\n\nList the macrodefs whose components read the pattern of the slider.",
+        docs: "`macro_influence` of a macro slider should list the macrodefs that read the slider, counted from 0, \
+            but lists others.\n\nMakeHuman 2 always evaluates all macrodefs and only checks whether the list is \
+            empty. A wrong list is therefore harmless, but it misleads readers and other programs (an info). A macro \
+            slider that no component of `macro.json` reads moves nothing (a warning).\n\nList the macrodefs whose \
+            components read the pattern of the slider.",
         ..RuleInfo::new(
             "macro-influence-mismatch",
             Level::Info,
@@ -67,7 +67,7 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let message = format!("`macro_influence` of `{key}` {}", difference(&missing, &superfluous));
         let right = used.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
         let finding = RULE.at(bound.file, Place::pointer([key, "macro_influence"]), message).key(key);
-        out.push(finding.help(format!("the macrodefs that read the slider are [{right}]")));
+        out.push(finding.help(format!("list the macrodefs that read the slider: `[{right}]`")));
     }
 }
 
@@ -76,12 +76,12 @@ fn dead(bound: &BoundSlider<'_>, names: &[String]) -> Finding {
     let key = &bound.slider.key;
     let member = if matches!(bound.pattern, Pattern::Macro(_)) { "macro" } else { "barycentric" };
     let name = names.first().map_or("", String::as_str);
-    let message = format!("the macro slider `{key}` does nothing: no component reads its pattern `{name}`");
+    let message = format!("macro slider `{key}` does nothing: no component reads its pattern `{name}`");
     RULE.at(bound.file, Place::pointer([key, member]), message)
         .key(key)
         .level(Level::Warning)
-        .effect("shows a slider that moves nothing, and says nothing")
-        .help("let the `pattern` of a component in macro.json name it, or remove the slider")
+        .effect("shows a slider that silently moves nothing")
+        .help("use the pattern in a component of macro.json, or remove the slider")
 }
 
 /// Patterns of several sliders: that one of them is wrong is the fault.
@@ -134,10 +134,15 @@ fn is_only_in_unused(readers: &BTreeMap<String, BTreeSet<i64>>, names: &[String]
 }
 
 fn difference(missing: &[i64], superfluous: &[i64]) -> String {
-    let list = |indices: &[i64]| indices.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
+    let list = |indices: &[i64]| {
+        let all = indices.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
+        format!("macrodef{} {all}", if indices.len() == 1 { "" } else { "s" })
+    };
+    let verb = if superfluous.len() == 1 { "does" } else { "do" };
+    let surplus = format!("lists {}, which {verb} not read the slider", list(superfluous));
     match (missing, superfluous) {
         (missing, []) => format!("lacks {}", list(missing)),
-        ([], superfluous) => format!("lists {}, which does not read it", list(superfluous)),
-        _ => format!("lacks {} and lists {}, which does not read it", list(missing), list(superfluous)),
+        ([], _) => surplus,
+        _ => format!("lacks {} and {surplus}", list(missing)),
     }
 }

@@ -9,14 +9,15 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "drops the index; with no valid index left, opening the slider removes all macro shape from view",
+            "ignores the index; with no valid index left, opening the slider hides all macro shapes until another \
+             macro slider moves",
         )],
-        docs: "`macro_influence` of a macro slider lists the macrodefs it takes part in, counted from \
-            0.\n\nMakeHuman 2 drops indices for which there is no macrodef. It does not use the others to select \
-            anything either: only whether any is left matters. So a single wrong index changes nothing (info), \
-            but when none is left, the macro shape disappears while the slider is open (warning). A negative \
-            index is kept and means nothing.\n\nCorrect the index.",
-        ..RuleInfo::new("macro-influence-range", Level::Warning, "`macro_influence` holds an index without a macrodef")
+        docs: "`macro_influence` lists an index without a macrodef. It should list the macrodefs that a macro slider \
+            takes part in, counted from 0.\n\nMakeHuman 2 ignores such an index. It selects nothing with the other \
+            indices either: it only checks whether any is left. A wrong index beside others is therefore harmless \
+            (an info). If none is left, opening the slider hides all macro shapes until another macro slider moves \
+            (a warning). A negative index is kept, and means nothing.\n\nCorrect the index.",
+        ..RuleInfo::new("macro-influence-range", Level::Warning, "`macro_influence` lists an index without a macrodef")
     },
     check: Check::Makehuman2(run),
 };
@@ -47,14 +48,15 @@ fn finding(wrong: &[i64], sliders: &[&BoundSlider<'_>], count: i64) -> Option<Fi
     let place = |bound: &BoundSlider<'_>| Place::pointer([bound.slider.key.as_str(), "macro_influence"]);
     let key = &first.slider.key;
     let shown = wrong.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
-    let range = if count == 1 { "the only one is 0".to_owned() } else { format!("they are 0 to {}", count - 1) };
-    let more = if others.is_empty() { String::new() } else { format!(" ({} sliders list it)", sliders.len()) };
-    let message = format!("`macro_influence` of `{key}` lists {shown}, which is no macrodef: {range}{more}");
+    let range =
+        if count == 1 { "the only macrodef is 0".to_owned() } else { format!("the macrodefs are 0 to {}", count - 1) };
+    let more = if others.is_empty() { String::new() } else { format!(" (in {} sliders)", sliders.len()) };
+    let message = format!("`macro_influence` of `{key}` lists {shown}, but {range}{more}");
     let mut finding = RULE.at(first.file, place(first), message);
     finding = finding.help(if others.is_empty() {
-        "correct or remove the index"
+        "correct the index, or remove it if others are left"
     } else {
-        "correct or remove the index; if a macrodef was removed, add it again, or remove its components and its folder"
+        "correct the index; if a macrodef was removed, restore it, or also remove its components and folder"
     });
     finding = if others.is_empty() {
         let listed = first.slider.macro_influence.as_ref().map_or(0, Vec::len);
@@ -63,7 +65,7 @@ fn finding(wrong: &[i64], sliders: &[&BoundSlider<'_>], count: i64) -> Option<Fi
         finding.key(shown).evidence(Evidence::of_cases(sliders.iter().map(|bound| &bound.slider.key)))
     };
     for other in others.iter().take(EXAMPLES - 1) {
-        finding = finding.related(&other.file.path, place(other), "lists it, too");
+        finding = finding.related(&other.file.path, place(other), "also lists it");
     }
     // Negative indices pass the loader's test, which looks at the upper end only.
     let has_other =
@@ -72,9 +74,9 @@ fn finding(wrong: &[i64], sliders: &[&BoundSlider<'_>], count: i64) -> Option<Fi
         let in_range =
             |bound: &&BoundSlider<'_>| bound.slider.macro_influence.iter().flatten().any(|at| (0..count).contains(at));
         let effect = if sliders.iter().all(in_range) {
-            "nothing: another index is left"
+            "ignores the index; the slider works, because another index is left"
         } else {
-            "nothing: a negative index passes its test, and it only looks whether any index is left"
+            "keeps the negative index; the slider works, because it only checks whether any index is left"
         };
         finding = finding.level(Level::Info).effect(effect);
     }

@@ -24,12 +24,12 @@ pub(super) fn finding(
         names().count() - 1
     );
     let help = match meant {
-        Some(meant) => format!("write `[\"{}\"]`", meant.join("\", \"")),
-        None => "list the component of each part of the names in `comp`, in their order".to_owned(),
+        Some(meant) => format!("change `comp` to `[\"{}\"]`", meant.join("\", \"")),
+        None => "list one component in `comp` for each part of the names, in the same order".to_owned(),
     };
     let place = Place::pointer(["macrodef", &macrodef.index.to_string(), "comp"]);
     let finding = rule.at(file, place, message).key(format!("{}/length", macrodef.components.join("-"))).help(help);
-    let effect = "never applies the macrodef: no name that its components make has an entry";
+    let effect = "never applies the macrodef: its components make no name that is listed";
     Some(finding.effect(effect).evidence(Evidence::of_cases(names()).out_of(macrodef.links.len())))
 }
 

@@ -64,14 +64,14 @@ impl Slip {
             Self::Value { axis, token } => {
                 let name = space.axes.get(*axis).map_or("", |axis| &axis.name);
                 match token.as_str() {
-                    "" => format!("can never be reached: it has no value of `{name}`"),
-                    token => format!("can never be reached: `{token}` is no value of `{name}`"),
+                    "" => format!("is never used: it has no value of `{name}`"),
+                    token => format!("is never used: `{token}` is not a value of `{name}`"),
                 }
             }
-            Self::Parts(0) => "can never be reached: it holds no value".to_owned(),
-            Self::Parts(1) => format!("can never be reached: it has 1 part, not {wanted}"),
-            Self::Parts(parts) => format!("can never be reached: it has {parts} parts, not {wanted}"),
-            Self::Other(_) => "can never be reached: its parts are no values of the components".to_owned(),
+            Self::Parts(0) => "is never used: it has no values".to_owned(),
+            Self::Parts(1) => format!("is never used: it has 1 part instead of {wanted}"),
+            Self::Parts(parts) => format!("is never used: it has {parts} parts instead of {wanted}"),
+            Self::Other(_) => "is never used: its parts are not values of the components".to_owned(),
         }
     }
 }

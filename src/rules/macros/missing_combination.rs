@@ -14,24 +14,23 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "applies nothing for a combination that is not listed: at that corner of the sliders the shape snaps back",
+            "applies nothing for a combination that is not listed: the shape snaps back at that corner of the sliders",
         )],
-        docs: "A macrodef stands for every combination of the values of its components. A combination that is not \
-            listed changes nothing, exactly as `null` does, and MakeHuman 2 says nothing about it.\n\nThat is \
-            fine where it is a system: a value that has no entry at all (`male` in a macro for breasts, `none` \
-            in a macro for height), a neutral state (the values at the default position of their sliders), or a \
-            combination all of whose siblings are `null`. Such absences are listed as an info, so that they can \
-            be compared with what was meant. It is not fine where a single corner is missing in a block that is \
-            listed otherwise: there the shape snaps back when the sliders come near (warning). Where fewer than \
-            half of a block is listed, a table is taken for sparse on purpose (info). A combination for which an unused \
-            file lies in the folder is never taken for meant: the finding names the file.\n\nIn the patterns `*` \
-            stands for every value; the number behind a pattern is how many combinations it covers, and patterns \
-            may overlap. Products of more than about a million combinations are counted, not listed.\n\nAdd the \
-            entries; write `null` for a combination that should change nothing.",
+        docs: "A macrodef does not list every combination of the values of its components. A missing combination \
+            changes nothing, exactly as `null` does.\n\nMakeHuman 2 does not report it. Where a combination is \
+            missing among others that are listed, the shape snaps back when the sliders come near (a \
+            warning).\n\nSome combinations are usually left out on purpose (an info, so that you can compare them \
+            with what you meant): all those of a value that has no entry (`male` in a macro for breasts, `none` in a \
+            macro for height), a neutral state (the values at the default positions of their sliders), and those \
+            whose siblings are all `null`. A table that leaves out more of the other combinations than it lists is \
+            also taken as intended. A combination for which the folder has an unused file is always a warning, which \
+            names the file.\n\nIn the patterns, `*` is any value, and the number after a pattern is how many \
+            combinations it covers; patterns may overlap. Products of more than about a million combinations are \
+            only counted.\n\nAdd the entries; write `null` for a combination that should change nothing.",
         ..RuleInfo::new(
             "macro-missing-combination",
             Level::Warning,
-            "a macrodef leaves combinations of its components unlisted",
+            "a macrodef does not list all combinations of its components",
         )
     },
     check: Check::Makehuman2(run),
@@ -78,8 +77,8 @@ fn finding(
     let finding = if kind == Kind::Hole {
         with_files(finding, survey)
     } else {
-        let effect = "nothing: these combinations are meant to have no shape of their own";
-        let help = "nothing needs to be done if no shape is meant here";
+        let effect = "applies nothing for these combinations, which is probably intended";
+        let help = "leave it if no shape is meant here; otherwise add the entries";
         finding.level(Level::Info).effect(effect).help(help)
     };
     Some(finding.evidence(evidence))
@@ -88,12 +87,12 @@ fn finding(
 /// The help for holes, and the files that wait for them.
 fn with_files(mut finding: Finding, survey: &Survey<'_>) -> Finding {
     for file in survey.files.iter().take(EXAMPLES) {
-        finding = finding.related(&file.path, Place::File, "fits, and is used by nothing");
+        finding = finding.related(&file.path, Place::File, "unused file that fits");
     }
     finding.help(match survey.files.as_slice() {
-        [] => "add the entries; write `null` for a combination that should change nothing".to_owned(),
-        [one] => format!("its file `{}` is there: add the entry that names it in `t`", one.stem()),
-        files => format!("{} files for them are there: add the entries that name them in `t`", files.len()),
+        [] => "add the entries, with `null` as `t` where nothing should change".to_owned(),
+        [one] => format!("add an entry with the unused file `{}` as `t`", one.stem()),
+        files => format!("add entries with the {} unused files as `t`", files.len()),
     })
 }
 
@@ -102,12 +101,12 @@ fn uncounted(file: &FileFacts, macrodef: &Macrodef, survey: &Survey<'_>) -> Opti
     let listed = survey.listed;
     let absent = match survey.space.size() {
         Some(total) if total == listed => return None,
-        Some(total) => format!("{} of {total}", total - listed),
-        None => format!("all but {listed}"),
+        Some(total) => format!("{} of {total} combinations are not listed", total - listed),
+        None => format!("all combinations but {listed} are not listed"),
     };
-    let message = format!("{absent} combinations are not listed; they are too many to tell holes from systems");
+    let message = format!("{absent}; they are too many to check");
     let finding = RULE.at(file, place(macrodef), message).key(format!("{}/uncounted", macrodef.components.join("-")));
-    Some(finding.level(Level::Info).help("split the macrodef into several with fewer components"))
+    Some(finding.level(Level::Info).help("split the macrodef into several with fewer components each"))
 }
 
 fn place(macrodef: &Macrodef) -> Place {

@@ -11,12 +11,13 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "writes a line to the log and stops with an AttributeError as soon as the combination has weight: at start if the default character uses it",
+            "writes a line to its log and crashes with `AttributeError` as soon as the combination has weight, at \
+             start if the default character uses it",
         )],
-        docs: "`t` is a file in `folder` of the macrodef, without `.target`, in the target folder of the layer \
-            whose `macro.json` is in use.\n\nMakeHuman 2 does not skip a missing file: it keeps an empty \
-            stand-in and stops when the weight of the combination is not zero.\n\nCorrect the name, add the \
-            file, or write `null` where nothing should change.",
+        docs: "A combination names a target that does not exist. `t` is a file in the `folder` of the macrodef, \
+            without `.target`, in the target folder of the `macro.json` in use.\n\nMakeHuman 2 does not skip a \
+            missing file: it keeps an empty placeholder and crashes as soon as the combination has \
+            weight.\n\nCorrect the name, add the file, or write `null` where nothing should change.",
         ..RuleInfo::new("macro-missing-target", Level::Error, "a combination names a target that does not exist")
     },
     check: Check::Makehuman2(run),
@@ -42,9 +43,9 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
     let moved = Moved::of(base);
     for (rel, links) in by_file {
         let Some(first) = links.first() else { continue };
-        let more = if links.len() > 1 { format!(", which {} combinations use", links.len()) } else { String::new() };
+        let more = if links.len() > 1 { format!(" ({} combinations use it)", links.len()) } else { String::new() };
         let help = help(view, base, first, (&own, &moved), cx);
-        let finding = RULE.at(file, first.place(), format!("there is no `{rel}`{more}")).key(rel).help(help);
+        let finding = RULE.at(file, first.place(), format!("`{rel}` does not exist{more}")).key(rel).help(help);
         out.push(finding.evidence(Evidence::of_cases(links.iter().map(|link| &link.link.name))));
     }
 }
@@ -58,7 +59,7 @@ fn help(
 ) -> String {
     let packed = format!("{}.gz", link.reference.rel);
     if let Some(packed) = view.layers.strongest_first().find_map(|layer| layer.file(&packed)) {
-        return format!("MakeHuman 2 does not read packed targets: unpack `{}`", packed.file_name());
+        return format!("unpack `{}`; MakeHuman 2 does not read packed targets", packed.file_name());
     }
     let near = nearest_file(base, link.reference, &cx.suggestions);
     match near.filter(|near| !own.contains(near.path.as_str())) {
@@ -85,7 +86,7 @@ impl<'s> Moved<'s> {
     fn help(&self, link: &MacroLink<'_>) -> Option<String> {
         let stem = link.reference.text.rsplit('/').next()?;
         let from = self.0.get(stem).copied().flatten()?;
-        Some(format!("move `{from}` to `{}`, or name its folder", link.reference.rel))
+        Some(format!("move or copy `{from}` to `{}`", link.reference.rel))
     }
 }
 

@@ -1,6 +1,6 @@
 //! No two macro definitions may share the name of a combination.
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, counted};
 use super::sound::clear_space;
 use super::space::Space;
 use super::titles;
@@ -12,12 +12,13 @@ use std::collections::BTreeMap;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "keeps one file for both macrodefs, and applies it once for each of them")],
-        docs: "The entries of all macrodefs become one table from names to files, and every macrodef looks the \
-            names it generates up in it.\n\nA name that two macrodefs list therefore has the file of the last \
-            one in both, and it is applied twice. A name that one macrodef lists and another merely generates is \
-            applied by both as well (warning): the morph is doubled. Definitions with equally named values, such \
-            as `none` of two components, invite it.\n\nRename a value in one of the components.",
+        breaks: &[(Application::Makehuman2, "uses the file of the last macrodef for both, and applies it twice")],
+        docs: "Two macrodefs list or generate the same name. The entries of all macrodefs form one table from names \
+            to files, and every macrodef looks up the names it generates in it.\n\nIf both macrodefs list the name \
+            with different files, MakeHuman 2 uses the file of the last one for both and applies it twice (an \
+            error). If both name the same file, or one of them only generates the name, that file is applied twice, \
+            so the morph is doubled (a warning). Values with the same name in several components, such as `none`, \
+            easily lead to this.\n\nRename a value in one of the components.",
         ..RuleInfo::new("macro-name-collision", Level::Error, "two macrodefs list or generate the same name")
     },
     check: Check::Makehuman2(run),
@@ -61,7 +62,7 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         }
     }
     if more > 0 {
-        let message = format!("{more} more pairs of macrodefs share names; they are not listed");
+        let message = format!("{} of macrodefs with shared names, not listed", counted(more, "more pair"));
         out.push(RULE.at(file, Place::File, message).key("more").evidence(Evidence::counted(more)));
     }
 }
@@ -104,16 +105,16 @@ fn report(
     let Some(first) = links.first() else { return };
     let title = |table: &Table<'_>| table.macrodef.components.join("-");
     let lists = other.links.contains_key(first.name.as_str());
-    let verb = if lists { "lists" } else { "generates" };
+    let verb = if lists { "listed" } else { "generated" };
     let shared = links.len() + also.len();
     let more = if shared > 1 { format!(" ({shared} names are shared)") } else { String::new() };
     let (whose, name) = (titles::macrodef(other.macrodef), titles::combination(&first.name));
-    let message = format!("macrodef {whose} {verb} {name} too{more}");
+    let message = format!("{name} is also {verb} by macrodef {whose}{more}");
     let place = Place::Pointer(own.macrodef.link_pointer(first, "name"));
     let mut finding = RULE
         .at(file, place, message)
         .key(format!("{}/{}", title(own), title(other)))
-        .help("rename a value in one of the components, so that the names differ")
+        .help("rename a value in one of the components so that the names differ")
         .level(level)
         .evidence(Evidence::of_cases(links.iter().chain(also).map(|link| &link.name)));
     if let Some(twin) = other.links.get(first.name.as_str()) {
@@ -121,7 +122,7 @@ fn report(
         finding = finding.related(&file.path, twin, "the same name");
     }
     if level == Level::Warning {
-        finding = finding.effect("applies the target once for each of the two macrodefs: a doubled morph");
+        finding = finding.effect("applies the target for both macrodefs, so that the morph is doubled");
     }
     out.push(finding);
 }

@@ -9,12 +9,12 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "generates names such as `female-female` that no target has: nothing of the macrodef applies",
+            "generates names such as `female-female`, which no entry has, and applies nothing of the macrodef",
         )],
-        docs: "The names of a macrodef have one value for each entry of `comp`.\n\nWith a component twice, \
-            MakeHuman 2 generates names that hold its value twice. None of the listed names is among them, so \
-            the macrodef has no effect.\n\nRemove the repetition, or put the component there that was meant.",
-        ..RuleInfo::new("macro-repeated-component", Level::Error, "a component occurs twice in one `comp`")
+        docs: "`comp` names a component more than once. The names of a macrodef have one value for each entry of \
+            `comp`.\n\nMakeHuman 2 then generates names that repeat the value of the component. None of them is \
+            listed, so the macrodef applies nothing.\n\nRemove the repetition, or name the intended component.",
+        ..RuleInfo::new("macro-repeated-component", Level::Error, "a component occurs more than once in `comp`")
     },
     check: Check::Makehuman2(run),
 };
@@ -26,11 +26,9 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let repeated = macrodef.components.iter().enumerate().find(|(_, name)| !seen.insert(*name));
         let Some((at, name)) = repeated else { continue };
         let place = Place::pointer(["macrodef", &macrodef.index.to_string(), "comp", &at.to_string()]);
-        let finding = RULE.at(file, place, format!("component `{name}` occurs twice in `comp`"));
+        let finding = RULE.at(file, place, format!("component `{name}` occurs more than once in `comp`"));
         out.push(
-            finding
-                .key(macrodef.components.join("-"))
-                .help("remove the repetition, or name the component that was meant"),
+            finding.key(macrodef.components.join("-")).help("remove the repetition, or name the intended component"),
         );
     }
 }

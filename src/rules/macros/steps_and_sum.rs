@@ -9,12 +9,12 @@ use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "stops with a KeyError without either; with both it never reads `sum`")],
-        docs: "A component reads one slider, divided by `steps`, or the three corners of a triangle slider, named \
-            by `sum`.\n\nMakeHuman 2 looks for `steps` first. If they are there, `sum` is ignored, and `pattern` \
-            is taken for the pattern of one slider; if there is no such slider, the component is dropped and its \
-            macrodefs never apply. With neither of the two it stops with a KeyError.\n\nKeep the one that fits \
-            the slider.",
+        breaks: &[(Application::Makehuman2, "crashes with `KeyError` without either; ignores `sum` if it has both")],
+        docs: "A component has both `steps` and `sum`, or neither. `steps` divides one plain slider; `sum` names the \
+            three corners of a triangle slider.\n\nIf both are present, MakeHuman 2 ignores `sum` and takes \
+            `pattern` as the pattern of one slider (a warning). If no slider has that pattern, it drops the \
+            component, and its macrodefs never apply (an error). With neither, it crashes at start with `KeyError` \
+            (an error).\n\nKeep the one that fits the slider.",
         ..RuleInfo::new("macro-steps-and-sum", Level::Error, "a component has both `steps` and `sum`, or neither")
     },
     check: Check::Makehuman2(run),
@@ -26,7 +26,7 @@ fn misspelt(file: &FileFacts, component: &str) -> Option<String> {
     let is_own = |key: &&UnknownKey| key.pointer.rsplit_once('/').is_some_and(|(owner, _)| owner == own);
     let meant = |key: &UnknownKey| key.nearest.clone().filter(|near| near == "steps" || near == "sum");
     let mut keys = file.schema.unknown.iter().filter(is_own);
-    keys.find_map(|key| Some(format!("is `{}` meant to be `{}`?", key.key, meant(key)?)))
+    keys.find_map(|key| Some(format!("did you mean `{}` instead of `{}`?", meant(key)?, key.key)))
 }
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -37,7 +37,7 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             (Some(_), Some(_)) => {
                 let dead = !unknown_patterns(base, component).is_empty();
                 let (level, effect) = if dead {
-                    (Level::Error, "ignores `sum`, finds no slider for `pattern`, and never applies the macrodefs")
+                    (Level::Error, "ignores `sum`, finds no slider for `pattern` and never applies the macrodefs")
                 } else {
                     (Level::Warning, "ignores `sum`")
                 };
@@ -45,12 +45,12 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 RULE.at(file, place, format!("component `{name}` has both `steps` and `sum`"))
                     .level(level)
                     .effect(effect)
-                    .help("remove `sum` for a plain slider, `steps` for a triangle slider")
+                    .help("remove `sum` if the slider is plain, or `steps` if it is a triangle")
             }
             (None, None) => {
                 let place = Place::key(["components", name]);
                 RULE.at(file, place, format!("component `{name}` has neither `steps` nor `sum`"))
-                    .effect("stops at start with a KeyError")
+                    .effect("crashes at start with `KeyError`")
                     .help(misspelt(file, name).unwrap_or_else(|| {
                         "add `steps` with a slider position for each value, or `sum` for a triangle slider".to_owned()
                     }))

@@ -11,16 +11,16 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "divides by zero and stops when the slider stands at or below two equal first steps; other steps out of order give the wrong values",
+            "crashes with `ZeroDivisionError` when the slider is at or below two equal first steps; with other steps \
+             out of order, it uses the wrong values",
         )],
-        docs: "Each step is the slider position at which a value has its full weight; between two steps the weights \
-            are mixed by how far the slider has come from the one to the other.\n\nThe loader takes the first \
-            interval whose upper step the slider does not exceed and divides by its width. If the first two \
-            steps are equal, that is a division by zero and the program stops. Equal steps further on make the \
-            shape jump there, and steps that fall leave intervals that are never used: both load without a word \
-            (warning). Where no step behind the first is above 0, as in `[1, 0]`, no interval holds the slider but at exactly 0: all \
-            macros of the component are dead (error).\n\nSort the steps together with their values and keep every step apart from its \
-            neighbours.",
+        docs: "`steps` of a component do not increase strictly. Each step is the slider position at which a value has \
+            its full weight; between two steps, their values are mixed.\n\nMakeHuman 2 uses the first interval whose \
+            upper step is not below the slider, and divides by its width. If the first two steps are equal, it \
+            crashes with `ZeroDivisionError` (an error). Equal steps further on make the shape jump there, and steps \
+            that decrease leave intervals that are never used; both load without a message (a warning). If no step \
+            after the first is above 0, as in `[1, 0]`, all macros of the component are dead unless the slider is at \
+            exactly 0 (an error).\n\nSort the steps together with their values, without equal steps.",
         ..RuleInfo::new("macro-steps-order", Level::Error, "`steps` of a component do not increase strictly")
     },
     check: Check::Makehuman2(run),
@@ -32,15 +32,14 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let Some(steps) = &component.steps else { continue };
         let Some((at, a, b)) = first_fault(steps) else { continue };
         let equal = a.partial_cmp(&b) == Some(Ordering::Equal);
-        let verb = if equal { "repeats" } else { "falls behind" };
-        let message = format!("`steps` of `{}` do not increase: {b} {verb} {a}", component.name);
+        let message = format!("`steps` of `{}` do not increase: {a} is followed by {b}", component.name);
         let place = Place::pointer(["components", &component.name, "steps", &(at + 1).to_string()]);
         let mut finding = RULE
             .at(file, place, message)
             .key(&component.name)
-            .help("sort the steps together with their values, from 0 to 1, no two of them equal");
+            .help("sort the steps together with their values, from 0 to 1, without equal steps");
         if is_dead(steps) && !equal {
-            finding = finding.effect("drops every macro of the component, unless its slider stands at exactly 0");
+            finding = finding.effect("drops every macro of the component unless its slider is at exactly 0");
         } else if !(equal && at == 0) {
             finding = finding.level(Level::Warning).effect(loss(steps, equal));
         }
@@ -52,7 +51,7 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 fn loss(steps: &[f64], equal: bool) -> String {
     match reach(steps) {
         Some(reach) if reach < 1.0 => format!("never uses some of the intervals, and drops the macros above {reach}"),
-        _ if equal => "lets the shape jump at this position".to_owned(),
+        _ if equal => "makes the shape jump at this position".to_owned(),
         _ => "never uses some of the intervals".to_owned(),
     }
 }

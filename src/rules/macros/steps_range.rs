@@ -11,14 +11,15 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "gives the first value more than its full weight below the first step, and drops the whole macrodef above the last",
+            "applies the first value with more than its full weight below the first step, and drops the macrodef above \
+             the last",
         )],
-        docs: "A macro slider runs from 0 to 1, and so must the steps of the component that reads it.\n\nBelow the \
-            first step MakeHuman 2 extrapolates: with steps `[0.6, 1]` and the slider at 0.5 the first value has \
-            weight 1.25. Above the last step the component has no value at all, the names of the combinations \
-            become too short, and every target of the macrodef disappears. With one step or none there is no \
-            interval, and nothing of the macrodef ever applies (an error, as every other way to lose all of it). Steps below 0 or above 1 make values that the slider cannot \
-            reach in full.\n\nLet the first step be 0 and the last 1.",
+        docs: "`steps` of a component do not run from 0 to 1, as its slider does.\n\nBelow the first step, MakeHuman \
+            2 extrapolates: with steps `[0.6, 1]` and the slider at 0.5, the first value has the weight 1.25. Above \
+            the last step, the component has no value, so that the names of the combinations are too short and all \
+            targets of the macrodef disappear. Values with steps below 0 or above 1 never have their full \
+            weight.\n\nWith fewer than two steps, nothing of the macrodef ever applies (an error, as is a last step \
+            of 0 or below).\n\nSet the first step to 0 and the last step to 1.",
         ..RuleInfo::new("macro-steps-range", Level::Warning, "`steps` of a component do not run from 0 to 1")
     },
     check: Check::Makehuman2(run),
@@ -50,30 +51,30 @@ fn is_increasing(steps: &[f64]) -> bool {
 
 /// What is wrong with the ends, and what comes of it.
 fn fault(steps: &[f64], values: &[String]) -> Option<(String, &'static str)> {
-    const NO_INTERVAL: &str = "drops the component, and with it all that its macrodefs apply";
-    const OUT_OF_REACH: &str = "never gives that value its full weight, and says nothing";
+    const NO_INTERVAL: &str = "drops the component and never applies its macrodefs";
+    const OUT_OF_REACH: &str = "silently never applies that value with its full weight";
     let ([first, .., last] | [first @ last]) = steps else {
-        let fault = "are empty: without an interval the component is dropped, and nothing applies";
+        let fault = "are empty; at least two steps are needed";
         return Some((fault.to_owned(), NO_INTERVAL));
     };
     if steps.len() == 1 {
-        let fault = format!("hold {last} alone: without an interval the component is dropped, and nothing applies");
+        let fault = format!("hold only {last}; at least two steps are needed");
         return Some((fault, NO_INTERVAL));
     }
     if is_dead(steps) {
-        let fault = format!("end at {last}: above it nothing of the macrodef applies");
-        return Some((fault, "drops the whole macrodef, unless the slider stands at exactly 0"));
+        let fault = format!("end at {last} instead of 1");
+        return Some((fault, "drops the macrodef unless the slider is at exactly 0"));
     }
     if last.total_cmp(&1.0).is_lt() {
-        let fault = format!("end at {last}: from there to 1 nothing of the macrodef applies");
-        Some((fault, "drops the whole macrodef when the slider is above the last step"))
+        let fault = format!("end at {last} instead of 1");
+        Some((fault, "drops the macrodef when the slider is above the last step"))
     } else if first.partial_cmp(&0.0) == Some(Ordering::Greater) {
-        let fault = format!("begin at {first}: from 0 to there the first value has more than its full weight");
-        Some((fault, "gives the first value more than its full weight when the slider is below the first step"))
+        let fault = format!("begin at {first} instead of 0");
+        Some((fault, "applies the first value with more than its full weight when the slider is below the first step"))
     } else if first.partial_cmp(&0.0) == Some(Ordering::Less) {
-        Some((format!("begin at {first}: the first value never has its full weight"), OUT_OF_REACH))
+        Some((format!("begin at {first} instead of 0"), OUT_OF_REACH))
     } else if last.total_cmp(&1.0).is_gt() {
-        Some((format!("end at {last}: {}", out_of_reach(steps, values)), OUT_OF_REACH))
+        Some((format!("end at {last} instead of 1: {}", out_of_reach(steps, values)), OUT_OF_REACH))
     } else {
         None
     }
@@ -84,9 +85,9 @@ const PER_CENT: f64 = 10.0;
 
 fn help(steps: &[f64]) -> &'static str {
     if steps.last().is_some_and(|last| *last >= PER_CENT) {
-        "divide the steps by 100: they run from 0 to 1"
+        "divide the steps by 100; they run from 0 to 1"
     } else {
-        "let the first step be 0 and the last 1"
+        "set the first step to 0 and the last step to 1"
     }
 }
 
@@ -98,8 +99,9 @@ fn out_of_reach(steps: &[f64], values: &[String]) -> String {
         _ => None,
     });
     let (some, none): (Vec<_>, Vec<_>) = beyond.partition(|(_, share)| *share > 0.0);
-    let some = some.iter().map(|(value, share)| format!("`{value}` has {} of its weight at most", percent(*share)));
+    let some = some.iter().map(|(value, share)| format!("`{value}` reaches at most {} of its weight", percent(*share)));
     let names: Vec<String> = none.iter().map(|(value, _)| format!("`{value}`")).collect();
-    let none = (!names.is_empty()).then(|| format!("{} none", names.join(", ")));
+    let verb = if names.len() == 1 { "gets" } else { "get" };
+    let none = (!names.is_empty()).then(|| format!("{} {verb} none", names.join(", ")));
     some.chain(none).collect::<Vec<_>>().join(", ")
 }

@@ -1,6 +1,6 @@
 //! A component of a triangle slider has three values and three entries in `sum`.
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, counted};
 use super::component::sound_components;
 use super::component::weigh;
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
@@ -11,18 +11,19 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "stops with an IndexError when `sum` is shorter than `values`, or at a fourth value; with fewer than three it never reads the remaining corners",
+            "crashes with `IndexError` if `sum` is shorter than `values`, and with `TypeError` at a fourth value; \
+             never reads corners without a value",
         )],
-        docs: "A triangle slider has three corners. `sum` names them in the order of `values`, and both need three \
-            entries.\n\nMakeHuman 2 reads for every value the entry of `sum` at the same place, and then that \
-            number of the three weights. An entry that is missing, or a fourth value, is read beyond a list: the \
-            program stops. With two values the third corner is never read, and the shape fades towards it; \
-            surplus entries of `sum` are never read either (both a warning).\n\nGive `values` and `sum` three \
-            entries each.",
+        docs: "`sum` of a component does not have three entries, or not as many as `values`. A triangle slider has \
+            three corners, and `sum` names them in the order of `values`.\n\nFor each value, MakeHuman 2 reads the \
+            entry of `sum` at the same place, and then the weight at that place. It crashes with `IndexError` if the \
+            entry is missing and with `TypeError` at a fourth value (errors). With two values, the third corner is \
+            never read, and the shape fades out towards it; surplus entries of `sum` are never read either \
+            (warnings).\n\nGive `values` and `sum` three entries each.",
         ..RuleInfo::new(
             "macro-sum-arity",
             Level::Error,
-            "`sum` of a component has not three entries, or not as many as `values`",
+            "`sum` of a component does not have three entries, or not as many as `values`",
         )
     },
     check: Check::Makehuman2(run),
@@ -41,17 +42,18 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             continue;
         }
         let name = &component.name;
+        let (all, of_sum) = (counted(values, "value"), if ends == 1 { "entry" } else { "entries" });
         let message =
-            format!("component `{name}` has {values} values and {ends} entries in `sum`; a triangle has three corners");
+            format!("component `{name}` has {all} and {ends} {of_sum} in `sum`, but a triangle has 3 corners");
         let mut finding = RULE.at(file, Place::pointer(["components", name, "sum"]), message).key(name);
         finding =
             finding.help("give `values` and `sum` three entries each, in the order of `barycentric` of the slider");
         if values > ends {
-            finding = finding.effect("stops with an IndexError at the first value without an entry");
+            finding = finding.effect("crashes with `IndexError` at the first value without an entry");
         } else if has_fourth(base, component, sum) {
-            finding = finding.effect("stops with a TypeError at the fourth value: a triangle gives three weights");
+            finding = finding.effect("crashes with `TypeError` at the fourth value: a triangle has three weights");
         } else {
-            let effect = "never reads the surplus, or the corners without a value";
+            let effect = "never reads surplus entries, or corners without a value";
             finding = finding.level(Level::Warning).effect(effect);
         }
         out.push(weigh(finding, macros, component));

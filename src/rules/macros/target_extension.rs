@@ -17,12 +17,14 @@ pub(in crate::rules) static RULE: Rule = Rule {
         fix: FixKind::Safe,
         breaks: &[(
             Application::Makehuman2,
-            "looks for a file with a doubled suffix, does not find it, and stops as soon as the combination has weight",
+            "adds `.target` again, does not find the file and crashes with `AttributeError` as soon as the combination \
+             has weight",
         )],
-        docs: "MakeHuman 2 puts `.target` behind every `t`, so `x.target` makes it look for `x.target.target`. \
-            Packed targets (`.target.gz`) are never read. An empty text leads to a file called `.target`.\n\nThe \
-            file is not found, and a file that is not found stops the program when its combination has \
-            weight.\n\nRemove the suffix; write the name of the file, or `null`, instead of an empty text.",
+        docs: "`t` ends in `.target` or `.gz`, or is empty.\n\nMakeHuman 2 adds `.target` to every `t`: for \
+            `x.target` it looks for `x.target.target`. It never reads packed targets (`.target.gz`), and an empty \
+            `t` leads to a file named `.target`. A file that is not found crashes it with `AttributeError` as soon \
+            as its combination has weight.\n\nRemove the suffix. Replace an empty `t` with the name of the file, or \
+            with `null`.",
         ..RuleInfo::new("macro-target-extension", Level::Error, "`t` ends in `.target` or `.gz`, or is empty")
     },
     check: Check::Makehuman2(run),
@@ -40,17 +42,17 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
         let Some(first) = wrong.first() else { continue };
         let text = first.target.as_deref().unwrap_or_default();
         let own = own_target(base, macrodef, first);
-        let more = if wrong.len() > 1 { format!(" ({} entries like it)", wrong.len()) } else { String::new() };
+        let more = if wrong.len() > 1 { format!(" ({} such entries)", wrong.len()) } else { String::new() };
         let (message, help) = if without_suffix(text).is_empty() {
-            let what = if text.is_empty() { "is empty".to_owned() } else { format!("is a bare `{text}`") };
+            let what = if text.is_empty() { "is empty".to_owned() } else { format!("is only `{text}`") };
             let help = match own {
-                Some(own) => format!("write `{own}`: there is a target of this name"),
-                None => "write `null` where nothing should change".to_owned(),
+                Some(own) => format!("write `{own}`; a target with this name exists"),
+                None => "write `null`, or the name of the file".to_owned(),
             };
             (format!("`t` of {} {what}{more}", titles::combination(&first.name)), help)
         } else {
             let without = without_suffix(text);
-            (format!("`{text}` ends in a suffix{more}"), format!("write `{without}`"))
+            (format!("`{text}` has a suffix, but `t` must not have one{more}"), format!("write `{without}`"))
         };
         let finding = RULE.at(file, Place::Pointer(macrodef.link_pointer(first, "t")), message).help(help);
         let evidence = Evidence::of_cases(wrong.iter().map(|link| &link.name)).out_of(macrodef.links.len());
@@ -68,7 +70,8 @@ fn fix(view: &View<'_>, base: &Base<'_>, file: &FileFacts, macrodef: &Macrodef, 
         let fitting = unused.get_or_init(|| unused_targets(view, base)).fitting(&values_of(&link.name));
         fitting.into_iter().any(|(_, file)| is_in_folder(base, macrodef, file))
     };
-    let mut fix = Fix::new(RULE.info.fix, "remove the suffix; for an empty text write the name of its file, or `null`");
+    let title = "remove the suffix; replace an empty `t` with the name of its file, or `null`";
+    let mut fix = Fix::new(RULE.info.fix, title);
     for link in wrong {
         let text = match without_suffix(link.target.as_deref().unwrap_or_default()) {
             "" => own_target(base, macrodef, link),

@@ -10,19 +10,19 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "drops every combination between the steps, so that the shape of the whole macrodef disappears there",
+            "drops every combination between the steps, so that the shape of the macrodef disappears there",
         )],
-        docs: "Between two steps of a slider two values are active, inside a triangle three. The components of a \
-            macrodef multiply: seven sliders in the middle of an interval make 128 combinations of weight 1/128 \
-            each.\n\nMakeHuman 2 keeps a combination only if its weight is above 0.01, and does not spread the \
-            lost weight over the others. When even the combinations of a setting that is equally far from all \
-            values are below that limit, nothing of the macrodef applies there: the shape disappears between the \
-            steps and is there at them. (More than three values of a triangle slider stop the program; that is \
-            `macro-sum-arity`.)\n\nSplit the macrodef into several with fewer components.",
+        docs: "A macrodef blends so many values at once that no combination has enough weight. Between two steps of a \
+            slider, two values are active; inside a triangle, three. The components multiply: seven sliders between \
+            their steps make 128 combinations with the weight 1/128 each.\n\nMakeHuman 2 applies a combination only \
+            if its weight is above 0.01, and does not give the lost weight to the others. If no combination is above \
+            that limit when every slider is equally far from its active values, the shape of the macrodef disappears \
+            between the steps. (More than three values of a triangle slider are a crash; see \
+            `macro-sum-arity`.)\n\nSplit the macrodef into several with fewer components each.",
         ..RuleInfo::new(
             "macro-too-many-active",
             Level::Warning,
-            "a macrodef blends so many values at once that every combination falls below the limit",
+            "a macrodef blends so many values at once that no combination has enough weight",
         )
     },
     check: Check::Makehuman2(run),
@@ -41,12 +41,13 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         }
         let count = macrodef.components.len();
         let message = format!(
-            "{count} components make {active} combinations active at once, each of weight {:.4}: none is above {SMALLEST_WEIGHT}",
+            "{count} components make {active} combinations active at once, each with the weight {:.4}; the limit is \
+             {SMALLEST_WEIGHT}",
             1.0 / active
         );
         let place = Place::pointer(["macrodef", &macrodef.index.to_string(), "comp"]);
         let finding = RULE.at(file, place, message).key(macrodef.components.join("-"));
-        out.push(finding.help("split the macrodef into several with fewer components"));
+        out.push(finding.help("split the macrodef into several with fewer components each"));
     }
 }
 

@@ -17,13 +17,13 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "never reaches the entry: the target is loaded and never applied, and the combination that was meant has none",
+            "never uses the entry: its target is loaded but never applied, and the intended combination has none",
         )],
-        docs: "The names of a macrodef are one value of each component, in the order of `comp`, joined by \
-            `-`.\n\nMakeHuman 2 looks up only names that it generates. An entry with a misspelt value, a part \
-            too many or too few, or its values in another order is never found. A name that only another \
-            macrodef generates works, because all macrodefs share one table, but it stands in the wrong place \
-            (info).\n\nSpell the name as the help says.",
+        docs: "A macrodef lists a name that its components cannot generate. A name has one value of each component, \
+            in the order of `comp`, joined by `-`.\n\nMakeHuman 2 looks up only the names that it generates. It \
+            never finds an entry with a misspelt value, with too many or too few parts, or with its values in \
+            another order. A name that only another macrodef generates works, because all macrodefs share one table, \
+            but it belongs in the other macrodef (an info).\n\nWrite the name that the help suggests.",
         ..RuleInfo::new(
             "macro-unexpected-combination",
             Level::Error,
@@ -59,8 +59,7 @@ fn run(_: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         }
         for ((home, slip), strangers) in groups {
             let Some(first) = strangers.first() else { continue };
-            let more =
-                if strangers.len() > 1 { format!(" ({} names like it)", strangers.len()) } else { String::new() };
+            let more = if strangers.len() > 1 { format!(" ({} such names)", strangers.len()) } else { String::new() };
             let reason = match home.and_then(|home| macros.macrodefs.get(home)) {
                 Some(home) => format!("is a combination of macrodef {}", titles::macrodef(home)),
                 None => slip.reason(&space),
@@ -71,11 +70,11 @@ fn run(_: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 RULE.at(file, place, message).key(format!("{}/{}", macrodef.components.join("-"), slip.word()));
             finding = finding.help(match &first.intended {
                 Some(intended) => format!("did you mean `{}`?", space.name(intended)),
-                None => format!("a name has one value of each of `{}`", macrodef.components.join("-")),
+                None => format!("write one value of each component: `{}`", macrodef.components.join("-")),
             });
             if home.is_some() {
-                let effect = "finds the name for another macrodef, in the folder of this one";
-                finding.help = Some("move the entry there, and check its folder".to_owned());
+                let effect = "uses the entry for that macrodef, with the folder of this one";
+                finding.help = Some("move the entry to that macrodef, and check the folder of its target".to_owned());
                 finding = finding.level(Level::Info).effect(effect);
             }
             let names = strangers.iter().map(|stranger| &stranger.link.name);
@@ -88,7 +87,7 @@ fn run(_: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
 fn finding_on_value(file: &FileFacts, value: &MisspeltValue<'_>) -> Finding {
     let (written, token, component) = (value.written(), &value.token, &value.component.name);
     let count = value.names.len();
-    let message = format!("no combination has the value `{written}` of `{component}`: {count} names have `{token}`");
+    let message = format!("no name has the value `{written}` of `{component}`, but {count} names have `{token}`");
     let place = Place::pointer(["components", component, "values", &value.value.to_string()]);
     let mut finding = RULE.at(file, place, message).key(format!("{component}/{written}"));
     finding = finding.help(format!("did you mean `{token}`?"));
@@ -123,8 +122,8 @@ fn without_components(file: &FileFacts, macrodef: &Macrodef) -> Option<Finding> 
     let first = names().next().filter(|_| file.schema.faults.is_empty())?;
     let place = Place::pointer(["macrodef", &macrodef.index.to_string()]);
     let message = match names().count() {
-        1 => format!("`comp` is empty: `{first}` can never be reached"),
-        count => format!("`comp` is empty: `{first}` can never be reached ({count} names like it)"),
+        1 => format!("`comp` is empty, so that `{first}` is never used"),
+        count => format!("`comp` is empty, so that `{first}` is never used ({count} such names)"),
     };
     let finding = RULE.at(file, place, message).key(macrodef.effective_folder.as_deref().unwrap_or_default());
     Some(finding.help("list the components of the names in `comp`").evidence(Evidence::of_cases(names())))

@@ -12,12 +12,12 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "skips the component; the names of the macrodef become too short, and none of its targets is ever applied",
+            "skips the component; the names of the macrodef are then too short, and none of its targets is applied",
         )],
-        docs: "`comp` lists the components whose values make the names of a macrodef, by their keys in \
-            `components`.\n\nMakeHuman 2 skips a name it does not know, without a message. Every generated name \
-            then lacks that part: usually nothing matches, sometimes the wrong target does.\n\nCorrect the name, \
-            or define the component.",
+        docs: "`comp` names a component that is not defined. It lists the components of a macrodef by their keys in \
+            `components`.\n\nMakeHuman 2 silently skips an unknown name. The names that it generates then lack that \
+            part: usually none of them is listed, sometimes the wrong target is applied.\n\nCorrect the name, or \
+            define the component.",
         ..RuleInfo::new("macro-unknown-component", Level::Error, "`comp` names a component that is not defined")
     },
     check: Check::Makehuman2(run),
@@ -52,7 +52,7 @@ fn run(_: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let Some((first, others)) = places.split_first() else { continue };
         let mut finding = RULE.at(file, first.clone(), format!("component `{name}` is not defined{more}"));
         for other in others.iter().take(EXAMPLES - 1) {
-            finding = finding.related(&file.path, other.clone(), "named here, too");
+            finding = finding.related(&file.path, other.clone(), "also named here");
         }
         let inside = file.schema.unknown.iter().find(|key| key.key == name && key.is_object);
         out.push(finding.key(name).help(inside.map_or(help, moved_out)));
@@ -62,7 +62,7 @@ fn run(_: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
 /// The component is there, inside another one.
 fn moved_out(inside: &UnknownKey) -> String {
     let outer = inside.pointer.split('/').rev().nth(1).unwrap_or_default();
-    format!("`{}` is inside `{outer}`, where nobody looks: move it one level up", inside.key)
+    format!("move `{}` one level up, out of `{outer}`", inside.key)
 }
 
 fn place(macrodef: &Macrodef, at: usize) -> Place {
@@ -73,7 +73,8 @@ fn place(macrodef: &Macrodef, at: usize) -> Place {
 fn without_components(file: &FileFacts, macros: &MacroFile) -> Option<Finding> {
     let names: BTreeSet<&String> = macros.macrodefs.iter().flat_map(|macrodef| &macrodef.components).collect();
     let first = names.first()?;
-    let message = format!("no component is defined, but the macrodefs name `{first}` ({} names)", names.len());
+    let more = if names.len() > 1 { format!(" and {} more", names.len() - 1) } else { String::new() };
+    let message = format!("no component is defined, but the macrodefs name `{first}`{more}");
     let finding = RULE.at(file, Place::pointer(["components"]), message).key("none");
     Some(finding.help("define the components that the macrodefs name in `comp`"))
 }

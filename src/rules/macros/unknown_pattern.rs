@@ -11,14 +11,15 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "drops the component; the names of its macrodefs become too short, and none of their targets is ever applied",
+            "drops the component; the names of its macrodefs are then too short, and none of their targets is applied",
         )],
-        docs: "`pattern` is the `macro` of an entry of `modelling.json`; with `sum` it is put in front of every \
-            entry, and the result is one of the texts in `barycentric` of a triangle slider.\n\nMakeHuman 2 \
-            drops a component whose pattern no slider is registered under, without a message. The names of all \
-            combinations then lack that part and match nothing: the macrodef is dead. A single unknown corner of \
-            a triangle loses the targets of that corner.\n\nWrite the pattern exactly as in `modelling.json`.",
-        ..RuleInfo::new("macro-unknown-pattern", Level::Error, "the pattern of a component belongs to no slider")
+        docs: "No slider has the pattern of a component. `pattern` is the `macro` of an entry of `modelling.json`. \
+            With `sum`, `pattern` followed by each entry of `sum` is one of the texts in `barycentric` of a triangle \
+            slider.\n\nMakeHuman 2 silently drops a component whose pattern no slider has. The names of all its \
+            combinations then lack that part and match nothing: the macrodef is dead. If only one corner of a \
+            triangle is unknown, the targets of that corner are lost.\n\nWrite the pattern exactly as in \
+            `modelling.json`.",
+        ..RuleInfo::new("macro-unknown-pattern", Level::Error, "no slider has the pattern of a component")
     },
     check: Check::Makehuman2(run),
 };
@@ -42,16 +43,16 @@ fn run(_: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         }
         let name = &component.name;
         let message = match unknown.len() {
-            1 => format!("no slider has the pattern `{first}` that component `{name}` reads"),
+            1 => format!("component `{name}` reads the pattern `{first}`, which no slider has"),
             count => {
-                format!("no slider has the pattern `{first}` that component `{name}` reads ({count} patterns like it)")
+                format!("component `{name}` reads the pattern `{first}`, which no slider has ({count} such patterns)")
             }
         };
         let read = super::super::cause::component::patterns(component);
         let free = macro_patterns(base).filter(|pattern| !read.iter().any(|own| own == pattern));
         let help = did_you_mean(
             cx.suggestions.nearest(first, free),
-            "write the `macro` (or `barycentric`) of an entry of `modelling.json`",
+            "write the `macro`, or a text of `barycentric`, of an entry of modelling.json",
         );
         let is_corner = component.steps.is_none() && unknown.len() < read.len();
         let corner = read.iter().position(|own| own == first).filter(|_| is_corner).map(|at| at.to_string());
@@ -61,7 +62,7 @@ fn run(_: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         };
         let mut finding = RULE.at(file, place, message).key(name).help(help);
         if is_corner {
-            let effect = "skips this corner of the triangle without a word; the targets of its value are never applied";
+            let effect = "silently skips this corner of the triangle; the targets of its value are never applied";
             finding = finding.effect(effect);
         }
         if let Some((sliders, _)) = base.modelling.winner() {

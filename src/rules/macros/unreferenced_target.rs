@@ -13,16 +13,12 @@ use std::collections::BTreeSet;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "reads the file at start and never applies it")],
-        docs: "A target in the folder of a macrodef has an effect only if an entry names it in `t`, or a slider \
-            uses it.\n\nSuch a file is often the one that a nearby combination should name: an entry was copied \
-            and `t` not changed, or forgotten. MakeHuman 2 reads it and never applies it.\n\nLet the combination \
-            that it is for name it, or remove it.",
-        ..RuleInfo::new(
-            "macro-unreferenced-target",
-            Level::Warning,
-            "a target in a macro folder is used by no macrodef",
-        )
+        breaks: &[(Application::Makehuman2, "loads the file at start but never applies it")],
+        docs: "A target in the folder of a macrodef is unused. It has an effect only if an entry names it in `t`, or \
+            a slider uses it.\n\nMakeHuman 2 loads the file at start but never applies it. Often a similar \
+            combination should name it: its entry was forgotten, or copied without changing `t`.\n\nName the file in \
+            `t` of its combination, or remove it.",
+        ..RuleInfo::new("macro-unreferenced-target", Level::Warning, "a target in a macro folder is unused")
     },
     check: Check::Makehuman2(run),
 };
@@ -54,13 +50,13 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
         if is_for_faulty_entry(macro_file, &holders, !fitting.is_empty()) {
             continue;
         }
-        let message = format!("no macrodef uses `{}`", file.stem());
+        let message = format!("no macrodef uses target `{}`", file.stem());
         let mut finding = RULE.at(file, Place::File, message).key(file.stem());
         finding = match fitting.as_slice() {
-            [] => finding.help("let the combination it is for name it in `t`, or remove it"),
-            [one] => finding.help(format!("the combination `{one}` fits; let it name the file, or remove the file")),
+            [] => finding.help("name it in `t` of its combination, or remove the file"),
+            [one] => finding.help(format!("name it in `t` of `{one}`, which fits, or remove the file")),
             [first, ..] => finding.help(format!(
-                "{} combinations fit, `{first}` among them; let them name the file, or remove the file",
+                "name it in `t` of the {} combinations that fit, such as `{first}`, or remove the file",
                 fitting.len()
             )),
         };

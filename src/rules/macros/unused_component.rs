@@ -12,12 +12,12 @@ use std::collections::BTreeSet;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "nothing: the component is never evaluated")],
-        docs: "A component has an effect only through the macrodefs that list it in `comp`.\n\nMakeHuman 2 does not \
-            look at other components. Perhaps a macrodef was removed and its component forgotten, or the \
-            component is missing from a `comp`. Where there is no macrodef at all and sliders drive macros, all of them are dead: an error, as \
-            every other way to lose a whole macrodef.\n\nRemove it, or add it where it was meant.",
-        ..RuleInfo::new("macro-unused-component", Level::Info, "a component is used by no macrodef")
+        breaks: &[(Application::Makehuman2, "never evaluates the component")],
+        docs: "No macrodef lists the component in `comp`. Perhaps a macrodef was removed and its component was \
+            forgotten, or a `comp` lacks it.\n\nMakeHuman 2 ignores such a component. If there is no macrodef at all \
+            but sliders drive macros, all those sliders do nothing (an error).\n\nRemove the component, or add it to \
+            the `comp` where it belongs.",
+        ..RuleInfo::new("macro-unused-component", Level::Info, "a component is not used by any macrodef")
     },
     check: Check::Makehuman2(run),
 };
@@ -49,7 +49,7 @@ fn run(_: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let name = component.name.as_str();
         if !used.contains(name) && !meant.contains(name) {
             let place = Place::key(["components", name]);
-            let finding = RULE.at(file, place, format!("component `{name}` is used by no macrodef"));
+            let finding = RULE.at(file, place, format!("component `{name}` is not used by any macrodef"));
             out.push(finding.key(name).help("remove it, or add it to the `comp` of a macrodef"));
         }
     }
@@ -59,17 +59,17 @@ fn run(_: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
 fn without_macrodefs(base: &Base<'_>, file: &FileFacts, macros: &MacroFile) -> Option<Finding> {
     let first = macros.components.first().filter(|_| is_sound(file, "/macrodef"))?;
     let message = match macros.components.len() {
-        1 => format!("there is no macrodef that could use component `{}`", first.name),
-        count => format!("there is no macrodef that could use the {count} components"),
+        1 => format!("component `{}` is never used: no macrodef exists", first.name),
+        count => format!("the {count} components are never used: no macrodef exists"),
     };
     let finding = RULE.at(file, Place::pointer(["macrodef"]), message).key("no macrodef");
-    let finding = finding.help("add the macrodefs of the components, or remove `macro.json`");
+    let finding = finding.help("add the macrodefs of the components, or remove the components");
     if !base.sliders.iter().any(|bound| bound.slider.is_macro()) {
         return Some(finding);
     }
     Some(
         finding
             .level(Level::Error)
-            .effect("has no macros: their sliders move nothing, and their targets are never loaded"),
+            .effect("loads no macros: the macro sliders move nothing, and their targets are never loaded"),
     )
 }

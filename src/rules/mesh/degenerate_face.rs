@@ -9,18 +9,20 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "makes a triangle without area of it: where another corner was meant the surface has a hole",
+            "creates a triangle without area; if another corner was meant, the surface has a hole",
         )],
-        docs: "A face names a vertex twice.\n\nMakeHuman 2 cuts each face into triangles from its first corner, and says nothing \
-            where one of them has no area: nothing of it is seen, and it is exported like the others. A face of four corners \
-            of which two are one vertex is a triangle; the part of the surface up to the corner that was meant is missing. In a group \
-            that is not shown this is an info.\n\nName the corner that was meant, or write the face as a triangle.",
-        ..RuleInfo::new("mesh-degenerate-face", Level::Warning, "a face has a vertex twice")
+        docs: "A face uses the same vertex twice.\n\n\
+            MakeHuman 2 cuts each face into triangles from its first corner and says nothing if one of them has no \
+            area: that triangle is invisible but is exported like the others. A face with four corners of which two \
+            are the same vertex is a triangle, so the surface up to the intended corner is missing. In a group that is \
+            not shown, this is reported as info.\n\n\
+            Write the intended corner, or make the face a triangle.",
+        ..RuleInfo::new("mesh-degenerate-face", Level::Warning, "a face uses a vertex twice")
     },
     check: Check::Body(run),
 };
 
-const HIDDEN: Case = &[(Application::Makehuman2, Level::Info, "never shows the face: its group is not a visible one")];
+const HIDDEN: Case = &[(Application::Makehuman2, Level::Info, "never shows the face: its group is not visible")];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, mesh)) = body.mesh else { return };
@@ -29,9 +31,9 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let (told, is_hidden) = if visible.is_empty() { (hidden, true) } else { (visible, false) };
     let Some(first) = told.first() else { return };
     let message = match told.len() {
-        1 => format!("the face has vertex {} twice", first.vertex),
+        1 => format!("the face uses vertex {} twice", first.vertex),
         count => {
-            format!("{count} of {} faces have a vertex twice, the first vertex {}", mesh.faces.len(), first.vertex)
+            format!("{count} of {} faces use a vertex twice, first vertex {}", mesh.faces.len(), first.vertex)
         }
     };
     // Packed faces have no lines.
@@ -41,7 +43,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     };
     let finding = RULE
         .at(file, place, message)
-        .help("name the corner that was meant, or write a triangle")
+        .help("write the intended corner, or make the face a triangle")
         .parts(told.iter().map(|face| face.vertex))
         .evidence(Evidence::of_unnamed(told.iter().map(told_by)).out_of(mesh.faces.len()));
     out.push(if is_hidden { finding.case(HIDDEN) } else { finding });

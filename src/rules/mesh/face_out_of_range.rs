@@ -1,7 +1,7 @@
 //! Faces must use what exists.
 
 use super::super::cause::mesh::weigh;
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, counted};
 use crate::diag::{Application, Case, Finding, Level, Place, RuleInfo, Tally};
 use crate::discover::Kind;
 use crate::formats::obj::Mesh;
@@ -9,10 +9,12 @@ use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "stops with an IndexError while it loads the base")],
-        docs: "Faces name vertices and texture coordinates by number, from 1. Numbers beyond the last one stop \
-            MakeHuman 2; so do 0 and negative numbers, which the format otherwise allows for counting \
-            backwards.\n\nUsually lines are missing in the file. Export the mesh again, with absolute numbers.",
+        breaks: &[(Application::Makehuman2, "crashes with `IndexError` while loading the base mesh")],
+        docs: "A face uses the number of a vertex or texture coordinate that does not exist. The numbers start at \
+            1.\n\n\
+            MakeHuman 2 crashes on numbers beyond the last one. It also crashes on 0 and on negative numbers, although \
+            the OBJ format allows negative numbers for counting backwards.\n\n\
+            Usually lines are missing in the file. Export the mesh again, with absolute numbers.",
         ..RuleInfo::new(
             "mesh-face-out-of-range",
             Level::Error,
@@ -23,7 +25,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 const BELOW_ONE: Case =
-    &[(Application::Makehuman2, Level::Error, "stops with an OverflowError while it loads the base")];
+    &[(Application::Makehuman2, Level::Error, "crashes with `OverflowError` while loading the base mesh")];
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(mesh) = file.mesh() else { return };
@@ -33,12 +35,12 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
         return out.push(packed(file, mesh, tally, *number));
     }
     let (vertices, uvs) = (mesh.facts.vertices, mesh.uvs.len());
-    let message =
-        format!("a face uses number {number}, but there are {vertices} vertices and {uvs} texture coordinates");
+    let uvs = counted(uvs, "texture coordinate");
+    let message = format!("{} {number}, but the mesh has {vertices} vertices and {uvs}", uses(tally, "number"));
     let lines = tally.first.iter().map(|(line, _)| format!("line {line}"));
     let finding = RULE
-        .at(file, Place::Line(*line), message + &more(tally))
-        .help("number vertices from 1; export the mesh again if lines are missing")
+        .at(file, Place::Line(*line), message)
+        .help("count from 1, without negative numbers; export the mesh again if lines are missing")
         .evidence(tally.evidence(mesh.faces.len()).showing(lines));
     let finding = if *number < 1 { finding.case(BELOW_ONE) } else { finding };
     out.push(weigh(view, file, finding));
@@ -47,12 +49,16 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
 /// Packed faces are numbered from 0, with the copies of vertices at seams behind the vertices.
 fn packed(file: &FileFacts, mesh: &Mesh, tally: &Tally, number: i64) -> Finding {
     let positions = mesh.size().with_seams;
-    let message = format!("a face uses position {number}, but there are {positions} positions{}", more(tally));
+    let message = format!("{} {number}, but the mesh has {positions} positions", uses(tally, "position"));
     RULE.at(file, Place::File, message)
-        .help("pack the mesh anew with compile_meshes.py")
+        .help("rebuild base.mhbin from base.obj with compile_meshes.py")
         .evidence(tally.evidence(mesh.faces.len() + tally.first.len()))
 }
 
-fn more(tally: &Tally) -> String {
-    if tally.count > 1 { format!(" ({} faces like it)", tally.count) } else { String::new() }
+/// The beginning of a message, before the first number.
+fn uses(tally: &Tally, thing: &str) -> String {
+    match tally.count {
+        1 => format!("a face uses {thing}"),
+        count => format!("{count} faces use {thing}s such as"),
+    }
 }

@@ -8,11 +8,12 @@ use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "stops with a UnicodeEncodeError while it loads the base")],
-        docs: "MakeHuman 2 stores the names of face groups as ASCII text and stops at any other letter. Groups \
-            without faces are dropped before and do no harm.\n\nRename the group, here and in `visible groups` \
-            of `base.json`.",
-        ..RuleInfo::new("mesh-group-name", Level::Error, "the name of a group has letters beyond ASCII")
+        breaks: &[(Application::Makehuman2, "crashes with `UnicodeEncodeError` while loading the base mesh")],
+        docs: "The name of a face group contains a letter beyond ASCII.\n\n\
+            MakeHuman 2 stores group names as ASCII text and crashes on any other letter. Groups without faces are \
+            dropped before that and do no harm.\n\n\
+            Rename the group, here and in `visible groups` of `base.json`.",
+        ..RuleInfo::new("mesh-group-name", Level::Error, "a group name is not ASCII")
     },
     check: Check::File(run),
 };
@@ -22,9 +23,9 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     let Some(mesh) = file.mesh().filter(|_| file.kind == Kind::BaseMesh) else { return };
     for group in mesh.groups.iter().filter(|group| group.faces > 0 && !group.name.is_ascii()) {
         let finding = RULE
-            .at(file, Place::Line(group.line), format!("the name of group `{}` is not ASCII", group.name))
+            .at(file, Place::Line(group.line), format!("group name `{}` is not ASCII", group.name))
             .key(&group.name)
-            .help("use letters a to z, digits, `-` and `_`");
+            .help("rename the group with letters a to z, digits, `-` and `_` only");
         out.push(weigh(view, file, finding));
     }
 }

@@ -11,19 +11,21 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "shows nothing at all and takes the figure for 0 cm tall; the glTF export stops with a ValueError",
+            "shows nothing and a height of 0 cm; the glTF export crashes with `ValueError`",
         )],
-        docs: "A mesh without a line `f …` is a cloud of points.\n\nMakeHuman 2 loads it without a message. Nothing of it can \
-            be seen, every height is 0, and the export to glTF stops with a ValueError because there is nothing to write. Faces in \
-            groups that are not shown are another matter (`base-unknown-equipment`). A text without a line `v …` either, such as a web page that was \
-            saved in place of the file, stops MakeHuman 2 at start.\n\nExport the mesh again, with its faces.",
+        docs: "A mesh without a line `f …` has vertices but no surface.\n\n\
+            MakeHuman 2 loads it without a message, shows nothing, and computes every height as 0. The glTF export \
+            crashes with `ValueError` because there is nothing to write. A file that also has no line `v …`, such as a \
+            web page saved in place of the mesh, crashes MakeHuman 2 at start. For faces in groups that are not shown, \
+            see `base-unknown-equipment`.\n\n\
+            Export the mesh again, with its faces.",
         ..RuleInfo::new("mesh-no-faces", Level::Error, "a mesh has no faces")
     },
     check: Check::File(run),
 };
 
 const NO_MESH: Case =
-    &[(Application::Makehuman2, Level::Error, "stops at start with an IndexError while it loads the base mesh")];
+    &[(Application::Makehuman2, Level::Error, "crashes at start with `IndexError` while loading the base mesh")];
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(mesh) = file.mesh().filter(|mesh| is_cloud(mesh)) else { return };
@@ -32,8 +34,8 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     }
     if mesh.facts.vertices == 0 {
         if is_other_text(view, file) {
-            let message = format!("`{}` is no OBJ: it has neither vertices nor faces", file.file_name());
-            let help = "restore the mesh: this is the text of another file, such as a web page";
+            let message = format!("`{}` is not an OBJ file: it has neither vertices nor faces", file.file_name());
+            let help = "restore the mesh: this file is something else, such as a web page";
             let finding = RULE.at(file, Place::File, message).case(NO_MESH).help(help);
             out.push(weigh(view, file, finding));
         }
@@ -41,7 +43,7 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     }
     let vertices = mesh.facts.vertices;
     let finding = RULE
-        .at(file, Place::File, format!("the mesh has {vertices} vertices and no face"))
+        .at(file, Place::File, format!("the mesh has {vertices} vertices but no faces"))
         .help("export the mesh again, with its faces")
         .evidence(Evidence::counted(vertices).out_of(vertices));
     out.push(weigh(view, file, finding));

@@ -9,13 +9,14 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "computes with it: whatever depends on the vertex (normals, joints, size of the body) is no number \
-            either",
+            "loses everything computed from the vertex: normals, joints, the height of the body",
         )],
-        docs: "Python reads `nan` and `inf` as numbers, and so MakeHuman 2 loads the mesh. Everything that is \
-            computed from the vertex is lost: the normals around it, a joint or a fitted asset that uses it, the \
-            height of the body.\n\nGive the vertex a position.",
-        ..RuleInfo::new("mesh-non-finite", Level::Error, "the position of a vertex is not a number or infinite")
+        docs: "The position of a vertex is `nan` or infinite.\n\n\
+            Python reads `nan` and `inf` as numbers, so MakeHuman 2 loads the mesh. Everything computed from the \
+            vertex is lost: the normals around it, joints and fitted assets that use it, and the height of the \
+            body.\n\n\
+            Give the vertex a finite position.",
+        ..RuleInfo::new("mesh-non-finite", Level::Error, "the position of a vertex is not finite")
     },
     check: Check::File(run),
 };
@@ -29,11 +30,13 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     }
     let message = match tally.count {
         1 => format!("the position of vertex {vertex} is not finite"),
-        count => format!("the positions of {count} vertices are not finite, the first is vertex {vertex}"),
+        count => format!("the positions of {count} vertices are not finite, first vertex {vertex}"),
     };
     let element = Element { kind: "vertex", index: vertex.unsigned_abs() };
     let place = if *line == 0 { Place::Element(element) } else { Place::Row(*line, element) };
-    let finding =
-        RULE.at(file, place, message).help("give the vertex a position").evidence(tally.evidence(mesh.facts.vertices));
+    let finding = RULE
+        .at(file, place, message)
+        .help("give the vertex a finite position")
+        .evidence(tally.evidence(mesh.facts.vertices));
     out.push(weigh(view, file, finding));
 }

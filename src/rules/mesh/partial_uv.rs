@@ -7,10 +7,11 @@ use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "stops with an IndexError while it loads the base")],
-        docs: "MakeHuman 2 keeps the texture coordinates of a group in a list beside its faces. All faces of a \
-            group must have them, or none; in a mixed group it reads beyond the list and stops.\n\nUnwrap the \
-            remaining faces, or move them into a group of their own.",
+        breaks: &[(Application::Makehuman2, "crashes with `IndexError` while loading the base mesh")],
+        docs: "Some faces of a group have texture coordinates and others do not.\n\n\
+            MakeHuman 2 keeps the texture coordinates of a group in a list beside its faces. All faces of a group must \
+            have them, or none; in a mixed group it reads beyond the end of the list and crashes.\n\n\
+            Unwrap the remaining faces, or move them into a group of their own.",
         ..RuleInfo::new("mesh-partial-uv", Level::Error, "a group has faces with and without texture coordinates")
     },
     check: Check::File(run),
@@ -20,12 +21,12 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     let Some(mesh) = file.mesh() else { return };
     for group in &mesh.facts.partial_uv {
         let message =
-            format!("{} of {} faces of group `{}` have no texture coordinates", group.without, group.faces, group.name);
+            format!("group `{}` has no texture coordinates on {} of {} faces", group.name, group.without, group.faces);
         let evidence = Evidence::counted(group.without);
         let finding = RULE
             .at(file, Place::Line(group.line), message)
             .key(&group.name)
-            .help("unwrap all faces of the group, or none")
+            .help("unwrap all faces of the group, or none of them")
             .evidence(evidence.out_of(group.faces));
         out.push(weigh(view, file, finding));
     }

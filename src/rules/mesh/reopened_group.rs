@@ -10,21 +10,25 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "leaves the faces behind the second `g` in the group that was opened last",
+            "puts the faces after the second `g` into the group that was started last",
         )],
-        docs: "In an OBJ file `g name` starts a group, or continues one that was started before.\n\nMakeHuman 2 \
-            understands the start only. After the second `g` of a name the faces stay in the group that was \
-            opened last before it. Among invisible helpers this is hardly noticed; faces of a group that \
-            `base.json` shows (`visible groups`) vanish when they end up in one that is not shown \
-            (`error`). An archive (`base.mhbin`) that was packed from the OBJ has them there as well; one that was packed before harms \
-            nobody today (an info).\n\nSort the faces so that each group comes once; exporters have an option for it.",
-        ..RuleInfo::new("mesh-reopened-group", Level::Warning, "a face group is opened a second time")
+        docs: "A second line `g name` continues a group that was started before. MakeHuman 2 only understands the \
+            start of a group.\n\n\
+            After the second `g` with the same name, MakeHuman 2 puts the faces into the group that was started last. \
+            Among hidden helpers this is hardly noticeable. Faces of a group in `visible groups` of `base.json` \
+            disappear if they end up in a group that is not shown: an error.\n\n\
+            An archive (`base.mhbin`) packed from this OBJ has the faces in the same wrong groups. If the archive has \
+            them elsewhere, this is reported as info: nothing goes wrong until it is rebuilt.\n\n\
+            If both groups are hidden, leave it as it is. Otherwise give the later faces a group name of their own, \
+            and list it in `visible groups` if they should be shown. Do not reorder the faces of a mesh that others \
+            already use.",
+        ..RuleInfo::new("mesh-reopened-group", Level::Warning, "a face group appears more than once")
     },
     check: Check::Body(run),
 };
 
 const VANISHING: Case =
-    &[(Application::Makehuman2, Level::Error, "loses visible faces: they end up in a group that is not shown")];
+    &[(Application::Makehuman2, Level::Error, "hides visible faces: they end up in a group that is not shown")];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, mesh)) = body.obj else { return };
@@ -56,11 +60,13 @@ fn finding(file: &FileFacts, groups: &[&Reopened], faces: usize) -> Option<Findi
     let lands_in = first.lands_in.first().map_or("", AsRef::as_ref);
     let message = match groups {
         [only] if strayed == 1 => {
-            format!("group `{}` is opened again: 1 of its faces ends up in `{lands_in}`", only.name)
+            format!("group `{}` appears more than once: 1 of its faces ends up in `{lands_in}`", only.name)
         }
-        [only] => format!("group `{}` is opened again: {strayed} of its faces end up in `{lands_in}`", only.name),
+        [only] => {
+            format!("group `{}` appears more than once: {strayed} of its faces end up in `{lands_in}`", only.name)
+        }
         _ => format!(
-            "{} groups are opened again: {strayed} faces end up in another group, the first ones of `{}` in `{lands_in}`",
+            "{} groups appear more than once: {strayed} faces end up elsewhere, first those of `{}` in `{lands_in}`",
             groups.len(),
             first.name
         ),
@@ -73,8 +79,8 @@ fn finding(file: &FileFacts, groups: &[&Reopened], faces: usize) -> Option<Findi
         RULE.at(file, place, message)
             .parts(parts)
             .help(
-                "leave it where both groups are hidden, as nothing shows; otherwise give the later faces a group name of \
-                 their own",
+                "leave it if both groups are hidden; otherwise give the later faces a new group name, listed in \
+                 `visible groups` if they should be shown",
             )
             .evidence(evidence),
     )

@@ -9,28 +9,27 @@ use crate::repo::makehuman2::{Base, Lies, UnreadMesh, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "shows the mesh of the archive and never looks at the OBJ, whichever is newer",
-        )],
-        docs: "`compile_meshes.py` packs `base.obj` into `base.mhbin`, and from then on MakeHuman 2 loads that: it looks for the user's \
-            base.mhbin, then the system's, and only then for a base.obj; an OBJ that it chose gives way to an archive \
-            beside it. Dates are not compared: a mesh that was exported anew stays without \
-            effect, silently, until the archive is deleted or made anew.\n\nReported is one finding for each archive with what differs: the number of vertices, \
-            vertices that lie elsewhere and the farthest of them, faces, groups, texture coordinates. The order of faces makes no \
-            difference, nor does a vertex that is less than 0.0001 units (0.001 cm) away. All other rules check the mesh of the archive; \
-            what is wrong with an OBJ behind it harms nobody as long as the archive is there, and is an info.\n\nAn OBJ of the user behind the \
-            archive of the system is never read, either. The reverse, an archive of the user over the OBJ of the system, can be \
-            meant, and is an info. An archive with another number of vertices than all the rest is made for is the matter of `base-vertex-count`.\n\n\
-            Delete the archive, or pack the mesh anew with `compile_meshes.py`.",
-        ..RuleInfo::new("mesh-stale-binary", Level::Warning, "a packed base mesh that differs from its OBJ")
+        breaks: &[(Application::Makehuman2, "loads the mesh from the archive and ignores the OBJ, whichever is newer")],
+        docs: "`base.mhbin` differs from the `base.obj` it should have been packed from.\n\n\
+            MakeHuman 2 looks for the user's base.mhbin, then the system's, and only then for a base.obj; a base.mhbin \
+            beside a chosen OBJ is loaded instead. It does not compare dates: a newly exported OBJ silently has no \
+            effect until the archive is deleted or rebuilt.\n\n\
+            There is one finding per archive, listing what differs: the number of vertices, moved vertices and the \
+            farthest of them, faces, groups, texture coordinates. The order of faces does not count, nor does a \
+            distance below 0.001 cm (0.0001). All other rules check the mesh in the archive; a fault of an ignored OBJ \
+            is reported as info.\n\n\
+            A user's OBJ is also ignored if the system has an archive. A user's archive over the system's OBJ may be \
+            intended and is reported as info. If the archive has another number of vertices than everything else \
+            expects, see `base-vertex-count`.\n\n\
+            Delete the archive, or rebuild it with `compile_meshes.py`.",
+        ..RuleInfo::new("mesh-stale-binary", Level::Warning, "a packed base mesh differs from its OBJ")
     },
     check: Check::Makehuman2(run),
 };
 
 const ABOVE: Case =
-    &[(Application::Makehuman2, Level::Warning, "shows the system's base.mhbin: the user's base.obj is never read")];
-const BELOW: Case = &[(Application::Makehuman2, Level::Info, "shows the user's mesh in place of the system's")];
+    &[(Application::Makehuman2, Level::Warning, "loads the system's base.mhbin and ignores the user's base.obj")];
+const BELOW: Case = &[(Application::Makehuman2, Level::Info, "shows the user's mesh instead of the system's")];
 
 /// A mesh unit is a decimetre, and MakeHuman 2 shows centimetres.
 const CM_PER_UNIT: f32 = 10.0;
@@ -64,14 +63,14 @@ fn finding(at: &FileFacts, archive: &FileFacts, text: &UnreadMesh<'_>, told: &To
     let kinds = told.kinds();
     let what: Vec<&str> = kinds.iter().map(|(_, what)| what.as_str()).collect();
     let (case, help, other): (Case, _, _) = match text.lies {
-        Lies::Beside => (&[], "delete base.mhbin, or pack base.obj anew with compile_meshes.py", text.file),
-        Lies::Above => (ABOVE, "pack the user's base.obj as well", archive),
-        Lies::Below => (BELOW, "delete base.mhbin if the system's mesh is meant", text.file),
+        Lies::Beside => (&[], "delete base.mhbin, or rebuild it from base.obj with compile_meshes.py", text.file),
+        Lies::Above => (ABOVE, "pack the user's base.obj with compile_meshes.py as well", archive),
+        Lies::Below => (BELOW, "delete base.mhbin to use the system's mesh", text.file),
     };
     let message = format!("base.mhbin differs from base.obj: {}", what.join("; "));
     let finding = RULE.at(at, Place::File, message).case(case).help(help);
     let finding =
-        finding.parts(kinds.iter().map(|(kind, _)| *kind)).related(other.path.clone(), Place::File, "not the same");
+        finding.parts(kinds.iter().map(|(kind, _)| *kind)).related(other.path.clone(), Place::File, "the other mesh");
     match told.difference.farthest {
         Some((vertex, distance)) => {
             let moved = Evidence::counted(told.difference.moved).out_of(told.packed.facts.vertices);
@@ -102,15 +101,15 @@ impl Told<'_> {
         let group = self.packed.group_of(vertex).map(|group| format!(" (`{group}`)")).unwrap_or_default();
         let by = length(distance);
         let moved = self.difference.moved;
-        format!("{moved} of {vertices} vertices moved, the farthest by {by}: vertex {vertex}{group}")
+        format!("{moved} of {vertices} vertices moved, vertex {vertex}{group} farthest, by {by}")
     }
 
     fn groups(&self) -> Option<String> {
         let [packed, text] = &self.difference.groups;
         match (packed.first(), text.first()) {
             (None, None) => None,
-            (Some(own), None) => Some(format!("{} more, first `{own}`", counted(packed.len(), "group"))),
-            (None, Some(other)) => Some(format!("without {}, first `{other}`", counted(text.len(), "group"))),
+            (Some(own), None) => Some(format!("{}, first `{own}`", counted(packed.len(), "additional group"))),
+            (None, Some(other)) => Some(format!("{}, first `{other}`", counted(text.len(), "missing group"))),
             (Some(own), Some(other)) => Some(format!("group `{own}` instead of `{other}`")),
         }
     }

@@ -8,11 +8,13 @@ use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "stops with a ValueError or IndexError while it loads the base")],
-        docs: "A mesh consists of lines `v x y z`, `vt u v`, `f a b c …` and `g name`; all others are ignored. A \
-            corner of a face is `vertex`, `vertex/uv`, `vertex//normal` or `vertex/uv/normal` in whole numbers; \
-            a face that is drawn has at least three (in hidden groups MakeHuman 2 does not mind).\n\nMakeHuman 2 reads the numbers without checking and stops on the first \
-            that is missing or no number.\n\nExport the mesh again, or correct the line.",
+        breaks: &[(Application::Makehuman2, "crashes with `ValueError` or `IndexError` while loading the base mesh")],
+        docs: "A line `v x y z`, `vt u v` or `f a b c …` cannot be read. A face corner is `vertex`, `vertex/uv`, \
+            `vertex//normal` or `vertex/uv/normal` in whole numbers, and a face that is drawn has at least three \
+            corners. Fewer corners are harmless in hidden groups. Lines other than these and `g name` are ignored.\n\n\
+            MakeHuman 2 reads the numbers without checking them and crashes on the first one that is missing or not a \
+            number.\n\n\
+            Export the mesh again, or fix the line.",
         ..RuleInfo::new("mesh-syntax", Level::Error, "a line of a mesh cannot be read")
     },
     check: Check::File(run),
@@ -32,7 +34,7 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     evidence.count = mesh.facts.unreadable_lines;
     let finding = RULE
         .at(file, Place::Line(first.line), format!("`{}`: {}{more}", first.text, first.what))
-        .help("correct the line, or export the mesh again")
+        .help("fix the line, or export the mesh again")
         .parts(mesh.facts.unreadable_names.names())
         .evidence(evidence);
     out.push(weigh(view, file, finding));
@@ -42,7 +44,7 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
 fn short_face(view: &View<'_>, file: &FileFacts, mesh: &Mesh) -> Option<Finding> {
     let mut drawn = mesh.facts.short_faces.iter().filter(|face| view.draws(file, &face.group));
     let first = drawn.next()?;
-    let message = format!("`{}`: a face needs three corners", first.text);
-    let help = "correct the line, or export the mesh again without edges and points";
+    let message = format!("`{}`: a face needs at least three corners", first.text);
+    let help = "fix the line, or export the mesh again without edges and points";
     Some(RULE.at(file, Place::Line(first.line), message).key("corners").help(help))
 }

@@ -7,11 +7,12 @@ use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "keeps the vertex and counts it; nothing of it is seen")],
-        docs: "MakeHuman 2 keeps vertices without a face; they can be moved, weighted and used by joints and \
-            clothes like others. Programs that drop them on import count all later vertices differently, and \
-            then targets, weights and clothes do not fit.\n\nKeep them if something refers to them; otherwise do \
-            not add any: removing one later renumbers the mesh.",
+        breaks: &[(Application::Makehuman2, "keeps and counts the vertex but never shows it")],
+        docs: "A vertex belongs to no face.\n\n\
+            MakeHuman 2 keeps such vertices; they can be moved, weighted and used by joints and clothes like any \
+            others. Programs that drop them on import number all later vertices differently, so that targets, weights \
+            and clothes no longer fit.\n\n\
+            Keep them if something refers to them. Do not add new ones: removing one later renumbers the mesh.",
         ..RuleInfo::new("mesh-unused-vertex", Level::Info, "no face uses a vertex")
     },
     check: Check::File(run),
@@ -31,7 +32,7 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     let Some((_, vertex)) = tally.first.first() else { return };
     let message = match tally.count {
         1 => format!("no face uses vertex {vertex}"),
-        count => format!("no face uses {count} of {} vertices, the first is vertex {vertex}", mesh.facts.vertices),
+        count => format!("no face uses {count} of {} vertices, first vertex {vertex}", mesh.facts.vertices),
     };
     out.push(RULE.at(file, Place::File, message).evidence(tally.evidence(mesh.facts.vertices)));
 }

@@ -1,23 +1,29 @@
 //! A triangle has three corners and three colours.
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, counted};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, BoundSlider, View};
 
 const CANNOT_MIX: &str =
-    "stops with a ValueError at every move of the triangle: colours mix only three by three numbers";
-const MIXES_OTHERS: &str = "mixes the skin colour without the corners that have none";
+    "crashes with `ValueError` at every move of the triangle: it mixes three colours of three numbers each";
+const MIXES_OTHERS: &str = "mixes the skin colour without the corners that have no colour";
 /// Corners of the triangle slider; also parts of a colour.
 const THREE: usize = 3;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "stops with an IndexError at start")],
-        docs: "`barycentric` makes a triangle slider: exactly three patterns, one for each corner. `barycentric_diffuse` gives each corner a \
-            colour: three colours of three numbers.\n\nWith any other number of patterns MakeHuman 2 stops at start. Where a colour has not three \
-            numbers, one for transparency say, every move of the triangle raises a ValueError. A colour that is missing is left out of the \
-            mixture, and surplus ones are never used (warnings).\n\nGive exactly three of each.",
-        ..RuleInfo::new("modelling-barycentric-arity", Level::Error, "`barycentric` or its colours are not three")
+        breaks: &[(Application::Makehuman2, "crashes with `IndexError` at start")],
+        docs: "A triangle slider does not have exactly three patterns or three colours. `barycentric` has one pattern \
+            for each corner; `barycentric_diffuse` gives each corner a skin colour of three numbers.\n\nWith any \
+            other number of patterns, MakeHuman 2 crashes at start. If a colour does not have three numbers, for \
+            example a fourth one for transparency, every move of the triangle crashes it with `ValueError`. A \
+            missing colour is left out of the mix, and surplus ones are never used (warnings).\n\nWrite exactly \
+            three of each.",
+        ..RuleInfo::new(
+            "modelling-barycentric-arity",
+            Level::Error,
+            "`barycentric` does not have exactly three patterns or colours",
+        )
     },
     check: Check::Makehuman2(run),
 };
@@ -26,19 +32,19 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for bound in &base.sliders {
         let slider = bound.slider;
         if slider.barycentric.is_some() && slider.barycentric_len != THREE {
-            let message =
-                format!("`barycentric` of `{}` has {} patterns instead of 3", slider.key, slider.barycentric_len);
+            let patterns = counted(slider.barycentric_len, "pattern");
+            let message = format!("`barycentric` of `{}` has {patterns} instead of 3", slider.key);
             out.push(finding(bound, "barycentric", message));
         }
         // What is no list of colours is reported by the schema.
         let Some(colours) = &slider.barycentric_colours else { continue };
         if colours.len() != THREE {
-            let message =
-                format!("`barycentric_diffuse` of `{}` has {} colours instead of 3", slider.key, colours.len());
-            let effect = if colours.len() > THREE { "never uses what is beyond three" } else { MIXES_OTHERS };
+            let count = counted(colours.len(), "colour");
+            let message = format!("`barycentric_diffuse` of `{}` has {count} instead of 3", slider.key);
+            let effect = if colours.len() > THREE { "never uses the surplus colours" } else { MIXES_OTHERS };
             out.push(finding(bound, "barycentric_diffuse", message).level(Level::Warning).effect(effect));
         } else if let Some(parts) = colours.iter().find(|parts| **parts != THREE) {
-            let message = format!("a colour of `{}` has {parts} numbers instead of 3", slider.key);
+            let message = format!("a colour of `{}` has {} instead of 3", slider.key, counted(parts, "number"));
             out.push(finding(bound, "barycentric_diffuse", message).effect(CANNOT_MIX));
         }
     }
@@ -48,5 +54,5 @@ fn finding(bound: &BoundSlider<'_>, member: &str, message: String) -> Finding {
     let key = bound.slider.key.as_str();
     RULE.at(bound.file, Place::pointer([key, member]), message)
         .key(format!("{key} {member}"))
-        .help("give exactly three")
+        .help("write exactly three")
 }

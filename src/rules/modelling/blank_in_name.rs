@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, counted};
 use super::groups;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View, user_scan};
@@ -11,13 +11,13 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "stops with a ValueError when it loads a model that was saved with the slider moved",
+            "crashes with `ValueError` when it loads a model that was saved with the slider moved",
         )],
-        docs: "A saved model names a slider by its pattern, which is made of the path of its target, and the words of a line are \
-            told apart by blanks.\n\nA blank in the file or folder name of a user target, or in a pattern of \
-            `modelling.json`, therefore gives a line of three words. The slider works and the model is saved, but it can \
-            never be loaded again: an error, because the user's work is lost.\n\nUse `-` or `_` instead.",
-        ..RuleInfo::new("modelling-blank-in-name", Level::Error, "a blank in the name of a user target")
+        docs: "The file or folder name of a user target, or a pattern of `modelling.json`, contains a space.\n\nA \
+            saved model names a slider by its pattern, which contains the path of its target, and MakeHuman 2 splits \
+            the line at spaces. The slider works and the model can be saved, but it can never be loaded again. This \
+            is an error, because the user's work is lost.\n\nUse `-` or `_` instead.",
+        ..RuleInfo::new("modelling-blank-in-name", Level::Error, "the name of a user target contains a space")
     },
     check: Check::Makehuman2(run),
 };
@@ -33,13 +33,13 @@ fn user_files(base: &Base<'_>, out: &mut Vec<Finding>) {
         if let Some(folder) = target.folder.filter(|folder| has_blank(folder)) {
             folders.entry(folder).or_default().push(target.stem);
         } else if has_blank(target.stem) {
-            let message = format!("a blank in the name of the user target `{}`", target.stem);
+            let message = format!("user target `{}` has a space in its name", target.stem);
             out.push(RULE.at(target.file, Place::File, message).key(target.stem).help(rename(target.stem)));
         }
     }
     let Some(user) = base.user_targets else { return };
     for (folder, stems) in folders {
-        let message = format!("a blank in the folder name `{folder}` of {} user targets", stems.len());
+        let message = format!("folder `{folder}` of {} has a space in its name", counted(stems.len(), "user target"));
         let finding = RULE.in_layer(user.layer, &format!("{}/{folder}", user.rel()), message);
         out.push(finding.key(folder).help(rename(folder)).evidence(Evidence::of_cases(stems)));
     }
@@ -50,7 +50,7 @@ fn patterns(base: &Base<'_>, out: &mut Vec<Finding>) {
     for slider in groups::hand_made(base).filter(|slider| !slider.slider.user) {
         let Some(pattern) = slider.pattern.names().iter().find(|name| has_blank(name)) else { continue };
         let key = slider.slider.key.as_str();
-        let message = format!("a blank in the pattern `{pattern}` of `{key}`");
+        let message = format!("pattern `{pattern}` of `{key}` contains a space");
         out.push(RULE.at(slider.file, Place::key([key]), message).key(key).help(rename(pattern)));
     }
 }

@@ -7,12 +7,15 @@ use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "stops with an AttributeError when the slider moves to its positive side")],
-        docs: "`decr` is the negative side of a slider and `incr` its positive one.\n\nWith `decr` alone MakeHuman 2 shows both \
-            sides. The positive side has no target: moving there raises an exception, which makes this an error. The slider \
-            has no pattern, so it is never saved and no model can set it.\n\nAdd `incr`, or rename `decr` to `incr` to \
-            get a slider with one side.",
-        ..RuleInfo::new("modelling-decr-only", Level::Error, "`decr` without `incr`")
+        breaks: &[(
+            Application::Makehuman2,
+            "crashes with `AttributeError` when the slider moves to its positive side",
+        )],
+        docs: "A slider has `decr`, its negative side, but no `incr`, its positive side.\n\nMakeHuman 2 still shows \
+            both sides. The positive side has no target, so moving the slider there is a crash. The slider also has \
+            no pattern: it is never saved, and no model can set it.\n\nAdd `incr`, or rename `decr` to `incr` to get \
+            a slider with one side.",
+        ..RuleInfo::new("modelling-decr-only", Level::Error, "a slider has `decr` but no `incr`")
     },
     check: Check::Makehuman2(run),
 };
@@ -24,7 +27,7 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             continue;
         }
         let help = match slider.misspelt_effect() {
-            Some((key, meant)) => format!("is `{key}` meant to be `{meant}`?"),
+            Some((key, meant)) => format!("did you mean `{meant}` instead of `{key}`?"),
             None => "add `incr`, or rename `decr` to `incr` for a slider with one side".to_owned(),
         };
         out.push(

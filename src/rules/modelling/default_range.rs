@@ -9,13 +9,13 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "sets the slider beyond its end at every reset: a macro vanishes or is exaggerated",
+            "sets the slider beyond its end at every reset: a macro disappears or is exaggerated",
         )],
-        docs: "`default` is the value of a slider after a reset, from 0 to 1 (from -1 for a slider with two targets). Every load of \
-            a model resets all sliders first.\n\nMakeHuman 2 does not limit the value. Above 1 a macro applies \
-            nothing at all, below 0 its first value is exaggerated, and a target is applied with that factor. A value like 50 \
-            is usually meant in percent.\n\nWrite a number from 0 to 1.",
-        ..RuleInfo::new("modelling-default-range", Level::Warning, "`default` outside 0 to 1")
+        docs: "`default` lies beyond the ends of the slider. It is the value after a reset, from 0 to 1 (from -1 for \
+            a slider with two targets). Loading a model resets all sliders first.\n\nMakeHuman 2 does not limit the \
+            value. Above 1, a macro applies nothing; below 0, its first value is exaggerated; a target is applied \
+            with that factor. A value such as 50 is usually meant as a percentage.\n\nWrite a number from 0 to 1.",
+        ..RuleInfo::new("modelling-default-range", Level::Warning, "`default` is outside 0 to 1")
     },
     check: Check::Makehuman2(run),
 };
@@ -29,9 +29,9 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         if (lowest..=1.0).contains(&default) {
             continue;
         }
-        let message = format!("`{}` has the default {default}, outside {lowest} to 1", slider.key);
+        let message = format!("`default` of `{}` is {default}, outside {lowest} to 1", slider.key);
         let help = if (2.0..=100.0).contains(&default) {
-            format!("values are not in percent: {} is meant?", default / 100.0)
+            format!("did you mean `{}`? Values are not percentages", default / 100.0)
         } else {
             format!("write a number from {lowest} to 1")
         };

@@ -11,13 +11,14 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "saves and loads only the last of the sliders; what is set with the others is lost",
+            "saves and loads only the last of the sliders; the values of the others are lost",
         )],
-        docs: "The pattern of an entry is its name in saved models, presets, symmetry and macros: the texts of `barycentric`, or \
-            `macro`, or `<decr>|<ending>` for a pair of targets, or `incr`.\n\nTwo entries with one pattern both get a slider, \
-            but only the last is known by the name. A model that was saved with another of them moved has lost that \
-            value, without a message.\n\nRemove one entry, or give it targets of its own.",
-        ..RuleInfo::new("modelling-duplicate-pattern", Level::Error, "two entries produce one pattern")
+        docs: "Two entries have the same pattern. The pattern is the name of a slider in saved models, presets, \
+            symmetry and macros: the texts of `barycentric`, or `macro`, or `<decr>|<ending>` for a pair of targets, \
+            or `incr`.\n\nMakeHuman 2 shows a slider for each entry, but knows only the last by the pattern. The \
+            value of another one is silently lost when the model is saved.\n\nRemove one of the entries, or give it \
+            its own targets.",
+        ..RuleInfo::new("modelling-duplicate-pattern", Level::Error, "two entries have the same pattern")
     },
     check: Check::Makehuman2(run),
 };
@@ -42,7 +43,7 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             .at(last.file, Place::key([winner]), message)
             .key(pattern)
             .parts(sliders.iter().map(|slider| &slider.slider.key))
-            .help("remove one of the entries, or give it targets of its own");
+            .help("remove one of the entries, or give it its own targets");
         for other in hidden.iter().filter(|other| !std::ptr::eq(**other, *last)) {
             let place = Place::key([&other.slider.key]);
             finding = finding.related(other.file.path.clone(), place, "cannot be saved or loaded");

@@ -11,13 +11,14 @@ use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "shows an entry in the tree with nothing behind it")],
-        docs: "Every item of `target_cat.json` shows the sliders whose `group` equals its `group|cat`.\n\nAn item without such a slider, or a \
-            category without items, is an entry that leads nowhere. A category of one's own called `User` is a \
-            warning: MakeHuman 2 always replaces it with the one it generates from user targets, so its items vanish. A generated target_cat.json without it stops MakeHuman 2 at start, which is an error. An \
-            item that a misspelt slider was meant for is not reported here but with the slider, and one whose slider is gone \
-            with the targets that were left behind.\n\nRemove the item, \
-            or give a slider its group.",
+        breaks: &[(Application::Makehuman2, "shows an entry without sliders in the tree")],
+        docs: "No slider has the group of an item in `target_cat.json`, or a category has no items. An item shows the \
+            sliders whose `group` equals its `group|cat`.\n\nMakeHuman 2 shows an entry that leads nowhere (an \
+            info). It always replaces a category named `User` with the one it generates from user targets, so the \
+            items of your own `User` disappear (a warning). A generated `target_cat.json` without that category \
+            crashes it at start with `KeyError` (an error).\n\nAn item that was meant for a misspelt slider is \
+            reported at the slider, and one whose slider was removed is reported with the unused targets.\n\nRemove \
+            the item, or give a slider its group.",
         ..RuleInfo::new("modelling-empty-category", Level::Info, "a category item has no slider")
     },
     check: Check::Makehuman2(run),
@@ -59,8 +60,8 @@ fn without_user(base: &Base<'_>) -> Option<Finding> {
         RULE.at(file, Place::File, "the generated target_cat.json has no category `User`")
             .key("generated")
             .level(Level::Error)
-            .effect("stops at start with a KeyError")
-            .help("delete both generated JSON files, MakeHuman 2 writes them anew from the targets")
+            .effect("crashes at start with `KeyError`")
+            .help("delete both generated JSON files; MakeHuman 2 writes them again from the user targets")
     })
 }
 
@@ -120,7 +121,7 @@ fn replaced(file: &FileFacts, base: &Base<'_>, groups: &Groups<'_, '_>) -> Findi
     RULE.at(file, Place::key([USER_CATEGORY]), "category `User` is always replaced by the generated one")
         .key(USER_CATEGORY)
         .level(Level::Warning)
-        .effect("drops the category and never shows the sliders under it")
-        .help("give the category another name")
+        .effect("replaces the category and never shows its sliders")
+        .help("rename the category")
         .evidence(Evidence::of_cases(lost.map(|slider| &slider.slider.key)))
 }

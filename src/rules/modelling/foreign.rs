@@ -19,9 +19,12 @@ pub(super) fn sliders(rule: &Rule, view: &View<'_>, base: &Base<'_>) -> Option<F
         .map(String::as_str)
         .collect();
     let folder = folder.layer.display(&folder.rel());
-    let message = format!("none of the {} targets that the sliders name is in `{folder}`", names.len());
+    let message = format!("none of the {} targets that the sliders use is in `{folder}`", names.len());
     let finding = rule.at(file, Place::File, message).key("foreign").evidence(Evidence::of_cases(names));
-    Some(finding.help(format!("is it the modelling.json of another base? Restore that of `{}`", base.name)))
+    Some(
+        finding
+            .help(format!("restore the modelling.json of `{}`; this one seems to belong to another base", base.name)),
+    )
 }
 
 /// Groups of which none is offered, from this many on, have one fault between them.
@@ -41,6 +44,6 @@ pub(super) fn categories(rule: &Rule, view: &View<'_>, base: &Base<'_>, groups: 
     let own = base.categories.winner().filter(|(file, _)| view.layers.is_checked(file));
     let (file, place) =
         own.map_or_else(|| (first.file, Place::key([&first.slider.key])), |(file, _)| (file, Place::File));
-    let help = format!("is it the target_cat.json of another base? Restore that of `{}`", base.name);
+    let help = format!("restore the target_cat.json of `{}`; this one seems to belong to another base", base.name);
     Some(rule.at(file, place, message).key("foreign").help(help).evidence(keys))
 }

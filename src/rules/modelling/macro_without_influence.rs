@@ -11,13 +11,14 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "shows the character without any macro shape when the slider is opened, until another macro slider moves",
+            "hides all macro shapes when the slider is opened, until another macro slider moves",
         )],
-        docs: "`macro_influence` lists the positions of the macro definitions that a macro slider takes part in.\n\nMakeHuman 2 always evaluates \
-            all of them; it only asks whether the list is empty. A macro slider without the list, or with an empty one, is treated like \
-            an ordinary slider: opening it shows the mesh without macros, so the character melts to the neutral base.\n\n\
-            List the macro definitions that use the slider.",
-        ..RuleInfo::new("modelling-macro-without-influence", Level::Warning, "a macro slider without `macro_influence`")
+        docs: "A macro slider has no `macro_influence`, or an empty one. It lists the macrodefs that the slider takes \
+            part in, counted from 0.\n\nMakeHuman 2 always evaluates all macrodefs; it only checks whether the list \
+            is empty. It treats a macro slider without the list, or with an empty one, as an ordinary slider: \
+            opening it shows the mesh without macros, so the character falls back to the neutral base.\n\nList the \
+            macrodefs that use the slider.",
+        ..RuleInfo::new("modelling-macro-without-influence", Level::Warning, "a macro slider has no `macro_influence`")
     },
     check: Check::Makehuman2(run),
 };
@@ -51,7 +52,7 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             Pattern::Barycentric(_) if !is_empty => Place::key([&slider.key]),
             _ => Place::pointer([&slider.key, member]),
         };
-        let message = format!("the macro slider `{}` has {what} `macro_influence`", slider.key);
+        let message = format!("macro slider `{}` has {what} `macro_influence`", slider.key);
         let finding = RULE.at(bound.file, place, message).key(&slider.key).help(help(&users(macros, bound)));
         out.push(finding.confidence(confidence));
     }
@@ -77,7 +78,7 @@ fn users(macros: &MacroFile, bound: &BoundSlider<'_>) -> Vec<usize> {
 
 fn help(users: &[usize]) -> String {
     if users.is_empty() {
-        return "no component of macro.json reads the slider; name its macro definitions, or remove `macro`".to_owned();
+        return "list its macrodefs, or remove `macro`; no component of macro.json reads the slider".to_owned();
     }
     let list: Vec<String> = users.iter().map(usize::to_string).collect();
     format!("add `\"macro_influence\": [{}]`", list.join(", "))

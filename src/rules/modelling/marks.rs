@@ -9,21 +9,22 @@ use crate::repo::makehuman2::Base;
 use crate::repo::{Reference, ReferenceKind};
 
 /// What becomes of an entry of the generated file whose target is gone.
-pub(super) const OF_GENERATED: &str = "stops with an AttributeError when the slider moves; where the folder is newer than the file, it makes the \
-    file anew and the slider is gone";
-pub(super) const ANEW: &str = "delete both JSON files beside it: MakeHuman 2 makes them anew of the user's targets";
+pub(super) const OF_GENERATED: &str = "crashes with `AttributeError` when the slider moves; if the folder is newer than the file, it writes the file \
+     again and the slider disappears";
+pub(super) const ANEW: &str = "delete both generated JSON files; MakeHuman 2 writes them again from the user targets";
 
 /// Sliders of the system that say that their targets are a user's.
 pub(super) fn needless(rule: &Rule, marked: &[&Reference<'_>]) -> Option<Finding> {
     let first = marked.first()?;
     let owners: BTreeSet<&str> = marked.iter().map(|reference| reference.owner).collect();
-    let more = if owners.len() > 1 { format!(" ({} entries like it)", owners.len()) } else { String::new() };
+    let more = if owners.len() > 1 { format!(" ({} such entries)", owners.len()) } else { String::new() };
     let key = first.owner;
-    let message = format!("`{key}` has the key `user`: `{}` is looked for among the user's targets{more}", first.text);
+    let message = format!("`{key}` has the key `user`, so `{}` is expected among the user targets{more}", first.text);
     let finding = rule.at(first.from, Place::key([key, "user"]), message).key("user");
     let effect =
-        "does not find the target in the user's folder, and stops with an AttributeError when the slider moves";
-    let help = "remove the key, whatever its value: it belongs into the file that MakeHuman 2 makes of user targets";
+        "does not find the target in the user's folder and crashes with `AttributeError` when the slider moves";
+    let help =
+        "remove the key `user`, whatever its value; only the file that MakeHuman 2 writes for user targets needs it";
     Some(finding.effect(effect).help(help).evidence(Evidence::of_cases(owners)))
 }
 
@@ -34,14 +35,15 @@ pub(super) fn missing(rule: &Rule, base: &Base<'_>, first: &Reference<'_>, count
     let system =
         base.targets.map_or_else(|| format!("target/{}", base.name), |folder| folder.layer.display(&folder.rel()));
     let side = if first.kind == ReferenceKind::Incr { "incr" } else { "decr" };
-    let more = if count > 1 { format!(" ({count} names like it)") } else { String::new() };
-    let message = format!("`{}` lacks `user`: `{}` is looked for in `{system}`{more}", first.owner, first.text);
+    let more = if count > 1 { format!(" ({count} such names)") } else { String::new() };
+    let message =
+        format!("`{}` lacks the key `user`, so `{}` is expected in `{system}`{more}", first.owner, first.text);
     let finding = rule.at(first.from, first.place.clone(), message).key(format!("{} {side}", first.owner));
-    let effect = "takes targets of entries without `user` from the folder of the system only, and stops with an \
-        AttributeError when the slider moves";
+    let effect = "does not look for the target in the user's folder and crashes with `AttributeError` when the slider \
+        moves";
     Some(
         finding
             .effect(effect)
-            .help(format!("{ANEW}; sliders and macros of your own belong in `contarget/{}`", base.name)),
+            .help(format!("{ANEW}; put sliders and macros of your own into `contarget/{}`", base.name)),
     )
 }

@@ -8,15 +8,16 @@ use crate::repo::makehuman2::{Base, BoundSlider, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "stops with an IndexError when the length is shown")],
-        docs: "`measure` lists vertices of the base mesh, counted from 0; the length of the line through them is shown beside the slider.\n\n\
-            A vertex that the mesh does not have raises an exception whenever the length is computed. A negative number is taken \
-            from the end of the mesh: no exception, but a wrong length (a warning). So is a number just beyond the vertices of the file, which means a \
-            copy that MakeHuman 2 makes at a texture seam. A number with a point, as `100.0`, raises the same exception. A line with less than two \
-            vertices is shown as `0 cm` (a warning).\n\nThe line is not closed by the program. One that is \
-            called a circumference (`circ` or `girth` in the name of the slider) and ends away from where it began leaves a \
-            piece out, so the length shown is too small (a warning with the gap on the unmorphed mesh).\n\nWrite vertices of \
-            the base mesh, and the first one again at the end of a circumference.",
+        breaks: &[(Application::Makehuman2, "crashes with `IndexError` when it shows the length")],
+        docs: "`measure` does not fit the base mesh. It lists vertices of the mesh, counted from 0; the length of the \
+            line through them is shown beside the slider.\n\nMakeHuman 2 crashes whenever it computes the length \
+            with a vertex that does not exist, or with a number that has a decimal point, such as `100.0`. A \
+            negative number is counted from the end of the mesh, and a number just beyond the vertices of the file \
+            means a UV-seam duplicate that MakeHuman 2 makes: no crash, but a wrong length (warnings). A line with \
+            fewer than two vertices is shown as `0 cm` (a warning).\n\nMakeHuman 2 does not close the line. A \
+            circumference (`circ` or `girth` in the name of the slider or its target) that does not end where it \
+            began lacks a piece, so the length is too small (a warning, with the gap on the unmorphed mesh).\n\nList \
+            vertices of the base mesh, and repeat the first one at the end of a circumference.",
         ..RuleInfo::new("modelling-measure", Level::Error, "`measure` does not fit the base mesh")
     },
     check: Check::Makehuman2(run),
@@ -39,21 +40,21 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let beyond: Vec<&i64> = line.iter().filter(outside).collect();
         let negative: Vec<&i64> = line.iter().filter(|vertex| **vertex < 0 && !outside(vertex)).collect();
         if let Some(first) = beyond.first() {
-            let message = format!("measures vertex {first}, but the mesh has {}", mesh.facts.vertices);
+            let message = format!("measures vertex {first}, but the mesh has {} vertices", mesh.facts.vertices);
             out.push(
                 finding(bound, &message, "").evidence(Evidence::of_cases(beyond.iter().copied()).out_of(line.len())),
             );
         } else if let Some(first) = negative.first() {
             let message = format!("measures vertex {first}, which is counted from the end of the mesh");
-            let effect = "takes a vertex counted from the end of the mesh and shows a wrong length";
+            let effect = "counts the vertex from the end of the mesh and shows a wrong length";
             out.push(
                 finding(bound, &message, effect)
                     .level(Level::Warning)
                     .evidence(Evidence::of_cases(negative.iter().copied()).out_of(line.len())),
             );
         } else if let Some(first) = line.iter().find(|vertex| **vertex >= vertices) {
-            let message = format!("measures vertex {first}, a copy at a seam: the mesh has {vertices}");
-            let effect = "measures to a copy of a vertex at a texture seam and shows a wrong length";
+            let message = format!("measures vertex {first}, a UV-seam duplicate: the mesh has {vertices} vertices");
+            let effect = "measures to the UV-seam duplicate of another vertex and shows a wrong length";
             out.push(finding(bound, &message, effect).level(Level::Warning));
         } else if is_circumference(bound) {
             out.extend(open_line(bound, line, &mesh.positions));
@@ -66,12 +67,12 @@ fn whatever_the_mesh(bound: &BoundSlider<'_>) -> Option<Finding> {
     let slider = bound.slider;
     let line = slider.measure.as_ref()?;
     if let Some(first) = slider.measure_floats.first() {
-        let message = format!("measures vertex {first:.1}, a number with a point");
-        return Some(finding(bound, &message, "").help("write the numbers of vertices without a point"));
+        let message = format!("measures vertex {first:.1}, which has a decimal point");
+        return Some(finding(bound, &message, "").help("write vertex numbers without a decimal point"));
     }
     let is_short = line.len() < 2 && is_sound(bound.file, &pointer(&[&slider.key, "measure"]));
-    let what = if line.is_empty() { "measures no vertex" } else { "measures a single vertex" };
-    let help = "list the vertices along the line, or remove the key";
+    let what = if line.is_empty() { "measures no vertices" } else { "measures only one vertex" };
+    let help = "list the vertices along the line, or remove `measure`";
     is_short.then(|| finding(bound, what, "shows a length of `0 cm`").level(Level::Warning).help(help))
 }
 
@@ -90,9 +91,12 @@ fn open_line(bound: &BoundSlider<'_>, line: &[i64], positions: &[[f32; 3]]) -> O
     if gap <= SAME_PLACE || !length.is_finite() {
         return None;
     }
-    let message = format!("does not close: its ends are {gap:.3} apart, its length is {length:.3}");
+    // Shown as the program shows lengths: a unit is 10 cm.
+    let (gap_cm, length_cm) = (10.0 * gap, 10.0 * length);
+    let message =
+        format!("does not close: its ends are {gap_cm:.2} cm apart ({gap:.3}), its length is {length_cm:.1} cm");
     let effect = "shows a length without the missing piece";
-    let help = format!("write vertex {first} again behind {last}, with those between them if there are any");
+    let help = format!("add vertex {first} again after {last}, with the vertices between them if there are any");
     let evidence = Evidence::counted(1).with_worst(gap, format!("vertices {first} and {last}"));
     // Another fault than a vertex that does not exist: it must not be taken for the same.
     let key = format!("{} gap", bound.slider.key);
@@ -104,6 +108,6 @@ fn finding(bound: &BoundSlider<'_>, message: &str, effect: &str) -> Finding {
     let finding = RULE
         .at(bound.file, Place::pointer([key, "measure"]), format!("`{key}` {message}"))
         .key(key)
-        .help("vertices are counted from 0; was the line made for another mesh?");
+        .help("correct the vertex numbers, which start at 0; the line may be made for another mesh");
     if effect.is_empty() { finding } else { finding.effect(effect) }
 }

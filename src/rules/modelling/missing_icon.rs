@@ -8,11 +8,14 @@ use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "shows a button without size instead of the picture")],
-        docs: "`icon` names a picture in the folder `icons` of the target folder in use.\n\nMakeHuman 2 does not check \
-            that it exists: the slider then has a picture button of no size, which cannot be hit. An entry \
-            without `icon` gets a neutral picture, so leaving it out is better than naming nothing.\n\nCorrect the name, add \
-            the picture, or remove the key.",
+        breaks: &[(
+            Application::Makehuman2,
+            "shows a button without size, which cannot be clicked, instead of the picture",
+        )],
+        docs: "`icon` names a picture that does not exist. It is looked for in the folder `icons` of the target \
+            folder in use.\n\nMakeHuman 2 does not check whether it exists: the slider then has a button without \
+            size, which cannot be clicked. An entry without `icon` has a neutral picture, so no key is better than a \
+            wrong one.\n\nCorrect the name, add the picture, or remove the key.",
         ..RuleInfo::new("modelling-missing-icon", Level::Warning, "`icon` names a picture that does not exist")
     },
     check: Check::Makehuman2(run),
@@ -31,12 +34,13 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
             continue;
         }
         let (message, key) = match &group.folder {
-            Some(folder) => {
-                (format!("nothing is in `{folder}`, but {} icons are read from it", group.references.len()), &**folder)
-            }
-            None => (format!("the icon `{}` of `{}` does not exist", first.text, first.owner), first.owner),
+            Some(folder) => (
+                format!("`{folder}` is missing or empty, but {} icons are read from it", group.references.len()),
+                &**folder,
+            ),
+            None => (format!("icon `{}` of `{}` does not exist", first.text, first.owner), first.owner),
         };
-        let help = did_you_mean(neighbours.nearest(first), "add the picture, or remove the key to get the neutral one");
+        let help = did_you_mean(neighbours.nearest(first), "add the picture, or remove `icon` to get the neutral one");
         let evidence = Evidence::of_cases(group.references.iter().map(|reference| reference.text));
         out.push(RULE.at(first.from, first.place.clone(), message).key(key).help(help).evidence(evidence));
     }

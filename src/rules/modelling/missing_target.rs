@@ -14,15 +14,15 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "stops with an AttributeError when the slider moves, or at start if the start model sets it",
+            "crashes with `AttributeError` when the slider moves, or at start if the start model sets it",
         )],
-        docs: "`incr` and `decr` name a target by its path below the target folder, with `/` and without `.target`.\n\nMakeHuman 2 \
-            writes a missing file into its log and keeps an empty stand-in. The slider looks normal; as soon as it \
-            moves, or the start model moves it, the program meets the stand-in and raises an exception. Where the \
-            targets come from is decided by the `macro.json` in use, entries with `user` are read from the user's \
-            target folder: the key, whatever its value, is for the file that MakeHuman 2 makes of user targets, and a slider of \
-            the system that has it loses its target. A target that only `compressedtargets.npz` holds counts as there.\n\n\
-            Correct the path, add the target, or remove the entry.",
+        docs: "`incr` or `decr` names a target that does not exist. Both are paths below the target folder, with `/` \
+            and without `.target`.\n\nMakeHuman 2 writes a line to its log and keeps an empty placeholder. The \
+            slider looks normal, but crashes MakeHuman 2 as soon as it moves, or at start if the start model moves \
+            it.\n\nThe `macro.json` in use decides which target folder is read. Entries with the key `user`, \
+            whatever its value, are read from the user's target folder. That key is for the file that MakeHuman 2 \
+            writes for user targets; a slider of the system that has it loses its target. A target that is only in \
+            `compressedtargets.npz` counts as existing.\n\nCorrect the path, add the target, or remove the entry.",
         ..RuleInfo::new("modelling-missing-target", Level::Error, "`incr` or `decr` names a target that does not exist")
     },
     check: Check::Makehuman2(run),
@@ -66,8 +66,10 @@ fn finding(
         return Some(finding);
     }
     let (message, key) = match &group.folder {
-        Some(folder) => (format!("nothing is in `{folder}`, but {count} targets are read from it"), folder.as_str()),
-        None => (format!("`{}` moves `{}`, which does not exist", first.owner, first.rel), first.owner),
+        Some(folder) => {
+            (format!("`{folder}` is missing or empty, but {count} targets are read from it"), folder.as_str())
+        }
+        None => (format!("`{}` uses `{}`, which does not exist", first.owner, first.rel), first.owner),
     };
     let mut finding = RULE
         .at(first.from, first.place.clone(), message)
@@ -77,9 +79,9 @@ fn finding(
     if is_generated_for(base, first.from) {
         finding = finding.effect(marks::OF_GENERATED).help(marks::ANEW);
     } else if is_unused(base, first) {
-        finding = finding.level(Level::Warning).effect(
-            "writes a line into its log; the targets of an entry with `macro` or `barycentric` are never applied",
-        );
+        finding = finding
+            .level(Level::Warning)
+            .effect("writes a line to its log; it never applies the targets of an entry with `macro` or `barycentric`");
     }
     Some(finding)
 }
@@ -90,11 +92,11 @@ fn side(reference: &Reference<'_>) -> &'static str {
 
 fn help(view: &View<'_>, reference: &Reference<'_>, neighbours: &Neighbours<'_, '_>) -> String {
     if reference.text.is_empty() {
-        "the name is empty: name a target or remove the key".to_owned()
+        "name a target, or remove the key; the name is empty".to_owned()
     } else if let Some(stem) = reference.text.strip_suffix(".target") {
-        format!("write it without the suffix: `{stem}`")
+        format!("write `{stem}`, without the suffix")
     } else if let Some(packed) = packed(view, reference) {
-        format!("MakeHuman 2 does not read packed targets: unpack `{packed}`")
+        format!("unpack `{packed}`; MakeHuman 2 does not read packed targets")
     } else if let Some(near) = neighbours.nearest(reference) {
         let (folder, name) = reference.text.rsplit_once('/').unwrap_or(("", reference.text));
         let Some(near) = near.strip_suffix(".target") else {

@@ -44,11 +44,11 @@ fn advice(base: &Base<'_>, name: &str, suggestions: &Suggestions) -> String {
     if let Some(slider) = base.entry(name)
         && let [pattern, ..] = slider.pattern.names()
     {
-        return format!("`{name}` is the key of an entry; write its pattern `{pattern}`");
+        return format!("write the pattern `{pattern}`; `{name}` is the key of the entry");
     }
     let patterns = base.sliders.iter().flat_map(|slider| slider.pattern.names()).map(String::as_str);
     did_you_mean(
         suggestions.nearest(name, patterns),
-        "a pattern is the `macro` of an entry, its `incr`, or `<decr>|<ending of incr>` for a pair",
+        "write a pattern: the `macro` of an entry, its `incr`, or `<decr>|<ending of incr>` for a pair",
     )
 }

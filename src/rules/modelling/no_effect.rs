@@ -14,12 +14,17 @@ use crate::repo::{Reference, ReferenceKind, Resolution};
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(Application::Makehuman2, "shows a slider that does nothing and is never saved")],
-        docs: "A slider does something through `incr` and `decr` (targets), `macro` or `barycentric`.\n\nAn entry with none of them gets \
-            a slider without a pattern: nothing moves, nothing is saved, no model can set it. Where a key is misspelt that would give a \
-            macro component its slider, its macrodefs never apply (an error). Beside `macro` or `barycentric`, `incr` and `decr` do nothing: their \
-            targets are loaded and never applied.\n\nAdd one of the keys, or remove the entry; give the targets beside a macro an \
-            entry of their own.",
-        ..RuleInfo::new("modelling-no-effect", Level::Warning, "neither `incr`, `decr`, `macro` nor `barycentric`")
+        docs: "An entry has neither `incr`, `decr`, `macro` nor `barycentric`, or has targets beside a macro.\n\nWith \
+            none of the keys, MakeHuman 2 shows a slider without a pattern: it moves nothing, is never saved, and no \
+            model can set it. If a misspelt key was to give a component its slider, the macrodefs of that component \
+            never apply (an error). Beside `macro` or `barycentric`, `incr` and `decr` have no effect: their targets \
+            are loaded but never applied.\n\nAdd one of the keys, or remove the entry; give the targets beside a \
+            macro their own entry.",
+        ..RuleInfo::new(
+            "modelling-no-effect",
+            Level::Warning,
+            "an entry has neither `incr`, `decr`, `macro` nor `barycentric`",
+        )
     },
     check: Check::Makehuman2(run),
 };
@@ -33,7 +38,7 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
             continue;
         }
         let help = match slider.misspelt_effect() {
-            Some((key, near)) => format!("is `{key}` meant to be `{near}`?"),
+            Some((key, near)) => format!("did you mean `{near}` instead of `{key}`?"),
             None => "add `incr`, `macro` or `barycentric`, or remove the entry".to_owned(),
         };
         let message = format!("`{}` has neither `incr`, `decr`, `macro` nor `barycentric`", slider.key);
@@ -60,7 +65,8 @@ fn never_applied(lost: &[&Macrodef]) -> String {
     };
     let names: Vec<String> = lost.iter().take(EXAMPLES).map(name).collect();
     let more = if lost.len() > EXAMPLES { " and others" } else { "" };
-    format!("has no slider of this pattern, and never applies the macrodefs {}{more}", names.join(", "))
+    let macrodefs = if lost.len() == 1 { "macrodef" } else { "macrodefs" };
+    format!("finds no slider with this pattern and never applies the {macrodefs} {}{more}", names.join(", "))
 }
 
 /// The first target that is there of each entry, by key.
@@ -92,7 +98,7 @@ fn beside_macro(bound: &BoundSlider<'_>, loaded: &BTreeMap<&str, &Reference<'_>>
     let finding = RULE.at(bound.file, loaded.place.clone(), message).key(&slider.key);
     Some(
         finding
-            .effect(format!("loads the target and ignores `{member}`, without a message"))
-            .help(format!("give `{member}` an entry of its own, or remove it")),
+            .effect(format!("silently ignores `{member}`, although it loads the target"))
+            .help(format!("move `{member}` to its own entry, or remove it")),
     )
 }

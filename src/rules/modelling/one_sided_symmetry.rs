@@ -9,21 +9,24 @@ use crate::repo::makehuman2::{Base, BoundSlider, View};
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(Application::Makehuman2, "mirrors the slider in one direction only, or to the wrong side")],
-        docs: "A left slider names its right partner with `rsym`, and the right one its left partner with `lsym`. Of an entry that \
-            has both only `rsym` is read.\n\nIf the partner does not point back, changes of one side are mirrored \
-            and those of the other are not. If the sides are swapped, \"make symmetric\" copies the wrong way. A partner that is a macro, or a corner of a triangle, has no targets to \
-            mirror: with symmetry switched on, the program stops with an AttributeError as soon as the slider moves (an error).\n\nLet both \
-            name each other, each with the key of its own side.",
-        ..RuleInfo::new("modelling-one-sided-symmetry", Level::Warning, "a symmetric partner does not point back")
+        docs: "The left/right counterpart of a slider does not point back. A left slider names its counterpart with \
+            `rsym`, a right slider with `lsym`; if an entry has both, only `rsym` is read.\n\nIf the counterpart \
+            does not point back, changes are mirrored in one direction only. If the sides are swapped, \"make \
+            symmetric\" copies the wrong way. A counterpart that is a macro or a corner of a triangle has no targets \
+            to mirror: with symmetry on, MakeHuman 2 crashes with `AttributeError` as soon as the slider moves (an \
+            error).\n\nLet both sliders name each other: `rsym` in the left one, `lsym` in the right one.",
+        ..RuleInfo::new("modelling-one-sided-symmetry", Level::Warning, "a left/right counterpart does not point back")
     },
     check: Check::Makehuman2(run),
 };
+
+const COUNTERPART: &str = "name the left/right counterpart";
 
 /// What mirrors is the targets of the partner.
 const WITHOUT_TARGETS: Case = &[(
     Application::Makehuman2,
     Level::Error,
-    "stops with an AttributeError when the slider moves while symmetry is on: its partner has no targets",
+    "crashes with `AttributeError` when the slider moves while symmetry is on: its counterpart has no targets",
 )];
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -37,7 +40,8 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 finding = finding.case(WITHOUT_TARGETS);
             }
             if !std::ptr::eq(partner, bound) {
-                finding = finding.related(partner.file.path.clone(), Place::key([&partner.slider.key]), "the partner");
+                finding =
+                    finding.related(partner.file.path.clone(), Place::key([&partner.slider.key]), "the counterpart");
             }
             out.push(finding);
         }
@@ -76,15 +80,14 @@ fn fault(
     let names = bound.pattern.names();
     let pattern = names.first().map(String::as_str).unwrap_or_default();
     if std::ptr::eq(partner, bound) {
-        return Some((format!("`{own}` is its own partner"), "name the slider of the other side".to_owned()));
+        return Some((format!("`{own}` is its own counterpart"), COUNTERPART.to_owned()));
     }
     if has_no_targets(partner) {
         let what = if partner.slider.barycentric.is_some() { "a triangle" } else { "a macro" };
-        let help = "name the slider of the other side".to_owned();
-        return Some((format!("`{own}` has the partner `{other}`, which is {what}"), help));
+        return Some((format!("`{own}` has the counterpart `{other}`, which is {what}"), COUNTERPART.to_owned()));
     }
     if bound.slider.rsym.is_some() && bound.slider.lsym.is_some() {
-        let help = "a left slider has `rsym` only, a right slider `lsym` only".to_owned();
+        let help = "keep only `rsym` in a left slider, only `lsym` in a right one".to_owned();
         return Some((format!("`{own}` has both `rsym` and `lsym`; only `rsym` is read"), help));
     }
     let Some(back) = Link::of(partner) else {
@@ -94,7 +97,7 @@ fn fault(
             return None;
         }
         let help = format!("add `\"{}\": \"{pattern}\"` to `{other}`", link.back());
-        return Some((format!("`{own}` has the partner `{other}`, which has none"), help));
+        return Some((format!("`{own}` has the counterpart `{other}`, which has none"), help));
     };
     if !names.iter().any(|name| name == back.partner) {
         // A name that leads nowhere, or to a third slider that does not point back, is the partner's finding.
@@ -102,19 +105,20 @@ fn fault(
         if !partner.pattern.names().iter().any(|name| name == third.partner) {
             return None;
         }
-        let help = format!("write `\"{}\": \"{pattern}\"` in `{other}`, or correct the partner here", link.back());
-        return Some((format!("`{own}` has the partner `{other}`, whose partner is `{}`", back.partner), help));
+        let help = format!("write `\"{}\": \"{pattern}\"` in `{other}`, or correct the counterpart here", link.back());
+        return Some((format!("`{own}` has the counterpart `{other}`, whose own is `{}`", back.partner), help));
     }
     if back.member == link.member {
         // Seen from both sides; told once.
         let side = if link.member == "rsym" { "left" } else { "right" };
-        let help = format!("one of them must use `{}`", link.back());
-        return (own < other).then(|| (format!("`{own}` and `{other}` both say that they are the {side} one"), help));
+        let help = format!("use `{}` in one of them", link.back());
+        let message = || format!("`{own}` and `{other}` both have `{}`, as if both were {side}", link.member);
+        return (own < other).then(|| (message(), help));
     }
     let swapped = link.member == "rsym" && side_of(bound) == Some('r') && side_of(partner) == Some('l');
     swapped.then(|| {
-        let help = "the left slider has `rsym`, the right one `lsym`".to_owned();
-        (format!("`{own}` and `{other}` have their sides swapped"), help)
+        let help = "use `rsym` in the left slider, `lsym` in the right one".to_owned();
+        (format!("`{own}` and `{other}` have `rsym` and `lsym` swapped"), help)
     })
 }
 

@@ -13,13 +13,15 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "shows a slider with the increasing side only; the other target cannot be reached",
+            "shows a slider with its increasing side only; the other target cannot be reached",
         )],
-        docs: "An entry with `decr` and `incr` becomes a slider with two sides only if `target-opposites` of `base.json` has a pair \
-            of endings that both file names end in, each after a `-`.\n\nOtherwise the slider silently loses its negative side, and its pattern is \
-            `incr` alone: presets, symmetry and saved models that use `<decr>|<ending>` do not find it. Where the sliders have partners, the random character view looks \
-            for the left one under that pattern and stops with a KeyError (an error).\n\nDeclare the pair, \
-            or correct the names. Without `target-opposites`, or where none of its pairs fits, no slider has two sides; that is one finding on `base.json`.",
+        docs: "An entry has `decr` and `incr`, but `target-opposites` of `base.json` has no pair of endings for them. \
+            Both file names must end in one of the pair, after a `-`, to make a slider with two sides.\n\nMakeHuman \
+            2 silently drops the negative side, and the pattern of the slider is `incr` alone: presets, symmetry and \
+            saved models that use `<decr>|<ending>` do not find it. If it is the left counterpart of another slider, \
+            the random character view looks for it under that pattern and crashes with `KeyError` (an error).\n\nAdd \
+            the pair, or correct the names. If `target-opposites` is missing, or none of its pairs fits, no slider \
+            has two sides, and `base.json` has one finding for all of them.",
         ..RuleInfo::new("modelling-opposites", Level::Warning, "`target-opposites` does not cover a pair of targets")
     },
     check: Check::Makehuman2(run),
@@ -29,7 +31,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 const HAS_PARTNERS: Case = &[(
     Application::Makehuman2,
     Level::Error,
-    "stops with a KeyError when a random character is made; its sliders have one side only",
+    "crashes with `KeyError` when it makes a random character; the sliders have only one side",
 )];
 
 type Pairs<'r, 'a> = Vec<&'r BoundSlider<'a>>;
@@ -82,16 +84,16 @@ fn without_pairs(
     let (place, message, help) = match opposites {
         [] => (
             Place::File,
-            format!("no `target-opposites`: {count} pairs of targets have one side only"),
+            format!("`target-opposites` is missing, so {count} pairs of targets have only one side"),
             "add `\"target-opposites\": {\"decr\": \"incr\"}` with the endings of the target names",
         ),
         _ => (
             Place::key(["target-opposites"]),
-            format!("`target-opposites` covers none of the {count} pairs of targets: all have one side only"),
+            format!("`target-opposites` covers none of the {count} pairs of targets, so all have only one side"),
             match (covers(false), covers(true)) {
-                (_, true) => "the decreasing ending comes first: write `\"decr\": \"incr\"`",
-                (true, _) => "write the endings without the `-` before them: `\"decr\": \"incr\"`",
-                _ => "name the endings of the target names: `\"decr\": \"incr\"`",
+                (_, true) => "write the decreasing ending first: `\"decr\": \"incr\"`",
+                (true, _) => "write the endings without `-`: `\"decr\": \"incr\"`",
+                _ => "write the endings of the target names: `\"decr\": \"incr\"`",
             },
         ),
     };
@@ -108,16 +110,16 @@ fn of_endings(
     let first = sliders.first()?;
     let key = first.slider.key.as_str();
     let message = match sliders {
-        [_] => format!("`{key}` has one side only: no pair `{decr}`/`{incr}` in `target-opposites`"),
-        more => format!("{} sliders have one side only: no pair `{decr}`/`{incr}` in `target-opposites`", more.len()),
+        [_] => format!("`{key}` has only one side: `target-opposites` has no pair `{decr}`/`{incr}`"),
+        more => format!("{} sliders have only one side: `target-opposites` has no pair `{decr}`/`{incr}`", more.len()),
     };
     let swapped = opposites.iter().any(|(d, i)| d == incr && i == decr);
     let known = opposites.iter().find(|(d, _)| d == decr);
     let help = if swapped {
-        "`incr` and `decr` are swapped".to_owned()
+        "swap `incr` and `decr`".to_owned()
     } else if let Some((_, known)) = known {
         // A second pair for the ending would take the place of the first.
-        format!("name targets that belong together: `{decr}` goes with `{known}`")
+        format!("use targets that belong together: `{decr}` goes with `{known}`")
     } else {
         format!("add `\"{decr}\": \"{incr}\"` to `target-opposites` of base.json, or correct the names")
     };

@@ -12,10 +12,11 @@ const SLOTS: std::ops::RangeInclusive<f64> = 1.0..=5.0;
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(Application::Makehuman2, "does not show the text")],
-        docs: "`display.slot` is the line of the status area that a slider writes to, from 1 to 5.\n\nA text for any other line is \
-            ignored. Of two sliders with one line only the last is shown. A number that is written with a point, as `2.0`, is no line \
-            for Python: the program stops at start with a TypeError (an error).\n\nChoose a free line from 1 to 5.",
-        ..RuleInfo::new("modelling-text-slot", Level::Warning, "`display.slot` outside 1 to 5 or taken twice")
+        docs: "`display.slot` is not a line of the status area, or two sliders use the same line. The status area has \
+            the lines 1 to 5.\n\nMakeHuman 2 ignores a text for any other line. If two sliders use one line, only \
+            the last is shown. A number with a decimal point, such as `2.0`, crashes it at start with `TypeError` \
+            (an error).\n\nChoose a free line from 1 to 5.",
+        ..RuleInfo::new("modelling-text-slot", Level::Warning, "`display.slot` is outside 1 to 5, or used twice")
     },
     check: Check::Makehuman2(run),
 };
@@ -38,7 +39,7 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             by_slot.entry(slot as i64).or_default().push(bound);
         } else {
             let key = bound.slider.key.as_str();
-            let message = format!("`{key}` writes to line {slot} of the status area, which has 1 to 5");
+            let message = format!("`{key}` writes to line {slot} of the status area, which has lines 1 to 5");
             let help = "choose a free line from 1 to 5";
             out.push(RULE.at(bound.file, place(bound), message).key(key).help(help));
         }
@@ -52,7 +53,7 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         out.push(
             finding
                 .related(hidden.file.path.clone(), place(hidden), "is not shown")
-                .help("give each a line of its own"),
+                .help("give each slider its own line"),
         );
     }
 }
@@ -60,9 +61,9 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 /// A line number that is a float.
 fn float(bound: &BoundSlider<'_>, slot: f64) -> Finding {
     let key = bound.slider.key.as_str();
-    let message = format!("`{key}` writes to line {slot:.1} of the status area, a number with a point");
+    let message = format!("`display.slot` of `{key}` is {slot:.1}, which has a decimal point");
     let finding = RULE.at(bound.file, place(bound), message).key(format!("{key} float"));
-    finding.level(Level::Error).effect("stops at start with a TypeError").help(format!("write `{slot}`"))
+    finding.level(Level::Error).effect("crashes at start with `TypeError`").help(format!("write `{slot}`"))
 }
 
 fn place(bound: &BoundSlider<'_>) -> Place {

@@ -11,12 +11,17 @@ use crate::repo::makehuman2::{Base, BoundSlider, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "never shows the slider; only saved models can still set it")],
-        docs: "A slider is shown under the item of `target_cat.json` whose `group|cat` equals the slider's `group`, \
-            letter by letter.\n\nA group that no item has, or none at all, hides the slider without a word. Without any \
-            `target_cat.json` no slider is shown: an error, as when it cannot be read. A group with two `|` also stops the random character view with a ValueError \
-            (an error here, although shown sliders otherwise work).\n\nCorrect the group, or add an item for it.",
-        ..RuleInfo::new("modelling-unknown-group", Level::Warning, "`group` of a slider is in no category")
+        breaks: &[(Application::Makehuman2, "never shows the slider; only saved models can set it")],
+        docs: "No item of `target_cat.json` shows the slider. It is shown under the item whose `group|cat` equals its \
+            `group`, letter by letter.\n\nMakeHuman 2 silently hides a slider whose group no item has, or that has \
+            no group. Without any `target_cat.json` it shows no slider (an error, as when the file cannot be read). \
+            A group with two `|` also crashes the random character view with `ValueError`, even if the slider is \
+            shown (an error).\n\nCorrect the group, or add an item for it.",
+        ..RuleInfo::new(
+            "modelling-unknown-group",
+            Level::Warning,
+            "no item of `target_cat.json` has the `group` of a slider",
+        )
     },
     check: Check::Makehuman2(run),
 };
@@ -56,7 +61,7 @@ fn lost_category(view: &View<'_>, base: &Base<'_>, category: &str, sliders: &[&B
     let keys = Evidence::of_cases(sliders.iter().map(|slider| &slider.slider.key));
     let subject = are(sliders);
     let message = match category {
-        "" => format!("{subject} never shown: target_cat.json has no item at all"),
+        "" => format!("{subject} never shown: target_cat.json has no items"),
         category => format!("{subject} never shown: target_cat.json has no category `{category}`"),
     };
     let (file, place) = groups::whose(view, base, sliders.first()?)?;
@@ -70,7 +75,7 @@ fn renamed_category(view: &View<'_>, base: &Base<'_>, renamed: &Renamed<'_, '_>)
     let first = renamed.sliders.first()?;
     let (count, wanted) = (renamed.sliders.len(), &renamed.wanted);
     let message = format!(
-        "{count} sliders are never shown: the category `{}` has the group `{}`, they have `{wanted}`",
+        "{count} sliders are never shown: category `{}` has the group `{}`, but they have `{wanted}`",
         renamed.name, renamed.group
     );
     let finding = if view.layers.is_checked(file) {
@@ -93,18 +98,18 @@ fn unknown(
     let keys = Evidence::of_cases(sliders.iter().map(|slider| &slider.slider.key));
     let subject = are(sliders);
     let message = match group {
-        "" => format!("{subject} never shown: no `group`"),
+        "" => format!("{subject} never shown: `group` is missing"),
         group => format!("{subject} never shown: no item of target_cat.json has the group `{group}`"),
     };
     let help = match groups.meant(group) {
         Some(near) => format!("did you mean `{near}`?"),
-        None if group.is_empty() => "name the group `category|subcategory` of an item".to_owned(),
-        None if !group.contains('|') => "a group is `category|subcategory`".to_owned(),
+        None if group.is_empty() => "add `group`, the `category|subcategory` of an item".to_owned(),
+        None if !group.contains('|') => "write the group as `category|subcategory`".to_owned(),
         None => "correct the group, or add an item to target_cat.json".to_owned(),
     };
     let item = groups.meant(group).and_then(|near| groups::item_with_blanks(view, base, near));
     let (file, place, help) = match (item, groups::whose(view, base, first)?) {
-        (Some((file, place)), _) => (file, place, format!("remove the blank: `{group}` is what the sliders say")),
+        (Some((file, place)), _) => (file, place, format!("remove the space: the sliders have `{group}`")),
         (None, (file, place)) => (file, place, help),
     };
     Some(RULE.at(file, place, message).key(group).help(help).evidence(keys))
@@ -116,10 +121,10 @@ fn two_bars(base: &Base<'_>, out: &mut Vec<Finding>) {
         let key = slider.slider.key.as_str();
         let group = slider.slider.group.as_deref().filter(|group| group.matches('|').count() > 1);
         out.extend(group.map(|group| {
-            let message = format!("`{key}` has a group of more than two parts");
+            let message = format!("`group` of `{key}` has more than two parts");
             let finding = RULE.at(slider.file, Place::pointer([key, "group"]), message).key(key).level(Level::Error);
-            let effect = "stops with a ValueError when a random character is made";
-            finding.effect(effect).help(format!("`{group}` must be `category|subcategory`"))
+            let effect = "crashes with `ValueError` when it makes a random character";
+            finding.effect(effect).help(format!("write `{group}` as `category|subcategory`"))
         }));
     }
 }
@@ -135,7 +140,10 @@ fn no_categories(view: &View<'_>, base: &Base<'_>, out: &mut Vec<Finding>) {
     if !absent || misnamed || !is_proven || modelling.sliders.is_empty() {
         return;
     }
-    let message = format!("there is no target_cat.json: none of {} sliders is shown", modelling.sliders.len());
+    let message = match modelling.sliders.len() {
+        1 => "target_cat.json is missing, so the only slider is never shown".to_owned(),
+        count => format!("target_cat.json is missing, so none of the {count} sliders is shown"),
+    };
     let help = "add a target_cat.json with an item for every group of the sliders";
     // Generated sliders go with generated categories, which are written anew.
     let level = if modelling.sliders.iter().all(|slider| slider.user) { Level::Warning } else { Level::Error };

@@ -7,12 +7,13 @@ use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "leaves out the slider when it makes the character symmetric or random")],
-        docs: "`rsym` on a left slider and `lsym` on a right one name the partner by its pattern: its `incr`, or \
-            `<decr>|<ending of incr>` for a slider with two sides. Not by its key.\n\nAn unknown partner is told to the console only. \
-            \"Make symmetric\" skips the slider. With an unknown `rsym` it is never randomised; an unknown \
-            `lsym` stops the random character view with a KeyError, which is an error.\n\nWrite the partner's pattern.",
-        ..RuleInfo::new("modelling-unknown-symmetry", Level::Error, "`lsym` or `rsym` names no pattern")
+        breaks: &[(Application::Makehuman2, "skips the slider when it makes a character symmetric or random")],
+        docs: "`rsym` of a left slider, or `lsym` of a right one, names an unknown pattern. It must be the pattern of \
+            the counterpart, not its key: its `incr`, or `<decr>|<ending of incr>` for a slider with two \
+            sides.\n\nMakeHuman 2 reports it only on the console. \"Make symmetric\" skips the slider. With an \
+            unknown `rsym`, the slider is never randomised (a warning); with an unknown `lsym`, the random character \
+            view crashes with `KeyError` (an error).\n\nWrite the pattern of the counterpart.",
+        ..RuleInfo::new("modelling-unknown-symmetry", Level::Error, "`lsym` or `rsym` names an unknown pattern")
     },
     check: Check::Makehuman2(run),
 };
@@ -32,7 +33,7 @@ fn run(_: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let place = Place::pointer([&slider.key, member]);
         let finding = RULE.at(bound.file, place, message).key(&slider.key).help(advice(base, partner, &cx.suggestions));
         out.push(if member == "lsym" {
-            finding.effect("stops with a KeyError when a random character is made")
+            finding.effect("crashes with `KeyError` when it makes a random character")
         } else {
             finding.level(Level::Warning)
         });

@@ -10,16 +10,17 @@ pub(in crate::rules) static RULE: Rule = Rule {
         cannot_be_ignored: true,
         breaks: &[(
             Application::Makehuman2,
-            "evaluates it as Python with all rights of the user, as soon as its window is made",
+            "runs it as Python code with all rights of the user as soon as its window opens",
         )],
-        docs: "`display.formula` is handed to Python's `eval`, and its result to `display.text` with `str.format`.\n\nThat can run any program, \
-            read and delete files, or never come to an end, and it happens at every start, when the window prints its slots, and whenever \
-            a slider moves. Safe are numbers, \
-            `val` (the slider, 0 to 1), arithmetic, comparisons, `and`, `or`, `not`, conditional expressions, `round`, `str`, \
-            texts in quotes and `+` between them; powers with a fixed small exponent. In `text` safe are `{}` and `{0}` \
-            with a layout. Everything else is reported: \
-            names, attributes, elements, other calls, and also what Python refuses, because then the program stops before its window is \
-            up; a formula that divides by `val` stops where the slider is 0. This finding cannot be muted.\n\nRewrite the formula with what is safe.",
+        docs: "`display.formula` or `display.text` is more than harmless arithmetic. MakeHuman 2 passes the formula \
+            to Python's `eval` and the result to the text with `str.format`, at every start and whenever a slider \
+            moves. That can run any program, read and delete files, or never end.\n\nSafe are numbers, `val` (the \
+            slider, 0 to 1), arithmetic, comparisons, `and`, `or`, `not`, conditional expressions, `round`, `str`, \
+            quoted strings and `+` between them, and powers with a fixed small exponent. In `text`, `{}` and `{0}` \
+            are safe, with or without a format.\n\nEverything else is reported: names, attributes, elements, other \
+            calls. So is what Python refuses, because MakeHuman 2 then crashes before its window is open, and a \
+            division by `val`, which crashes it when the slider is at 0. This finding cannot be ignored.\n\nRewrite \
+            the formula with what is safe.",
         ..RuleInfo::new("modelling-unsafe-formula", Level::Error, "`display.formula` is more than harmless arithmetic")
     },
     check: Check::Makehuman2(run),
@@ -38,24 +39,22 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 
 fn finding(bound: &BoundSlider<'_>, member: &str, fault: &Fault) -> Finding {
     let key = bound.slider.key.as_str();
-    let message = format!("the {member} of `{key}` {}", fault.what);
+    let message = format!("`display.{member}` of `{key}` {}", fault.what);
     let effect = match fault.kind {
         FaultKind::Foreign => {
-            "evaluates it as Python at start: a data file runs foreign code with all rights of the user, or stops the \
-             program with a NameError"
+            "runs it as Python code at start: the data file can do anything that the user may do, or crashes it with \
+             `NameError`"
         }
         FaultKind::Endless => "may hang at start or run out of memory",
-        FaultKind::Syntax => "stops at start with a SyntaxError",
-        FaultKind::Mistyped => "stops at start with a TypeError",
-        FaultKind::Pair => "shows a pair of values",
-        FaultKind::Raises | FaultKind::Layout => {
-            "stops with an exception: at start, or where the slider has such a value"
-        }
+        FaultKind::Syntax => "crashes at start with `SyntaxError`",
+        FaultKind::Mistyped => "crashes at start with `TypeError`",
+        FaultKind::Pair => "shows a pair of values instead of one number",
+        FaultKind::Raises | FaultKind::Layout => "crashes at start, or when the slider has such a value",
     };
     let help = match member {
         _ if fault.kind == FaultKind::Mistyped => "write `**` for a power, `and` and `or` between conditions",
-        _ if fault.kind == FaultKind::Pair => "write a point in a number: `0.5`",
-        "text" => "use `{}` for the result, with a layout such as `{:.1f}` if need be",
+        _ if fault.kind == FaultKind::Pair => "write numbers with a decimal point, such as `0.5`",
+        "text" => "use `{}` for the result, or a format such as `{:.1f}`",
         _ => "use numbers, `val`, arithmetic, comparisons, `if`/`else`, `round`, `str` and texts joined with `+`",
     };
     RULE.at(bound.file, Place::Span(fault.span.clone()), message)

@@ -11,13 +11,14 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "makes one slider of them; the order of the folder decides which target vanishes",
+            "makes one slider of them; the order of files in the folder decides which target is lost",
         )],
-        docs: "For every user target MakeHuman 2 makes a slider whose key is the folder and the file name, the first letter of each in \
-            upper case and all others in lower case, with blanks for `-`. A pair `-incr`/`-decr` is one slider \
-            without this ending.\n\nNames that differ only in case, or in `-` and a blank, get the same key: one slider \
-            replaces the other, and nobody can say which. A single target also collides with a pair of the same name, and a \
-            folder `user` with the targets beside it.\n\nRename one of the files.",
+        docs: "Two user targets get the same key. MakeHuman 2 makes a slider for every user target, with the folder \
+            and the file name as its key: the first letter of each in upper case, all others in lower case, and \
+            spaces instead of `-`. A pair `-incr`/`-decr` is one slider, without that ending.\n\nNames that differ \
+            only in case, or in `-` and a space, get the same key. One slider replaces the other, and nobody can say \
+            which. A single target also collides with a pair of the same name, and a folder `user` with the targets \
+            beside it.\n\nRename one of the files.",
         ..RuleInfo::new("modelling-user-key-collision", Level::Error, "two user targets get the same key")
     },
     check: Check::Makehuman2(run),
@@ -32,11 +33,11 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (key, files) in &by_key {
         let [first, others @ ..] = files.as_slice() else { continue };
         let Some(last) = others.last() else { continue };
-        let message = format!("{} user targets become the one slider `{key}`", files.len());
+        let message = format!("{} user targets become the same slider `{key}`", files.len());
         let mut finding = RULE
             .at(last, Place::File, message)
             .key(key)
-            .help("rename one of the files: case, `-` and blanks make no difference")
+            .help("rename one of the files; case, `-` and spaces make no difference")
             .evidence(Evidence::of_cases(files.iter().map(|file| file.file_name())));
         for other in std::iter::once(first).chain(others.iter().take(others.len() - 1)) {
             finding = finding.related(other.path.clone(), Place::File, "gets the same key");

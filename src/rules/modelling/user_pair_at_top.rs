@@ -8,12 +8,12 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "stops with an UnboundLocalError whenever it scans the targets of the user, at start for one",
+            "crashes with `UnboundLocalError` whenever it scans the user targets, for example at start",
         )],
-        docs: "MakeHuman 2 makes one slider of two user targets that are called `…-incr` and `…-decr`. For a pair directly in \
-            `target/<base>/`, without a folder, it stops with an UnboundLocalError instead, at every scan of the targets. A single \
-            target without a folder is fine, and so is a pair in a folder below.\n\nMove both files into a folder.",
-        ..RuleInfo::new("modelling-user-pair-at-top", Level::Error, "a pair of user targets without a folder")
+        docs: "Two user targets named `…-incr` and `…-decr` are directly in `target/<base>/`.\n\nMakeHuman 2 makes \
+            one slider of such a pair, but crashes if it is not in a subfolder. A single target outside a subfolder \
+            works, and so does a pair in a subfolder.\n\nMove both files into a subfolder.",
+        ..RuleInfo::new("modelling-user-pair-at-top", Level::Error, "a pair of user targets is not in a subfolder")
     },
     check: Check::Makehuman2(run),
 };
@@ -21,8 +21,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let targets = user_scan::targets(base);
     for (file, other) in user_scan::pairs_at_top(&targets) {
-        let message = format!("`{}` and `{other}` are a pair without a folder", file.stem());
-        let help = "move both into a folder below, such as `shape/`";
+        let message = format!("`{}` and `{other}` are a pair that is not in a subfolder", file.stem());
+        let help = "move both into a subfolder, such as `shape/`";
         out.push(RULE.at(file, Place::File, message).parts([file.stem(), other.as_str()]).help(help));
     }
 }

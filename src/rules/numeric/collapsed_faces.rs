@@ -8,17 +8,23 @@ use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "shows black or missing faces: without area a face has no normal")],
-        docs: "At some setting of the sliders visible faces have (almost) no area, or a considerable part of the skin looks \
-            inwards.\n\nA face has collapsed when its area falls to a ten-thousandth of what it is on the default character. \
-            None of MakeHuman's own base does at any setting; two faces of its smallest babies come below a \
-            thousandth.\n\nFaces that look the other way are normal in small numbers: lips, eyelids and sagging breasts turn \
-            over at extremes, up to 2.6 % of the area. They are reported from 5 % of the visible area on.\n\nThe finding \
-            stands at the target that moves the largest of these faces most.",
+        breaks: &[(
+            Application::Makehuman2,
+            "shows these faces black or not at all: a face without area has no normal",
+        )],
+        docs: "At some slider setting visible faces have (almost) no area, or a considerable part of the skin turns \
+            inside out.\n\n\
+            A face has collapsed if its area falls to a ten-thousandth of its area on the default character. In \
+            MakeHuman's own base no face does at any setting; two faces of its smallest babies fall below a \
+            thousandth.\n\n\
+            A few faces that turn over are normal: lips, eyelids and sagging breasts do so at extremes, up to 2.6 % of \
+            the area. They are reported from 5 % of the visible area.\n\n\
+            The finding is reported at the target that moves the largest of these faces most. Reduce this target, or \
+            those that add up with it at this setting.",
         ..RuleInfo::new(
             "numeric-collapsed-faces",
             Level::Warning,
-            "faces that collapse or turn over at some slider setting",
+            "faces collapse or turn inside out at some slider setting",
         )
     },
     check: Check::Numeric(run),
@@ -27,7 +33,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 const FLIPPED: Case = &[(
     Application::Makehuman2,
     Level::Warning,
-    "shows the inside of the skin, or holes where back faces are not drawn",
+    "shows the inside of the skin, or holes where backfaces are not drawn",
 )];
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -40,8 +46,9 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
     }
     if let Some(seen) = untold(body, space, space.flipped.as_ref()) {
         let share = percent(seen.value);
+        let (faces, turn) = if seen.count == 1 { ("face", "turns") } else { ("faces", "turn") };
         let message =
-            format!("{} faces of `{}`, {share} of the visible area, look the other way", seen.count, seen.name);
+            format!("{} {faces} of `{}` {turn} inside out, {share} of the visible area", seen.count, seen.name);
         out.push(
             finding(body, seen, &message, "flipped")
                 .evidence(Evidence::counted(seen.count).with_worst(seen.value, format!("face {}", seen.element)))
@@ -55,5 +62,5 @@ fn finding(body: &Body<'_>, seen: &Seen, message: &str, key: &str) -> Finding {
         .key(key)
         .parts(&seen.all)
         .confidence(Confidence::Medium)
-        .help("look at the figure at this setting; the target overshoots, or several add up")
+        .help("reduce this target, or those that add up with it at this setting")
 }

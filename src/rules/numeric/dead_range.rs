@@ -11,18 +11,17 @@ use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "applies nothing of the macrodef in that part of the slider, without a word",
-        )],
-        docs: "A macrodef applies nothing while a slider stands at certain values, wherever its other sliders are, although \
-            it applies something elsewhere on that slider.\n\nA single value whose combinations are all `null` or not \
-            listed is mostly meant (a neutral value, `male` in a macro for breasts): the shape fades out towards that \
-            position and is gone there. That is told as an info, with the position and how many combinations are \
-            `null` or not listed, so that it can be compared with what was meant. Two neighbouring values without any \
-            combination make a whole part of the slider dead (warning), unless all of it is written as `null`.\n\nList the \
-            combinations, or write `null` where nothing is meant. A last step below 1 makes a dead part as well: \
-            `macro-steps-range` names it.",
+        breaks: &[(Application::Makehuman2, "silently applies nothing of the macrodef in this part of the slider")],
+        docs: "A macrodef applies nothing while a slider is at certain values, whatever its other sliders are, \
+            although it applies something elsewhere on that slider.\n\n\
+            A single value whose combinations are all `null` or not listed is usually intended (a neutral value, or \
+            `male` in a macro for breasts): the shape fades out towards that position. It is reported as info, with \
+            the position and the number of combinations that are `null` or not listed, so that you can compare it with \
+            what you meant.\n\n\
+            Two neighbouring values without any combination make a whole part of the slider dead. This is a warning, \
+            unless all of it is written as `null`.\n\n\
+            List the combinations, or write `null` where no shape is meant. A last step below 1 also makes part of a \
+            slider dead; see `macro-steps-range`.",
         ..RuleInfo::new("numeric-dead-range", Level::Warning, "a macrodef applies nothing in a part of a slider")
     },
     check: Check::Numeric(run),
@@ -31,7 +30,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 const NARROW: Case = &[(
     Application::Makehuman2,
     Level::Info,
-    "fades the shape out towards this position and applies nothing of the macrodef there",
+    "fades the shape out towards this position, and applies nothing of the macrodef there",
 )];
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -44,14 +43,14 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
             continue;
         }
         let is_wide = ranges.iter().any(|range| range.values.len() > 1 && range.missing > 0);
-        let message = format!("macrodef `{}` applies nothing {}", title(macrodef), parts.join(", nor "));
+        let message = format!("macrodef `{}` applies nothing {}", title(macrodef), parts.join(", "));
         let place = Place::pointer(["macrodef", &macrodef.index.to_string(), "comp"]);
         let finding = RULE.at(file, place, message).key(title(macrodef)).evidence(Evidence::of_cases(&parts));
         let finding = finding.parts(ranges.iter().flat_map(|range| dead_values(macros, range)));
         out.push(if is_wide {
             finding.help("list the combinations, or write `null` where no shape is meant")
         } else {
-            finding.case(NARROW).help("nothing needs to be done if no shape is meant there")
+            finding.case(NARROW).help("leave it if no shape is meant there; otherwise list the combinations")
         });
     }
 }
@@ -77,10 +76,10 @@ fn told(macros: &MacroFile, range: &DeadRange) -> Option<String> {
     let names = component.values.get(first..=last)?.join("`, `");
     let counts = match (range.missing, range.null) {
         (1, 0) => "1 combination not listed".to_owned(),
-        (0, 1) => "1 combination null".to_owned(),
+        (0, 1) => "1 combination `null`".to_owned(),
         (missing, 0) => format!("{missing} combinations not listed"),
-        (0, null) => format!("{null} combinations null"),
-        (missing, null) => format!("{missing} combinations not listed, {null} null"),
+        (0, null) => format!("{null} combinations `null`"),
+        (missing, null) => format!("{missing} combinations not listed, {null} `null`"),
     };
     Some(format!("{stretch} (`{names}`: {counts})"))
 }

@@ -8,14 +8,13 @@ use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "lets the shape snap from one form to another at one position of the slider",
-        )],
-        docs: "Between two steps MakeHuman 2 blends, so the shape follows the slider without a break; at the steps its own \
-            limits make jumps of up to 0.01, which nobody sees. Here the weight of a target changes by more than 0.02 \
-            between 0.000001 below and above a step, other sliders at their defaults.\n\nMostly two steps are so close that \
-            there is nothing between them. Move them apart. Equal steps are `macro-steps-order`.",
+        breaks: &[(Application::Makehuman2, "snaps from one shape to another at this position of the slider")],
+        docs: "The shape jumps where a slider passes a step: the weight of a target changes by more than 0.02 between \
+            0.000001 below and above the step, with the other sliders at their defaults.\n\n\
+            MakeHuman 2 blends between two steps, so the shape normally follows the slider smoothly. Its own cut-offs \
+            at the steps cause jumps of up to 0.01, which nobody sees.\n\n\
+            Usually two steps are so close that there is nothing between them. Move them apart. For equal steps see \
+            `macro-steps-order`.",
         ..RuleInfo::new("numeric-discontinuity", Level::Warning, "the shape jumps where a slider passes a step")
     },
     check: Check::Numeric(run),

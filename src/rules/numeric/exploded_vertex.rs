@@ -10,17 +10,19 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "tears the vertex, and with it faces, joints and clothes, out of the figure",
+            "tears the vertex out of the figure, together with its faces, joints and clothes",
         )],
-        docs: "At some setting of the sliders a vertex lies outside the box around the default character by more than six \
-            tenths of its diagonal. The tallest character of MakeHuman's own \
-            base stays within 0.41 diagonals.\n\nMostly targets that are sound by themselves add up at a corner of the \
-            sliders. The finding stands at the one that moves the vertex most. A single displacement that is larger than \
-            the whole mesh, or out of proportion to its target, is `target-oversized-delta` instead.",
+        docs: "At some slider setting a vertex lies outside the box around the default character by more than 0.6 \
+            times the diagonal of that box. The tallest character of MakeHuman's own base stays within 0.41 \
+            diagonals.\n\n\
+            Usually targets that are sound by themselves add up at an extreme setting. The finding is reported at the \
+            target that moves the vertex most. A single displacement larger than the whole mesh, or out of proportion \
+            to its target, is `target-oversized-delta` instead.\n\n\
+            Check the target for a missing decimal point or a wrong unit.",
         ..RuleInfo::new(
             "numeric-exploded-vertex",
             Level::Warning,
-            "a vertex far outside the figure at some slider setting",
+            "a vertex lies far outside the figure at some slider setting",
         )
     },
     check: Check::Numeric(run),
@@ -29,19 +31,20 @@ pub(in crate::rules) static RULE: Rule = Rule {
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(space) = &measures.space else { return };
     let Some(seen) = untold(body, space, space.exploded.as_ref()) else { return };
-    let message = format!(
-        "vertex {} lies {:.1} diagonals of the figure outside of it{}",
-        seen.element,
-        seen.value,
-        if seen.count > 1 { format!(", {} more with it", seen.count - 1) } else { String::new() }
-    );
+    let (vertex, by) = (seen.element, seen.value);
+    let message = match seen.count {
+        1 => format!("vertex {vertex} lies outside the figure by {by:.1} times the figure's diagonal"),
+        count => format!(
+            "{count} vertices lie outside the figure, vertex {vertex} farthest, by {by:.1} times the figure's diagonal"
+        ),
+    };
     let evidence = Evidence::counted(seen.count);
     out.push(
         at_setting(&RULE, body, seen, &message)
             .key("vertices")
             .parts(seen.elements.iter().copied())
             .confidence(Confidence::Medium)
-            .help("look for a missing decimal point or another unit; lengths are decimetres")
+            .help("check for a missing decimal point or a wrong unit; lengths are in decimetres")
             .evidence(evidence.with_worst(seen.value, format!("vertex {}", seen.element))),
     );
 }

@@ -9,13 +9,15 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "shows a body of this size, without a message; targets, clothes and poses do not fit it",
+            "shows a body of this size without a message; targets, clothes and poses do not fit it",
         )],
-        docs: "Numbers in `base.obj` are decimetres: a figure of 1.70 m is 17 high. Programs that count in metres or centimetres write a mesh \
-            that is ten times smaller or larger, and targets made before move its vertices ten times too far, or hardly.\n\nReported is a mesh with a \
-            skeleton for poses of which the shown groups are no more than 20 cm, or at least 6 m, at their largest. \
-            Everything between is taken to be meant.\n\nExport the mesh in decimetres (scale 0.1 or 10).",
-        ..RuleInfo::new("numeric-implausible-size", Level::Warning, "a body of a few centimetres or many metres")
+        docs: "The body is implausibly small or large: the visible groups of a mesh with a pose skeleton are at most \
+            20 cm, or at least 6 m, in their largest dimension. Everything in between is taken as intended.\n\n\
+            Numbers in `base.obj` are decimetres: a figure of 1.70 m is 17 high. Programs that count in metres or \
+            centimetres write a mesh that is ten times too small or too large, and existing targets move its vertices \
+            ten times too far, or hardly at all.\n\n\
+            Export the mesh in decimetres (scale 0.1 or 10).",
+        ..RuleInfo::new("numeric-implausible-size", Level::Warning, "a body measures a few centimetres or many metres")
     },
     check: Check::Body(run),
 };
@@ -32,11 +34,11 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         return;
     }
     let (length, help) = (10.0 * extent, if extent < LARGEST { "10" } else { "0.1" });
-    let message = format!("the shown part of the mesh is {length:.1} cm ({extent:.3}) at its largest");
+    let message = format!("the visible mesh measures {length:.1} cm ({extent:.3}) in its largest dimension");
     out.push(
         RULE.at(file, Place::File, message)
             .confidence(Confidence::Medium)
-            .help(format!("export the mesh in decimetres; is the scale {help} missing?"))
+            .help(format!("export the mesh in decimetres, probably with scale {help}"))
             .evidence(Evidence::of_unnamed([format!("{length:.1} cm")])),
     );
 }

@@ -10,15 +10,17 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "turns the limb around a point outside of it as soon as the figure is posed",
+            "rotates the limb around a point outside it as soon as the figure is posed",
         )],
-        docs: "At some setting of the sliders a joint is away from the skin that surrounds it.\n\nA joint is compared with \
-            the sixteen vertices of visible skin nearest to it on the default character. Its distance from their middle \
-            may grow by three times its stand there, the stand being that distance plus the radius of the skin. In \
-            MakeHuman's own base toes and spine come to 2.2 at the corners of age and weight.\n\nMostly a target moves a \
-            joint cube and not the skin, or the skin and not the cube. The finding stands at the target that moves the joint \
-            most at that setting.",
-        ..RuleInfo::new("numeric-joint-drift", Level::Warning, "a joint that leaves its limb at some slider setting")
+        docs: "At some slider setting a joint moves away from the skin around it.\n\n\
+            A joint is compared with the sixteen vertices of visible skin nearest to it on the default character. Its \
+            reach is its distance from the middle of that skin plus the radius of that skin. The distance may grow by \
+            three times this reach; in MakeHuman's own base toes and spine come to 2.2 at extremes of age and \
+            weight.\n\n\
+            Usually a target moves a joint cube but not the skin, or the skin but not the cube. The finding is \
+            reported at the target that moves the joint most at that setting. Move the joint cube and the skin \
+            together.",
+        ..RuleInfo::new("numeric-joint-drift", Level::Warning, "a joint leaves its limb at some slider setting")
     },
     check: Check::Numeric(run),
 };
@@ -27,14 +29,14 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
     let Some(space) = &measures.space else { return };
     let Some(seen) = untold(body, space, space.drifted.as_ref()) else { return };
     let message = format!(
-        "joint `{}` leaves the skin around it: its distance grows by {:.1} times its stand on the default character",
+        "joint `{}` leaves the skin around it: its distance grows by {:.1} times its normal reach",
         seen.name, seen.value
     );
     out.push(
         at_setting(&RULE, body, seen, &message)
             .parts(&seen.all)
             .confidence(Confidence::Medium)
-            .help("move joint cube and skin together")
+            .help("move the joint cube and the skin together")
             .evidence(Evidence::counted(seen.count).with_worst(seen.value, &*seen.name)),
     );
 }

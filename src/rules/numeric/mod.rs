@@ -30,7 +30,7 @@ fn at_setting(rule: &Rule, body: &Body<'_>, seen: &Seen, message: &str) -> Findi
     let mesh = || body.mesh.map(|(file, _)| file.path.clone());
     let path = seen.target.clone().or_else(mesh).unwrap_or_default();
     let asset = mesh().unwrap_or_default();
-    Finding::new(&rule.info, path, Place::File, format!("{message}; shown by {}", worded(&seen.setting))).asset(asset)
+    Finding::new(&rule.info, path, Place::File, format!("{message}; seen with {}", worded(&seen.setting))).asset(asset)
 }
 
 /// More sliders than this are not spelled out: only sampled settings have so many.

@@ -9,22 +9,16 @@ use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "loses what hangs on it without a word: vertices that are nowhere, or a bone whose whole skin vanishes in pose mode",
-        )],
-        docs: "At some setting of the sliders a vertex or the matrix of a bone is not a number, although all files hold \
-            numbers and the default character is fine.\n\nFor a bone this means that the three joints of its rotation \
-            plane come to lie in one line, or on one point: the plane has no normal then, MakeHuman 2 divides by zero and \
-            goes on (sine of the angle below 1e-7, which is zero in its 32 bit floats). For a vertex it means that \
-            displacements add up beyond what a 32 bit float holds.\n\nThe finding stands at the target that moves the \
-            joints or the vertex most at that setting. Look at its rows there. Planes that are in line already on the \
-            default character, and displacements that are not finite, have rules of their own.",
-        ..RuleInfo::new(
-            "numeric-non-finite",
-            Level::Error,
-            "a slider setting at which a vertex or matrix is not finite",
-        )
+        breaks: &[(Application::Makehuman2, "silently loses the vertices, or in pose mode all skin of the bone")],
+        docs: "At some slider setting a vertex or the matrix of a bone is not a number, although all files contain \
+            numbers and the default character is fine.\n\n\
+            For a bone, the three joints of its rotation plane come to lie in line or at one point. The plane then has \
+            no normal, and MakeHuman 2 divides by zero and goes on (sine of the angle below 1e-7, which is zero in its \
+            32-bit floats). For a vertex, displacements add up to more than a 32-bit float can hold.\n\n\
+            The finding is reported at the target that moves the joints or the vertex most at that setting. Fix its \
+            rows there. Planes that are in line on the default character and displacements that are not finite have \
+            rules of their own.",
+        ..RuleInfo::new("numeric-non-finite", Level::Error, "a vertex or matrix is not finite at some slider setting")
     },
     check: Check::Numeric(run),
 };
@@ -32,25 +26,27 @@ pub(in crate::rules) static RULE: Rule = Rule {
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(space) = &measures.space else { return };
     if let Some(seen) = untold(body, space, space.non_finite.as_ref()) {
-        let message = format!("{} vertices are not finite, the first is {}", seen.count, seen.element);
+        let message = match seen.count {
+            1 => format!("the position of vertex {} is not finite", seen.element),
+            count => format!("the positions of {count} vertices are not finite, first vertex {}", seen.element),
+        };
         out.push(
             at_setting(&RULE, body, seen, &message)
                 .key("vertices")
                 .parts(seen.elements.iter().copied())
-                .help("look for displacements that add up beyond all measure")
+                .help("reduce the displacements that add up here: the sum exceeds a 32-bit float")
                 .evidence(Evidence::counted(seen.count)),
         );
     }
     if let Some(seen) =
         untold(body, space, space.flat_plane.as_ref()).filter(|seen| !is_flat_at_rest(measures, &seen.name))
     {
-        let message =
-            format!("the rotation plane of bone `{}` has no normal: its three joints lie in one line", seen.name);
+        let message = format!("the rotation plane of bone `{}` has no normal: its three joints are in line", seen.name);
         out.push(
             at_setting(&RULE, body, seen, &message)
                 .key("planes")
                 .parts(&seen.all)
-                .help("let the target move the joint cubes with the limb, so that the joints keep an angle")
+                .help("move the joint cubes together with the limb, so that the three joints keep an angle")
                 .evidence(Evidence::counted(1).with_worst(1.0 / seen.value, "sine of the angle")),
         );
     }

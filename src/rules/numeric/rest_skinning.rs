@@ -13,13 +13,15 @@ pub(in crate::rules) static RULE: Rule = Rule {
             Application::Makehuman2,
             "deforms the figure as soon as pose mode is entered, before any pose is loaded",
         )],
-        docs: "With every bone at rest, skinning must leave each vertex where it is. Here it does not: a vertex of the default \
-            character moves by more than 0.0001 decimetres, or is no number afterwards. What the cut-off of small weights \
-            takes from a vertex is left out of this comparison, it has a rule of its own.\n\nThe fault is in the rest \
-            matrices: mostly a bone along the world's z axis whose rotation plane has the same direction, so that it has no \
-            sideways axis; or a mesh so far from the origin, or in such small units, that 32 bit floats do not hold \
-            it.\n\nBones without length and planes in line are reported for themselves.",
-        ..RuleInfo::new("numeric-rest-skinning", Level::Error, "skinning the rest pose does not give the mesh back")
+        docs: "With every bone at rest, skinning must leave each vertex where it is. Here a vertex of the default \
+            character moves by more than 0.001 cm (0.0001), or is not a number afterwards. What the cut-off of small \
+            weights takes from a vertex does not count here; it has a rule of its own.\n\n\
+            The rest matrices are wrong. Usually a bone lies along the world's z axis and its rotation plane has the \
+            same direction, so that it has no sideways axis. Or the mesh is so far from the origin, or in such small \
+            units, that 32-bit floats are not precise enough.\n\n\
+            Check the rotation planes of the bones that move the vertex. Bones without length and planes whose joints \
+            are in line are reported separately.",
+        ..RuleInfo::new("numeric-rest-skinning", Level::Error, "skinning in the rest pose changes the mesh")
     },
     check: Check::Numeric(run),
 };
@@ -41,12 +43,16 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
     if known.next().is_some() {
         return;
     }
-    let how = if moved.is_nan() { "is no number".to_owned() } else { format!("moves by {moved:.4}") };
+    let how = if moved.is_nan() {
+        "is not a number".to_owned()
+    } else {
+        format!("moves by {:.3} cm ({moved:.4})", 10.0 * moved)
+    };
     let place = Place::Element(Element { kind: "vertex", index: u64::from(vertex) });
     out.push(
         RULE.at(skeleton, place, format!("with all bones at rest, vertex {vertex} {how} after skinning"))
             .key("rest")
-            .help("look at the rotation planes of the bones that move this vertex")
+            .help("check the rotation planes of the bones that move this vertex")
             .evidence(Evidence::counted(1).with_worst(moved, format!("vertex {vertex}"))),
     );
 }

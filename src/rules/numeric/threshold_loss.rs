@@ -11,16 +11,21 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "applies so much less of the shape between the steps, and gives it to nobody",
+            "applies that much less of the shape between the steps; no other combination makes up for it",
         )],
-        docs: "MakeHuman 2 multiplies the weights of all components of a macrodef and drops every combination whose product is \
-            0.01 or less. What is dropped is not given to the others, so that between the steps a part of the shape is \
-            missing. The more components, the more: at worst 2 % with two, 4 % with three, 8 % with four, 17 % with five, \
-            36 % with six components of which each stands between two steps.\n\nReported is the macrodef that loses most, at \
-            the worst setting found, once a `macro.json`. Nothing needs to be done; splitting a macrodef with many \
-            components makes the loss smaller.",
-        options: &[OptionInfo { name: "percent", default: 5.0, docs: "how much weight may be lost, in percent" }],
-        ..RuleInfo::new("numeric-threshold-loss", Level::Info, "much weight is lost to the cut-off of small factors")
+        docs: "A macrodef loses much of its weight because MakeHuman 2 drops small factors.\n\n\
+            MakeHuman 2 multiplies the weights of all components of a macrodef and drops every combination whose \
+            product is 0.01 or less. It does not give the dropped weight to the others, so that part of the shape is \
+            missing between the steps. At worst, with each component between two steps, two components lose 2 %, three \
+            4 %, four 8 %, five 17 % and six 36 %.\n\n\
+            There is one finding per `macro.json`: the macrodef that loses most, at the worst setting found. Nothing \
+            needs to be done; splitting a macrodef with many components reduces the loss.",
+        options: &[OptionInfo { name: "percent", default: 5.0, docs: "how much weight may be lost, in per cent" }],
+        ..RuleInfo::new(
+            "numeric-threshold-loss",
+            Level::Info,
+            "a macrodef loses much weight to the cut-off of small factors",
+        )
     },
     check: Check::Numeric(run),
 };
@@ -33,7 +38,7 @@ fn run(body: &Body<'_>, measures: &Measures, cx: &RuleCx<'_>, out: &mut Vec<Find
     let Some(macrodef) = macros.macrodefs.get(*number) else { return };
     let (title, share) = (title(macrodef), percent(*lost));
     let message = format!(
-        "macrodef `{title}` loses {share} of its weight to the cut-off of factors up to 0.01, at {}",
+        "macrodef `{title}` loses {share} of its weight because factors up to 0.01 are dropped; seen with {}",
         worded(at)
     );
     let named = |(number, lost, _): &(usize, f64, Vec<SliderSetting>)| {
@@ -44,7 +49,7 @@ fn run(body: &Body<'_>, measures: &Measures, cx: &RuleCx<'_>, out: &mut Vec<Find
         RULE.at(file, Place::pointer(["macrodef", &macrodef.index.to_string(), "comp"]), message)
             .key("loss")
             .parts(over().map(|(number, ..)| macros.macrodefs.get(*number).map(super::title).unwrap_or_default()))
-            .help("nothing needs to be done; fewer components in a macrodef lose less")
+            .help("leave it, or use fewer components in the macrodef to lose less")
             .evidence(Evidence::of_cases(over().map(named)).out_of(macros.macrodefs.len()).with_worst(*lost, title)),
     );
 }

@@ -11,16 +11,17 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "applies the shapes of the macrodef with too little or too much weight; nothing is normalised",
+            "applies the shapes of the macrodef too weakly or too strongly; it does not normalise the weights",
         )],
-        docs: "MakeHuman 2 blends between the values of a component and multiplies the weights of all components. It normalises \
-            nothing, so the weights of each component must add up to one (0.0025 less or more come from its own \
-            limits).\n\nThey do not where a component uses only two corners of a triangle slider: the weight of the third \
-            corner is given to nobody. After a reset, with 0.33, 0.33 and 0.34, two corners hold two thirds, and with the \
-            slider in the third corner nothing of the macrodef applies.\n\nGive the component a value for each corner; \
-            combinations of the third one may be `null`. Steps that do not run from 0 to 1, and lists of unequal length, \
-            which make wrong sums too, have rules of their own.",
-        ..RuleInfo::new("numeric-weights-sum", Level::Warning, "weights of a component that do not add up to one")
+        docs: "The weights of a component do not add up to 1. A deviation of up to 0.0025 comes from MakeHuman 2's own \
+            cut-offs and is not reported.\n\n\
+            MakeHuman 2 blends between the values of a component, multiplies the weights of all components, and \
+            normalises nothing. If a component uses only two corners of a triangle slider, the weight of the third \
+            corner is lost: after a reset (0.33, 0.33 and 0.34) two corners hold two thirds, and with the slider in \
+            the third corner the macrodef applies nothing.\n\n\
+            Give the component a value for each corner; the combinations of the third one may be `null`. Steps that do \
+            not run from 0 to 1 and lists of unequal length also cause wrong sums; they have rules of their own.",
+        ..RuleInfo::new("numeric-weights-sum", Level::Warning, "the weights of a component do not add up to 1")
     },
     check: Check::Numeric(run),
 };
@@ -40,12 +41,13 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
             Some(at) => format!("at `{}` = {at}", component.pattern.as_deref().unwrap_or_default()),
             None => "after a reset".to_owned(),
         };
-        let message = format!("weights of `{name}` in macrodef `{}` add up to {:.2} {at}", title(macrodef), off.sum);
+        let message =
+            format!("weights of `{name}` in macrodef `{}` add up to {:.3} instead of 1 {at}", title(macrodef), off.sum);
         let member = if component.steps.is_some() { "steps" } else { "sum" };
         out.push(
             RULE.at(file, Place::pointer(["components", name, member]), message)
                 .key(format!("{}/{name}", title(macrodef)))
-                .help("give every corner of the slider a value; its combinations may be `null`")
+                .help("give the component a value for every corner of the slider; its combinations may be `null`")
                 .evidence(Evidence::counted(1).with_worst(off.sum, at)),
         );
     }

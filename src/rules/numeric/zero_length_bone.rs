@@ -10,15 +10,16 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "divides by zero: the rest matrix is not a number, and in pose mode the skin of the bone vanishes",
+            "divides by zero: the rest matrix is not a number, and in pose mode the skin of the bone disappears",
         )],
-        docs: "At some setting of the sliders the head and the tail of a bone come to lie on one point (closer than 0.0001 \
-            decimetres; the shortest bone that MakeHuman's own base has at any setting is 0.026).\n\nJoints are the means of \
-            their vertices on the morphed mesh, and MakeHuman 2 computes them anew after every change. A target that \
-            moves one joint cube onto another removes the bone between them. The finding stands at that target; let it \
-            move the joint cubes with the limb.\n\nA bone without length on the default character is \
+        docs: "At some slider setting the head and the tail of a bone meet at one point: they are closer than 0.001 cm \
+            (0.0001). The bones of MakeHuman's own base keep at least 0.26 cm at every setting.\n\n\
+            Joints are the mean positions of their vertices on the morphed mesh, and MakeHuman 2 recomputes them after \
+            every change. A target that moves one joint cube onto another removes the bone between them. The finding \
+            is reported at that target.\n\n\
+            Move the joint cubes together with the limb. For a bone without length on the default character see \
             `skeleton-zero-length-bone`.",
-        ..RuleInfo::new("numeric-zero-length-bone", Level::Error, "a bone that collapses at some slider setting")
+        ..RuleInfo::new("numeric-zero-length-bone", Level::Error, "a bone has no length at some slider setting")
     },
     check: Check::Numeric(run),
 };
@@ -27,11 +28,11 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
     let Some(space) = &measures.space else { return };
     let Some(seen) = untold(body, space, space.short_bone.as_ref()) else { return };
     let length = 1.0 / seen.value;
-    let message = format!("bone `{}` has no length ({length:.6})", seen.name);
+    let message = format!("bone `{}` has no length ({:.5} cm)", seen.name, 10.0 * length);
     out.push(
         at_setting(&RULE, body, seen, &message)
             .parts(&seen.all)
-            .help("let the target move the joint cubes at both ends with the limb")
+            .help("move the joint cubes at both ends together with the limb")
             .evidence(Evidence::counted(1).with_worst(length, &*seen.name)),
     );
 }

@@ -10,15 +10,16 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "never reads it, nor the targets beside it: it looks in the folder of the base mesh",
+            "never reads it or the targets beside it: it only looks in the folder of the base mesh",
         )],
-        docs: "`contarget` and `target` have a folder for each base mesh, and in it stand macro.json, modelling.json, target_cat.json and the folders of \
-            targets.\n\nWhere these stand in `contarget` or `target` itself, MakeHuman 2 finds none of them: a base that has its sliders \
-            there has none.\n\nMove everything into a folder with the name of the base mesh.",
+        docs: "`contarget` and `target` have one folder for each base mesh. It contains macro.json, modelling.json, \
+            target_cat.json and the folders of targets.\n\nIf these are in `contarget` or `target` itself, MakeHuman \
+            2 finds none of them, and the base has no sliders.\n\nMove everything into a folder with the name of the \
+            base mesh.",
         ..RuleInfo::new(
             "overlay-base-folder-missing",
             Level::Error,
-            "sliders and targets that lie in no folder of a base mesh",
+            "sliders and targets outside the folder of a base mesh",
         )
     },
     check: Check::Repository(run),
@@ -27,13 +28,12 @@ pub(in crate::rules) static RULE: Rule = Rule {
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers().checked;
     for (folder, file) in view.unsorted() {
-        let message =
-            format!("`{}` lies in `{folder}` itself: the folder of the base mesh is missing", file.file_name());
+        let message = format!("`{}` is in `{folder}` itself, expected in the folder of a base mesh", file.file_name());
         let finding = RULE.at(file, Place::File, message).key(folder).asset(layer.display(folder));
         let targets = layer.below(folder).filter(|file| file.target().is_some()).count();
-        let what = if targets > 0 { format!(", with {}", counted(targets, "target")) } else { String::new() };
+        let what = if targets > 0 { format!(", including {}", counted(targets, "target")) } else { String::new() };
         let base = base_of(view, folder).unwrap_or("<base>");
-        out.push(finding.help(format!("move what lies in `{folder}` to `{folder}/{base}`{what}")));
+        out.push(finding.help(format!("move the content of `{folder}` to `{folder}/{base}`{what}")));
     }
 }
 

@@ -13,18 +13,15 @@ use crate::repo::makehuman2::{Base, View};
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         fix: FixKind::Safe,
-        breaks: &[(
-            Application::Makehuman2,
-            "ignores the override but for a line in the log, and takes the system's file",
-        )],
-        docs: "macro.json, modelling.json and target_cat.json in `contarget/<base>/` replace those of the system. MakeHuman 2 \
-            takes the first of the two that it can read and that is not empty, each file for itself. A syntax error, a byte \
-            order mark or an empty object is only a line in the log: the system's file is used as if there were no \
-            override.\n\nThe target files do not fall back with it. If macro.json is the one that is refused, all targets \
-            are searched in the system's folder again, where those of the override are not; and a base that lives in user \
-            space alone stops the program at start, because there is no such folder.\n\nMend the file at the place that is \
-            shown, or remove it. (Bytes that are no UTF-8 are worse: MakeHuman 2 stops; see `file-not-utf8`.)",
-        ..RuleInfo::new("overlay-broken-override", Level::Error, "a contarget file that MakeHuman 2 silently ignores")
+        breaks: &[(Application::Makehuman2, "ignores the override with only a log line, and uses the system's file")],
+        docs: "macro.json, modelling.json and target_cat.json in `contarget/<base>/` replace those of the system. \
+            For each of them, MakeHuman 2 takes the first that it can read and that is not empty. A syntax error, a \
+            byte order mark or an empty object is only a line in the log: it uses the system's file as if the \
+            override did not exist.\n\nThe target files do not follow. If macro.json is rejected, all targets are \
+            loaded from the system's folder again, which does not have those of the override. A base that exists \
+            only in user space crashes MakeHuman 2 at start, because that folder does not exist.\n\nFix the file at \
+            the place shown, or remove it. Bytes that are not UTF-8 crash MakeHuman 2 instead; see `file-not-utf8`.",
+        ..RuleInfo::new("overlay-broken-override", Level::Error, "an override in contarget that MakeHuman 2 ignores")
     },
     check: Check::Makehuman2(run),
 };
@@ -39,7 +36,7 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
         let finding = match &*file.content {
             Content::Broken(JsonFault::ByteOrderMark) => {
                 let change = Change::Rewrite(Rewrite::DropByteOrderMark);
-                finding.fix(Fix::new(RULE.info.fix, "remove the mark").step(&file.path, change))
+                finding.fix(Fix::new(RULE.info.fix, "remove the byte order mark").step(&file.path, change))
             }
             _ => finding,
         };
@@ -54,16 +51,16 @@ fn fault(file: &FileFacts) -> (Place, String, &'static str) {
     match &*file.content {
         Content::Broken(JsonFault::ByteOrderMark) => (
             Place::Span(0..3),
-            "it starts with a byte order mark, which Python refuses".to_owned(),
-            "save it as UTF-8 without byte order mark",
+            "it begins with a byte order mark".to_owned(),
+            "save the file as UTF-8 without a byte order mark",
         ),
         Content::Broken(JsonFault::Syntax(fault)) => {
-            (Place::Span(fault.span.clone()), fault.to_string(), "mend the JSON at this place, or remove the file")
+            (Place::Span(fault.span.clone()), fault.to_string(), "fix the JSON at this place, or remove the file")
         }
         Content::Broken(_) => (Place::File, "it is empty".to_owned(), "fill it, or remove it"),
         _ => (
             Place::Pointer(String::new()),
-            "there is nothing in it, and an empty value counts as no file".to_owned(),
+            "an empty value counts as a missing file".to_owned(),
             "fill it, or remove it; a base without macros writes `{\"components\": {}, \"macrodef\": []}`",
         ),
     }

@@ -9,18 +9,19 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "leaves an empty archive behind at the first start, and stops with an EOFError at each start after it",
+            "writes an empty archive at the first start, and crashes with `EOFError` at every later start",
         )],
-        docs: "MakeHuman 2 packs all targets of the folder in use into `compressedtargets.npz` when there is none. It creates the \
-            file first and fills it then; if there is no `.target` at all in the folder or below, a file of 0 bytes stays, and \
-            from the second start on the program stops with an EOFError (target.py:648) until somebody deletes it. The folder \
-            in use is `contarget/<base>` where a macro.json there is accepted, otherwise `target/<base>` of the system. Without \
-            any modelling.json the step is left out.\n\nReported is a folder from which nothing is wanted either: where names of \
-            targets lead to nothing, these names are the findings.\n\nPut a target into the folder; any will do.",
+        docs: "The folder that the targets of a base come from contains no target. It is `contarget/<base>` if a \
+            macro.json there is accepted, otherwise `target/<base>` of the system.\n\nMakeHuman 2 packs all targets \
+            of the folder into `compressedtargets.npz` if that does not exist. It creates the file first and then \
+            fills it. Without any `.target` in the folder or below, a file of 0 bytes remains, and MakeHuman 2 \
+            crashes with `EOFError` (target.py:648) from the second start on, until somebody deletes it. Without any \
+            modelling.json it skips this step.\n\nA folder is reported only if nothing refers to targets in it; \
+            otherwise the names that lead to nothing are reported.\n\nAdd any `.target` file to the folder.",
         ..RuleInfo::new(
             "overlay-empty-target-folder",
             Level::Error,
-            "the folder that the targets of a base come from holds no target",
+            "the folder that the targets of a base come from contains no target",
         )
     },
     check: Check::Makehuman2(run),
@@ -37,9 +38,9 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
     let has_targets = folder.targets().next().is_some() || folder.archive().is_some();
     if has_sliders && !has_targets && std::ptr::eq(view.layers.checked, folder.layer) && !is_wanted(&format!("{rel}/"))
     {
-        let message = format!("there is no `.target` in `{}` nor below it", folder.layer.display(&rel));
+        let message = format!("`{}` contains no `.target` file", folder.layer.display(&rel));
         out.push(
-            RULE.in_layer(folder.layer, &rel, message).key(base.name).help("put a target into the folder; any will do"),
+            RULE.in_layer(folder.layer, &rel, message).key(base.name).help("add any `.target` file to the folder"),
         );
     }
 }

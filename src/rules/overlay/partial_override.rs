@@ -11,22 +11,25 @@ use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "mixes the override with files of the system that were not made for it")],
-        docs: "The files of a base in `contarget/<base>/` belong together, but MakeHuman 2 chooses each JSON for itself and \
-            takes the target files and icons from the folder whose macro.json won.\n\nWithout macro.json the override's \
-            sliders load the system's targets, and targets beside them are never read; if the system has no such base, \
-            the program stops at start, because it wants to write an archive into a folder that is not there. Such a base \
-            needs a macro.json even without macros: `{\"components\": {}, \"macrodef\": []}`. Without modelling.json the \
-            system's sliders look for their targets in contarget.\n\nAdd the missing files. Targets in contarget \
-            without any of the three files are never read. Where all names resolve in spite of the gap nothing is wrong \
-            today, so that is an info.",
-        ..RuleInfo::new("overlay-partial-override", Level::Warning, "an override without the files it needs beside it")
+        breaks: &[(Application::Makehuman2, "combines the override with system files that were not made for it")],
+        docs: "The files of a base in `contarget/<base>/` belong together. But MakeHuman 2 chooses each JSON \
+            separately, and takes targets and icons from the folder whose macro.json it uses.\n\nWithout macro.json, \
+            the override's sliders load the system's targets, and targets beside them are never read. If the system \
+            does not have the base, MakeHuman 2 crashes at start, because it tries to write an archive into a folder \
+            that does not exist. Such a base needs a macro.json even without macros: `{\"components\": {}, \
+            \"macrodef\": []}`.\n\nWithout modelling.json, the system's sliders look for their targets in contarget. \
+            Targets in contarget without any of the three files are never read. If all names resolve in spite of the \
+            gap, nothing is wrong today, and the finding is an info.\n\nAdd the missing files.",
+        ..RuleInfo::new("overlay-partial-override", Level::Warning, "an override without the other files it needs")
     },
     check: Check::Makehuman2(run),
 };
 
 /// A gap: how bad, what is wrong, what MakeHuman 2 does, what to do.
 type Gap = (Level, String, &'static str, &'static str);
+
+const NO_FOLDER: &str =
+    "crashes with `FileNotFoundError` at start: it tries to write an archive into the system's folder";
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     // What follows from a broken file, or shows as targets in the wrong layer, is said by those rules.
@@ -53,39 +56,37 @@ fn without_sliders(base: &Base<'_>, system: SystemFolder) -> Option<Gap> {
     let folder = format!("contarget/{}", base.name);
     let help = "add a modelling.json whose sliders fit the targets in contarget";
     if base.modelling.winner().is_some() {
-        let message = format!("no modelling.json beside it: the system's sliders take their targets from `{folder}`");
+        let message = format!("modelling.json is missing: the system's sliders use the targets in `{folder}`");
         return Some((Level::Info, message, "uses the system's sliders with the targets in contarget", help));
     }
     if system == SystemFolder::Unknown {
-        let message = format!("no modelling.json beside it: all targets of the system's sliders must be in `{folder}`");
-        let effect =
-            "searches all targets of the system's sliders in contarget and cannot load those that are not there";
+        let message = format!("modelling.json is missing: all targets of the system's sliders must be in `{folder}`");
+        let effect = "looks for all targets of the system's sliders in contarget, and cannot load the missing ones";
         return Some((Level::Warning, message, effect, help));
     }
     let has_macros = base.macro_file().is_some_and(|(_, file)| !file.macrodefs.is_empty());
-    let message = "no modelling.json beside it nor in the system data: nothing moves these macros".to_owned();
+    let message = "modelling.json is missing here and in the system data: no slider moves these macros".to_owned();
     let (level, effect) = without_any(base);
     has_macros.then_some((level, message, effect, help))
 }
 
 fn without_macros(base: &Base<'_>, system: SystemFolder) -> Option<Gap> {
     let folder = format!("target/{}", base.name);
-    let help = "add a macro.json to contarget; without macros write `{\"components\": {}, \"macrodef\": []}`";
+    let help = "add a macro.json to contarget; without macros, write `{\"components\": {}, \"macrodef\": []}`";
     let own = base.other_targets.map_or(0, |contarget| contarget.targets().count());
     match system {
         SystemFolder::Absent => {
-            let message = format!("no macro.json beside it, and the system has no folder `{folder}`");
-            let effect = "stops at start (FileNotFoundError): it wants to write an archive into the system's folder";
-            Some((Level::Error, message, effect, help))
+            let message = format!("macro.json is missing, and the system has no folder `{folder}`");
+            Some((Level::Error, message, NO_FOLDER, help))
         }
         SystemFolder::Exists if own > 0 => {
-            let own = counted(own, "target file");
+            let (own, be) = (counted(own, "target file"), if own == 1 { "is" } else { "are" });
             let message =
-                format!("no macro.json beside it: targets come from `{folder}`, and {own} in contarget never");
-            Some((Level::Warning, message, "loads the system's targets of the same names", help))
+                format!("macro.json is missing: targets come from `{folder}`, and {own} in contarget {be} never read");
+            Some((Level::Warning, message, "loads the system's targets with the same names", help))
         }
         SystemFolder::Exists => {
-            let message = format!("no macro.json beside it: targets and icons come from `{folder}` of the system");
+            let message = format!("macro.json is missing: targets and icons come from the system's `{folder}`");
             Some((Level::Info, message, "uses these sliders with the system's targets", help))
         }
         // Its references are among what was not checked.
@@ -97,13 +98,13 @@ fn categories_alone(base: &Base<'_>, system: SystemFolder) -> Gap {
     let help = "add the modelling.json that these categories are for";
     let shown = "shows the system's sliders under these categories";
     if base.modelling.winner().is_some() {
-        let message = "only the categories are overridden; sliders and targets are the system's".to_owned();
+        let message = "only target_cat.json is overridden: sliders and targets come from the system".to_owned();
         (Level::Info, message, shown, help)
     } else if system == SystemFolder::Unknown {
-        let message = "only the categories are overridden; they must fit the system's sliders (`--system`)".to_owned();
+        let message = "only target_cat.json is overridden: it must match the system's sliders (`--system`)".to_owned();
         (Level::Info, message, shown, help)
     } else {
-        let message = "no modelling.json beside it nor in the system data: nothing to categorise".to_owned();
+        let message = "modelling.json is missing here and in the system data: categories have no sliders".to_owned();
         let (level, effect) = without_any(base);
         (level, message, effect, help)
     }
@@ -112,9 +113,9 @@ fn categories_alone(base: &Base<'_>, system: SystemFolder) -> Gap {
 /// What a base without any modelling.json comes to.
 fn without_any(base: &Base<'_>) -> (Level, &'static str) {
     if base.user_modelling.accepted().is_some() {
-        (Level::Warning, "offers the sliders of the user's targets only")
+        (Level::Warning, "shows only the sliders of the user's targets")
     } else {
-        (Level::Error, "offers no sliders for the base, and no macro does anything")
+        (Level::Error, "shows no sliders for the base, and macros have no effect")
     }
 }
 
@@ -123,15 +124,14 @@ fn user_targets_alone<'a>(base: &Base<'a>, system: SystemFolder) -> Option<(&'a 
     let file = base.user_modelling.file()?;
     let dead = system == SystemFolder::Absent && user_sliders(base) > 0 && base.own_json.is_some();
     let message =
-        format!("user targets, but neither `contarget/{0}/macro.json` nor `target/{0}` in the system data", base.name);
-    let effect = "stops at start (FileNotFoundError): it wants to write an archive into the system's folder";
+        format!("user targets exist, but `contarget/{0}/macro.json` and the system's `target/{0}` do not", base.name);
     let own = base.user_targets.and_then(|folder| folder.layer.file(&format!("{}/macro.json", folder.rel())));
     let help = if own.is_some() {
-        "move the folder to `contarget/`: in `target/` of the user MakeHuman 2 looks for additions to a base of the system"
+        "move the folder to `contarget/`: the user's `target/` is only for additions to a base of the system"
     } else {
-        "add a macro.json to contarget; without macros write `{\"components\": {}, \"macrodef\": []}`"
+        "add a macro.json to contarget; without macros, write `{\"components\": {}, \"macrodef\": []}`"
     };
-    dead.then_some((file, (Level::Error, message, effect, help)))
+    dead.then_some((file, (Level::Error, message, NO_FOLDER, help)))
 }
 
 /// Targets in contarget and none of the files that would make anybody look at them.
@@ -139,9 +139,9 @@ fn targets_alone<'a>(base: &Base<'a>) -> Option<(&'a FileFacts, Gap)> {
     let folder = base.other_targets.filter(|folder| !base.macros.is_overridden() && folder.folder == "contarget")?;
     let file = folder.targets().next()?;
     let own = counted(folder.targets().count(), "target file");
-    let message = format!("no macro.json in `{}`: its {own} are never read", folder.rel())
+    let message = format!("macro.json is missing in `{}`: its {own} are never read", folder.rel())
         .replace("1 target file are", "1 target file is");
-    let help = "add the macro.json and modelling.json that they are for; targets beside those of the system belong in \
+    let help = "add their macro.json and modelling.json, or move additions to the system's targets to \
         `target/<base>/<group>/`";
-    Some((file, (Level::Warning, message, "takes all targets of the base from the system's folder", help)))
+    Some((file, (Level::Warning, message, "loads all targets of the base from the system's folder", help)))
 }

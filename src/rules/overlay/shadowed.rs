@@ -7,15 +7,14 @@ use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "reads the file in contarget and not the system's")],
-        docs: "macro.json, modelling.json and target_cat.json in `contarget/<base>/` replace the system's files of the same \
-            names as a whole; nothing is merged. With macro.json the target files change as well: all of the system's \
-            become unreachable. That is what overrides are for; the finding says what is no longer there. An override with gaps has a \
-            finding for the gap instead.\n\nA macro.json \
-            in the user's `target/<base>/` is another matter: MakeHuman 2 never reads it, whatever is in it. Move it to \
-            `contarget/<base>/` together with the targets it names. The same holds for a `contarget` folder in the \
-            system's data beside a user's folder.",
-        ..RuleInfo::new("overlay-shadowed", Level::Info, "a file that another one replaces")
+        breaks: &[(Application::Makehuman2, "reads the file in contarget instead of the system's")],
+        docs: "macro.json, modelling.json and target_cat.json in `contarget/<base>/` replace the system's files of \
+            the same names completely; nothing is merged. With macro.json the targets change as well: none of the \
+            system's can be reached. That is what overrides are for; the finding lists what is no longer reachable. \
+            An override with gaps has a finding for the gap instead.\n\nMakeHuman 2 never reads a macro.json in the \
+            user's `target/<base>/`. Move it to `contarget/<base>/` together with the targets it names. It also \
+            never reads a `contarget` folder in the system's data.",
+        ..RuleInfo::new("overlay-shadowed", Level::Info, "a file that is replaced or never read")
     },
     check: Check::Makehuman2(run),
 };
@@ -32,13 +31,13 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
     let is_asked_for = system_folder(view, base) != SystemFolder::Absent;
     let layer = base.user_targets.map(|folder| folder.layer).filter(|_| is_asked_for);
     if let Some(file) = layer.and_then(|layer| layer.file(&format!("target/{}/macro.json", base.name))) {
-        let message = format!("`{}` of the user's folder is never read", file.rel);
+        let message = format!("`{}` in the user's folder is never read", file.rel);
         out.push(
             RULE.at(file, BEGINNING, message)
                 .key("never read")
                 .level(Level::Warning)
-                .help(format!("move it to `contarget/{}`, together with its targets", base.name))
-                .effect("does not look for macros there; nothing in the file has an effect"),
+                .help(format!("move it to `contarget/{}` together with its targets", base.name))
+                .effect("ignores the file: it does not look for macros there"),
         );
     }
 }
@@ -51,13 +50,13 @@ fn contarget_of_system(view: &View<'_>, base: &Base<'_>) -> Option<Finding> {
     let folder = format!("contarget/{}", base.name);
     let first = view.layers.checked.below(&folder).next().filter(|_| view.layers.user.is_none())?;
     let files = view.layers.checked.below(&folder).count();
-    let message = format!("`{folder}` of the system's folder is never read ({})", counted(files, "file"));
+    let message = format!("`{folder}` in the system's folder is never read ({})", counted(files, "file"));
     Some(
         RULE.at(first, Place::File, message)
             .key("contarget of the system")
             .level(Level::Warning)
-            .help("move the folder to the user's data folder, or its files to `target` of this one")
-            .effect("looks for overrides in the user's folder only"),
+            .help("move the folder to the user's data folder, or its files to `target` in this one")
+            .effect("looks for overrides only in the user's folder"),
     )
 }
 
@@ -66,11 +65,11 @@ fn replaced_by_contarget(base: &Base<'_>, replaced: &[&Override<'_>]) -> Option<
     let file = replaced.first()?.file?;
     let names: Vec<&str> = replaced.iter().map(|each| each.name).collect();
     let (what, lost) = unreachable(base);
-    let message = format!("contarget replaces the system's {} for base `{}`{what}", names.join(", "), base.name);
+    let message = format!("contarget replaces the system's {} of base `{}`{what}", names.join(", "), base.name);
     let finding = RULE.at(file, BEGINNING, message).key(base.name).asset(file.folder());
     let mut finding = finding.parts(&names);
     for system in replaced.iter().filter_map(|each| each.system) {
-        finding = finding.related(system.path.clone(), BEGINNING, "replaced");
+        finding = finding.related(system.path.clone(), BEGINNING, "the replaced file");
     }
     Some(finding.evidence(Evidence::of_cases(lost)))
 }
@@ -87,6 +86,6 @@ fn unreachable(base: &Base<'_>) -> (String, Vec<String>) {
     let parts = [(sliders, "slider"), (lost.len() - sliders, "target")];
     let parts = parts.iter().filter(|(count, _)| *count > 0).map(|(count, what)| counted(*count, what));
     let parts: Vec<String> = parts.collect();
-    let text = if parts.is_empty() { String::new() } else { format!("; out of reach: {}", parts.join(", ")) };
+    let text = if parts.is_empty() { String::new() } else { format!("; no longer reachable: {}", parts.join(", ")) };
     (text, lost)
 }

@@ -12,20 +12,20 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "cannot load the targets: stops at start if the start character uses one (AttributeError), otherwise as soon as \
-                one gets weight",
+            "cannot load the targets and crashes with `AttributeError`: at start if the start character uses one, \
+                otherwise as soon as one gets weight",
         )],
-        docs: "MakeHuman 2 loads all targets of a base, macro and modelling, from one folder: `contarget/<base>` if a \
-            macro.json there is in use, otherwise `target/<base>` of the system. There is no fallback for a single file. \
-            Sliders and macros can still come from the other layer, as each JSON is chosen for itself; then they name \
-            targets that lie where nobody looks.\n\nAn override of macro.json therefore needs every target that any slider \
-            or combination in use names. Copy the missing ones beside it, take them out of the JSON, or give up the \
-            override of macro.json. The other way round, an override of modelling.json alone uses the system's targets: \
-            with targets of its own it needs a macro.json beside it.",
+        docs: "MakeHuman 2 loads all targets of a base, for macros and sliders, from one folder: `contarget/<base>` \
+            if a macro.json there is in use, otherwise `target/<base>` of the system. Single files do not fall back \
+            to the other folder. But sliders and macros can still come from the other layer, because each JSON is \
+            chosen separately; then they name targets that are not in the folder in use.\n\nSo an override of \
+            macro.json needs every target that a slider or combination in use names. Copy the missing ones beside \
+            it, remove them from the JSON, or give up the override of macro.json. An override of modelling.json \
+            alone uses the system's targets: with targets of its own it needs a macro.json beside it.",
         ..RuleInfo::new(
             "overlay-targets-not-in-layer",
             Level::Error,
-            "targets that exist only in the layer that is not in use",
+            "targets that exist only in the folder that is not in use",
         )
     },
     check: Check::Makehuman2(run),
@@ -42,10 +42,12 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
     if lost.is_empty() {
         return;
     }
+    let count = files(&lost, |_| true);
     let message = format!(
-        "{} ({}) not in `{}`, the folder in use, but only in `{}`",
-        counted(files(&lost, |_| true), "target"),
+        "{} ({}) {} not in `{}`, the folder in use, but only in `{}`",
+        counted(count, "target"),
         by_source(&lost),
+        if count == 1 { "is" } else { "are" },
         used.layer.display(&used.rel()),
         other.layer.display(&other.rel()),
     );
@@ -72,7 +74,7 @@ fn by_source(lost: &[&Reference<'_>]) -> String {
     let of_macros = files(lost, is_macro);
     let of_sliders = files(lost, |reference| !is_macro(reference));
     let parts = [(of_macros, "macro.json"), (of_sliders, "modelling.json")];
-    let parts = parts.iter().filter(|(count, _)| *count > 0).map(|(count, file)| format!("{count} of {file}"));
+    let parts = parts.iter().filter(|(count, _)| *count > 0).map(|(count, file)| format!("{count} from {file}"));
     let uses = (lost.len() > of_macros + of_sliders).then(|| format!("named {} times", lost.len()));
     parts.chain(uses).collect::<Vec<_>>().join(", ")
 }
@@ -80,12 +82,12 @@ fn by_source(lost: &[&Reference<'_>]) -> String {
 /// At the `macro.json` that moved the folder, or at the sliders that count on a folder nothing moved to.
 fn finding_where_to_act(view: &View<'_>, base: &Base<'_>, lost: &[&Reference<'_>], message: String) -> Finding {
     if let Some((file, _)) = base.macros.contarget.accepted() {
-        let help = "an active macro.json in contarget moves all targets there: copy the missing ones into it";
+        let help = "copy the missing targets to contarget: its macro.json makes it the folder for all targets";
         let first = lost.iter().find(|reference| std::ptr::eq(reference.from, file));
         let place = first.map_or_else(|| Place::key(["macrodef"]), |reference| reference.place.clone());
         return RULE.at(file, place, message).help(help);
     }
-    let help = "contarget has no macro.json, so its targets are not read: add one (it may be that of the system)";
+    let help = "add a macro.json to contarget, such as the system's: without it, contarget's targets are not read";
     if let Some(first) = lost.iter().find(|reference| view.layers.is_checked(reference.from)) {
         return RULE.at(first.from, first.place.clone(), message).help(help);
     }

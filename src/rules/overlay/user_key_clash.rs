@@ -10,13 +10,17 @@ use crate::repo::makehuman2::{Base, View, user_scan};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "shows the user's slider in place of the other one, which is gone")],
-        docs: "The generated modelling.json of the user's targets is merged over the sliders of the base, key by key, and the \
-            user's entry wins. Its keys are made from folder and file: `head/size.target` becomes `Head Size`. If the base \
-            has a slider of that key it vanishes, and models that were saved with it lose the value. A target that the file does not \
-            name yet counts as well: the next scan makes its key.\n\nRename the user's \
-            target or its folder; MakeHuman 2 writes the file anew.",
-        ..RuleInfo::new("overlay-user-key-clash", Level::Warning, "a user target replaces a slider of the same key")
+        breaks: &[(Application::Makehuman2, "shows the user's slider instead of the other one, which disappears")],
+        docs: "MakeHuman 2 merges the generated modelling.json of the user's targets over the sliders of the base, \
+            key by key; the user's entry wins. Its keys are made from folder and file: `head/size.target` becomes \
+            `Head Size`. A slider of the base with that key disappears, and models saved with it lose the value. A \
+            target that the file does not name yet counts as well: the next scan makes its key.\n\nRename the user's \
+            target or its folder; MakeHuman 2 rewrites the file.",
+        ..RuleInfo::new(
+            "overlay-user-key-clash",
+            Level::Warning,
+            "a user target that replaces a slider with the same key",
+        )
     },
     check: Check::Makehuman2(run),
 };
@@ -33,12 +37,12 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         1 => String::new(),
         count => format!(" ({} in all)", counted(count, "slider")),
     };
-    let message = format!("the user's slider `{first}` replaces the one of the same key in `{}`{others}", file.path);
+    let message = format!("the user's slider `{first}` replaces the one with the same key in `{}`{others}", file.path);
     let mut finding = RULE.at(own, place.clone(), message).key(base.name);
     for (key, ..) in clashes.iter().take(EXAMPLES) {
-        finding = finding.related(file.path.clone(), Place::key([key]), "replaced");
+        finding = finding.related(file.path.clone(), Place::key([key]), "the replaced slider");
     }
-    let help = "rename the user's target file or its folder, from which the key is made";
+    let help = "rename the user's target file or its folder: the key is made from their names";
     let evidence = Evidence::of_cases(clashes.iter().map(|(key, ..)| key.to_string()));
     out.push(finding.help(help).evidence(evidence));
 }

@@ -8,13 +8,14 @@ use crate::repo::Body;
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: LOST_AND_WEIGHTED,
-        docs: "MakeHuman 2 builds a skeleton from its root downwards. Bones that are each other's parents are never \
-            reached: they are missing in the skeleton, without a message. If the weights mention one, entering \
-            pose mode stops with a KeyError; otherwise (`warning`) the bones are just not there. Where the circle takes \
-            the only root with it MakeHuman 2 refuses the skeleton.\n\nGive one \
-            bone of the circle a parent outside of it. A circle with bones below it, which are lost as well, is \
-            reported as `skeleton-unreachable-bone`; a skeleton in which nothing but circles exists as `skeleton-no-root`.",
-        ..RuleInfo::new("skeleton-cycle", Level::Error, "the parents of some bones run in a circle")
+        docs: "The parents of some bones form a cycle, so that the root cannot be reached from them.\n\n\
+            MakeHuman 2 builds a skeleton from its root downwards and never reaches such bones. It drops them without \
+            a message. If the weights use one of them, entering pose mode crashes with `KeyError`; otherwise this is a \
+            warning. If the only root is part of the cycle, MakeHuman 2 refuses the skeleton.\n\n\
+            Give one bone of the cycle a parent outside it. A cycle with bones below it, which are also lost, is \
+            reported as `skeleton-unreachable-bone`; a skeleton that consists of nothing but cycles as \
+            `skeleton-no-root`.",
+        ..RuleInfo::new("skeleton-cycle", Level::Error, "the parents of some bones form a cycle")
     },
     check: Check::Body(run),
 };

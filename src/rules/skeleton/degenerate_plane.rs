@@ -14,20 +14,21 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "has no number for the normal: in pose mode every vertex of the bone and of those below it is gone",
+            "gets no normal: in pose mode all vertices of these bones and of the bones below them disappear",
         )],
-        docs: "The three joints of a `rotation_plane` lie on one line, or two of them at one place, on the default \
-            character.\n\nThe plane gives the roll of its bones. Without an area it has no normal, and the rest matrices of the \
-            bones are not numbers; the program says nothing. Where the joints are on a line but for rounding (a sine below \
-            0.0001) there is a normal, but it is noise: a warning.\n\nTake three joints that make a triangle, such as shoulder, \
-            elbow and wrist of a bent arm.",
-        ..RuleInfo::new("skeleton-degenerate-plane", Level::Error, "the joints of a rotation plane are on one line")
+        docs: "On the default character the three joints of a `rotation_plane` are in line, or two of them are at the \
+            same place.\n\n\
+            The plane determines the roll of its bones. Without an area it has no normal, and the rest matrices of the \
+            bones are not numbers; MakeHuman 2 does not report it. If the joints are in line except for rounding (sine \
+            of the angle below 0.0001, or 0.006°), there is a normal, but it is noise: a warning.\n\n\
+            Choose three joints that form a triangle, such as shoulder, elbow and wrist of a bent arm.",
+        ..RuleInfo::new("skeleton-degenerate-plane", Level::Error, "the joints of a rotation plane are in line")
     },
     check: Check::Numeric(run),
 };
 
 const NOISE: Case =
-    &[(Application::Makehuman2, Level::Warning, "rolls the bones by rounding errors, differently for every character")];
+    &[(Application::Makehuman2, Level::Warning, "rolls the bones by rounding errors, differently for each character")];
 
 /// Sine of the angle between the edges below which rounding of joints decides the normal.
 const NOISE_SINE: f64 = 1e-4;
@@ -58,17 +59,20 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
 
 fn finding(rig: &Measured<'_>, plane: &str, joints: &[&str], sine: f64, bones: &[&str]) -> Finding {
     let list = joints.iter().map(|joint| format!("`{joint}`")).collect::<Vec<_>>().join(", ");
-    let how = match sine {
-        sine if !sine.is_finite() => "two of them coincide".to_owned(),
-        sine if sine < PARALLEL_SINE => "they are on one line".to_owned(),
-        sine => format!("they are on one line but for a sine of {sine:.1e}"),
+    let why = match sine {
+        sine if !sine.is_finite() => format!("has no normal: two of its joints {list} coincide"),
+        sine if sine < PARALLEL_SINE => format!("has no normal: its joints {list} are in line"),
+        sine => {
+            let angle = sine.asin().to_degrees();
+            format!("has an unreliable normal: its joints {list} are in line but for {angle:.6}°")
+        }
     };
-    let message = format!("plane `{plane}` of {} has no normal: its joints are {list}, and {how}", named(bones));
+    let message = format!("plane `{plane}` of {} {why}", named(bones));
     let evidence = Evidence::of_cases(bones).out_of(rig.skeleton.bones.len()).with_worst(sine, plane);
     let finding = RULE
         .at(rig.file, Place::pointer(["planes", plane]), message)
         .key(plane)
-        .help("take three joints that make a triangle")
+        .help("choose three joints that form a triangle")
         .evidence(evidence);
     let is_noise = sine.is_finite() && sine >= PARALLEL_SINE;
     if is_noise { finding.case(NOISE) } else { finding }

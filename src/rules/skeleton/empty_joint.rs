@@ -9,32 +9,33 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "drops the joint and stops with a KeyError at the first bone that needs it",
+            "drops the joint, then crashes with `KeyError` at the first bone that needs it",
         )],
-        docs: "A joint is the mean position of the vertices that it lists.\n\nMakeHuman 2 drops joints with an \
-            empty list, and such as are no list at all, without a word. A bone that names one then stops the \
-            program: the default skeleton while the base is loaded, others when they are chosen. Where no bone \
-            needs the joint this is harmless (`info`).\n\nList the vertices of the joint, usually the eight \
-            corners of its cube in the base mesh.",
+        docs: "A joint lists no vertices, or is not a list. A joint is the mean position of the vertices that it \
+            lists.\n\n\
+            MakeHuman 2 drops such joints without a message, and then crashes with `KeyError` at the first bone that \
+            names one: for the default skeleton while loading the base mesh, for others when they are chosen. If no \
+            bone needs the joint, this is reported as info.\n\n\
+            List the vertices of the joint, usually the eight corners of its cube in the base mesh.",
         ..RuleInfo::new("skeleton-empty-joint", Level::Error, "a joint lists no vertices")
     },
     check: Check::Body(run),
 };
 
-const NOT_NEEDED: Case = &[(Application::Makehuman2, Level::Info, "drops the joint without a word; no bone needs it")];
+const NOT_NEEDED: Case = &[(Application::Makehuman2, Level::Info, "silently drops the joint; no bone needs it")];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for rig in rigs(body) {
         let asked = rig.asked_joints();
         for joint in rig.skeleton.joints.iter().filter(|joint| joint.listed == 0) {
-            let what = if joint.vertices.is_some() { "lists no vertices" } else { "is no list of vertices" };
+            let what = if joint.vertices.is_some() { "lists no vertices" } else { "is not a list of vertices" };
             let place = Place::pointer(["joints", &joint.name]);
             let finding = RULE
                 .at(rig.file, place, format!("joint `{}` {what}", joint.name))
                 .key(&joint.name)
-                .help("list the vertices of the base mesh whose mean is the joint, or remove it");
+                .help("list the base-mesh vertices whose mean is the joint, or remove it");
             out.push(if asked.contains(joint.name.as_str()) {
-                rig.stops_with("a KeyError at the first bone that needs the joint", finding)
+                rig.stops_with("`KeyError`", finding)
             } else {
                 finding.case(NOT_NEEDED)
             });

@@ -12,21 +12,18 @@ use crate::repo::{Body, FileFacts};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "places the joint beside its cube, and moves it with vertices of another one",
-        )],
-        docs: "The base mesh marks joints with small cubes, groups whose names begin with `joint-`; a joint lists the vertices of its \
-            cube and lies at their mean.\n\nReported is a joint that lists half of a cube or more, but not all of it, together with \
-            vertices that do not belong to it, and no cube as a whole. MakeHuman 2 takes the mean of them all without a word: the joint is off its \
-            place, and more so where a slider moves the strangers elsewhere. Mostly the numbers were counted from 1, as in \
-            the OBJ file, or one of them is mistyped. Joints that list the cubes of one another are reported, too. Two opposite corners, single vertices and the mean of several \
-            whole cubes are fine.\n\nList the vertices of the cube, counted from 0.",
-        ..RuleInfo::new(
-            "skeleton-joint-off-cube",
-            Level::Warning,
-            "a joint lists a part of its cube and something else",
-        )
+        breaks: &[(Application::Makehuman2, "places the joint off its cube, and moves it with the wrong vertices")],
+        docs: "A joint lists only part of its cube together with other vertices. The base mesh marks joints with small \
+            cubes, groups whose names begin with `joint-`; a joint lists the vertices of its cube and lies at their \
+            mean.\n\n\
+            Reported are joints that list half of a cube or more, but not all of it, together with vertices outside \
+            it, and no complete cube. Joints that list each other's cubes are reported, too. Two opposite corners, \
+            single vertices and the mean of several complete cubes are fine.\n\n\
+            MakeHuman 2 silently takes the mean of all listed vertices. The joint is off its place, and even more so \
+            if a slider moves the other vertices elsewhere.\n\n\
+            Usually the numbers were counted from 1, as in the OBJ file, or one of them is mistyped. List the vertices \
+            of the cube, counted from 0.",
+        ..RuleInfo::new("skeleton-joint-off-cube", Level::Warning, "a joint lists part of its cube and other vertices")
     },
     check: Check::Body(run),
 };
@@ -44,12 +41,14 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let joints = rig.skeleton.joints.iter();
         let off: Vec<OffCube<'_>> = joints.filter_map(|joint| off_cube(joint, &cubes, &cube_of)).collect();
         let Some((joint, cube, listed, all)) = off.first() else { continue };
-        let more = if off.len() > 1 { format!(" ({} joints like it)", off.len()) } else { String::new() };
-        let message =
-            format!("joint `{}` lists {listed} of the {all} vertices of `{cube}`, and others{more}", joint.name);
+        let first = format!("`{}` lists {listed} of the {all} vertices of `{cube}`, and others", joint.name);
+        let message = match off.len() {
+            1 => format!("joint {first}"),
+            count => format!("{count} joints list part of their cube and other vertices: {first}"),
+        };
         let is_one_based = off.iter().all(|(joint, ..)| is_one_based(joint, &cubes, &cube_of));
         let help = if is_one_based {
-            "count vertices from 0: all of these are one too high"
+            "subtract 1 from each of these numbers: vertices are counted from 0"
         } else {
             "list the vertices of the cube, counted from 0"
         };
@@ -85,11 +84,13 @@ fn exchanged(
     let exchanged = lists.iter().filter(|(joint, other)| strays(joint) && strays(other) && has_cube(joint));
     let exchanged: Vec<(&str, &str)> = exchanged.map(|(joint, other)| (*joint, *other)).collect();
     let (joint, other) = exchanged.first()?;
-    let more = if exchanged.len() > 1 { format!(" ({} joints like it)", exchanged.len()) } else { String::new() };
-    let message = format!("joint `{joint}` lists the vertices of the group `joint-{other}`{more}");
+    let first = format!("`{joint}` lists the vertices of group `joint-{other}`");
+    let message = match exchanged.len() {
+        1 => format!("joint {first}"),
+        count => format!("{count} joints list the cube of another joint: {first}"),
+    };
     let finding = RULE.at(file, Place::pointer(["joints", joint]), message).key("exchanged");
-    let help =
-        "list the vertices of the group with the name of the joint; or were vertices of base.obj put in another order?";
+    let help = "list the vertices of the group named after the joint, or restore the vertex order of base.obj";
     let evidence = Evidence::of_cases(exchanged.iter().map(|(joint, _)| joint)).out_of(joints.len());
     Some(finding.confidence(Confidence::Medium).help(help).evidence(evidence))
 }

@@ -9,12 +9,14 @@ use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "stops with an IndexError when it computes the position of the joint")],
-        docs: "The entries of a joint are vertex indices of the base mesh, from 0.\n\nMakeHuman 2 stops with an \
-            IndexError beyond the last vertex, and for an index that is written with a point (`12.0`). Loading a \
-            mesh adds duplicates of vertices along its texture seams: an index in that range, and a negative one \
-            (counted from the end), is accepted and means a vertex nobody intended (`warning`).\n\nUsually the \
-            skeleton was made for another base mesh.",
+        breaks: &[(Application::Makehuman2, "crashes with `IndexError` when it computes the position of the joint")],
+        docs: "A joint lists a vertex that the base mesh does not have. Joints list vertex numbers of the base mesh, \
+            counted from 0.\n\n\
+            MakeHuman 2 crashes with `IndexError` on numbers beyond the last vertex, and on numbers with a decimal \
+            point (`12.0`).\n\n\
+            When it loads a mesh, it adds duplicates of vertices along UV seams. A number in that range, and a \
+            negative number (counted from the end), is accepted and means a vertex that nobody intended: a warning.\n\n\
+            Usually the skeleton was made for another base mesh.",
         ..RuleInfo::new(
             "skeleton-joint-out-of-range",
             Level::Error,
@@ -24,9 +26,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Body(run),
 };
 
-const SEAM: Case =
-    &[(Application::Makehuman2, Level::Warning, "takes the position of a duplicate along a texture seam")];
-const NEGATIVE: Case = &[(Application::Makehuman2, Level::Warning, "takes a vertex counted from the end of the mesh")];
+const SEAM: Case = &[(Application::Makehuman2, Level::Warning, "uses the position of a UV-seam duplicate")];
+const NEGATIVE: Case = &[(Application::Makehuman2, Level::Warning, "uses a vertex counted from the end of the mesh")];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((_, mesh)) = body.mesh.filter(|(_, mesh)| mesh.facts.vertices > 0) else { return };
@@ -68,16 +69,16 @@ fn fault(vertex: i64, (vertices, with_seams): (usize, usize)) -> Option<Fault> {
 
 fn finding(rig: &Rig<'_>, fault: Fault, cases: &[(&str, usize, i64)], vertices: usize) -> Option<Finding> {
     let (joint, at, vertex) = cases.first()?;
-    let more = if cases.len() > 1 { format!(" ({} entries like it)", cases.len()) } else { String::new() };
+    let more = if cases.len() > 1 { format!(" ({} such entries)", cases.len()) } else { String::new() };
     let (key, what) = match fault {
-        Fault::Beyond => ("beyond", format!("vertex {vertex}, but the base mesh has {vertices}")),
-        Fault::Float => ("float", "a vertex number with a point".to_owned()),
-        Fault::Seam => ("seam", format!("vertex {vertex}, a seam duplicate: the base mesh has {vertices}")),
-        Fault::Negative => ("negative", format!("the negative vertex {vertex}")),
+        Fault::Beyond => ("beyond", format!("vertex {vertex}, but the base mesh has {vertices} vertices")),
+        Fault::Float => ("float", "a vertex number with a decimal point".to_owned()),
+        Fault::Seam => ("seam", format!("vertex {vertex}, a UV-seam duplicate: the base mesh has {vertices} vertices")),
+        Fault::Negative => ("negative", format!("the negative vertex number {vertex}")),
     };
     let names = cases.iter().map(|(joint, at, _)| format!("{joint}[{at}]"));
-    let help =
-        format!("list vertices from 0 to {}; was the skeleton made for another mesh?", vertices.saturating_sub(1));
+    let last = vertices.saturating_sub(1);
+    let help = format!("list vertices from 0 to {last}; check that the skeleton was made for this mesh");
     let place = Place::pointer(["joints", joint, &at.to_string()]);
     let finding = RULE
         .at(rig.file, place, format!("joint `{joint}` lists {what}{more}"))
@@ -86,7 +87,7 @@ fn finding(rig: &Rig<'_>, fault: Fault, cases: &[(&str, usize, i64)], vertices: 
         .help(help)
         .evidence(Evidence::of_cases(names));
     Some(match fault {
-        Fault::Beyond | Fault::Float => rig.stops_with("an IndexError", finding),
+        Fault::Beyond | Fault::Float => rig.stops_with("`IndexError`", finding),
         Fault::Seam => finding.case(SEAM),
         Fault::Negative => finding.case(NEGATIVE),
     })

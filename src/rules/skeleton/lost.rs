@@ -10,11 +10,11 @@ use crate::repo::Body;
 /// What becomes of bones that are never reached, where the weights mention one.
 pub(super) const LOST_AND_WEIGHTED: &[(Application, &str)] = &[(
     Application::Makehuman2,
-    "drops these bones without a word; entering pose mode then stops with a KeyError, because the weights mention them",
+    "silently drops these bones; entering pose mode then crashes with `KeyError`, because the weights use them",
 )];
 
-const REFUSED: Case = &[(Application::Makehuman2, Level::Error, "refuses the skeleton: no bone of it is a root")];
-const LOST: Case = &[(Application::Makehuman2, Level::Warning, "drops these bones without a word")];
+const REFUSED: Case = &[(Application::Makehuman2, Level::Error, "refuses the skeleton: none of its bones is a root")];
+const LOST: Case = &[(Application::Makehuman2, Level::Warning, "silently drops these bones")];
 
 /// One finding of `rule` for every circle that it is for.
 pub(super) fn lost_bones(rule: &Rule, body: &Body<'_>, is_for: impl Fn(&Ring<'_>) -> bool) -> Vec<Finding> {
@@ -33,10 +33,10 @@ pub(super) fn lost_bones(rule: &Rule, body: &Body<'_>, is_for: impl Fn(&Ring<'_>
             let finding = rule
                 .at(rig.file, Place::pointer(["bones", first, "parent"]), message(first, ring))
                 .key(*key)
-                .help("give one bone of the circle a parent outside of it")
+                .help("give one bone of the cycle a parent outside it")
                 .evidence(Evidence::of_cases(told).out_of(rig.skeleton.bones.len()));
             found.push(if hierarchy.roots.is_empty() {
-                finding.case(REFUSED).help("give one bone of the circle no parent (null): it is the root")
+                finding.case(REFUSED).help("set `parent` of one bone of the cycle to null, to make it the root")
             } else if lost.iter().any(|bone| weighted.contains(bone)) {
                 finding
             } else {
@@ -50,7 +50,7 @@ pub(super) fn lost_bones(rule: &Rule, body: &Body<'_>, is_for: impl Fn(&Ring<'_>
 fn message(first: &str, ring: &Ring<'_>) -> String {
     let circle = match ring.bones.as_slice() {
         [only] => format!("bone `{only}` is its own parent"),
-        bones => format!("the parents of `{first}` run in a circle of {} bones", bones.len()),
+        bones => format!("the parents of `{first}` form a cycle of {} bones", bones.len()),
     };
     match ring.below.as_slice() {
         [] => circle,

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, counted};
 use super::{Rig, SINGLE, rigs};
 use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::mhskel::Plane;
@@ -12,20 +12,20 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "stops with a TypeError or KeyError when it computes the bones that use the plane",
+            "crashes with `TypeError` or `KeyError` when it computes the bones that use the plane",
         )],
-        docs: "A plane is a list of three joint names; the first three count.\n\nMakeHuman 2 refuses a skeleton in \
-            which a bone uses the plane `[null, null, null]` (old exporters wrote it for 'no plane'). With fewer \
-            than three joints, a number or something else that is no name among them, or something that is no list, the program \
-            stops. A plane that no bone uses is never looked at (`info`).\n\nName three joints that are not in \
-            one line, or remove the plane and `rotation_plane` of the bones.",
+        docs: "A plane is not a list of three joint names. Only the first three count.\n\n\
+            MakeHuman 2 refuses a skeleton if a bone uses the plane `[null, null, null]` (old exporters wrote it for \
+            \"no plane\"). It crashes if there are fewer than three joints, if one of them is not a name, or if the \
+            plane is not a list. A plane that no bone uses is never read and is reported as info.\n\n\
+            Name three joints that are not in line, or remove the plane and the `rotation_plane` of its bones.",
         ..RuleInfo::new("skeleton-malformed-plane", Level::Error, "a plane is not a list of three joints")
     },
     check: Check::Body(run),
 };
 
-const REFUSED: Case = &[(Application::Makehuman2, Level::Error, "refuses the skeleton with a line in its log")];
-const NOT_USED: Case = &[(Application::Makehuman2, Level::Info, "never looks at the plane: no bone uses it")];
+const REFUSED: Case = &[(Application::Makehuman2, Level::Error, "refuses the skeleton and logs a line")];
+const NOT_USED: Case = &[(Application::Makehuman2, Level::Info, "never reads the plane: no bone uses it")];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for rig in rigs(body) {
@@ -38,7 +38,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         }
         for ((what, outcome), planes) in &faults {
             if planes.len() > SINGLE {
-                let message = format!("{} planes are malformed, the first: `{}` {what}", planes.len(), name(planes));
+                let message = format!("{} planes are malformed, first: `{}` {what}", planes.len(), name(planes));
                 let evidence = Evidence::of_cases(planes).out_of(rig.skeleton.planes.len());
                 out.push(finding(&rig, name(planes), *outcome, message).key(what).evidence(evidence));
                 continue;
@@ -65,7 +65,7 @@ fn finding(rig: &Rig<'_>, plane: &str, outcome: Outcome, message: String) -> Fin
     let finding = RULE
         .at(rig.file, Place::pointer(["planes", plane]), message)
         .key(plane)
-        .help("name three joints that are not in one line, or remove the plane and let the bones use the vertical");
+        .help("name three joints that are not in line, or remove the plane and the `rotation_plane` of its bones");
     match outcome {
         Outcome::NotUsed => finding.case(NOT_USED),
         Outcome::Asked(Some(error)) => rig.stops_with(error, finding),
@@ -76,14 +76,14 @@ fn finding(rig: &Rig<'_>, plane: &str, outcome: Outcome, message: String) -> Fin
 /// What is wrong with a plane, and the exception that follows, if one does.
 fn fault(plane: &Plane) -> Option<(String, Option<&'static str>)> {
     let Some(joints) = plane.joints.as_deref() else {
-        return Some(("is no list of joints".to_owned(), Some("an exception")));
+        return Some(("is not a list of joints".to_owned(), Some("an exception")));
     };
     if plane.is_null {
         return Some(("is `[null, null, null]`".to_owned(), None));
     }
     if joints.len() < 3 {
-        return Some((format!("has {} of three joints", joints.len()), Some("a TypeError")));
+        return Some((format!("has {} instead of three", counted(joints.len(), "joint")), Some("`TypeError`")));
     }
     let unnamed = joints.iter().take(3).position(Option::is_none)?;
-    Some((format!("has no joint name at position {unnamed}"), Some("a KeyError")))
+    Some((format!("has no joint name at index {unnamed}"), Some("`KeyError`")))
 }

@@ -9,19 +9,12 @@ use crate::repo::{Body, FileFacts};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "refuses the skeleton with a line in its log; poses and exports do without it",
-        )],
-        docs: "A skeleton needs `bones` and `joints`, and every bone needs a `head` and a `tail`.\n\nMakeHuman 2 \
-            checks for them before anything else and refuses the whole skeleton when one is missing. An empty \
-            file (`{}`) is worse: the scan of all assets at start stops on it.\n\nAdd the part. A bone that has \
-            no end of its own can end at the joint where the next bone begins.",
-        ..RuleInfo::new(
-            "skeleton-missing-section",
-            Level::Error,
-            "a part without which the skeleton is refused is missing",
-        )
+        breaks: &[(Application::Makehuman2, "refuses the skeleton and logs a line; poses and exports cannot use it")],
+        docs: "A skeleton without `bones` or `joints`, or a bone without `head` or `tail`.\n\n\
+            MakeHuman 2 checks for them before anything else and refuses the whole skeleton if one is missing. An \
+            empty file (`{}`) is worse: the scan of all assets crashes on it at start.\n\n\
+            Add what is missing. A bone without an end of its own can end at the joint where the next bone begins.",
+        ..RuleInfo::new("skeleton-missing-section", Level::Error, "a required part of a skeleton is missing")
     },
     check: Check::Body(run),
 };
@@ -29,7 +22,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 const EMPTY: Case = &[(
     Application::Makehuman2,
     Level::Error,
-    "stops at start with an AttributeError while it scans the assets; afterwards all assets are missing",
+    "crashes at start with `AttributeError` while scanning the assets; afterwards all assets are missing",
 )];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -41,14 +34,14 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             let Some(first) = names.first() else { continue };
             let message = match names.len() {
                 1 => format!("bone `{first}` has no `{member}`"),
-                count => format!("{count} bones have no `{member}`, the first is `{first}`"),
+                count => format!("{count} bones have no `{member}`, first `{first}`"),
             };
             out.push(
                 RULE.at(rig.file, Place::pointer(["bones", first]), message)
                     .key(member)
                     .help(format!(
-                        "name the joint at the {} of the bone as `{member}`",
-                        if member == "head" { "beginning" } else { "end" }
+                        "set `{member}` to the joint where the bone {}",
+                        if member == "head" { "begins" } else { "ends" }
                     ))
                     .evidence(Evidence::of_cases(&names).out_of(rig.skeleton.bones.len())),
             );
@@ -58,8 +51,8 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 
 fn missing_sections(rig: &Rig<'_>, out: &mut Vec<Finding>) {
     if rig.file.json.falsy {
-        let finding = RULE.at(rig.file, Place::File, "the skeleton is empty: neither `bones` nor `joints`");
-        out.push(finding.case(EMPTY).help("remove the file or write the skeleton"));
+        let finding = RULE.at(rig.file, Place::File, "the skeleton is empty: `bones` and `joints` are missing");
+        out.push(finding.case(EMPTY).help("remove the file, or write the skeleton"));
         return;
     }
     for (name, section) in [("bones", rig.skeleton.bones_section), ("joints", rig.skeleton.joints_section)] {
@@ -72,7 +65,7 @@ fn missing_sections(rig: &Rig<'_>, out: &mut Vec<Finding>) {
 
 fn help(file: &FileFacts, section: &str) -> String {
     match misspelt(file, section) {
-        Some(key) => format!("is `{}` meant to be `{section}`?", key.key),
+        Some(key) => format!("rename `{}` to `{section}`", key.key),
         None => format!("add an object `{section}`"),
     }
 }

@@ -7,11 +7,12 @@ use crate::repo::{Body, Reference, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "refuses the skeleton with a line in its log")],
-        docs: "`weights_file` (without the key: `default_weights.mhw`) is looked for in `rigs/<base>/` of the \
-            user's data, then of the system's, and never beside the skeleton.\n\nWhen it is not there MakeHuman \
-            2 refuses the whole skeleton. A skeleton in a sub-folder has to name the sub-folder: \
-            `sub/file.mhw`.\n\nCorrect the name, or move the file.",
+        breaks: &[(Application::Makehuman2, "refuses the skeleton and logs a line")],
+        docs: "The weights file of a skeleton does not exist where MakeHuman 2 looks for it.\n\n\
+            MakeHuman 2 looks for `weights_file` (`default_weights.mhw` if the key is missing) in `rigs/<base>/` of \
+            the user's data, then of the system's, and never beside the skeleton. If the file does not exist there, it \
+            refuses the whole skeleton.\n\n\
+            Correct the name, or move the file. A skeleton in a sub-folder has to name the sub-folder: `sub/file.mhw`.",
         ..RuleInfo::new(
             "skeleton-missing-weights",
             Level::Error,
@@ -26,8 +27,8 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let missing = |reference: &&Reference<'_>| matches!(reference.resolution, Resolution::Missing);
         let Some(reference) = rig.own.weights.as_ref().filter(missing) else { continue };
         let folder = reference.rel.strip_suffix(reference.text).unwrap_or_default();
-        let named = if rig.skeleton.weights_file.is_some() { "" } else { ", used because no `weights_file` is named," };
-        let message = format!("weights `{}`{named} do not exist in `{folder}`", reference.text);
+        let unnamed = if rig.skeleton.weights_file.is_some() { "" } else { "no `weights_file` is named, and " };
+        let message = format!("{unnamed}weights file `{}` does not exist in `{folder}`", reference.text);
         let help = help(body, &rig, (folder, reference.text), cx);
         out.push(RULE.at(rig.file, reference.place.clone(), message).help(help));
     }
@@ -39,10 +40,10 @@ fn help(body: &Body<'_>, rig: &Rig<'_>, (root, text): (&str, &str), cx: &RuleCx<
     if let Some((folder, _)) = below
         && all.iter().any(|name| *name == format!("{folder}/{text}"))
     {
-        return format!("the file lies beside the skeleton: write `{folder}/{text}`");
+        return format!("write `{folder}/{text}`: the file is in the folder of the skeleton");
     }
     did_you_mean(
         cx.suggestions.nearest(text, all.iter().copied()),
-        format!("put the file into `{root}`, or name one that is there"),
+        format!("move the file into `{root}`, or name a file that exists there"),
     )
 }

@@ -56,8 +56,8 @@ fn rigs<'v>(body: &Body<'v>) -> impl Iterator<Item = Rig<'v>> + use<'v> {
 impl<'a> Rig<'a> {
     /// The finding with the time at which an exception in this skeleton reaches the user of MakeHuman 2.
     fn stops_with(&self, error: &str, finding: Finding) -> Finding {
-        let when = if self.own.is_default { "while the base is loaded" } else { "when the skeleton is chosen" };
-        finding.effect_in(Application::Makehuman2, format!("stops with {error} {when}"))
+        let when = if self.own.is_default { "while loading the base mesh" } else { "when the skeleton is chosen" };
+        finding.effect_in(Application::Makehuman2, format!("crashes with {error} {when}"))
     }
 
     /// Joints that a bone, or a plane that a bone names, asks for.

@@ -8,10 +8,11 @@ use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "refuses the skeleton with a line in its log")],
-        docs: "A skeleton of MakeHuman 2 has exactly one bone without parent. A second one, even if it is a \
-            forgotten `parent`, makes it refuse the whole skeleton. (MakeHuman 1 takes several roots.)\n\nGive \
-            every bone but one a parent; an unattached bone can hang on the root.",
+        breaks: &[(Application::Makehuman2, "refuses the skeleton and logs a line")],
+        docs: "More than one bone of a skeleton has no parent.\n\n\
+            MakeHuman 2 needs exactly one root and refuses the whole skeleton if there is a second one, even if only \
+            `parent` was forgotten. MakeHuman 1 accepts several roots.\n\n\
+            Give every bone but one a parent; an unattached bone can hang on the root.",
         ..RuleInfo::new("skeleton-multiple-roots", Level::Error, "more than one bone of a skeleton has no parent")
     },
     check: Check::Body(run),
@@ -21,14 +22,15 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for rig in rigs(body) {
         let roots = hierarchy(rig.skeleton).roots;
         let [first, second, ..] = roots.as_slice() else { continue };
-        let message = format!(
-            "{} bones have no parent: `{first}`, `{second}`{}",
-            roots.len(),
-            if roots.len() > 2 { " …" } else { "" }
-        );
+        let message = match roots.len() {
+            2 => format!("2 bones have no parent: `{first}` and `{second}`"),
+            count => {
+                format!("{count} bones have no parent: `{first}`, `{second}` and {} more", count.saturating_sub(2))
+            }
+        };
         out.push(
             RULE.at(rig.file, Place::pointer(["bones", second]), message)
-                .help("name a parent for every bone but one")
+                .help("give every bone but one a parent")
                 .related(rig.file.path.clone(), Place::pointer(["bones", first]), "the first root")
                 .evidence(Evidence::of_cases(&roots).out_of(rig.skeleton.bones.len())),
         );

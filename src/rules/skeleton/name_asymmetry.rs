@@ -13,12 +13,13 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "loads and poses the bone like any other; only tools that mirror by name miss the partner",
+            "loads and poses the bone like any other; only tools that mirror by name miss the counterpart",
         )],
-        docs: "Bones of the left and right side are told apart by their names: `hand.L` and `hand.R`, `hand_l` and \
-            `hand_r`, `l-hand` and `r-hand`. Tools mirror poses by these names.\n\nA bone whose partner is \
-            missing is usually misspelt or forgotten. It works in MakeHuman 2; mirrored poses leave it out.",
-        ..RuleInfo::new("skeleton-name-asymmetry", Level::Info, "a bone of one side has no partner on the other")
+        docs: "A bone of one side has no counterpart on the other. Left and right bones are recognised by their names: \
+            `hand.L` and `hand.R`, `hand_l` and `hand_r`, `l-hand` and `r-hand`.\n\n\
+            The bone works in MakeHuman 2. Tools that mirror poses by these names leave it out.\n\n\
+            Usually the counterpart is misspelt or was forgotten. Correct its name, or add it.",
+        ..RuleInfo::new("skeleton-name-asymmetry", Level::Info, "a bone has no left/right counterpart")
     },
     check: Check::Body(run),
 };
@@ -33,12 +34,12 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let lonely: Vec<(&str, String)> = lonely.filter(|(_, partner)| is_absent(partner)).collect();
         let Some((name, partner)) = lonely.first() else { continue };
         let message = match lonely.len() {
-            1 => format!("bone `{name}` has no partner `{partner}`"),
-            count => format!("{count} bones have no partner on the other side: `{name}` no `{partner}` …"),
+            1 => format!("bone `{name}` has no counterpart `{partner}`"),
+            count => format!("{count} bones have no left/right counterpart, such as `{partner}` for `{name}`"),
         };
         let help = match cx.suggestions.nearest(partner, names.iter().copied().filter(|other| other != name)) {
-            Some(other) => format!("is `{other}` meant to be it?"),
-            None => format!("add `{partner}`, or drop the mark of the side from `{name}`"),
+            Some(other) => format!("did you mean `{other}`?"),
+            None => format!("add `{partner}`, or remove the side from the name of `{name}`"),
         };
         let evidence = Evidence::of_cases(lonely.iter().map(|(name, _)| name)).out_of(names.len());
         out.push(RULE.at(rig.file, Place::key(["bones", name]), message).help(help).evidence(evidence));

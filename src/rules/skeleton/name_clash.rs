@@ -10,12 +10,14 @@ use crate::repo::Body;
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(Application::Makehuman2, "lists only one of the skeletons; the others cannot be chosen")],
-        docs: "The `name` in a `.mhskel` is what the list of assets of MakeHuman 2 knows it by. Of several skeletons of one name \
-            only the first that the scan meets is listed: the user's before the system's, and in one folder whichever the \
-            file system gives first. The others are lost, without a message. This is what becomes of a skeleton that was copied to make \
-            another one of it.\n\nA file in the user's data that has the path of one in the system's data replaces it and is no \
-            clash. Skeletons without `name` are known by their files.\n\nGive each skeleton a name of its own.",
-        ..RuleInfo::new("skeleton-name-clash", Level::Error, "two skeletons of a base have one name")
+        docs: "Two skeletons of a base have the same `name`. This is the name under which MakeHuman 2 lists them, so \
+            it often happens when a skeleton was copied to make another one.\n\n\
+            MakeHuman 2 lists only the first one that its scan finds: the user's before the system's, and within a \
+            folder whichever the file system returns first. The others are lost without a message.\n\n\
+            A file in the user's data with the same path as one in the system's data replaces it and does not clash. \
+            Skeletons without `name` are listed by their file names.\n\n\
+            Give each skeleton a name of its own.",
+        ..RuleInfo::new("skeleton-name-clash", Level::Error, "two skeletons of a base have the same name")
     },
     check: Check::Body(run),
 };
@@ -41,7 +43,7 @@ fn finding(body: &Body<'_>, name: &str, rigs: &[Rig<'_>]) -> Option<Finding> {
     let others: Vec<&Rig<'_>> = rigs.iter().filter(|rig| rig.file.path != told.file.path).collect();
     let first = others.first()?;
     let more = if others.len() > 1 { format!(" and {} more", others.len() - 1) } else { String::new() };
-    let message = format!("the skeleton has the name `{name}` of `{}`{more}", first.file.rel);
+    let message = format!("the name `{name}` is also used by `{}`{more}", first.file.rel);
     let mut finding = RULE
         .at(told.file, Place::pointer(["name"]), message)
         .key(name)

@@ -9,11 +9,12 @@ use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "refuses the skeleton with a line in its log")],
-        docs: "A skeleton hangs on one bone without parent, the root: `parent` is null or missing.\n\nMakeHuman 2 \
-            refuses a skeleton in which every bone has a parent (their parents then run in a circle), and one \
-            that has no bones at all.\n\nGive the bone that carries all others the parent null. A circle of \
-            parents beside a root is `skeleton-cycle`; parents that do not exist are `skeleton-unknown-parent`.",
+        breaks: &[(Application::Makehuman2, "refuses the skeleton and logs a line")],
+        docs: "No bone of a skeleton is the root: a bone whose `parent` is null or missing.\n\n\
+            MakeHuman 2 refuses a skeleton in which every bone has a parent (their parents then form a cycle), and one \
+            without bones.\n\n\
+            Set `parent` of the bone that carries all others to null. For a cycle of parents beside a root see \
+            `skeleton-cycle`; for parents that do not exist see `skeleton-unknown-parent`.",
         ..RuleInfo::new("skeleton-no-root", Level::Error, "no bone of a skeleton is the root")
     },
     check: Check::Body(run),
@@ -27,12 +28,12 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         }
         let place = Place::pointer(["bones"]);
         let Some(ring) = hierarchy.rings.first() else {
-            out.push(RULE.at(rig.file, place, "the skeleton has no bone at all").help("add at least the root bone"));
+            out.push(RULE.at(rig.file, place, "the skeleton has no bones").help("add at least the root bone"));
             continue;
         };
         let bones = rig.skeleton.bones.len();
         let message = format!(
-            "none of the {bones} bones is a root: the parents of `{}` run in a circle",
+            "none of the {bones} bones is the root: the parents of `{}` form a cycle",
             ring.bones.first().unwrap_or(&"")
         );
         out.push(

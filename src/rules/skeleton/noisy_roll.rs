@@ -8,18 +8,23 @@ use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "rolls the bone by small differences that may change with every morph")],
-        docs: "A bone is almost parallel to the normal of its plane; without `rotation_plane` the normal is straight up \
-            (0, 1, 0), so this concerns upright bones.\n\nThe roll comes from the part of the normal across the bone. Where \
-            hardly any is left, the smallest change of a joint turns the bone around itself: poses and exported rigs differ \
-            between characters and between left and right.\n\nGive such bones a `rotation_plane` through three joints of \
-            their limb.",
+        breaks: &[(Application::Makehuman2, "rolls the bone by tiny differences, which may change with every morph")],
+        docs: "A bone is almost parallel to the normal of its plane. Without `rotation_plane` the normal points \
+            straight up (0, 1, 0), so this affects upright bones.\n\n\
+            MakeHuman 2 computes the roll from the part of the normal across the bone. If hardly any of it is left, \
+            the smallest change of a joint turns the bone around its own axis: poses and exported rigs differ between \
+            characters and between left and right.\n\n\
+            Give such bones a `rotation_plane` through three joints of their limb.",
         options: &[OptionInfo {
             name: "cosine",
             default: 0.999,
-            docs: "cosine of the angle between bone and normal beyond which the roll counts as noise",
+            docs: "cosine of the angle between bone and normal above which the roll counts as noise (0.999 is 2.6°)",
         }],
-        ..RuleInfo::new("skeleton-noisy-roll", Level::Info, "bones almost parallel to the normal that gives their roll")
+        ..RuleInfo::new(
+            "skeleton-noisy-roll",
+            Level::Info,
+            "bones are almost parallel to the normal that determines their roll",
+        )
     },
     check: Check::Numeric(run),
 };
@@ -36,12 +41,13 @@ fn run(body: &Body<'_>, measures: &Measures, cx: &RuleCx<'_>, out: &mut Vec<Find
         let Some((bone, measure)) = worst else { continue };
         let without = bones.iter().filter(|(bone, _)| plane_of(bone).is_none()).count();
         let message = format!(
-            "the roll of {} of {} bones is noise: within |cos| > {cosine} of their normal, {without} of them without \
-             `rotation_plane`; most of all `{}` (sine {:.1e})",
+            "the roll of {} of {} bones is noise: less than {:.1}° from their normal, `{}` most ({:.2}°); {without} \
+             without `rotation_plane`",
             bones.len(),
             rig.skeleton.bones.len(),
+            cosine.acos().to_degrees(),
             bone.name,
-            measure.roll_sine
+            measure.roll_sine.asin().to_degrees()
         );
         let evidence = Evidence::of_cases(bones.iter().map(|(bone, _)| &bone.name)).out_of(rig.skeleton.bones.len());
         out.push(

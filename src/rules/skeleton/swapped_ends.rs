@@ -10,13 +10,14 @@ use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "turns the bone around its far end: the limb tears off at the joint")],
-        docs: "A bone turns around its `head`, which is where its parent ends or branches.\n\nReported is a bone whose *tail* is at the \
-            tail of its parent, while its head lies farther out than that, and no child goes on from the tail: `head` and `tail` are \
-            exchanged. MakeHuman 2 says nothing and turns the bone around its far end; its roll is turned over as \
-            well. A bone that lies along its parent and ends with it, such as a twist bone, is not reported.\n\nExchange `head` \
-            and `tail`.",
-        ..RuleInfo::new("skeleton-swapped-ends", Level::Warning, "head and tail of a bone are exchanged")
+        breaks: &[(Application::Makehuman2, "rotates the bone around its far end: the limb tears off at the joint")],
+        docs: "`head` and `tail` of a bone are swapped. Reported is a bone whose tail is at the tail of its parent, \
+            while its head lies farther out and no child continues from its tail. A bone that lies along its parent \
+            and ends with it, such as a twist bone, is not reported.\n\n\
+            A bone rotates around its `head`. MakeHuman 2 says nothing and rotates such a bone around its far end; its \
+            roll is reversed as well.\n\n\
+            Swap `head` and `tail`.",
+        ..RuleInfo::new("skeleton-swapped-ends", Level::Warning, "head and tail of a bone are swapped")
     },
     check: Check::Numeric(run),
 };
@@ -42,13 +43,13 @@ fn finding(rig: &Measured<'_>) -> Option<Finding> {
     let swapped: Vec<&str> = swapped.map(|(bone, _)| bone.name.as_str()).collect();
     let first = swapped.first()?;
     let message = match swapped.len() {
-        1 => format!("bone `{first}` ends where its parent ends, and begins beyond"),
-        _ => format!("{} end where their parents end, and begin beyond", named(&swapped)),
+        1 => format!("bone `{first}` ends where its parent ends, and begins beyond it"),
+        _ => format!("{} end where their parents end, and begin beyond them", named(&swapped)),
     };
     Some(
         RULE.at(rig.file, Place::pointer(["bones", first]), message)
             .confidence(Confidence::Medium)
-            .help("exchange `head` and `tail`")
+            .help("swap `head` and `tail`")
             .evidence(Evidence::of_cases(&swapped).out_of(rig.skeleton.bones.len())),
     )
 }

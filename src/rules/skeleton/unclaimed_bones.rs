@@ -10,19 +10,23 @@ use crate::repo::{Body, Rig};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "exports these vertices without any bone: they stay behind in every pose")],
-        docs: "MakeHuman 2 weights an exported skeleton with the weights of the default skeleton (`pose-skeleton` of \
-            base.json). A bone claims the default bones in its `weights_reference`, or without any that of its own name, and \
-            those in its `reference`. Weights of a default bone that nobody claims go to the bone that claims its nearest \
-            claimed ancestor.\n\nWhere no ancestor is claimed either, the weights are lost: that happens when the root is \
-            renamed without a `reference`. They are lost as well where a bone has the name of a default bone and refers to \
-            another one only: it claims its own name and does not take its weights. Reported are vertices that nothing is left \
-            of; others are divided by what is left. Names in the references that do not exist are \
-            `skeleton-unknown-reference`.\n\nName the lost bones in `reference` of the bone that stands for them.",
+        breaks: &[(Application::Makehuman2, "exports these vertices without a bone: they stay behind in every pose")],
+        docs: "Vertices lose all their weights in the export because no bone of this skeleton claims the default bones \
+            that hold them.\n\n\
+            MakeHuman 2 exports a skeleton with the weights of the default skeleton (`pose-skeleton` of base.json). A \
+            bone claims the default bones in its `weights_reference`, or without any the one with its own name, and \
+            those in its `reference`. Weights of an unclaimed default bone go to the bone that claims its nearest \
+            claimed ancestor.\n\n\
+            If no ancestor is claimed either, the weights are lost: for example if the root is renamed without a \
+            `reference`. They are also lost if a bone has the name of a default bone but refers only to another one: \
+            it claims its own name and does not take its weights.\n\n\
+            Reported are vertices that keep no weight at all; the weights of other vertices are divided by the sum \
+            that is left. Names in references that do not exist are `skeleton-unknown-reference`.\n\n\
+            List the lost bones in `reference` of the bone that replaces them.",
         ..RuleInfo::new(
             "skeleton-unclaimed-bones",
             Level::Warning,
-            "vertices lose their weights because no bone of another skeleton claims them",
+            "vertices lose their weights because no bone of a skeleton claims them",
         )
     },
     check: Check::Numeric(run),
@@ -50,14 +54,15 @@ fn finding(rig: &Measured<'_>, vertices: usize) -> Option<Finding> {
     if bones.is_empty() || lost == 0 {
         return None;
     }
+    let get = if lost == 1 { "gets" } else { "get" };
     let message = format!(
-        "{lost} of {vertices} vertices lose all their weights: no bone of this skeleton takes those of {}",
+        "{lost} of {vertices} vertices {get} no weights: no bone of this skeleton takes those of {}",
         named(&bones)
     );
     Some(
         RULE.at(rig.file, Place::pointer(["bones"]), message)
             .parts(&bones)
-            .help("name these bones in `reference` of the bone that stands for them")
+            .help("list the lost default bones in `reference` of the bones that replace them")
             .evidence(Evidence::counted(lost).out_of(vertices)),
     )
 }

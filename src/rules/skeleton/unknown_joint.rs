@@ -12,12 +12,13 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "stops with a KeyError: the default skeleton while the base is loaded, others when they are chosen",
+            "crashes with `KeyError` when the skeleton is chosen, for the default skeleton while loading the base mesh",
         )],
-        docs: "`head` and `tail` of a bone, and the three corners of the plane that it names, are names of `joints` \
-            of the same file.\n\nMakeHuman 2 looks joints up without checking. For the skeleton that `base.json` \
-            names the program stops while it loads the base, for others when the user chooses them.\n\nCorrect \
-            the name or add the joint. A joint that is listed but empty is `skeleton-empty-joint`.",
+        docs: "A bone or its plane names a joint that does not exist. `head` and `tail` of a bone, and the three \
+            corners of its plane, are names from `joints` of the same file.\n\n\
+            MakeHuman 2 looks up joints without checking. It crashes while loading the base mesh for the skeleton that \
+            `base.json` names, and for others when the user chooses them.\n\n\
+            Correct the name, or add the joint. For a joint that is listed but empty see `skeleton-empty-joint`.",
         ..RuleInfo::new("skeleton-unknown-joint", Level::Error, "a bone or its plane names a joint that does not exist")
     },
     check: Check::Body(run),
@@ -43,11 +44,11 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
             };
             let help = did_you_mean(
                 cx.suggestions.nearest(joint, known.iter().copied()),
-                "add it to `joints`, or name one of the joints there",
+                "add it to `joints`, or name an existing joint",
             );
             let finding = RULE.at(rig.file, place.clone(), message).key(joint).help(help);
             let finding = finding.evidence(Evidence::of_cases(uses.iter().map(|(_, owner)| owner)));
-            out.push(rig.stops_with("a KeyError", finding));
+            out.push(rig.stops_with("`KeyError`", finding));
         }
     }
 }
@@ -59,15 +60,15 @@ fn many(rig: &Rig<'_>, unknown: &BTreeMap<&str, Vec<(Place, String)>>, known: &B
     let message = format!("bones and planes name {} joints that do not exist, such as `{first}`", unknown.len());
     let help = match other_beginning(unknown.keys().copied(), known) {
         Some((with, "")) => {
-            format!("write the names as in `joints`, with `{with}` in front")
+            format!("add the prefix `{with}` to the names, as in `joints`")
         }
-        Some((_, without)) => format!("write the names as in `joints`, without `{without}` in front"),
-        None => "name joints of `joints`; is it the section of another skeleton?".to_owned(),
+        Some((_, without)) => format!("remove the prefix `{without}` from the names, as in `joints`"),
+        None => "name existing joints; check that `joints` is not from another skeleton".to_owned(),
     };
     let finding = RULE.at(rig.file, place.clone(), message).key("joints").help(help);
     Some(
         rig.stops_with(
-            "a KeyError",
+            "`KeyError`",
             finding.evidence(Evidence::of_cases(unknown.keys()).out_of(self::uses(rig).len())),
         ),
     )
@@ -97,7 +98,7 @@ fn without_joints(rig: &Rig<'_>) -> Option<Finding> {
     let message = format!("bones and planes name {} joints, but `joints` is empty", uses.len());
     let finding = RULE.at(rig.file, place.clone(), message).key("joints").help("add the joints to `joints`");
     let finding = finding.evidence(Evidence::of_cases(uses.keys()));
-    Some(rig.stops_with("a KeyError", finding))
+    Some(rig.stops_with("`KeyError`", finding))
 }
 
 /// Joints that are looked up, with the places that name them.

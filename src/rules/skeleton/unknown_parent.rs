@@ -8,10 +8,11 @@ use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "refuses the skeleton with a line in its log")],
-        docs: "`parent` of a bone is the name of another bone of the same file; exactly one bone, the root, has \
-            none.\n\nMakeHuman 2 refuses the whole skeleton when a parent does not exist.\n\nCorrect the name, \
-            or add the missing bone. Names must agree in every letter, capitals included.",
+        breaks: &[(Application::Makehuman2, "refuses the skeleton and logs a line")],
+        docs: "A bone names a parent that does not exist. `parent` is the name of another bone of the same file; only \
+            the root has none.\n\n\
+            MakeHuman 2 refuses the whole skeleton.\n\n\
+            Correct the name, or add the missing bone. Names must match exactly, including capitals.",
         ..RuleInfo::new("skeleton-unknown-parent", Level::Error, "a bone names a parent that does not exist")
     },
     check: Check::Body(run),
@@ -24,11 +25,11 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
             let Some(first) = bones.first() else { continue };
             let message = match bones.len() {
                 1 => format!("parent `{parent}` of bone `{first}` does not exist"),
-                count => format!("`{parent}`, the parent of {count} bones, does not exist"),
+                count => format!("parent `{parent}` of {count} bones does not exist"),
             };
             let help = did_you_mean(
                 cx.suggestions.nearest(parent, names()),
-                "name a bone of this skeleton, or null for the root",
+                "name a bone of this skeleton, or write null for the root",
             );
             out.push(
                 RULE.at(rig.file, Place::pointer(["bones", first, "parent"]), message)

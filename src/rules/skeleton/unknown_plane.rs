@@ -11,11 +11,11 @@ use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "refuses the skeleton with a line in its log")],
-        docs: "`rotation_plane` of a bone names one of `planes`; its normal fixes the roll of the \
-            bone.\n\nMakeHuman 2 refuses the whole skeleton when the plane does not exist. To go without a plane \
-            leave the key out: the bone then uses the vertical.\n\nCorrect the name, add the plane, or remove \
-            the key.",
+        breaks: &[(Application::Makehuman2, "refuses the skeleton and logs a line")],
+        docs: "A bone names a plane that does not exist. `rotation_plane` names one of `planes`, whose normal \
+            determines the roll of the bone.\n\n\
+            MakeHuman 2 refuses the whole skeleton.\n\n\
+            Correct the name, add the plane, or remove the key: without `rotation_plane` the bone uses the vertical.",
         ..RuleInfo::new("skeleton-unknown-plane", Level::Error, "a bone names a plane that does not exist")
     },
     check: Check::Body(run),
@@ -76,5 +76,5 @@ fn misspelt_planes(rig: &Rig<'_>) -> Option<String> {
     let mut unknown = rig.file.schema.unknown.iter().filter(|_| rig.skeleton.planes.is_empty());
     let is_planes =
         |key: &&UnknownKey| key.nearest.as_deref() == Some("planes") && key.pointer == format!("/{}", key.key);
-    unknown.find(is_planes).map(|key| format!("is `{}` meant to be `planes`?", key.key))
+    unknown.find(is_planes).map(|key| format!("rename `{}` to `planes`", key.key))
 }

@@ -12,13 +12,14 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "ignores the names; weights and poses of the bone come from the remaining ones, or not at all",
+            "ignores these names; the bone gets weights and poses from its other references, if any",
         )],
-        docs: "`reference` and `weights_reference` list bones of the default skeleton (`pose-skeleton` of \
-            `base.json`) whose poses and weights a bone takes over.\n\nMakeHuman 2 ignores names that the \
-            default skeleton does not have. A text in place of the list is read letter by letter: `'head'` means \
-            the bones `h`, `e`, `a` and `d`. (MakeHuman 1 takes a single name.)\n\nCorrect the names; write a \
-            single name as a list.",
+        docs: "A bone refers to bones that the default skeleton does not have. `reference` and `weights_reference` \
+            list bones of the default skeleton (`pose-skeleton` of `base.json`) whose poses and weights a bone takes \
+            over.\n\n\
+            MakeHuman 2 ignores unknown names. It reads a string in place of the list letter by letter: `\"head\"` \
+            means the bones `h`, `e`, `a` and `d`. MakeHuman 1 accepts a single name.\n\n\
+            Correct the names, and write a single name as a list.",
         ..RuleInfo::new(
             "skeleton-unknown-reference",
             Level::Warning,
@@ -56,19 +57,18 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
 }
 
-const OF_DEFAULT: Case =
-    &[(Application::Makehuman2, Level::Info, "never reads the references of the skeleton that the others refer to")];
+const OF_DEFAULT: Case = &[(Application::Makehuman2, Level::Info, "never reads references in the default skeleton")];
 
 fn spelled_out(rig: &Rig<'_>, bone: &Bone, member: &str, text: &str) -> Finding {
-    let message = format!("`{member}` of bone `{}` is the text `{text}`, which is read letter by letter", bone.name);
+    let message = format!("`{member}` of bone `{}` is the string `{text}`, which is read letter by letter", bone.name);
     RULE.at(rig.file, Place::pointer(["bones", &bone.name, member]), message)
         .key(format!("{}/{member}", bone.name))
-        .help(format!("write a list: [\"{text}\"]"))
+        .help(format!("write a list: `[\"{text}\"]`"))
 }
 
 fn finding(rig: &Rig<'_>, unknown: &[(&str, &str, &str)], known: &BTreeSet<&str>, cx: &RuleCx<'_>) -> Option<Finding> {
     let (bone, member, name) = unknown.first()?;
-    let more = if unknown.len() > 1 { format!(" ({} names like it)", unknown.len()) } else { String::new() };
+    let more = if unknown.len() > 1 { format!(" ({} such names)", unknown.len()) } else { String::new() };
     let message = format!("`{member}` of bone `{bone}` names `{name}`, which the default skeleton does not have{more}");
     let help = did_you_mean(cx.suggestions.nearest(name, known.iter().copied()), "name bones of the default skeleton");
     let cases = unknown.iter().map(|(bone, _, name)| format!("{bone}: {name}"));

@@ -8,15 +8,16 @@ use crate::repo::Body;
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: LOST_AND_WEIGHTED,
-        docs: "A bone that is correct itself is lost when its parents lead into a circle: MakeHuman 2 builds the skeleton from the root downwards and never comes \
-            there.\n\nIf the weights mention a lost bone, entering pose mode stops with a KeyError; otherwise \
-            (`warning`) the bones are just not there. Where the circle takes \
-            the only root with it MakeHuman 2 refuses the skeleton.\n\nThe finding stands at the circle, which is the place to mend. A \
-            circle with nothing below it is `skeleton-cycle`.",
+        docs: "A bone is correct itself but lost, because its parents lead into a cycle.\n\n\
+            MakeHuman 2 builds the skeleton from the root downwards, never reaches the bone, and drops it without a \
+            message. If the weights use a lost bone, entering pose mode crashes with `KeyError`; otherwise this is a \
+            warning. If the only root is part of the cycle, MakeHuman 2 refuses the skeleton.\n\n\
+            The finding is reported at the cycle, which is the place to fix: give one of its bones a parent outside \
+            it. A cycle with nothing below it is `skeleton-cycle`.",
         ..RuleInfo::new(
             "skeleton-unreachable-bone",
             Level::Error,
-            "bones hang below a circle of parents, cut off from the root",
+            "bones below a cycle of parents cannot be reached from the root",
         )
     },
     check: Check::Body(run),

@@ -12,10 +12,11 @@ use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "never computes the joint: nothing asks for it")],
-        docs: "A joint that neither a bone (`head`, `tail`) nor a plane names has no effect. It is either left \
-            over, or a bone that should use it names another one.\n\nRemove it, or use it.",
-        ..RuleInfo::new("skeleton-unused-joint", Level::Info, "no bone and no plane uses a joint")
+        breaks: &[(Application::Makehuman2, "ignores the joint: nothing uses it")],
+        docs: "No bone (`head`, `tail`) and no plane names a joint, so the joint has no effect. It is either a \
+            left-over, or a bone that should use it names another one.\n\n\
+            Remove it, or use it.",
+        ..RuleInfo::new("skeleton-unused-joint", Level::Info, "no bone or plane uses a joint")
     },
     check: Check::Body(run),
 };
@@ -49,11 +50,11 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         }
         let message = match unused.len() {
             1 => format!("no bone or plane uses joint `{first}`"),
-            count => format!("no bone or plane uses {count} of {} joints, the first is `{first}`", joints.len()),
+            count => format!("no bone or plane uses {count} of {} joints, first `{first}`", joints.len()),
         };
         out.push(
             RULE.at(rig.file, Place::key(["joints", first]), message)
-                .help("remove the joint, or name it where it was meant")
+                .help("remove the joint, or name it in the bone that should use it")
                 .evidence(Evidence::of_cases(&unused).out_of(joints.len())),
         );
     }

@@ -11,14 +11,15 @@ use crate::repo::{Body, Rig};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "exports the bone without a vertex: it moves nothing")],
-        docs: "MakeHuman 2 weights an exported skeleton with the weights of the default skeleton (`pose-skeleton` of \
-            base.json): a bone takes those of the default bone of its name, or of the bones in `reference` and \
-            `weights_reference`. Its own weights file is loaded and not used.\n\nA bone without a name in common and without \
-            references receives nothing. Its limb stays with the nearest bone above. The root and bones above others (which may \
-            be there to hold them together) are not reported.\n\nName the default bones in `reference`. A bone that is only a \
-            handle or a socket may stay without.",
-        ..RuleInfo::new("skeleton-unweighted-bone", Level::Warning, "a bone receives no weights through its references")
+        breaks: &[(Application::Makehuman2, "exports the bone without vertices: it moves nothing")],
+        docs: "A bone gets no weights: no default bone has its name, and it has no references. Its limb stays with the \
+            nearest bone above.\n\n\
+            MakeHuman 2 exports a skeleton with the weights of the default skeleton (`pose-skeleton` of base.json). A \
+            bone takes those of the default bone with its name, or of the bones in `reference` and \
+            `weights_reference`. The skeleton's own weights file is loaded but not used.\n\n\
+            The root and bones with children are not reported; they may only hold others together.\n\n\
+            List the default bones in `reference`. A bone that is only a handle or a socket may stay without.",
+        ..RuleInfo::new("skeleton-unweighted-bone", Level::Warning, "a bone gets no weights through its references")
     },
     check: Check::Numeric(run),
 };
@@ -50,13 +51,14 @@ fn names_nothing(bone: &Bone, defaults: &BTreeSet<&str>) -> bool {
 
 fn finding(rig: &Measured<'_>, bones: &[&str]) -> Option<Finding> {
     let first = bones.first()?;
-    let receive = if bones.len() == 1 { "receives" } else { "receive" };
-    let message =
-        format!("{} {receive} no weights: no default bone has the name, and none is referred to", named(bones));
+    let message = match bones.len() {
+        1 => format!("{} gets no weights: no default bone has its name, and it has no references", named(bones)),
+        _ => format!("{} get no weights: no default bone has their names, and they have no references", named(bones)),
+    };
     Some(
         RULE.at(rig.file, Place::key(["bones", first]), message)
             .confidence(Confidence::Medium)
-            .help("name bones of the default skeleton in `reference`")
+            .help("list bones of the default skeleton in `reference`")
             .evidence(Evidence::of_cases(bones).out_of(rig.skeleton.bones.len())),
     )
 }

@@ -12,14 +12,17 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "poses the skin of one side around joints of the other: the smallest bend throws it far",
+            "rotates the skin around joints of its left/right counterpart: the smallest bend throws it far off",
         )],
-        docs: "A bone whose name says left or right (`hand.L`, `r-thigh`, `LeftFoot` …) has both of its joints on the other half of \
-            the body. Left is where x is above 0; joints within 0.1 units of the middle are not counted.\n\nMakeHuman 2 takes the \
-            joints as they are and says nothing. The weights stay where the mesh is, so that the skin turns around a joint on \
-            the other side of the body, and poses that are mirrored by name move the wrong limb.\n\nMostly left and right were \
-            exchanged in `joints`, or a bone names the joints of its partner.",
-        ..RuleInfo::new("skeleton-wrong-side", Level::Warning, "a bone lies on the other side than its name says")
+        docs: "A bone whose name says left or right (`hand.L`, `r-thigh`, `LeftFoot` …) has both joints on the \
+            opposite half of the body. Left is where x is above 0; joints within 1 cm (0.1) of the middle do not \
+            count.\n\n\
+            MakeHuman 2 uses the joints as they are and says nothing. The weights stay where the mesh is, so the skin \
+            of one side rotates around a joint of the opposite side, and poses mirrored by name move the wrong \
+            limb.\n\n\
+            Usually left and right are swapped in `joints`, or a bone names the joints of its counterpart. Swap them \
+            back.",
+        ..RuleInfo::new("skeleton-wrong-side", Level::Warning, "a bone is not on the side its name says")
     },
     check: Check::Numeric(run),
 };
@@ -39,17 +42,15 @@ fn finding(rig: &Measured<'_>) -> Option<Finding> {
         .collect();
     let bones: Vec<&str> = across.iter().map(|(name, _)| *name).collect();
     let (first, measure) = across.first()?;
-    let lie = if bones.len() == 1 { "lies" } else { "lie" };
-    let message = format!(
-        "{} {lie} on the other side than named: `{first}` at x = {:.2}",
-        named(&bones),
-        f32::midpoint(measure.head[0], measure.tail[0])
-    );
+    let x = f32::midpoint(measure.head[0], measure.tail[0]);
+    let is_not =
+        if bones.len() == 1 { "is not on the side its name says" } else { "are not on the side their names say" };
+    let message = format!("{} {is_not}: `{first}` is at x = {:.1} cm ({x:.2})", named(&bones), 10.0 * x);
     let sided = rig.bones().filter(|(bone, _)| side::of_bone(&bone.name).is_some()).count();
     let help = if bones.len() == sided && sided > MIRRORED {
-        "all of them: was base.obj mirrored when it was exported?"
+        "check whether base.obj was mirrored when it was exported: every left or right bone is wrong"
     } else {
-        "exchange the joints of left and right, or name those of this side in `head` and `tail`"
+        "swap the left and right joints, or name the joints of the correct side in `head` and `tail`"
     };
     Some(
         RULE.at(rig.file, Place::key(["bones", first]), message)

@@ -12,11 +12,12 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "divides by zero without a word: in pose mode every vertex of the bone and of those below it is gone",
+            "silently divides by zero: in pose mode all vertices of the bone and of the bones below it disappear",
         )],
-        docs: "Head and tail of a bone lie at the same place on the default character.\n\nThe direction of the bone is not a \
-            number then, and neither is its rest matrix. Mostly both ends name the same joint, or two joints list the same \
-            vertices.\n\nGive the bone two different joints. That a bone collapses only at some setting of the sliders is \
+        docs: "Head and tail of a bone are at the same place on the default character.\n\n\
+            The direction of the bone and its rest matrix are then not numbers. Usually both ends name the same joint, \
+            or two joints list the same vertices.\n\n\
+            Give the bone two different joints. For a bone that has no length only at some slider setting see \
             `numeric-zero-length-bone`.",
         ..RuleInfo::new("skeleton-zero-length-bone", Level::Error, "head and tail of a bone coincide")
     },
@@ -42,7 +43,7 @@ fn finding(rig: &Measured<'_>, (head, tail): (&str, &str), bones: &[&str]) -> Op
     let why = if head == tail {
         format!("head and tail are both joint `{head}`")
     } else {
-        format!("the joints `{head}` and `{tail}` coincide")
+        format!("joints `{head}` and `{tail}` coincide")
     };
     let message = format!("{} {have} no length: {why}", named(bones));
     let evidence = Evidence::of_cases(bones).out_of(rig.skeleton.bones.len()).with_worst(length, *first);

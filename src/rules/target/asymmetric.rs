@@ -10,18 +10,20 @@ use crate::repo::{Body, FileFacts};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "makes the figure uneven; symmetry cannot even it out")],
-        docs: "A target whose name says no side (no `l`, `r`, `left`, `right`) moves one side otherwise than the other.\n\n\
-            Targets whose names end as `nonsym` under `random` of base.json says are meant to be so and left alone. A target \
-            of which more than the given share differs is named; the others, where a few vertices were missed, are counted \
-            in one line for the base mesh.\n\nIf it is meant, give the name a side or add its ending to `nonsym`: the \
-            randomizer then knows as well. Otherwise make the target symmetric.",
+        breaks: &[(Application::Makehuman2, "makes the figure asymmetric; symmetry cannot fix it")],
+        docs: "A target whose name has no side (no `l`, `r`, `left`, `right`) moves the left half of the body \
+            differently from the right.\n\n\
+            Targets whose names end as listed in `nonsym` under `random` of base.json are intended to be asymmetric \
+            and are not reported. If more than the given share of its vertices differs, a target gets a finding of its \
+            own. Targets with only a few such vertices are counted in one finding for the base mesh.\n\n\
+            If it is intended, add a side to the name, or add its ending to `nonsym`, which the randomizer reads as \
+            well. Otherwise make the target symmetric.",
         options: &[OptionInfo {
             name: "share",
             default: 0.1,
-            docs: "share of the moved vertices (0 to 1) that must differ for a target to be named by itself",
+            docs: "share of the moved vertices (0 to 1) above which a target gets a finding of its own",
         }],
-        ..RuleInfo::new("target-asymmetric", Level::Info, "a target without a side is one-sided")
+        ..RuleInfo::new("target-asymmetric", Level::Info, "a target without a side in its name is asymmetric")
     },
     check: Check::Numeric(run),
 };
@@ -63,17 +65,18 @@ fn one_sided(body: &Body<'_>, file: &FileFacts, target: &TargetMeasure) -> Optio
     let mirror = &target.own_mirror;
     let different = mirror.different.len();
     let (vertex, worst) = mirror.worst?;
-    let shown = shown_by(body, file).map(|setting| format!(" (seen at {setting})")).unwrap_or_default();
+    let shown = shown_by(body, file).map(|setting| format!("; seen with {setting}")).unwrap_or_default();
+    let differ = if different == 1 { "differs from its" } else { "differ from their" };
     let message = format!(
-        "not symmetric: {different} of {} vertices differ from their mirror image, most vertex {vertex} by {worst:.3} \
-         units{shown}",
-        mirror.compared
+        "{different} of {} vertices {differ} mirror image, vertex {vertex} most, by {:.2} cm ({worst:.3}){shown}",
+        mirror.compared,
+        10.0 * worst
     );
     let evidence = Evidence::counted(different).out_of(mirror.compared);
     Some(
         RULE.at(file, Place::File, message)
             .parts(&mirror.different)
-            .help("make it symmetric, name the side, or add the ending to `nonsym` under `random` of base.json")
+            .help("make it symmetric, name its side, or add its ending to `nonsym` under `random` of base.json")
             .evidence(evidence.with_worst(worst, format!("vertex {vertex}"))),
     )
 }
@@ -83,10 +86,13 @@ fn uneven(body: &Body<'_>, slight: &[(&FileFacts, &TargetMeasure)], checked: usi
     let worst = |target: &TargetMeasure| target.own_mirror.worst.map_or(0.0, |(_, worst)| worst);
     let (file, target) = slight.iter().max_by(|a, b| worst(a.1).total_cmp(&worst(b.1)))?;
     let (vertex, distance) = target.own_mirror.worst?;
+    let are = if slight.len() == 1 { "is" } else { "are" };
     let message = format!(
-        "{} of {checked} targets without a side are uneven in a few vertices, most `{}` (vertex {vertex} by {distance:.3} units)",
+        "{} of {checked} targets without a side {are} slightly asymmetric, `{}` most: vertex {vertex} by {:.2} cm \
+         ({distance:.3})",
         slight.len(),
-        target.name
+        target.name,
+        10.0 * distance
     );
     let evidence = Evidence::of_cases(slight.iter().map(|(_, target)| {
         format!("{} ({} of {} vertices)", target.name, target.own_mirror.different.len(), target.own_mirror.compared)
@@ -96,7 +102,7 @@ fn uneven(body: &Body<'_>, slight: &[(&FileFacts, &TargetMeasure)], checked: usi
         _ => RULE.in_layer(body.layers.checked, body.folder_of(file), message).related(
             &file.path,
             Place::File,
-            "the worst of them",
+            "the worst target",
         ),
     };
     Some(

@@ -8,15 +8,14 @@ use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "gives the two sides different shapes for the same setting of their sliders",
-        )],
-        docs: "Two targets that are named alike but for `l` and `r` (`left` and `right`) move mirrored vertices differently.\n\n\
-            Which vertices mirror each other is found from the base mesh. Displacements may differ by 0.0025 units, which is \
-            rounding. When only helper geometry differs, the body is right and only clothes and hair that are fitted to \
-            those helpers are uneven: an info.\n\nMirror one of the two targets and save it over the other.",
-        ..RuleInfo::new("target-asymmetric-pair", Level::Warning, "left and right targets are no mirror images")
+        breaks: &[(Application::Makehuman2, "gives left and right different shapes for the same slider values")],
+        docs: "Two targets whose names differ only in `l` and `r` (`left` and `right`) are not mirror images of each \
+            other.\n\n\
+            mhlint finds from the base mesh which vertices mirror each other. Displacements may differ by 0.025 cm \
+            (0.0025) because of rounding. If only helper geometry differs, the body is right and only clothes and hair \
+            fitted to those helpers are asymmetric: info.\n\n\
+            Mirror one of the two targets and save it over the other.",
+        ..RuleInfo::new("target-asymmetric-pair", Level::Warning, "left and right targets are not mirror images")
     },
     check: Check::Numeric(run),
 };
@@ -24,7 +23,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 const ON_HELPERS: Case = &[(
     Application::Makehuman2,
     Level::Info,
-    "fits clothes and hair unevenly at the helpers that differ; the body is even",
+    "fits clothes and hair asymmetrically at these helpers; the body is symmetric",
 )];
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -42,12 +41,15 @@ fn finding(body: &Body<'_>, pair: &PairMeasure) -> Option<Finding> {
     let difference = if on_body { &pair.body } else { &pair.difference };
     let different = difference.different.len();
     let (vertex, worst) = difference.worst.filter(|_| different > 0)?;
-    let on = if on_body { "vertices of the body differ" } else { "vertices differ, all on helpers" };
-    let shown = shown_by(body, left).map(|setting| format!(" (seen at {setting})")).unwrap_or_default();
+    let (vertices, nowhere) = if on_body { ("body vertices", "") } else { ("vertices", ", none on the body") };
+    let differ = if different == 1 { "differs" } else { "differ" };
+    let shown = shown_by(body, left).map(|setting| format!("; seen with {setting}")).unwrap_or_default();
     let message = format!(
-        "not the mirror image of `{}`: {different} of {} {on}, most vertex {vertex} by {worst:.3} units{shown}",
+        "not the mirror image of `{}`: {different} of {} {vertices} {differ}{nowhere}, vertex {vertex} most, by \
+         {:.2} cm ({worst:.3}){shown}",
         right.file_name(),
         difference.compared,
+        10.0 * worst,
     );
     let place = Place::Element(Element { kind: "vertex", index: u64::from(vertex) });
     let evidence = Evidence::counted(different);
@@ -55,7 +57,7 @@ fn finding(body: &Body<'_>, pair: &PairMeasure) -> Option<Finding> {
         .at(left, place, message)
         .parts(&difference.different)
         .between([&left.path, &right.path])
-        .related(&right.path, Place::File, "its partner")
+        .related(&right.path, Place::File, "its counterpart")
         .help("mirror one of the two and save it over the other")
         .evidence(evidence.out_of(difference.compared).with_worst(worst, format!("vertex {vertex}")));
     Some(if on_body { finding } else { finding.case(ON_HELPERS) })

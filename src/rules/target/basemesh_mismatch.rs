@@ -11,16 +11,18 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "does not read the header and moves whatever vertices have these numbers in the mesh of the folder",
+            "ignores the header and moves the vertices that have these numbers in the mesh of the folder",
         )],
-        docs: "The line `# basemesh NAME` says which mesh a target was made for, and the folder says which it is used for. Here \
-            they differ.\n\nVertex numbers mean something only together with their mesh. MakeHuman 2 ignores the header and \
-            applies the rows to the mesh of the folder; if the target was copied from another base, it moves the wrong \
-            vertices.\n\nMove the file to the folder of its mesh. If it fits this one and only the header is old, correct the header.",
+        docs: "The header `# basemesh NAME` names another base mesh than the folder the target is in.\n\n\
+            Vertex numbers have a meaning only together with their mesh. MakeHuman 2 ignores the header and applies \
+            the rows to the mesh of the folder; if the target was copied from another base, it moves the wrong \
+            vertices.\n\n\
+            Move the file to the folder of its mesh. If the target fits the mesh of this folder and only the header is \
+            old, correct the header.",
         ..RuleInfo::new(
             "target-basemesh-mismatch",
             Level::Warning,
-            "a target in the folder of another base mesh than its header names",
+            "a target is in the folder of another base mesh than its header names",
         )
     },
     check: Check::Body(run),
@@ -45,14 +47,15 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 fn finding(layer: &Layer, folder: &str, named: &str, files: &[(&FileFacts, u32)]) -> Option<Finding> {
     let base = files.first()?.0.base()?;
     let finding = if let [(file, line)] = files {
-        let message = format!("made for base mesh `{named}`, but lies in the folder of `{base}`");
+        let message = format!("made for base mesh `{named}`, but is in the folder of `{base}`");
         RULE.at(file, Place::Line(*line), message)
     } else {
-        let message = format!("{} targets made for base mesh `{named}` lie in the folder of `{base}`", files.len());
+        let message = format!("{} targets made for base mesh `{named}` are in the folder of `{base}`", files.len());
         RULE.in_layer(layer, folder, message)
     };
     let evidence = Evidence::of_cases(files.iter().map(|(file, _)| file.shown()));
     let finding = finding.parts_at(files.iter().map(|(file, line)| (file.shown(), &file.path, Place::Line(*line))));
-    let help = format!("move it to the targets of `{named}`, or correct the header if it fits `{base}`");
+    let (them, fit) = if files.len() == 1 { ("it", "it fits") } else { ("them", "they fit") };
+    let help = format!("move {them} to the target folder of `{named}`, or correct the header if {fit} `{base}`");
     Some(finding.asset(layer.display(folder)).key(named).help(help).evidence(evidence))
 }

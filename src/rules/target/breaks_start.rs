@@ -10,16 +10,17 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "stops at start with a ValueError although nothing uses the file, and leaves an empty compressedtargets.npz \
-             behind, which stops every later start",
+            "crashes at start with `ValueError` although nothing uses the file, and leaves an empty \
+             compressedtargets.npz that crashes every later start",
         )],
-        docs: "A target that no slider and no macro uses, and that cannot be parsed.\n\nIt looks harmless and is not: to make \
-            its archive, MakeHuman 2 parses every file ending in `.target` below the folder, at any depth, before \
-            anything is shown. One that it cannot read ends the program, and the empty archive that stays behind ends \
-            every later start, too, until somebody deletes it by hand.\n\nMend the file, or move it out of the target folder \
-            (another ending such as `.target.bak` does as well), and delete a compressedtargets.npz of 0 bytes. While a \
-            sound archive lies in the folder the file is not parsed; then this is a warning.",
-        ..RuleInfo::new("target-breaks-start", Level::Error, "a target nobody uses stops the program at start")
+        docs: "A target that no slider and no macro uses cannot be parsed.\n\n\
+            To build its archive, MakeHuman 2 parses every file ending in `.target` below the folder, at any depth, \
+            before it shows anything. A file that it cannot read crashes it. The empty archive that stays behind \
+            crashes every later start, too, until you delete it by hand. While a sound archive is in the folder, the \
+            file is not parsed: a warning.\n\n\
+            Fix the file, or move it out of the target folder (another ending such as `.target.bak` is enough). Then \
+            delete a compressedtargets.npz of 0 bytes.",
+        ..RuleInfo::new("target-breaks-start", Level::Error, "an unused target crashes MakeHuman 2 at start")
     },
     check: Check::Body(run),
 };
@@ -28,6 +29,6 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (target, file, facts) in targets(body).filter(|(target, ..)| target.is_unused) {
         let Some(mut finding) = unreadable_fields::finding(&RULE, file, facts) else { continue };
         finding.message.push_str(", and MakeHuman 2 parses this file at start although nothing uses it");
-        out.push(weigh(target, finding).help("mend the row, or move the file out of the target folder"));
+        out.push(weigh(target, finding).help("fix the row, or move the file out of the target folder"));
     }
 }

@@ -9,38 +9,44 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         fix: FixKind::Unsafe,
         breaks: &[(Application::Makehuman2, "applies only the last row of the vertex, not the sum")],
-        docs: "One vertex on two rows of a target.\n\nMakeHuman 2 hands all rows to NumPy at once, which keeps the last one and \
-            forgets the others. Other programs add them up, so the same file gives two shapes. Where the rows of a vertex are \
-            equal, MakeHuman 2 loses nothing (an info).\n\nKeep one row for each \
-            vertex: the last, if the shape in MakeHuman 2 is right, or the sum, if it was made elsewhere.",
-        ..RuleInfo::new("target-duplicate-vertex", Level::Warning, "a vertex twice in a target")
+        docs: "A vertex has more than one row in a target.\n\n\
+            MakeHuman 2 passes all rows to NumPy at once, which keeps the last row of a vertex and drops the others. \
+            Other programs add them up, so the same file yields two different shapes. If the rows of a vertex are \
+            equal, MakeHuman 2 loses nothing: info.\n\n\
+            Keep one row per vertex: the last one if the shape in MakeHuman 2 is right, or the sum if the shape was \
+            made elsewhere.",
+        ..RuleInfo::new("target-duplicate-vertex", Level::Warning, "a vertex appears more than once in a target")
     },
     check: Check::Body(run),
 };
 
-const EQUAL: Case =
-    &[(Application::Makehuman2, Level::Info, "applies one of the rows; programs that add them up get twice the shape")];
+const EQUAL: Case = &[(
+    Application::Makehuman2,
+    Level::Info,
+    "applies one of the equal rows; programs that add them up double the shape",
+)];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (target, file, facts) in targets(body) {
         let Some((_, index)) = facts.duplicate.first.first().filter(|_| facts.conflict.is_none()) else { continue };
         let message = match facts.duplicate.count {
-            1 if facts.repeats_are_equal => format!("vertex {index} is named twice, with the same numbers"),
+            1 if facts.repeats_are_equal => format!("vertex {index} appears twice, with the same numbers"),
             count if facts.repeats_are_equal => {
-                format!("{count} rows repeat one that was there before, the first that of vertex {index}")
+                format!("{count} rows repeat an earlier row of their vertex, first vertex {index}")
             }
-            1 => format!("vertex {index} is named twice; only the last row counts"),
+            1 => format!("vertex {index} appears twice; only the last row counts"),
             count => {
-                format!("{count} rows name a vertex again, the first vertex {index}; only the last row of each counts")
+                format!("{count} rows repeat a vertex, first vertex {index}; only the last row of each counts")
             }
         };
-        let mut fix = Fix::new(RULE.info.fix, "keep the last row of each vertex, the one that MakeHuman 2 applies");
+        let mut fix =
+            Fix::new(RULE.info.fix, "keep only the last row of each vertex, the one that MakeHuman 2 applies");
         if target.packed_in.is_none() {
             fix = fix.step(&file.path, Change::Rewrite(Rewrite::KeepLastRows));
         }
         let finding = RULE
             .at(file, first_row(&facts.duplicate), message)
-            .help("keep one row for each vertex")
+            .help("keep one row per vertex")
             .fix(fix)
             .evidence(facts.duplicate.evidence(facts.rows));
         out.push(if facts.repeats_are_equal { finding.case(EQUAL) } else { finding });

@@ -7,22 +7,23 @@ use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "skips the line without a word: the vertex does not move")],
-        docs: "A row of a target is `INDEX X Y Z`, four fields between blanks.\n\nMakeHuman 2 takes lines of exactly four fields \
-            for rows, and drops every other line that is no comment without a message. A remark behind a row \
-            (`12 .1 .2 .3 # nose`) makes five and more fields of it, and the row is lost; a lost number makes three. \
-            A line that does not begin with a number was no row: that is an info as long as there are rows. Markers of a merge conflict are one finding.\n\n\
+        breaks: &[(Application::Makehuman2, "silently skips the line: the vertex does not move")],
+        docs: "A line of a target does not have exactly four fields. A row is `INDEX X Y Z`, separated by blanks.\n\n\
+            MakeHuman 2 silently skips every line without four fields, comments included. A remark behind a row (`12 \
+            .1 .2 .3 # nose`) makes five or more fields, and the row is lost; a missing number makes three.\n\n\
+            A line that does not begin with a number is reported as info if the target has rows. The markers of a \
+            merge conflict are one finding.\n\n\
             Give the line four fields, put remarks on lines of their own that begin with `#`, or remove the line.",
-        ..RuleInfo::new("target-field-count", Level::Warning, "a line of a target without exactly four fields")
+        ..RuleInfo::new("target-field-count", Level::Warning, "a line of a target does not have four fields")
     },
     check: Check::File(run),
 };
 
-const PROSE: Case = &[(Application::Makehuman2, Level::Info, "skips the line, which is no row, without a word")];
+const PROSE: Case = &[(Application::Makehuman2, Level::Info, "silently skips the line, which is not a row")];
 const BOTH_SIDES: Case = &[(
     Application::Makehuman2,
     Level::Warning,
-    "skips the markers and takes the rows of both sides; of a vertex the last",
+    "skips the markers and reads the rows of both sides; the last row of a vertex wins",
 )];
 
 fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -33,16 +34,16 @@ fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         return;
     }
     if let Some((line, marker)) = &facts.conflict {
-        let message = format!("a merge conflict was not resolved: `{marker}`");
+        let message = format!("unresolved merge conflict: `{marker}`");
         let finding = RULE.at(file, Place::Line(*line), message).key("conflict").case(BOTH_SIDES);
         return out.push(finding.help("keep one side, and remove the lines `<<<<<<<`, `=======` and `>>>>>>>`"));
     }
     let count = facts.field_count.count;
     let fields = counted(fields.unsigned_abs(), "field");
     let message = match (facts.rows, count) {
-        (0, _) => format!("no line has four fields (the first has {fields}): the target does nothing"),
-        (_, 1) => format!("a row has four fields, this line has {fields} and is skipped"),
-        _ => format!("{count} lines do not have four fields and are skipped (the first has {fields})"),
+        (0, _) => format!("no line has four fields, so the target does nothing; the first has {fields}"),
+        (_, 1) => format!("the line has {fields} instead of four and is skipped"),
+        _ => format!("{count} lines do not have four fields and are skipped; the first has {fields}"),
     };
     let cases = facts.field_count.first.iter().map(|(line, fields)| format!("line {line}: {fields}"));
     let mut evidence = Evidence::of_unnamed(cases);
@@ -50,7 +51,7 @@ fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let total = facts.rows.saturating_add(usize::try_from(count).unwrap_or(usize::MAX));
     let finding = RULE
         .at(file, Place::Line(*line), message)
-        .help("write rows as `INDEX X Y Z`, remarks on lines that begin with `#`")
+        .help("write rows as `INDEX X Y Z`, and remarks on lines of their own that begin with `#`")
         .parts(facts.field_count_names.names())
         .evidence(evidence.out_of(total));
     let is_prose = facts.rows > 0 && facts.broken_rows == 0;

@@ -13,16 +13,19 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "makes a slider of one side; of a single `-decr` target it makes one that grows where it should shrink",
+            "creates a slider with one direction only; a lone `-decr` target grows where it should shrink",
         )],
-        docs: "Targets come in pairs such as `-decr` and `-incr` (`target-opposites` of base.json says which), one for each \
-            half of a slider. Here one of them is missing, in a folder that has complete pairs of the same kind, or it is there under a \
-            name that makes no pair: without its ending, with a misspelt one, or with other capitals.\n\n\
-            MakeHuman 2 makes the sliders of user targets from the file names: a pair becomes one slider with two halves, a \
-            single file becomes a slider with one half. A pair without a `-` before its endings gets one side only, and one with `incr` \
-            elsewhere in its name is none, because every `incr` is replaced to find the other half.\n\nMake the other direction, or give the file a name without the \
-            ending. Where modelling.json lists a target as single, it is meant to be single and nothing is reported.",
-        ..RuleInfo::new("target-missing-opposite", Level::Warning, "a target for one direction without its opposite")
+        docs: "A target for one direction of a slider has no opposite: `-decr` without `-incr`, or another pair in \
+            `target-opposites` of base.json. Reported are targets in folders with complete pairs of the same kind, and \
+            opposites whose name does not make a pair: without the ending, with a misspelt one, or with other \
+            capitals.\n\n\
+            MakeHuman 2 makes the sliders of user targets from the file names: a pair becomes one slider with two \
+            directions, a single file a slider with one. A pair without a `-` before its endings gets one direction \
+            only. A pair with `incr` elsewhere in its name becomes two sliders, because every `incr` is replaced to \
+            find the opposite.\n\n\
+            Add the opposite, or remove the ending from the name. A target that modelling.json uses alone is not \
+            reported.",
+        ..RuleInfo::new("target-missing-opposite", Level::Warning, "a target for one direction has no opposite")
     },
     check: Check::Makehuman2(run),
 };
@@ -61,16 +64,15 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
 
 fn finding(file: &FileFacts, opposite: &str) -> Finding {
     let message = format!("`{}` has no opposite `{opposite}`", file.stem());
-    RULE.at(file, Place::File, message).help(format!(
-        "add `{opposite}.target`, or give the file a name without the ending if it has only one direction"
-    ))
+    RULE.at(file, Place::File, message)
+        .help(format!("add `{opposite}.target`, or remove the ending from the file name if it has only one direction"))
 }
 
 /// The opposite is there and is not called so.
 fn renamed(file: &FileFacts, opposite: &str, other: &FileFacts) -> Finding {
     let name = other.file_name();
     let help = format!("rename `{name}` to `{opposite}.target` if it is the other direction");
-    let related = format!("`{name}` makes a slider of its own");
+    let related = format!("`{name}` becomes a slider of its own");
     finding(file, opposite).help(help).related(other.path.clone(), Place::File, related)
 }
 

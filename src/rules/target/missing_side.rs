@@ -13,12 +13,14 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "offers the slider on one side only; symmetry leaves the other side as it is",
+            "offers a slider for one side only; symmetry leaves its counterpart unchanged",
         )],
-        docs: "A target for the left (`l-…`, or `-l-` inside the name) without the one for the right in the same folder, or the \
-            reverse.\n\nThe program does not mind, but people do: one ear can be changed and the other cannot, and making the \
-            figure symmetric does not work for it.\n\nMirror the target and save it under the name of the other side.",
-        ..RuleInfo::new("target-missing-side", Level::Warning, "a target for one side without its partner")
+        docs: "A target for the left (`l-…`, or `-l-` inside the name) has no counterpart for the right in the same \
+            folder, or the reverse.\n\n\
+            MakeHuman 2 reports nothing, but users notice: one ear can be changed and the other cannot, and making the \
+            figure symmetric has no effect on it.\n\n\
+            Mirror the target and save it under the name of its counterpart.",
+        ..RuleInfo::new("target-missing-side", Level::Warning, "a target has no left/right counterpart")
     },
     check: Check::Makehuman2(run),
 };
@@ -57,16 +59,16 @@ fn paired<'v>(view: &'v View<'_>, base: &'v Base<'_>) -> BTreeSet<&'v str> {
 fn finding(stem: &str, files: &[(&FileFacts, String)]) -> Option<Finding> {
     let (first, partner) = files.first()?;
     let message = match files {
-        [_] => format!("`{}` has no partner `{partner}` on the other side", first.stem()),
-        _ => format!("{} targets have no partners on the other side (`{}` and so on)", files.len(), partner),
+        [_] => format!("`{}` has no counterpart `{partner}`", first.stem()),
+        _ => format!("{} targets have no left/right counterpart, first missing `{}`", files.len(), partner),
     };
     let mut finding = RULE.at(first, Place::File, message).key(stem).asset(first.folder());
     finding = finding.parts_in(files.iter().map(|(file, partner)| (partner, &file.path)));
     for (file, partner) in files.iter().skip(1) {
-        finding = finding.related(&file.path, Place::File, format!("no `{partner}` either"));
+        finding = finding.related(&file.path, Place::File, format!("`{partner}` is missing, too"));
     }
     let evidence = Evidence::of_cases(files.iter().map(|(_, partner)| partner));
-    Some(finding.help("mirror the target and save it under the name of the other side").evidence(evidence))
+    Some(finding.help("mirror the target and save it under the name of its counterpart").evidence(evidence))
 }
 
 fn without_ending(base: &Base<'_>, stem: &str) -> String {

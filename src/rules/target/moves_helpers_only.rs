@@ -7,14 +7,13 @@ use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "changes nothing to be seen: helpers are hidden and only carry clothes and joints",
-        )],
-        docs: "The target moves helper geometry or joint cubes, but no vertex of the body (`visible groups` of base.json).\n\n\
-            That can be meant: a target for what clothes cover, or for the place of a joint. Otherwise the shape was made on \
-            the wrong part of the mesh, and the slider seems dead.\n\nA joint that stays behind while its limb moves is the \
-            matter of `numeric-joint-drift`.",
+        breaks: &[(Application::Makehuman2, "shows no change: helpers are hidden and only carry clothes and joints")],
+        docs: "The target moves helper geometry or joint cubes, but no vertex of the body (`visible groups` of \
+            base.json).\n\n\
+            This may be intended: a target for what clothes cover, or for the place of a joint. Otherwise the shape \
+            was made on the wrong part of the mesh, and the slider seems to do nothing. A joint that stays behind \
+            while its limb moves is `numeric-joint-drift`.\n\n\
+            If the body should change, make the shape on the visible mesh.",
         ..RuleInfo::new("target-moves-helpers-only", Level::Info, "a target moves helpers but not the body")
     },
     check: Check::Numeric(run),
@@ -30,8 +29,8 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
     let hidden: Vec<_> = hidden.filter_map(|target| Some((own(&target.path)?, target))).collect();
     let Some((file, first)) = hidden.first() else { return };
     let message = match hidden.as_slice() {
-        [_] => format!("`{}` moves {} and no vertex of the body", first.name, moved(first.joints, first.helpers)),
-        _ => format!("{} targets move no vertex of the body but helpers, the first is `{}`", hidden.len(), first.name),
+        [_] => format!("`{}` moves {} but no body vertex", first.name, moved(first.joints, first.helpers)),
+        _ => format!("{} targets move helpers but no body vertex, first `{}`", hidden.len(), first.name),
     };
     let evidence = Evidence::of_cases(hidden.iter().map(|(_, target)| &target.name)).out_of(measures.targets.len());
     let mut finding = RULE.at(file, Place::File, message).key(body.name).asset(file.root()).evidence(evidence);
@@ -39,14 +38,16 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
     for (file, target) in hidden.iter().skip(1) {
         finding = finding.related(&file.path, Place::File, moved(target.joints, target.helpers));
     }
-    out.push(finding.help("right for what is drawn in place of helpers, such as genitals or clothes; if the body should change, make the shape on the \
-                     visible mesh"));
+    let help = "leave it if it is for something drawn at the helpers, such as genitals or clothes; otherwise make the \
+                shape on the visible mesh";
+    out.push(finding.help(help));
 }
 
 fn moved(joints: usize, helpers: usize) -> String {
+    let vertices = |count: usize| if count == 1 { "vertex" } else { "vertices" };
     match (joints, helpers) {
-        (0, helpers) => format!("{helpers} vertices of helpers"),
-        (joints, 0) => format!("{joints} vertices of joint cubes"),
-        _ => format!("{helpers} vertices of helpers and {joints} of joint cubes"),
+        (0, helpers) => format!("{helpers} helper {}", vertices(helpers)),
+        (joints, 0) => format!("{joints} joint-cube {}", vertices(joints)),
+        _ => format!("{helpers} helper and {joints} joint-cube {}", vertices(joints)),
     }
 }

@@ -10,13 +10,14 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "puts the vertex nowhere as soon as the target is applied; normals, joints and clothes at it follow",
+            "loses the vertex when the target is applied, with all normals, joints and clothes that depend on it",
         )],
-        docs: "`nan` or infinity as a displacement, or a number too large for 32 bit floats (beyond 3.4e38).\n\nPython reads \
-            such numbers without complaint and MakeHuman 2 adds them to the mesh. The vertex is lost, with it every face, \
-            joint and garment that depends on it. While an archive with other numbers stands for the target this is a warning.\n\n\
-            Usually an export divided by zero. Write the right numbers or remove the rows.",
-        ..RuleInfo::new("target-non-finite", Level::Error, "a displacement that is NaN or infinite")
+        docs: "A displacement is `nan`, infinite, or too large for a 32-bit float (beyond 3.4e38).\n\n\
+            Python accepts such numbers and MakeHuman 2 adds them to the mesh. The vertex is lost, and with it every \
+            face, joint and garment that depends on it. While an archive with other numbers is used in place of the \
+            text, this is a warning.\n\n\
+            Usually an export divided by zero. Write the right numbers, or remove the rows.",
+        ..RuleInfo::new("target-non-finite", Level::Error, "a displacement is not finite")
     },
     check: Check::Body(run),
 };
@@ -24,7 +25,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 const OUTDATED: Case = &[(
     Application::Makehuman2,
     Level::Warning,
-    "applies the numbers of the archive; the vertex is nowhere once that is deleted to be made anew",
+    "applies the numbers in the archive; loses the vertex once the archive is deleted and rebuilt",
 )];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -32,16 +33,16 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let Some((_, index)) = facts.non_finite.first.first() else { continue };
         let message = match facts.non_finite.count {
             1 => format!("the displacement of vertex {index} is not finite"),
-            count => format!("{count} displacements are not finite, the first of vertex {index}"),
+            count => format!("{count} displacements are not finite, first that of vertex {index}"),
         };
         let is_outdated = target.is_outdated();
         let shown = shown_by(body, file)
             .filter(|_| !is_outdated)
-            .map(|setting| format!(", seen at {setting}"))
+            .map(|setting| format!("; seen with {setting}"))
             .unwrap_or_default();
         let mut finding = RULE
             .at(file, first_row(&facts.non_finite), message + &shown)
-            .help("write finite numbers or remove the rows")
+            .help("write finite numbers, or remove the rows")
             .evidence(facts.non_finite.evidence(facts.rows));
         if is_outdated {
             finding = finding.case(OUTDATED);

@@ -13,20 +13,25 @@ use crate::repo::{Body, FileFacts, ReferenceKind};
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(Application::Makehuman2, "tears the vertex out of the mesh when the target is applied")],
-        docs: "A displacement that does not fit the mesh or the rest of its target.\n\nReported are a vertex that moves farther \
-            than the whole base mesh is large, and a vertex that stands out of its own target: many times the median of the \
-            target, several times as far as all but its longest rows, and a considerable part of the mesh. A target that \
-            changes everything a lot, or grows steadily towards one place, is not reported. Reported as well is a target of a \
-            slider that as a whole goes more than five times as far as each of the others in its folder, where there are \
-            four or more.\n\nMostly a decimal point is \
-            missing (`119` for `.119`), or the shape was exported in other units; MakeHuman counts in decimetres. Look at \
-            the row; if the shape is meant, raise `ratio`.\n\nWithout the base mesh (`--system`) this is not judged.",
+        docs: "A displacement is out of proportion to the mesh or to the rest of its target.\n\n\
+            Reported are a vertex that moves farther than the size of the whole base mesh, and a vertex that stands \
+            out from its own target: many times the median of the target, several times as far as all but its longest \
+            rows, and a considerable part of the mesh. Also reported is a slider target that as a whole moves more \
+            than five times as far as each of the others in its folder, if there are at least four targets.\n\n\
+            A target that changes everything a lot, or grows steadily towards one place, is not reported. Without the \
+            base mesh (`--system`) nothing is checked.\n\n\
+            Usually a decimal point is missing (`119` for `.119`), or the shape was exported in other units; MakeHuman \
+            counts in decimetres. Check the row; if the shape is intended, raise `ratio`.",
         options: &[OptionInfo {
             name: "ratio",
             default: MEDIAN_RATIO as f64,
             docs: "how many times its target's median displacement a vertex may move",
         }],
-        ..RuleInfo::new("target-oversized-delta", Level::Warning, "a displacement out of proportion to mesh and target")
+        ..RuleInfo::new(
+            "target-oversized-delta",
+            Level::Warning,
+            "a displacement is out of proportion to mesh and target",
+        )
     },
     check: Check::Body(run),
 };
@@ -40,16 +45,16 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let exists = |largest: &Largest| facts.out_of_range.count == 0 || is_vertex(body, largest);
         let Some(largest) = facts.largest.filter(exists) else { continue };
         let lengths = Lengths { longest: largest.length, median: facts.median_length, tail: facts.tail_length };
-        let shown = || shown_by(body, file).map(|setting| format!(" at {setting}")).unwrap_or_default();
+        let shown = || shown_by(body, file).map(|setting| format!("; seen with {setting}")).unwrap_or_default();
         match oversize(lengths, size, ratio) {
             Some(Oversize::BeyondMesh) => {
-                let message =
-                    format!("{}{}, farther than the whole base mesh is large ({size:.1})", moves(&largest), shown());
+                let mesh = 10.0 * size;
+                let message = format!("{}, more than the whole base mesh ({mesh:.1} cm){}", moves(&largest), shown());
                 out.push(finding(file, facts, &largest, message));
             }
             Some(Oversize::Outlier) => {
                 let times = largest.length / facts.median_length;
-                let message = format!("{}{}, {times:.0} times the median of this target", moves(&largest), shown());
+                let message = format!("{}, {times:.0} times the median of this target{}", moves(&largest), shown());
                 out.push(finding(file, facts, &largest, message).confidence(Confidence::Medium));
             }
             None => {}
@@ -94,12 +99,12 @@ fn beyond(mut details: Vec<(&FileFacts, &TargetFacts, &Largest)>, size: f32, rat
         return None;
     }
     let times = largest.length / next.length;
-    let message = format!("{}, {times:.0} times as far as any other target of sliders in its folder", moves(largest));
+    let message = format!("{}, {times:.0} times as far as any other slider target in its folder", moves(largest));
     Some(finding(file, facts, largest, message).key("folder").confidence(Confidence::Medium))
 }
 
 fn moves(largest: &Largest) -> String {
-    format!("vertex {} moves {:.3} dm", largest.index, largest.length)
+    format!("vertex {} moves {:.1} cm ({:.3})", largest.index, 10.0 * largest.length, largest.length)
 }
 
 fn finding(file: &FileFacts, facts: &TargetFacts, largest: &Largest, message: String) -> Finding {
@@ -108,7 +113,7 @@ fn finding(file: &FileFacts, facts: &TargetFacts, largest: &Largest, message: St
     let evidence = Evidence::counted(1);
     RULE.at(file, place, message)
         .parts([largest.index])
-        .help("look for a missing decimal point or another unit; lengths are decimetres")
+        .help("check for a missing decimal point or a wrong unit; lengths are in decimetres")
         .evidence(
             evidence.out_of(facts.rows).with_worst(f64::from(largest.length), format!("vertex {}", largest.index)),
         )

@@ -1,6 +1,6 @@
 //! Joint cubes move as a whole.
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, counted};
 use super::shown::shown_by;
 use crate::diag::{Application, Evidence, Finding, Level, OptionInfo, Place, RuleInfo};
 use crate::eval::measures::Measures;
@@ -11,17 +11,19 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "takes the middle of a torn cube for the joint: the bone ends beside its limb",
+            "puts the joint at the mean of the torn cube: the bone ends beside its limb",
         )],
-        docs: "A target moves some vertices of a joint cube and others not, or by different amounts.\n\nA joint lies at the mean of \
-            its cube. MakeHuman's own targets list all vertices of a cube with one displacement; a cube that was caught by a \
-            brush puts the joint somewhere between. Displacements may differ by 0.002 units, which is rounding. Cubes that \
-            the skeleton does not use may be torn.\n\nOnly judged where the targets of the base keep their cubes whole.\n\n\
-            Move all vertices of the cube alike, or none.",
+        docs: "A target moves only some vertices of a joint cube, or moves them by different amounts. Differences of \
+            up to 0.02 cm (0.002) come from rounding and are not reported.\n\n\
+            A joint lies at the mean of its cube. If a brush caught part of a cube, the joint ends up somewhere in \
+            between. MakeHuman's own targets list all vertices of a cube with the same displacement.\n\n\
+            Cubes that the skeleton does not use are not checked. The rule only applies if the targets of the base \
+            usually keep their cubes rigid.\n\n\
+            Move all vertices of the cube by the same amount, or none.",
         options: &[OptionInfo {
             name: "share",
             default: 0.05,
-            docs: "share of torn cubes (0 to 1) in all targets of a base above which tearing is taken for its habit",
+            docs: "share of torn cubes (0 to 1) in all targets of a base above which nothing is reported",
         }],
         ..RuleInfo::new("target-splits-joint-cube", Level::Warning, "a target tears a joint cube")
     },
@@ -41,15 +43,17 @@ fn finding(body: &Body<'_>, measures: &Measures, target: &TargetMeasure, rigid: 
     let (cube, apart) = target.torn.iter().max_by(|a, b| a.1.total_cmp(&b.1))?;
     let file = body.target(&target.path)?.file;
     let name = |cube: usize| measures.cubes.get(cube).map_or("", String::as_str);
-    let shown = shown_by(body, file).map(|setting| format!(" (seen at {setting})")).unwrap_or_default();
+    let shown = shown_by(body, file).map(|setting| format!("; seen with {setting}")).unwrap_or_default();
     let what = match target.torn.len() {
         1 => format!("tears joint cube `{}`", name(*cube)),
-        count => format!("tears {count} joint cubes, most `{}`", name(*cube)),
+        count => format!("tears {count} joint cubes, worst `{}`", name(*cube)),
     };
+    let message = format!("{what}: its vertices move apart by {:.2} cm ({apart:.3}){shown}", 10.0 * apart);
+    let rigid = counted(rigid, "cube");
     let evidence = Evidence::of_cases(target.torn.iter().map(|(cube, _)| name(*cube)));
     Some(
-        RULE.at(file, Place::File, format!("{what}: its vertices move apart by {apart:.3} units{shown}"))
-            .help(format!("move all vertices of a cube alike; the targets of this base do so with {rigid} cubes"))
+        RULE.at(file, Place::File, message)
+            .help(format!("move all vertices of a cube by the same amount; the targets of this base do so for {rigid}"))
             .evidence(evidence.out_of(target.torn.len() + target.rigid).with_worst(*apart, name(*cube))),
     )
 }

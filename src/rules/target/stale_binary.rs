@@ -11,15 +11,18 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "applies the numbers of the archive and never looks at the text file, whichever is newer",
+            "applies the numbers in the archive and ignores the text file, whichever is newer",
         )],
-        docs: "MakeHuman 2 packs all targets of a folder into `compressedtargets.npz` when there is none, and from then on takes \
-            each target from there. It does not compare dates: an edited text file stays without effect, silently, until \
-            the archive is deleted.\n\nReported is one finding for each archive: members with other numbers than their text \
-            file (error), members whose text file is gone (warning: the target lives on in the archive only), and text \
-            files that the archive lacks (info: they are read as text). Numbers are compared as the program stores them, \
-            as 32 bit floats.\n\nDelete the archive; the program makes it anew. Do not keep it in version control.",
-        ..RuleInfo::new("target-stale-binary", Level::Error, "an archive of targets that differs from the text files")
+        docs: "`compressedtargets.npz` differs from the text files it was built from.\n\n\
+            MakeHuman 2 packs all targets of a folder into `compressedtargets.npz` if it does not exist, and from then \
+            on loads each target from there. It does not compare dates: an edited text file silently has no effect \
+            until the archive is deleted.\n\n\
+            There is one finding per archive: members with other numbers than their text file (error), members whose \
+            text file no longer exists (warning: the target exists only in the archive), and text files missing from \
+            the archive (info: they are read as text). Numbers are compared as 32-bit floats, as MakeHuman 2 stores \
+            them.\n\n\
+            Delete the archive; MakeHuman 2 rebuilds it. Do not keep it in version control.",
+        ..RuleInfo::new("target-stale-binary", Level::Error, "an archive of targets differs from the text files")
     },
     check: Check::Repository(run),
 };
@@ -29,7 +32,7 @@ const DIFFERING: Case = &[];
 const WITHOUT_TEXT: Case = &[(
     Application::Makehuman2,
     Level::Warning,
-    "takes the target from the archive; it is gone when the archive is made anew",
+    "loads the target from the archive; it disappears when the archive is rebuilt",
 )];
 const WITHOUT_MEMBER: Case = &[(Application::Makehuman2, Level::Info, "reads these targets from their text files")];
 
@@ -88,11 +91,11 @@ fn finding(file: &FileFacts, archive: &Archive, stale: &Stale<'_>) -> Option<Fin
         found.clone().map(|(names, what, _)| format!("{} {what}", counted(names.len(), "target"))).collect();
     let (first, _, case) = found.clone().next()?;
     let names: Vec<&str> = found.flat_map(|(names, _, _)| names.iter().copied()).collect();
-    let message = format!("the archive is out of date: {} (first `{}`)", parts.join(", "), first.first()?);
+    let message = format!("the archive is out of date: {}, first `{}`", parts.join(", "), first.first()?);
     Some(
         RULE.at(file, Place::File, message)
             .case(case)
-            .help("delete the archive; MakeHuman 2 makes it anew at the next start")
+            .help("delete the archive; MakeHuman 2 rebuilds it at the next start")
             .evidence(Evidence::of_cases(names).out_of(archive.members.len() + stale.without_member.len())),
     )
 }

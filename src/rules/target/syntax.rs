@@ -11,15 +11,17 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "stops at start with a ValueError and leaves an empty compressedtargets.npz behind, which stops every later start",
+            "crashes at start with `ValueError` and leaves an empty compressedtargets.npz that crashes every later \
+             start",
         )],
-        docs: "A row of a target is a vertex index and three decimal numbers with a point.\n\nMakeHuman 2 reads every target below \
-            the folder at start, used or not, and hands the fields to Python's `int()` and `float()`. What they refuse \
-            (words, `1.0` as an index, a decimal comma) ends the program. The empty archive that stays behind must be \
-            deleted by hand, even after the target was mended.\n\nWhile a sound archive stands for the target its text is not parsed; then this is a warning. \
-            Write the field as a number or remove the row. For a target \
-            that nothing uses see `target-breaks-start`.",
-        ..RuleInfo::new("target-syntax", Level::Error, "a field of a target row is no number")
+        docs: "A field of a target row is not a number. A row is a vertex index and three decimal numbers with a \
+            point.\n\n\
+            MakeHuman 2 parses every target below the folder at start, used or not, with Python's `int()` and \
+            `float()`. What they refuse (words, `1.0` as an index, a decimal comma) crashes it. The empty archive that \
+            stays behind must be deleted by hand, even after the target was fixed. While MakeHuman 2 uses a sound \
+            archive in place of the text, the text is not parsed: a warning.\n\n\
+            Write the field as a number, or remove the row. For a target that nothing uses see `target-breaks-start`.",
+        ..RuleInfo::new("target-syntax", Level::Error, "a field of a target row is not a number")
     },
     check: Check::Body(run),
 };

@@ -13,11 +13,11 @@ pub(super) fn finding(rule: &Rule, file: &FileFacts, facts: &TargetFacts) -> Opt
     let are_markers = facts.unreadable.iter().all(is_marker);
     let conflict = facts.conflict.as_ref().map(|(_, marker)| marker).filter(|_| are_markers);
     let message = if let Some(marker) = conflict {
-        format!("a merge conflict was not resolved: `{marker}` …")
+        format!("unresolved merge conflict: `{marker}`")
     } else if rows == 1 {
-        format!("`{}` is no number", first.field)
+        format!("`{}` is not a number", first.field)
     } else {
-        format!("`{}` is no number ({rows} rows like it)", first.field)
+        format!("`{}` is not a number ({rows} such rows)", first.field)
     };
     let place = Place::Span(first.start..first.start + first.field.len());
     let mut evidence = Evidence::of_unnamed(facts.unreadable.iter().map(|field| format!("line {}", field.line)));
@@ -27,5 +27,5 @@ pub(super) fn finding(rule: &Rule, file: &FileFacts, facts: &TargetFacts) -> Opt
     if conflict.is_some() {
         return Some(finding.help("keep one side, and remove the lines `<<<<<<<`, `=======` and `>>>>>>>`"));
     }
-    Some(finding.help("a row is `INDEX X Y Z`: an integer and three decimals with a point"))
+    Some(finding.help("write the row as `INDEX X Y Z`: an integer and three decimal numbers with a point"))
 }

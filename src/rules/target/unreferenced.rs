@@ -12,17 +12,17 @@ use crate::repo::{FileFacts, Layer};
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         told_apart: true,
-        breaks: &[(
-            Application::Makehuman2,
-            "reads and packs it at every start without an archive, and never applies it",
-        )],
-        docs: "A target that neither modelling.json nor macro.json names, so nothing can move it.\n\nOften a slider was \
-            forgotten, or the file was renamed. MakeHuman 2 still parses it when it makes its archive, and a mistake in it \
-            stops the program (`target-breaks-start`).\n\nAdd a slider to modelling.json, or remove the file. User targets \
-            need no entry: those in `target/<base>/` of the user and in the folders directly below become sliders by \
-            themselves. Unused targets of macro folders are `macro-unreferenced-target`; a file that a name without file \
-            nearly fits is mentioned there. Nothing is reported while modelling.json or macro.json is missing or broken.",
-        ..RuleInfo::new("target-unreferenced", Level::Warning, "a target that no slider and no macro uses")
+        breaks: &[(Application::Makehuman2, "packs it whenever it builds the archive, but never applies it")],
+        docs: "Neither modelling.json nor macro.json names the target, so nothing applies it. Often a slider was \
+            forgotten, or the file was renamed.\n\n\
+            MakeHuman 2 still parses the file when it builds its archive, and an error in it crashes the program \
+            (`target-breaks-start`).\n\n\
+            User targets need no entry: those in `target/<base>/` of the user and in the folders directly below become \
+            sliders automatically. Unused targets of macro folders are `macro-unreferenced-target`. A file that nearly \
+            fits a name without a file is reported with that name. Nothing is reported while modelling.json or \
+            macro.json is missing or broken.\n\n\
+            Add a slider to modelling.json, or remove the file.",
+        ..RuleInfo::new("target-unreferenced", Level::Warning, "no slider and no macro uses a target")
     },
     check: Check::Makehuman2(run),
 };
@@ -98,13 +98,13 @@ fn in_pairs<'a>(base: &Base<'_>, files: &[&'a FileFacts]) -> Vec<(&'a FileFacts,
 }
 
 fn pair(file: &FileFacts, incr: &str, decr: &str) -> Finding {
-    RULE.at(file, Place::File, format!("no slider and no macro uses `{incr}` and `{decr}`")).help(format!(
+    RULE.at(file, Place::File, format!("no slider and no macro uses `{incr}` or `{decr}`")).help(format!(
         "add a slider with `\"incr\": \"{incr}\"` and `\"decr\": \"{decr}\"` to modelling.json, or remove the files"
     ))
 }
 
 fn whole_folder(layer: &Layer, path: &str, files: &[&FileFacts]) -> Finding {
-    let message = format!("no slider and no macro uses any of the {} targets of this folder", files.len());
+    let message = format!("no slider and no macro uses any of the {} targets in this folder", files.len());
     let evidence = Evidence::of_cases(files.iter().map(|file| file.file_name())).out_of(files.len());
     let finding = part_of(RULE.in_layer(layer, path, message), layer, path, files.iter().copied());
     finding.help("add sliders to modelling.json, or remove the folder").evidence(evidence)
@@ -119,7 +119,7 @@ fn single(base: &Base<'_>, sliders: &BTreeMap<&str, &str>, file: &FileFacts, nam
     let finding = RULE.at(file, Place::File, format!("no slider and no macro uses `{name}`"));
     finding.help(match slider_without(base, sliders, name) {
         // A slider with a blank in its name cannot be saved.
-        _ if name.contains(char::is_whitespace) => "remove the file, or give it a name without blanks".to_owned(),
+        _ if name.contains(char::is_whitespace) => "remove the file, or rename it without blanks".to_owned(),
         Some(key) => format!("add `\"decr\": \"{name}\"` to the slider `{key}` in modelling.json, or remove the file"),
         None => format!("add a slider with `\"incr\": \"{name}\"` to modelling.json, or remove the file"),
     })

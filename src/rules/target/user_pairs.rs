@@ -9,12 +9,12 @@ use crate::repo::makehuman2::{Base, View};
 const NO_PAIR: Case = &[(
     Application::Makehuman2,
     Level::Warning,
-    "makes two sliders of one side: it replaces every `incr` of the name to find the other half",
+    "creates two sliders with one direction each: it replaces every `incr` in the name to find the opposite",
 )];
 const ONE_SIDE: Case = &[(
     Application::Makehuman2,
     Level::Warning,
-    "makes a slider of the increasing side only, under a name without its last letters",
+    "creates a slider with the increasing direction only, and cuts the last letters off its name",
 )];
 
 /// Findings on the user's pairs of which no slider with two sides is made.
@@ -31,14 +31,14 @@ fn of_target(rule: &Rule, base: &Base<'_>, all: &[UserTarget<'_>], target: &User
     let (one, other) = (target.stem, partner.stem);
     if begin.contains("incr") {
         let looked_for = target.stem.replace("incr", "decr");
-        let message = format!("`{one}` and `{other}` make no pair: `{looked_for}` is looked for");
-        let help = "choose a name without `incr` before the ending";
+        let message = format!("`{one}` and `{other}` are not a pair: MakeHuman 2 looks for `{looked_for}`");
+        let help = "rename both without `incr` before the ending";
         return Some(finding(rule, target.file, partner.file, message).case(NO_PAIR).help(help));
     }
     if begin.ends_with('-') || is_listed(base, target.file) {
         return None;
     }
-    let message = format!("`{one}` and `{other}` have no `-` before their endings");
+    let message = format!("`{one}` and `{other}` have no `-` before their ending");
     let name = begin.trim_end_matches(['_', ' ', '.']);
     let help = format!("rename them to `{name}-incr.target` and `{name}-decr.target`");
     Some(finding(rule, target.file, partner.file, message).case(ONE_SIDE).help(help))
@@ -51,5 +51,5 @@ fn is_listed(base: &Base<'_>, file: &FileFacts) -> bool {
 }
 
 fn finding(rule: &Rule, file: &FileFacts, other: &FileFacts, message: String) -> Finding {
-    rule.at(file, Place::File, message).related(other.path.clone(), Place::File, "the other half")
+    rule.at(file, Place::File, message).related(other.path.clone(), Place::File, "the opposite")
 }

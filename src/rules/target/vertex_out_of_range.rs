@@ -9,14 +9,20 @@ use crate::repo::{Body, FileFacts, ReferenceKind, Target};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "stops with an IndexError when the target is applied")],
-        docs: "A vertex index that the base mesh of the folder does not have.\n\nMakeHuman 2 loads the target and stops with an \
-            IndexError when it is applied: as soon as its slider moves, or at start if a macro uses it. Indices from \
-            1431655766 on are not noticed: they wrap around and move another vertex. Beyond 4294967295 the program stops \
-            at start, used or not.\n\nBehind the vertices of the file the loaded mesh has a few more, doubles of vertices at \
-            texture seams. A row for one of those is overwritten by its original and moves nothing: a warning.\n\nMostly the \
-            target was made for another mesh, or for one that was exported with other vertices. Make it for this one.",
-        ..RuleInfo::new("target-vertex-out-of-range", Level::Error, "a vertex index the base mesh does not have")
+        breaks: &[(Application::Makehuman2, "crashes with `IndexError` when the target is applied")],
+        docs: "A target names a vertex that the base mesh of its folder does not have.\n\n\
+            MakeHuman 2 loads the target and crashes with `IndexError` when it is applied: as soon as its slider \
+            moves, or at start if a macro uses it. Indices from 1431655766 on are not noticed: they wrap around and \
+            move another vertex. Beyond 4294967295 the program crashes at start, used or not.\n\n\
+            After the vertices of the file, the loaded mesh has a few UV-seam duplicates. MakeHuman 2 overwrites a \
+            duplicate with its original, so a row for one moves nothing: a warning.\n\n\
+            Usually the target was made for another mesh, or for one exported with other vertices. Make it for this \
+            mesh.",
+        ..RuleInfo::new(
+            "target-vertex-out-of-range",
+            Level::Error,
+            "a target names a vertex that the base mesh does not have",
+        )
     },
     check: Check::Body(run),
 };
@@ -24,25 +30,24 @@ pub(in crate::rules) static RULE: Rule = Rule {
 const OVERFLOW: Case = &[(
     Application::Makehuman2,
     Level::Error,
-    "stops at start with an OverflowError and leaves an empty compressedtargets.npz behind, which stops every \
-     later start",
+    "crashes at start with `OverflowError` and leaves an empty compressedtargets.npz that crashes every later start",
 )];
 const OUTDATED: Case = &[(
     Application::Makehuman2,
     Level::Warning,
-    "applies the archive; it stops with an IndexError once that is deleted to be made anew",
+    "applies the archive; crashes with `IndexError` once the archive is deleted and rebuilt",
 )];
 const UNUSED: Case = &[(
     Application::Makehuman2,
     Level::Warning,
-    "loads it; it stops with an IndexError once something uses the target",
+    "loads it, but crashes with `IndexError` once something uses the target",
 )];
-const WRAPPED: Case = &[(Application::Makehuman2, Level::Error, "moves another vertex or stops with an IndexError")];
+const WRAPPED: Case = &[(Application::Makehuman2, Level::Error, "moves another vertex or crashes with `IndexError`")];
 const OF_A_MACRO: Case =
-    &[(Application::Makehuman2, Level::Error, "stops with an IndexError when the macro applies it, at start already")];
-const OF_A_SLIDER: Case = &[(Application::Makehuman2, Level::Error, "stops with an IndexError when the slider moves")];
+    &[(Application::Makehuman2, Level::Error, "crashes with `IndexError` when the macro applies it, already at start")];
+const OF_A_SLIDER: Case = &[(Application::Makehuman2, Level::Error, "crashes with `IndexError` when the slider moves")];
 const SEAM: Case =
-    &[(Application::Makehuman2, Level::Warning, "overwrites the double with its original: the row does nothing")];
+    &[(Application::Makehuman2, Level::Warning, "overwrites the duplicate with its original: the row has no effect")];
 
 /// First index whose triple no longer fits 32 bits: coordinate 3·index wraps (formats/makehuman2.md §6.1).
 const FIRST_WRAPPED: i64 = (1 << 32) / 3 + 1;
@@ -68,7 +73,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 }
 
 fn overflow(file: &FileFacts, facts: &TargetFacts) -> Finding {
-    let message = format!("vertex index {} does not fit 32 bits", first(&facts.overflow));
+    let message = format!("vertex index {} does not fit into 32 bits", first(&facts.overflow));
     RULE.at(file, first_row(&facts.overflow), message)
         .key("overflow")
         .help("write the index that the base mesh has, or remove the row")
@@ -103,8 +108,8 @@ fn with_consequence(finding: Finding, target: &Target<'_>, facts: &TargetFacts) 
 fn seam(file: &FileFacts, facts: &TargetFacts, vertices: Option<usize>) -> Finding {
     let tally = &facts.seam;
     let message = match tally.count {
-        1 => format!("vertex {} is the double of a seam and does not move: {}", first(tally), mesh_has(file, vertices)),
-        count => format!("{count} rows name doubles of seam vertices and move nothing: {}", mesh_has(file, vertices)),
+        1 => format!("vertex {} is a UV-seam duplicate and does not move: {}", first(tally), mesh_has(file, vertices)),
+        count => format!("{count} rows name UV-seam duplicates and move nothing: {}", mesh_has(file, vertices)),
     };
     RULE.at(file, first_row(tally), message)
         .key("seam")

@@ -7,11 +7,13 @@ use crate::repo::{Body, ReferenceKind};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "loads it and changes nothing: the slider seems dead")],
-        docs: "Every row of the target is zero, or is undone by a later row of its vertex that is.\n\nMakeHuman 2 loads it, and moving its slider does nothing. Often the shape was \
-            exported before it was made, or against itself.\n\nExport it again, or remove the target and its slider. A file \
-            without rows is `file-empty`; a target of a macro is `macro-empty-target`.",
-        ..RuleInfo::new("target-without-effect", Level::Warning, "a target without any displacement")
+        breaks: &[(Application::Makehuman2, "loads it, but the slider changes nothing")],
+        docs: "Every row of the target is zero, or is undone by a later zero row for the same vertex.\n\n\
+            MakeHuman 2 loads the target, and moving its slider does nothing. Often the shape was exported before it \
+            was made, or compared with itself.\n\n\
+            Export it again, or remove the target and its slider. A file without rows is `file-empty`; a target of a \
+            macro is `macro-empty-target`.",
+        ..RuleInfo::new("target-without-effect", Level::Warning, "a target moves nothing")
     },
     check: Check::Body(run),
 };
@@ -23,7 +25,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         }
         let message = match facts.rows {
             _ if facts.duplicate.count > 0 => {
-                "the last row of every vertex is zero, and only that one counts: the target moves nothing".to_owned()
+                "the last row of every vertex is zero, and only that row counts: the target moves nothing".to_owned()
             }
             1 => "its only row is zero: the target moves nothing".to_owned(),
             rows => format!("all {rows} rows are zero: the target moves nothing"),

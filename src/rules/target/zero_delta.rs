@@ -11,12 +11,13 @@ use crate::repo::{Body, FileFacts, Layer};
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         fix: FixKind::Safe,
-        breaks: &[(Application::Makehuman2, "loads and adds the zeros; they cost a little time and room")],
-        docs: "Rows whose three numbers are zero.\n\nThey change nothing. Exporters write them for vertices that were touched and \
-            put back, or whose movement was rounded away. A whole side without movement was mostly lost: `target-asymmetric` \
-            and `target-asymmetric-pair` tell that. A zero beside a row that moves the same vertex is not meant here: as the last of \
-            them it undoes the other, and `target-duplicate-vertex` names it.\n\nThe rows can be removed. All such rows of a \
-            target folder are one finding, at the first of them.",
+        breaks: &[(Application::Makehuman2, "loads and adds the zeros, which only costs a little time and memory")],
+        docs: "Rows of a target have three zeros and move nothing. Exporters write them for vertices that were touched \
+            and put back, or whose movement was rounded away.\n\n\
+            A whole side without movement was usually lost by mistake; `target-asymmetric` and \
+            `target-asymmetric-pair` report that. A zero row for a vertex that another row moves is not reported here: \
+            as the last row it undoes the other, and `target-duplicate-vertex` reports it.\n\n\
+            The rows can be removed. All such rows of a target folder are one finding, at the first file.",
         ..RuleInfo::new("target-zero-delta", Level::Info, "rows of a target that move nothing")
     },
     check: Check::Body(run),
@@ -39,7 +40,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 })
             }
         };
-        let help = "the rows can be removed, unless they should move something";
+        let help = "remove the rows, unless they should move something";
         out.push(finding.help(help).fix(fix(body, &found)));
     }
 }
