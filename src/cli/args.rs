@@ -152,6 +152,12 @@ pub(super) struct CheckArgs {
     /// standard output; repeatable.
     #[arg(long = "report", value_name = "FORMAT[=FILE]", value_parser = Target::parse)]
     pub(super) reports: Vec<Target>,
+    /// Show every finding with its consequences and help, infos too, and leave none out of a long list.
+    #[arg(long, conflicts_with = "statistics")]
+    pub(super) full: bool,
+    /// Show how many findings each rule has instead of the findings.
+    #[arg(long)]
+    pub(super) statistics: bool,
     /// Check what is staged for the commit, and report only what is new or worse than at HEAD; everything where nothing
     /// is staged. Gives way to a --since or --against after it.
     #[arg(long, overrides_with_all = ["since", "against"])]

@@ -79,7 +79,7 @@ fn head(outcome: &Outcome, view: &View<'_>) -> String {
         verdict::files(summary),
     );
     let roots: Vec<String> = verdict::roots(outcome).iter().map(|root| inline(&printable(root))).collect();
-    let checked = if roots.is_empty() { String::new() } else { format!("\nJudged: {}\n", roots.join(", ")) };
+    let checked = if roots.is_empty() { String::new() } else { format!("\nChecked: {}\n", roots.join(", ")) };
     table + &checked
 }
 

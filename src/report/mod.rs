@@ -48,6 +48,10 @@ pub struct View<'a> {
     pub width: usize,
     /// Leave out everything but findings and verdict.
     pub quiet: bool,
+    /// Show every finding with everything that is known of it, in the report for people.
+    pub full: bool,
+    /// Show how many findings each rule has instead of the findings, in the report for people.
+    pub statistics: bool,
     /// Declared halves of all rules.
     pub rules: &'a [&'a RuleInfo],
 }
@@ -63,6 +67,8 @@ impl View<'static> {
         unicode: false,
         width: 80,
         quiet: false,
+        full: false,
+        statistics: false,
         rules: &[],
     };
 }

@@ -15,7 +15,7 @@ fn code(output: &Output) -> Option<i32> {
 fn a_faultless_repository_exits_0_and_says_nothing_on_stderr() {
     let output = mhlint(&project("fixtures/makehuman2"), &[]);
     assert_eq!((code(&output), stderr(&output).as_str()), (Some(0), ""));
-    assert!(stdout(&output).contains("Nothing found"), "{}", stdout(&output));
+    assert!(stdout(&output).contains("Passed: no findings"), "{}", stdout(&output));
 }
 
 #[test]
@@ -124,7 +124,7 @@ fn loose_assets_are_named_as_they_lie() {
 fn system_data_given_to_be_checked_are_checked() {
     let output = mhlint(&project("fixtures/makehuman2"), &["data", "--system", "./data/"]);
     assert_eq!(code(&output), Some(0), "{}", stderr(&output));
-    assert!(stdout(&output).contains("names the data to judge itself"), "{}", stdout(&output));
+    assert!(stdout(&output).contains("names the checked folder itself"), "{}", stdout(&output));
 }
 
 #[test]
@@ -232,7 +232,7 @@ fn two_reports_one_to_a_file() {
     let repository = broken();
     let output = mhlint(repository.path(), &["--report", "human", "--report", "concise=out.txt"]);
     assert_eq!(code(&output), Some(1));
-    assert!(stdout(&output).contains("Failed."));
+    assert!(stdout(&output).contains("Failed:"));
     let file = fs::read_to_string(repository.path().join("out.txt")).unwrap();
     assert!(file.contains("error[macro-steps-length]") && file.contains("fail: "), "{file}");
 }
@@ -292,10 +292,10 @@ fn notes_go_to_stderr_for_programs_and_into_the_human_report() {
     fs::create_dir_all(repository.path().join("other/targets")).unwrap();
     fs::write(repository.path().join("other/targets/target.json"), "{}").unwrap();
     let human = mhlint(repository.path(), &[]);
-    assert!(stdout(&human).contains("MPFB data, 1 file (this version"), "{}", stdout(&human));
+    assert!(stdout(&human).contains("1 file of MPFB data (not supported yet"), "{}", stdout(&human));
     assert_eq!(stderr(&human), "");
     let gitlab = mhlint(repository.path(), &["--report", "gitlab"]);
-    assert!(stderr(&gitlab).contains("MPFB data, 1 file (this version"), "{}", stderr(&gitlab));
+    assert!(stderr(&gitlab).contains("1 file of MPFB data (not supported yet"), "{}", stderr(&gitlab));
     assert!(!stdout(&gitlab).contains("MPFB"));
     let concise = mhlint(repository.path(), &["--report", "concise"]);
     assert_eq!(stderr(&concise), "");
@@ -311,7 +311,7 @@ fn notes_go_to_stderr_for_programs_and_into_the_human_report() {
 fn quiet_leaves_findings_and_verdict() {
     let output = mhlint(broken().path(), &["--quiet", "--only", "macro-steps-length"]);
     let text = stdout(&output);
-    assert!(text.contains("error[macro-steps-length]") && text.contains("Failed."), "{text}");
+    assert!(text.contains("error[macro-steps-length]") && text.contains("Failed:"), "{text}");
     assert!(!text.contains("more: mhlint explain") && !text.contains(" files ("), "{text}");
 }
 
@@ -634,20 +634,20 @@ fn the_verdict_claims_no_more_than_was_reported() {
     for (args, said) in [
         (
             &["data/target/figure/head"][..],
-            "Nothing found in `data/target/figure/head`; what else there is was left out.",
+            "Passed: no findings in `data/target/figure/head`; everything else was left out.",
         ),
-        (&["--only", "json-*"], "Nothing found by the rules `json-*`; what else there is was left out."),
-        (&["--skip", "macro-*"], "Nothing found without the rules `macro-*`; what else there is was left out."),
-        (&["--level", "macro-*=off"], "Nothing found without the rules `macro-*`; what else there is was left out."),
+        (&["--only", "json-*"], "Passed: no findings from the rules `json-*`; everything else was left out."),
+        (&["--skip", "macro-*"], "Passed: no findings without the rules `macro-*`; everything else was left out."),
+        (&["--level", "macro-*=off"], "Passed: no findings without the rules `macro-*`; everything else was left out."),
         (
             &["data/rigs", "--base", "figure", "--only", "json-*"],
-            "Nothing found in `data/rigs` on the base mesh `figure` by the rules `json-*`; what else there is was left out.",
+            "Passed: no findings in `data/rigs` for the base mesh `figure` from the rules `json-*`; everything else was left out.",
         ),
     ] {
         assert!(verdict(args).starts_with(said), "{args:?}: {}", verdict(args));
     }
     fs::write(repository.path().join("mhlint.toml"), "select = [\"json-*\"]\n").unwrap();
-    assert!(verdict(&[]).contains("Nothing found by the rules `json-*`;"));
+    assert!(verdict(&[]).contains("Passed: no findings from the rules `json-*`;"));
 }
 
 /// Applies what `--diff` shows in `folder` with a program that reads patches from standard input.

@@ -91,7 +91,7 @@ fn top(outcome: &Outcome, view: &View<'_>) -> Markup {
                 }
             }
             @for root in verdict::roots(outcome) {
-                p .root { "Judged: " (inline(&printable(&root))) }
+                p .root { "Checked: " (inline(&printable(&root))) }
             }
             p .root {
                 (verdict::files(summary))
