@@ -17,14 +17,16 @@ use crate::source::Limits;
 /// Options of `check` that fix.
 #[derive(Debug, Clone, Copy, Default, clap::Args)]
 pub(super) struct FixArgs {
-    /// Mend what can be mended without a person, then report what remains.
-    #[arg(long, group = "fixing")]
+    /// Fix what can be fixed safely, then report the rest.
+    #[arg(long, group = "fixing", help_heading = "Fixes")]
     fix: bool,
-    /// Show what --fix would change as a diff, and change nothing; exit code 1 if there is something.
-    #[arg(long, group = "fixing", conflicts_with = "reports")]
+    /// Show what --fix would change as a diff.
+    ///
+    /// Changes nothing; the exit code is 1 if there is something to fix.
+    #[arg(long, group = "fixing", conflicts_with = "reports", help_heading = "Fixes")]
     pub(super) diff: bool,
-    /// With --fix or --diff: also fixes that may change more than the fault.
-    #[arg(long, requires = "fixing")]
+    /// With --fix or --diff: include fixes that may change results.
+    #[arg(long, requires = "fixing", help_heading = "Fixes")]
     unsafe_fixes: bool,
 }
 

@@ -1,6 +1,7 @@
 //! An outcome as text. One file a format; no writer computes, sorts or reads anything.
 
 mod concise;
+mod files;
 mod github;
 mod gitlab;
 mod html;

@@ -436,7 +436,7 @@ fn errors_hide_what_the_baseline_knows() {
         let broken = if file == MESH { &broken[2..] } else { &broken[..2] };
         for damage in broken {
             damage();
-            let text = stdout(&mhlint(root, &["--baseline", "known.json"]));
+            let text = stdout(&mhlint(root, &["--baseline", "known.json", "--full"]));
             assert!(
                 text.contains(&format!(" of {all} entries of the baseline w")) && text.contains(" not found again"),
                 "{text}"

@@ -44,7 +44,7 @@ fn max_warnings_bounds_the_warnings() {
     assert_eq!(code(&mhlint(repository.path(), &[&args[..], &["1"]].concat())), Some(0));
     let output = mhlint(repository.path(), &[&args[..], &["0"]].concat());
     assert_eq!(code(&output), Some(1));
-    assert!(stdout(&output).contains("More than the 0 warnings that `max-warnings` allows."), "{}", stdout(&output));
+    assert!(stdout(&output).contains("`max-warnings` allows 0."), "{}", stdout(&output));
 }
 
 #[test]
@@ -57,12 +57,46 @@ fn only_skip_and_level_off_silence_a_rule() {
 }
 
 #[test]
+fn a_family_is_named_by_its_name() {
+    let repository = broken();
+    let found = |args: &[&str]| stdout(&mhlint(repository.path(), &[args, &["--report", "concise"]].concat()));
+    assert!(found(&["--only", "macro"]).contains("[macro-steps-length]"));
+    assert!(!found(&["--skip", "macro"]).contains("[macro-"));
+    assert!(found(&["--level", "macro=info"]).contains("info[macro-steps-length]"));
+    assert_refused(&mhlint(repository.path(), &["--only", "makro"]), &["makro"]);
+}
+
+#[test]
+fn options_of_other_linters_are_answered_with_ours() {
+    for (args, own) in [
+        (&["--json"][..], "--report json"),
+        (&["--format", "json"], "--report FORMAT"),
+        (&["--output", "x"], "--report FORMAT=FILE"),
+        (&["--select", "macro"], "--only RULE"),
+    ] {
+        assert_refused(&mhlint(&project("fixtures/makehuman2"), args), &[own]);
+    }
+}
+
+#[test]
+fn help_is_short_or_long() {
+    let [short, long] = ["-h", "--help"].map(|option| stdout(&mhlint(&project("fixtures"), &[option])));
+    for heading in ["Input:", "Rules:", "Only new findings:", "Fixes:", "Output:"] {
+        assert!(short.contains(heading) && long.contains(heading), "{heading}\n{short}");
+    }
+    assert!(long.lines().count() > short.lines().count() + 20);
+    assert!(long.contains("Exit codes:") && !short.contains("Exit codes:"));
+    let wide: Vec<&str> = short.lines().filter(|line| line.len() > 110).collect();
+    assert_eq!(wide, Vec::<&str>::new());
+}
+
+#[test]
 fn nothing_to_check_exits_3_and_says_what_to_give() {
     let folder = tempfile::tempdir().unwrap();
     let output = mhlint(folder.path(), &[]);
     assert_eq!((code(&output), stdout(&output).as_str()), (Some(3), ""));
     assert!(stderr(&output).contains("nothing was checked in `.`"), "{}", stderr(&output));
-    assert!(stderr(&output).contains("give the folder"), "{}", stderr(&output));
+    assert!(stderr(&output).contains("name the folder"), "{}", stderr(&output));
 }
 
 #[test]
@@ -292,15 +326,15 @@ fn notes_go_to_stderr_for_programs_and_into_the_human_report() {
     fs::create_dir_all(repository.path().join("other/targets")).unwrap();
     fs::write(repository.path().join("other/targets/target.json"), "{}").unwrap();
     let human = mhlint(repository.path(), &[]);
-    assert!(stdout(&human).contains("1 file of MPFB data (not supported yet"), "{}", stdout(&human));
+    assert!(stdout(&human).contains("1 file of MPFB data (not supported"), "{}", stdout(&human));
     assert_eq!(stderr(&human), "");
     let gitlab = mhlint(repository.path(), &["--report", "gitlab"]);
-    assert!(stderr(&gitlab).contains("1 file of MPFB data (not supported yet"), "{}", stderr(&gitlab));
+    assert!(stderr(&gitlab).contains("1 file of MPFB data (not supported"), "{}", stderr(&gitlab));
     assert!(!stdout(&gitlab).contains("MPFB"));
     let concise = mhlint(repository.path(), &["--report", "concise"]);
     assert_eq!(stderr(&concise), "");
     assert!(
-        stdout(&concise).contains("not checked: 4 .json, 2 .mhm (no rules yet); MPFB data"),
+        stdout(&concise).contains("not checked: 4 .json, 2 .mhm (no rules yet); 1 file of MPFB data"),
         "{}",
         stdout(&concise)
     );

@@ -7,10 +7,10 @@ mod block;
 mod pick;
 mod statistics;
 
-use std::cmp::Reverse;
 use std::collections::BTreeSet;
 use std::io::{self, Write};
 
+use super::files::by_file;
 use super::{Paint, View, count, hang, phrase, printable, verdict};
 use crate::diag::{Application, Break, Finding, Level, Note, Outcome};
 use pick::Picked;
@@ -40,10 +40,8 @@ fn write_findings(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> io
     let picked = pick::pick(&outcome.findings, view.full);
     let is_block = |finding: &&Finding| view.full || finding.level > Level::Info;
     let (blocks, infos): (Vec<&Finding>, Vec<&Finding>) = picked.shown.iter().copied().partition(is_block);
-    let mut files: Vec<&[&Finding]> = blocks.chunk_by(|a, b| a.path == b.path).collect();
-    files.sort_by_key(|file| Reverse(file.iter().map(|finding| finding.level).max()));
     let mut explained = BTreeSet::new();
-    for file in files {
+    for file in by_file(&blocks) {
         write_heading(file, outcome, view, out)?;
         write_file(file, &picked, &mut explained, view, out)?;
     }
