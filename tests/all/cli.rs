@@ -79,6 +79,20 @@ fn options_of_other_linters_are_answered_with_ours() {
 }
 
 #[test]
+#[cfg(unix)]
+fn behind_a_link_into_a_data_root_files_have_their_real_names() {
+    let repository = broken();
+    let root = repository.path();
+    fs::create_dir(root.join("sub")).unwrap();
+    std::os::unix::fs::symlink("../data/target", root.join("sub/link")).unwrap();
+    fs::write(root.join("data/mhlint.toml"), "skip = [\"json\"]\n").unwrap();
+    let text = stdout(&mhlint(root, &["sub/link", "--report", "concise"]));
+    assert!(text.contains("\ndata/target/figure/macro.json:") || text.starts_with("data/target/figure/"), "{text}");
+    let settings = stdout(&mhlint(root, &["config", "sub/link"]));
+    assert!(settings.starts_with("# ") && settings.contains("/data/mhlint.toml"), "{settings}");
+}
+
+#[test]
 fn help_is_short_or_long() {
     let [short, long] = ["-h", "--help"].map(|option| stdout(&mhlint(&project("fixtures"), &[option])));
     for heading in ["Input:", "Rules:", "Only new findings:", "Fixes:", "Output:"] {
