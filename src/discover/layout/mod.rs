@@ -86,6 +86,12 @@ struct HiddenPath<'p> {
 /// The base mesh of the applications that have but one.
 const HM08: &str = "hm08";
 
+/// Folders of what a body wears, of all applications.
+const WORN: [&str; 7] = ["clothes", "hair", "eyes", "eyebrows", "eyelashes", "teeth", "tongue"];
+
+/// Folders of other assets that `MakeHuman` 1 and MPFB both have.
+const LIBRARIES: [&str; 5] = ["proxymeshes", "rigs", "poses", "expressions", "skins"];
+
 impl Layout {
     /// The layout of an application.
     pub(crate) const fn of(application: Application) -> &'static Self {

@@ -2,14 +2,18 @@
 
 use super::super::Kind;
 use super::super::kind::extension;
-use super::{HM08, Layout, Role, Sign};
+use super::{HM08, LIBRARIES, Layout, Role, Sign, WORN};
 use crate::diag::Application;
 
 pub(super) static LAYOUT: Layout = Layout {
     application: Application::Mpfb,
     shape: "targets/target.json",
     depth: 3,
-    folders: &[&["targets", "3dobjs", "mesh_metadata", "ink_layers", "uv_layers", "packs", "custom"]],
+    folders: &[
+        &["targets", "3dobjs", "mesh_metadata", "ink_layers", "uv_layers", "packs", "custom"],
+        &LIBRARIES,
+        &WORN,
+    ],
     sign,
     place,
     reads_hidden: |_| false,
