@@ -86,7 +86,7 @@ fn finding(rig: &Rig<'_>, fault: Fault, cases: &[(&str, usize, i64)], vertices: 
         .help(help)
         .evidence(Evidence::of_cases(names));
     Some(match fault {
-        Fault::Beyond | Fault::Float => rig.stops_with("an IndexError", finding),
+        Fault::Beyond | Fault::Float => rig.stops_with(&[(Application::Makehuman2, "an IndexError")], finding),
         Fault::Seam => finding.case(SEAM),
         Fault::Negative => finding.case(NEGATIVE),
     })

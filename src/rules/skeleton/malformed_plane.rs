@@ -68,7 +68,7 @@ fn finding(rig: &Rig<'_>, plane: &str, outcome: Outcome, message: String) -> Fin
         .help("name three joints that are not in one line, or remove the plane and let the bones use the vertical");
     match outcome {
         Outcome::NotUsed => finding.case(NOT_USED),
-        Outcome::Asked(Some(error)) => rig.stops_with(error, finding),
+        Outcome::Asked(Some(error)) => rig.stops_with(&[(Application::Makehuman2, error)], finding),
         Outcome::Asked(None) => finding.case(REFUSED),
     }
 }

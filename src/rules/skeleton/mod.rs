@@ -54,10 +54,13 @@ fn rigs<'v>(body: &Body<'v>) -> impl Iterator<Item = Rig<'v>> + use<'v> {
 }
 
 impl<'a> Rig<'a> {
-    /// The finding with the time at which an exception in this skeleton reaches the user of MakeHuman 2.
-    fn stops_with(&self, error: &str, finding: Finding) -> Finding {
+    /// The finding with the time at which an exception of these applications in this skeleton reaches the user.
+    fn stops_with(&self, errors: &[(Application, &str)], finding: Finding) -> Finding {
         let when = if self.own.is_default { "while the base is loaded" } else { "when the skeleton is chosen" };
-        finding.effect_in(Application::Makehuman2, format!("stops with {error} {when}"))
+        let told = |finding: Finding, (application, error): &(Application, &str)| {
+            finding.effect_in(*application, format!("stops with {error} {when}"))
+        };
+        errors.iter().fold(finding, told)
     }
 
     /// Joints that a bone, or a plane that a bone names, asks for.

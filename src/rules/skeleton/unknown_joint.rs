@@ -23,6 +23,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Body(run),
 };
 
+const STOPS: &[(Application, &str)] = &[(Application::Makehuman2, "a KeyError")];
+
 fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for rig in rigs(body).filter(|rig| rig.skeleton.joints_section == Section::Present) {
         let known: BTreeSet<&str> = rig.skeleton.joints.iter().map(|joint| joint.name.as_str()).collect();
@@ -47,7 +49,7 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
             );
             let finding = RULE.at(rig.file, place.clone(), message).key(joint).help(help);
             let finding = finding.evidence(Evidence::of_cases(uses.iter().map(|(_, owner)| owner)));
-            out.push(rig.stops_with("a KeyError", finding));
+            out.push(rig.stops_with(STOPS, finding));
         }
     }
 }
@@ -67,7 +69,7 @@ fn many(rig: &Rig<'_>, unknown: &BTreeMap<&str, Vec<(Place, String)>>, known: &B
     let finding = RULE.at(rig.file, place.clone(), message).key("joints").help(help);
     Some(
         rig.stops_with(
-            "a KeyError",
+            STOPS,
             finding.evidence(Evidence::of_cases(unknown.keys()).out_of(self::uses(rig).len())),
         ),
     )
@@ -97,7 +99,7 @@ fn without_joints(rig: &Rig<'_>) -> Option<Finding> {
     let message = format!("bones and planes name {} joints, but `joints` is empty", uses.len());
     let finding = RULE.at(rig.file, place.clone(), message).key("joints").help("add the joints to `joints`");
     let finding = finding.evidence(Evidence::of_cases(uses.keys()));
-    Some(rig.stops_with("a KeyError", finding))
+    Some(rig.stops_with(STOPS, finding))
 }
 
 /// Joints that are looked up, with the places that name them.
