@@ -22,6 +22,7 @@ pub(super) static LAYOUT: Layout = Layout {
     is_system_of_two,
     opens: opened::opens,
     scans: opened::is_scanned,
+    single: opened::single,
     is_folder: opened::is_folder,
     misnamed: opened::misnamed,
 };

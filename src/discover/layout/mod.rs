@@ -35,11 +35,32 @@ pub(crate) struct Layout {
     pub opens: fn(&str) -> bool,
     /// Whether the scan of assets opens a file of this name.
     pub scans: fn(&str) -> bool,
+    /// What a file of this name is that shares its kind with others and not what becomes of them.
+    pub single: fn(&str) -> Option<Single>,
     /// Whether loaders list this path as a folder; the second says which names are those of base meshes.
     pub is_folder: fn(&str, Holds<'_>) -> bool,
     /// The path under which a file of this name but for its capitals is looked for, where nothing has that path; the
     /// second says what there is.
     pub misnamed: fn(&str, Holds<'_>) -> Option<String>,
+}
+
+/// Files that an application has a use of their own for, without a format of their own.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Single {
+    /// The names of what expressions are made of.
+    Expressions,
+    /// The same of poses.
+    Poses,
+    /// Any other JSON beside a base mesh.
+    BesideBase,
+    /// The version of the program.
+    Version,
+    /// What is known of shaders.
+    Shaders,
+    /// A selection that a window was left with.
+    SelectionFilter,
+    /// The ranges of the one base mesh that scripts know.
+    ScriptedRanges,
 }
 
 /// What is asked of a name or path.

@@ -22,6 +22,7 @@ pub(super) static LAYOUT: Layout = Layout {
     is_system_of_two: |_| false,
     opens: |_| true,
     scans: |_| false,
+    single: |_| None,
     is_folder: |_, _| false,
     misnamed: |_, _| None,
 };

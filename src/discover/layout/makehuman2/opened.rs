@@ -1,7 +1,7 @@
 //! Which names the loaders of MakeHuman 2 look for (formats/makehuman2.md §1, §2, §19).
 
 use super::super::super::kind::extension;
-use super::super::WORN;
+use super::super::{Single, WORN};
 use super::is_scanned_folder;
 
 /// Decided for the folders of base meshes, targets and rigs; everything else counts as opened. Tools of the program
@@ -43,6 +43,19 @@ pub(super) fn is_scanned(rel: &str) -> bool {
         _ => false,
     };
     wanted && is_scanned_folder(folder) && matches!(rel.split('/').count(), 3 | 4)
+}
+
+pub(super) fn single(rel: &str) -> Option<Single> {
+    match rel.split('/').collect::<Vec<_>>().as_slice() {
+        ["base", "hm08", "geometry.json"] => Some(Single::ScriptedRanges),
+        ["base", _, "face-poses.json"] => Some(Single::Expressions),
+        ["base", _, "body-poses.json"] => Some(Single::Poses),
+        ["base", ..] => Some(Single::BesideBase),
+        ["makehuman2_version.json"] => Some(Single::Version),
+        ["shaders", "shader.json"] => Some(Single::Shaders),
+        [.., "selection_filter.json"] => Some(Single::SelectionFilter),
+        _ => None,
+    }
 }
 
 /// Whether a path lies in the folder whose files take the place of the system's.
