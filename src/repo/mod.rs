@@ -21,7 +21,7 @@ pub(crate) use facts::FileFacts;
 pub(crate) use layer::{Layer, composed, fold};
 pub(crate) use layers::Layers;
 pub(crate) use path::shortened;
-pub(crate) use reference::{Reference, ReferenceKind, Resolution};
+pub(crate) use reference::{PictureFolders, Reference, ReferenceKind, Resolution};
 pub(crate) use references::References;
 pub(crate) use view::View;
 

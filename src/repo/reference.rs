@@ -74,6 +74,19 @@ pub enum Resolution<'a> {
     NeedsSystem,
 }
 
+/// Where the pictures of a material are looked for, below the data root.
+#[derive(Debug, Clone)]
+pub(crate) struct PictureFolders<'a> {
+    /// The folder of the material.
+    pub own: &'a str,
+    /// The one above, where that is asked as well.
+    pub above: Option<&'a str>,
+    /// The folder of all assets of this sort. A name that begins with `sort` loses its first part there.
+    pub all: String,
+    /// What the assets are called.
+    pub sort: &'a str,
+}
+
 impl ReferenceKind {
     /// Whether it is a morph target.
     pub const fn is_target(self) -> bool {

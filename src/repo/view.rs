@@ -1,6 +1,6 @@
 //! The data of one application as it sees them.
 
-use super::{Body, FileFacts, Layers, Reference, References, Shown, Target, makehuman1, makehuman2, mpfb, parent};
+use super::{Body, FileFacts, Layers, PictureFolders, Reference, References, Shown, Target, makehuman1, makehuman2, mpfb, parent};
 use crate::diag::Application;
 use crate::discover::{Kind, Layout};
 
@@ -117,6 +117,14 @@ impl<'a> View<'a> {
     pub(super) fn shown_at(&self, file: &FileFacts) -> Option<Shown<'a>> {
         match self {
             Self::Makehuman2(view) => view.shown_at(file),
+            Self::Makehuman1(_) | Self::Mpfb(_) => None,
+        }
+    }
+
+    /// Where the picture that a material names is looked for, if that is known.
+    pub(crate) fn picture_folders<'r>(&self, reference: &Reference<'r>) -> Option<PictureFolders<'r>> {
+        match self {
+            Self::Makehuman2(_) => makehuman2::picture_folders(reference.from, reference.base),
             Self::Makehuman1(_) | Self::Mpfb(_) => None,
         }
     }

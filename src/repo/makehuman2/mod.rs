@@ -28,6 +28,7 @@ pub(crate) use misnamed::MisnamedFolder;
 pub(crate) use overlay::{Candidate, Overlaid};
 pub(crate) use slider::{BoundSlider, Pattern};
 pub(crate) use target_folder::TargetFolder;
+pub(in crate::repo) use textures::folders as picture_folders;
 pub(crate) use view::View;
 
 use crate::diag::Application;
