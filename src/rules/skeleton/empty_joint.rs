@@ -23,8 +23,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 const NOT_NEEDED: Case = &[(Application::Makehuman2, Level::Info, "drops the joint without a word; no bone needs it")];
 
-const STOPS: &[(Application, &str)] =
-    &[(Application::Makehuman2, "a KeyError at the first bone that needs the joint")];
+const STOPS: Case =
+    &[(Application::Makehuman2, Level::Error, "stops with a KeyError at the first bone that needs the joint")];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for rig in rigs(body) {

@@ -30,7 +30,7 @@ pub(super) mod zero_length_bone;
 
 use std::collections::BTreeSet;
 
-use crate::diag::{Application, Finding};
+use crate::diag::{Case, Finding};
 use crate::formats::mhskel::{RotationPlane, Skeleton};
 use crate::repo::{self, Body, FileFacts};
 
@@ -54,13 +54,12 @@ fn rigs<'v>(body: &Body<'v>) -> impl Iterator<Item = Rig<'v>> + use<'v> {
 }
 
 impl<'a> Rig<'a> {
-    /// The finding with the time at which an exception of these applications in this skeleton reaches the user.
-    fn stops_with(&self, errors: &[(Application, &str)], finding: Finding) -> Finding {
+    /// A finding on exceptions, with the time at which they reach the user.
+    fn stops_with(&self, exceptions: Case, finding: Finding) -> Finding {
         let when = if self.own.is_default { "while the base is loaded" } else { "when the skeleton is chosen" };
-        let told = |finding: Finding, (application, error): &(Application, &str)| {
-            finding.effect_in(*application, format!("stops with {error} {when}"))
-        };
-        errors.iter().fold(finding, told)
+        exceptions.iter().fold(finding, |finding, (application, level, effect)| {
+            finding.level_in(*application, *level).effect_in(*application, format!("{effect} {when}"))
+        })
     }
 
     /// Joints that a bone, or a plane that a bone names, asks for.
