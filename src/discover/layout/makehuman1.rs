@@ -12,15 +12,8 @@ pub(super) static LAYOUT: Layout = Layout {
     folders: &[&["targets", "modifiers", "3dobjs", "custom"], &LIBRARIES, &WORN],
     sign,
     place,
-    reads_hidden: |_| false,
-    loose_place: |_, _| None,
     role: |below| Role::of_one(below, Application::Makehuman1, Kind::BaseMesh),
-    is_system_of_two: |_| false,
-    opens: |_| true,
-    scans: |_| false,
-    single: |_| None,
-    is_folder: |_, _| false,
-    misnamed: |_, _| None,
+    ..Layout::PLAIN
 };
 
 fn sign(parts: &[&str]) -> Option<(Sign, usize)> {

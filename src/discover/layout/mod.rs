@@ -114,6 +114,25 @@ const WORN: [&str; 7] = ["clothes", "hair", "eyes", "eyebrows", "eyelashes", "te
 const LIBRARIES: [&str; 5] = ["proxymeshes", "rigs", "poses", "expressions", "skins"];
 
 impl Layout {
+    /// What layouts have that know of nothing else: no root, and nothing that is left out of one.
+    const PLAIN: Self = Self {
+        application: Application::Makehuman1,
+        shape: "",
+        depth: 0,
+        folders: &[],
+        sign: |_| None,
+        place: |_| (Kind::Other, None),
+        reads_hidden: |_| false,
+        loose_place: |_, _| None,
+        role: |_| Role::User,
+        is_system_of_two: |_| false,
+        opens: |_| true,
+        scans: |_| false,
+        single: |_| None,
+        is_folder: |_, _| false,
+        misnamed: |_, _| None,
+    };
+
     /// The layout of an application.
     pub(crate) const fn of(application: Application) -> &'static Self {
         match application {
