@@ -15,10 +15,11 @@ mod shown;
 mod slider;
 mod target_folder;
 mod textures;
-mod unbound;
 mod usage;
 pub(crate) mod user_scan;
 mod view;
+mod weights;
+mod worn;
 
 pub(crate) use base::Base;
 pub(crate) use foreign::{ForeignMesh, ForeignSign};

@@ -4,15 +4,15 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::OWN;
 use crate::diag::Place;
-use crate::discover::{Kind, Layout, material_of};
+use crate::discover::{Kind, material_of};
 use crate::formats::mhmat::Texture;
 use crate::repo::path::{is_absolute, normalized, resolve};
-use crate::repo::{FileFacts, Layer, Layers, PictureFolders, Reference, ReferenceKind, Resolution, parent};
+use crate::repo::{FileFacts, Layer, Layers, PictureFolders, Reference, ReferenceKind, Resolution, Worn, parent};
 
 /// The pictures of all materials that the application opens, by base mesh.
-pub(super) fn by_base(layers: Layers<'_>) -> BTreeMap<&str, Vec<Reference<'_>>> {
+pub(super) fn by_base<'a>(layers: Layers<'a>, worn: &[Worn<'a>]) -> BTreeMap<&'a str, Vec<Reference<'a>>> {
     let mut by_base: BTreeMap<&str, Vec<Reference<'_>>> = BTreeMap::new();
-    let assets: Vec<_> = layers.strongest_first().map(Assets::of).collect();
+    let assets: Vec<_> = layers.strongest_first().map(|layer| Assets::of(layer, worn)).collect();
     for layer in layers.strongest_first() {
         for file in layer.files.values().filter(|file| is_material(file)) {
             let search = file.base_in(OWN).and_then(|base| Search::of(layers, layer, file, base));
@@ -28,7 +28,7 @@ fn is_material(file: &FileFacts) -> bool {
     file.kind_in(OWN) == Kind::Material
 }
 
-/// What the asset scan finds in a layer (formats/makehuman2.md §19).
+/// What can be worn of a layer.
 struct Assets<'a> {
     layer: &'a Layer,
     /// Folders of assets.
@@ -38,9 +38,9 @@ struct Assets<'a> {
 }
 
 impl<'a> Assets<'a> {
-    fn of(layer: &'a Layer) -> Self {
-        let scans = Layout::of(OWN).scans;
-        let folders: BTreeSet<&str> = layer.files.keys().filter(|rel| scans(rel)).map(|rel| parent(rel)).collect();
+    fn of(layer: &'a Layer, worn: &[Worn<'a>]) -> Self {
+        let is_here = |worn: &&Worn<'_>| layer.file(&worn.file.rel).is_some_and(|own| std::ptr::eq(own, worn.file));
+        let folders: BTreeSet<&str> = worn.iter().filter(is_here).map(|worn| parent(&worn.file.rel)).collect();
         let bare = folders.iter().filter(|asset| !layer.below(asset).any(is_material));
         Self { layer, with_bare: bare.map(|asset| parent(asset)).collect(), folders }
     }
