@@ -32,11 +32,10 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         if steps.len() != component.values.len() || !is_increasing(steps) {
             continue;
         }
-        let Some((fault, effect)) = fault(steps, &component.values) else { continue };
         // To fix one end and break the other is another fault.
-        let end = fault.split_whitespace().next().unwrap_or_default();
+        let Some((end, fault, effect)) = fault(steps, &component.values) else { continue };
         let slider = component.pattern.as_deref().map(|pattern| format!(" (slider `{pattern}`)")).unwrap_or_default();
-        let message = format!("`steps` of `{}`{slider} {fault}", component.name);
+        let message = format!("`steps` of `{}`{slider} {end} {fault}", component.name);
         let place = Place::pointer(["components", &component.name, "steps"]);
         let finding = RULE.at(file, place, message).key(format!("{} {end}", component.name)).help(help(steps));
         let finding = if is_dead(steps) { finding.level(Level::Error) } else { finding };
@@ -48,32 +47,36 @@ fn is_increasing(steps: &[f64]) -> bool {
     steps.is_sorted_by(|a, b| a.partial_cmp(b) == Some(Ordering::Less))
 }
 
-/// What is wrong with the ends, and what comes of it.
-fn fault(steps: &[f64], values: &[String]) -> Option<(String, &'static str)> {
+/// Which end is wrong, how, and what comes of it.
+fn fault(steps: &[f64], values: &[String]) -> Option<(&'static str, String, &'static str)> {
     const NO_INTERVAL: &str = "drops the component, and with it all that its macrodefs apply";
     const OUT_OF_REACH: &str = "never gives that value its full weight, and says nothing";
     let ([first, .., last] | [first @ last]) = steps else {
-        let fault = "are empty: without an interval the component is dropped, and nothing applies";
-        return Some((fault.to_owned(), NO_INTERVAL));
+        let fault = "empty: without an interval the component is dropped, and nothing applies";
+        return Some(("are", fault.to_owned(), NO_INTERVAL));
     };
     if steps.len() == 1 {
-        let fault = format!("hold {last} alone: without an interval the component is dropped, and nothing applies");
-        return Some((fault, NO_INTERVAL));
+        let fault = format!("{last} alone: without an interval the component is dropped, and nothing applies");
+        return Some(("hold", fault, NO_INTERVAL));
     }
     if is_dead(steps) {
-        let fault = format!("end at {last}: above it nothing of the macrodef applies");
-        return Some((fault, "drops the whole macrodef, unless the slider stands at exactly 0"));
+        let fault = format!("at {last}: above it nothing of the macrodef applies");
+        return Some(("end", fault, "drops the whole macrodef, unless the slider stands at exactly 0"));
     }
     if last.total_cmp(&1.0).is_lt() {
-        let fault = format!("end at {last}: from there to 1 nothing of the macrodef applies");
-        Some((fault, "drops the whole macrodef when the slider is above the last step"))
+        let fault = format!("at {last}: from there to 1 nothing of the macrodef applies");
+        Some(("end", fault, "drops the whole macrodef when the slider is above the last step"))
     } else if first.partial_cmp(&0.0) == Some(Ordering::Greater) {
-        let fault = format!("begin at {first}: from 0 to there the first value has more than its full weight");
-        Some((fault, "gives the first value more than its full weight when the slider is below the first step"))
+        let fault = format!("at {first}: from 0 to there the first value has more than its full weight");
+        Some((
+            "begin",
+            fault,
+            "gives the first value more than its full weight when the slider is below the first step",
+        ))
     } else if first.partial_cmp(&0.0) == Some(Ordering::Less) {
-        Some((format!("begin at {first}: the first value never has its full weight"), OUT_OF_REACH))
+        Some(("begin", format!("at {first}: the first value never has its full weight"), OUT_OF_REACH))
     } else if last.total_cmp(&1.0).is_gt() {
-        Some((format!("end at {last}: {}", out_of_reach(steps, values)), OUT_OF_REACH))
+        Some(("end", format!("at {last}: {}", out_of_reach(steps, values)), OUT_OF_REACH))
     } else {
         None
     }

@@ -23,6 +23,9 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 const NOT_NEEDED: Case = &[(Application::Makehuman2, Level::Info, "drops the joint without a word; no bone needs it")];
 
+const STOPS: Case =
+    &[(Application::Makehuman2, Level::Error, "stops with a KeyError at the first bone that needs the joint")];
+
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for rig in rigs(body) {
         let asked = rig.asked_joints();
@@ -34,7 +37,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 .key(&joint.name)
                 .help("list the vertices of the base mesh whose mean is the joint, or remove it");
             out.push(if asked.contains(joint.name.as_str()) {
-                rig.stops_with("a KeyError at the first bone that needs the joint", finding)
+                rig.stops_with(STOPS, finding)
             } else {
                 finding.case(NOT_NEEDED)
             });

@@ -24,6 +24,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Body(run),
 };
 
+const STOPS: Case = &[(Application::Makehuman2, Level::Error, "stops with an IndexError")];
 const SEAM: Case =
     &[(Application::Makehuman2, Level::Warning, "takes the position of a duplicate along a texture seam")];
 const NEGATIVE: Case = &[(Application::Makehuman2, Level::Warning, "takes a vertex counted from the end of the mesh")];
@@ -86,7 +87,7 @@ fn finding(rig: &Rig<'_>, fault: Fault, cases: &[(&str, usize, i64)], vertices: 
         .help(help)
         .evidence(Evidence::of_cases(names));
     Some(match fault {
-        Fault::Beyond | Fault::Float => rig.stops_with("an IndexError", finding),
+        Fault::Beyond | Fault::Float => rig.stops_with(STOPS, finding),
         Fault::Seam => finding.case(SEAM),
         Fault::Negative => finding.case(NEGATIVE),
     })

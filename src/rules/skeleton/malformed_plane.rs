@@ -24,6 +24,9 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Body(run),
 };
 
+const EXCEPTION: Case = &[(Application::Makehuman2, Level::Error, "stops with an exception")];
+const TYPE_ERROR: Case = &[(Application::Makehuman2, Level::Error, "stops with a TypeError")];
+const KEY_ERROR: Case = &[(Application::Makehuman2, Level::Error, "stops with a KeyError")];
 const REFUSED: Case = &[(Application::Makehuman2, Level::Error, "refuses the skeleton with a line in its log")];
 const NOT_USED: Case = &[(Application::Makehuman2, Level::Info, "never looks at the plane: no bone uses it")];
 
@@ -53,7 +56,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Outcome {
     /// A bone uses it: the exception that follows, if one does.
-    Asked(Option<&'static str>),
+    Asked(Option<Case>),
     NotUsed,
 }
 
@@ -68,22 +71,22 @@ fn finding(rig: &Rig<'_>, plane: &str, outcome: Outcome, message: String) -> Fin
         .help("name three joints that are not in one line, or remove the plane and let the bones use the vertical");
     match outcome {
         Outcome::NotUsed => finding.case(NOT_USED),
-        Outcome::Asked(Some(error)) => rig.stops_with(error, finding),
+        Outcome::Asked(Some(exceptions)) => rig.stops_with(exceptions, finding),
         Outcome::Asked(None) => finding.case(REFUSED),
     }
 }
 
 /// What is wrong with a plane, and the exception that follows, if one does.
-fn fault(plane: &Plane) -> Option<(String, Option<&'static str>)> {
+fn fault(plane: &Plane) -> Option<(String, Option<Case>)> {
     let Some(joints) = plane.joints.as_deref() else {
-        return Some(("is no list of joints".to_owned(), Some("an exception")));
+        return Some(("is no list of joints".to_owned(), Some(EXCEPTION)));
     };
     if plane.is_null {
         return Some(("is `[null, null, null]`".to_owned(), None));
     }
     if joints.len() < 3 {
-        return Some((format!("has {} of three joints", joints.len()), Some("a TypeError")));
+        return Some((format!("has {} of three joints", joints.len()), Some(TYPE_ERROR)));
     }
     let unnamed = joints.iter().take(3).position(Option::is_none)?;
-    Some((format!("has no joint name at position {unnamed}"), Some("a KeyError")))
+    Some((format!("has no joint name at position {unnamed}"), Some(KEY_ERROR)))
 }
