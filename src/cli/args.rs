@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use clap::error::{ContextKind, ErrorKind};
+use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
@@ -14,80 +14,92 @@ use crate::config::MOST_SAMPLES;
 use crate::diag::{Application, Level};
 
 const AFTER_HELP: &str = "\
-Exit codes: 0 nothing at or above --fail-on, 1 findings, 2 could not work, 3 nothing was checked of a PATH.
+Exit codes: 0 passed, 1 findings at or above --fail-on, 2 could not run, 3 nothing was checked in a PATH.
 
 Examples:
-  mhlint data/                                     judge a data folder
-  mhlint my-pack/ --system makehuman2/data         judge a pack against MakeHuman's own data
-  mhlint data/ --report human --report json=r.json read it here, keep it for a program
-  mhlint data/ --diff                              what --fix would change
-  mhlint explain macro-steps-length                what a finding means, with an example";
+  mhlint data/                                     check a data folder
+  mhlint my-pack/ --system makehuman2/data         check a pack against MakeHuman's own data
+  mhlint data/ --fix                               fix what can be fixed safely
+  mhlint data/ --report human --report json=r.json print a report, and write another for a program
+  mhlint explain macro-steps-length                what a rule means, with examples";
+
+const SEE_LONG_HELP: &str = "Run with --help for details, examples and exit codes; `mhlint rules` lists all rules.";
 
 const COMPLETIONS_HELP: &str = "\
-Where they go:
+Where to save the script:
   bash  mhlint completions bash > ~/.local/share/bash-completion/completions/mhlint
-  zsh   mhlint completions zsh > a folder of $fpath, as _mhlint
+  zsh   mhlint completions zsh > _mhlint, in a folder of $fpath
   fish  mhlint completions fish > ~/.config/fish/completions/mhlint.fish
   PowerShell and Elvish: add the script to your profile";
 
-/// Judges asset repositories of the MakeHuman family before an application meets them.
+/// Checks asset repositories of MakeHuman 2, MakeHuman 1 and MPFB.
 #[derive(Debug, Parser)]
-#[command(name = "mhlint", version, args_conflicts_with_subcommands = true, after_help = AFTER_HELP)]
+#[command(
+    name = "mhlint",
+    version,
+    args_conflicts_with_subcommands = true,
+    after_help = SEE_LONG_HELP,
+    after_long_help = AFTER_HELP
+)]
 pub(super) struct Args {
     #[command(subcommand)]
     pub(super) command: Option<Command>,
     #[command(flatten)]
     pub(super) check: CheckArgs,
-    /// Colour in what is printed.
-    #[arg(long, value_name = "WHEN", default_value = "auto", global = true)]
+    /// When to use colour.
+    ///
+    /// `auto` uses colour on a terminal, unless `NO_COLOR` is set; `FORCE_COLOR` and `CLICOLOR_FORCE` turn it on in pipes.
+    #[arg(long, value_name = "WHEN", default_value = "auto", global = true, help_heading = "Output")]
     pub(super) color: ColorChoice,
 }
 
 /// What to do.
 #[derive(Debug, Subcommand)]
 pub(super) enum Command {
-    /// Judge data roots (what happens without a command).
-    #[command(after_help = AFTER_HELP)]
+    /// Check files and folders (the default command).
+    #[command(after_help = SEE_LONG_HELP, after_long_help = AFTER_HELP)]
     Check(CheckArgs),
-    /// Show the settings in force and where each comes from.
+    /// Show the settings in effect and where each comes from.
     Config(CheckArgs),
-    /// Compute what the application would show.
+    /// Compute what an application would compute: shapes, joints, skinning.
     #[command(subcommand)]
     Eval(EvalCommand),
-    /// Say what a rule means: consequence, remedy, a bad and a good example.
+    /// Explain a rule: consequences, how to fix it, a bad and a good example.
     Explain {
-        /// A rule, or the start of its name to list a family.
+        /// A rule, or a family such as `macro`.
         rule: String,
-        /// How; as Markdown a family is not listed but explained, rule by rule.
+        /// Output format.
+        ///
+        /// As Markdown, each rule of a family is explained; as text, the family is listed.
         #[arg(long, value_name = "FORMAT", default_value = "text")]
         format: ExplainFormat,
     },
-    /// Write a commented mhlint.toml; overwrites nothing.
+    /// Write a commented mhlint.toml; never overwrites a file.
     Init {
-        /// Where to; the current directory if none is given.
+        /// Folder to write it to [default: the current folder].
         #[arg(value_name = "FOLDER")]
         folder: Option<PathBuf>,
     },
     /// List all rules.
     Rules {
-        /// How.
+        /// Output format.
         #[arg(long, value_name = "FORMAT", default_value = "table")]
         format: ListFormat,
     },
-    /// Print an embedded JSON Schema, or the names of all.
+    /// Print a JSON Schema, or list all of them.
     Schema {
-        /// Which one.
+        /// Name of the schema.
         name: Option<String>,
     },
     /// Print a completion script for a shell.
     #[command(after_help = COMPLETIONS_HELP)]
     Completions {
-        /// Which shell.
+        /// The shell.
         shell: Shell,
     },
-    /// Print a man page: of mhlint, or of one of its commands.
+    /// Print a man page for mhlint or one of its commands.
     Man {
-        /// The command, `eval mesh` say.
+        /// A command, for example `eval mesh`.
         #[arg(value_name = "COMMAND")]
         words: Vec<String>,
     },
@@ -103,73 +115,109 @@ impl Command {
 #[derive(Debug, clap::Args)]
 #[expect(clippy::struct_excessive_bools, reason = "each is a flag of the command line")]
 pub(super) struct CheckArgs {
-    /// Folders or files; the current directory if none is given.
+    /// Files or folders to check [default: the current folder].
     #[arg(value_name = "PATH")]
     pub(super) paths: Vec<PathBuf>,
-    /// MakeHuman's own data: read to resolve references, not reported.
-    #[arg(long, value_name = "DIR")]
+    /// MakeHuman's own data, used to resolve references.
+    ///
+    /// It is read, not reported on.
+    #[arg(long, value_name = "FOLDER", help_heading = "Input")]
     pub(super) system: Option<PathBuf>,
-    /// Judge only what this application loads: makehuman2, makehuman1, mpfb; repeatable.
-    #[arg(long = "app", value_name = "APPLICATION", value_parser = application)]
+    /// Check only for this application; can be repeated.
+    ///
+    /// One of makehuman2, makehuman1, mpfb.
+    #[arg(long = "app", value_name = "APPLICATION", value_parser = application, help_heading = "Input")]
     pub(super) applications: Vec<Application>,
-    /// Report only this base mesh; repeatable.
-    #[arg(long = "base", value_name = "NAME")]
+    /// Report only on this base mesh; can be repeated.
+    ///
+    /// For files outside data folders it names the base mesh that they are for.
+    #[arg(long = "base", value_name = "NAME", help_heading = "Input")]
     pub(super) bases: Vec<String>,
-    /// Leave out everything that needs evaluation.
-    #[arg(long)]
-    pub(super) no_eval: bool,
-    /// Random slider settings to look at besides the deliberate ones, at most 100000.
-    #[arg(long, value_name = "N", conflicts_with = "no_eval", value_parser = samples)]
-    pub(super) samples: Option<usize>,
-    /// Look at every corner of the slider space.
-    #[arg(long, conflicts_with = "no_eval")]
-    pub(super) exhaustive: bool,
-    /// Run only rules that fit the glob; repeatable.
-    #[arg(long, value_name = "GLOB")]
-    pub(super) only: Vec<String>,
-    /// Leave out rules that fit the glob; repeatable.
-    #[arg(long, value_name = "GLOB")]
-    pub(super) skip: Vec<String>,
-    /// Report a rule (or glob) at another level: error, warning, info or off; repeatable.
-    #[arg(long = "level", value_name = "RULE=LEVEL", value_parser = level_setting)]
-    pub(super) levels: Vec<(String, Option<Level>)>,
-    /// The level from which on findings make the exit code 1; error unless set.
-    #[arg(long, value_name = "LEVEL")]
-    pub(super) fail_on: Option<FailOn>,
-    /// Make the exit code 1 when there are more warnings than this.
-    #[arg(long, value_name = "N")]
-    pub(super) max_warnings: Option<usize>,
-    /// Hide the findings that this file knows.
-    #[arg(long, value_name = "FILE")]
-    pub(super) baseline: Option<PathBuf>,
-    /// Write what is found now to the baseline, without what is found no more.
-    #[arg(long, conflicts_with_all = ["fixing", "staged", "since", "against"])]
-    pub(super) write_baseline: bool,
-    /// Configuration; the nearest mhlint.toml at or above the first PATH if none is given.
-    #[arg(long, value_name = "FILE")]
+    /// Configuration file [default: the nearest mhlint.toml].
+    ///
+    /// Looked for at or above the first PATH, up to the top of the repository.
+    #[arg(long, value_name = "FILE", help_heading = "Input")]
     pub(super) config: Option<PathBuf>,
-    /// Report as human, concise, json, sarif, github, gitlab, junit, markdown or html; to a file instead of
-    /// standard output; repeatable.
-    #[arg(long = "report", value_name = "FORMAT[=FILE]", value_parser = Target::parse)]
-    pub(super) reports: Vec<Target>,
-    /// Check what is staged for the commit, and report only what is new or worse than at HEAD; everything where nothing
-    /// is staged. Gives way to a --since or --against after it.
-    #[arg(long, overrides_with_all = ["since", "against"])]
+    /// Run only this rule, family or glob; can be repeated.
+    ///
+    /// For example `macro-steps-length`, `macro` or `*-duplicate-*`.
+    #[arg(long, value_name = "RULE", help_heading = "Rules")]
+    pub(super) only: Vec<String>,
+    /// Skip this rule, family or glob; can be repeated.
+    #[arg(long, value_name = "RULE", help_heading = "Rules")]
+    pub(super) skip: Vec<String>,
+    /// Change the level of a rule, family or glob; can be repeated.
+    ///
+    /// The level is one of error, warning, info, off.
+    #[arg(long = "level", value_name = "RULE=LEVEL", value_parser = level_setting, help_heading = "Rules")]
+    pub(super) levels: Vec<(String, Option<Level>)>,
+    /// Skip all rules that need evaluation.
+    #[arg(long, help_heading = "Evaluation")]
+    pub(super) no_eval: bool,
+    /// Number of random slider settings to try (at most 100000).
+    ///
+    /// They are tried in addition to the systematic ones.
+    #[arg(long, value_name = "N", conflicts_with = "no_eval", value_parser = samples, help_heading = "Evaluation")]
+    pub(super) samples: Option<usize>,
+    /// Try every corner of the slider space.
+    #[arg(long, conflicts_with = "no_eval", help_heading = "Evaluation")]
+    pub(super) exhaustive: bool,
+    /// Lowest level that makes the exit code 1 [default: error].
+    #[arg(long, value_name = "LEVEL", help_heading = "Verdict")]
+    pub(super) fail_on: Option<FailOn>,
+    /// Exit with code 1 if there are more warnings than this.
+    #[arg(long, value_name = "N", help_heading = "Verdict")]
+    pub(super) max_warnings: Option<usize>,
+    /// Check the staged files; report what is new since HEAD.
+    ///
+    /// If nothing is staged, everything is reported. A later --since or --against overrides it.
+    #[arg(long, overrides_with_all = ["since", "against"], help_heading = "Only new findings")]
     pub(super) staged: bool,
-    /// Report only what is new or worse than where the folder left this git revision.
-    #[arg(long, value_name = "REV", conflicts_with = "against", overrides_with = "since")]
+    /// Report only what is new or worse since this git revision.
+    ///
+    /// The folder is compared with the merge base of REV and HEAD.
+    #[arg(
+        long,
+        value_name = "REV",
+        conflicts_with = "against",
+        overrides_with = "since",
+        help_heading = "Only new findings"
+    )]
     pub(super) since: Option<String>,
     /// Report only what is new or worse than in another folder.
-    #[arg(long, value_name = "FOLDER")]
+    #[arg(long, value_name = "FOLDER", help_heading = "Only new findings")]
     pub(super) against: Option<PathBuf>,
+    /// Hide the findings that are listed in this file.
+    #[arg(long, value_name = "FILE", help_heading = "Only new findings")]
+    pub(super) baseline: Option<PathBuf>,
+    /// Write the current findings to the baseline.
+    ///
+    /// Findings that no longer occur are removed from it.
+    #[arg(long, conflicts_with_all = ["fixing", "staged", "since", "against"], help_heading = "Only new findings")]
+    pub(super) write_baseline: bool,
+    /// Report format, and file to write it to; can be repeated.
+    ///
+    /// One of human, concise, json, sarif, github, gitlab, junit, markdown, html; to standard output unless a FILE is named.
+    #[arg(long = "report", value_name = "FORMAT[=FILE]", value_parser = Target::parse, help_heading = "Output")]
+    pub(super) reports: Vec<Target>,
+    /// Show every finding in full, including infos.
+    ///
+    /// Without it infos take one line each, and long lists are cut.
+    #[arg(long, conflicts_with = "statistics", help_heading = "Output")]
+    pub(super) full: bool,
+    /// Show the number of findings for each rule instead.
+    #[arg(long, help_heading = "Output")]
+    pub(super) statistics: bool,
+    /// Print the time taken by each phase and rule.
+    ///
+    /// It goes to standard error.
+    #[arg(long, help_heading = "Output")]
+    pub(super) timings: bool,
+    /// Print only findings and the verdict.
+    #[arg(long, short, help_heading = "Output")]
+    pub(super) quiet: bool,
     #[command(flatten)]
     pub(super) fixes: FixArgs,
-    /// Print time per phase and rule to standard error.
-    #[arg(long)]
-    pub(super) timings: bool,
-    /// Leave out everything but findings and verdict.
-    #[arg(long, short)]
-    pub(super) quiet: bool,
 }
 
 impl CheckArgs {
@@ -244,11 +292,28 @@ impl FailOn {
     }
 }
 
+/// Options of other linters, with the one of ours.
+const MEANT: [(&str, &str); 7] = [
+    ("--json", "--report json"),
+    ("--format", "--report FORMAT"),
+    ("--output-format", "--report FORMAT"),
+    ("--output", "--report FORMAT=FILE"),
+    ("--output-file", "--report FORMAT=FILE"),
+    ("--select", "--only RULE"),
+    ("--ignore", "--skip RULE"),
+];
+
 /// Ends the command with what is wrong with its arguments. That an unknown option could be a value is left out: no value
 /// of ours begins with a dash.
 pub(super) fn refuse(mut error: clap::Error) -> ! {
     if error.kind() == ErrorKind::UnknownArgument {
         error.remove(ContextKind::Suggested);
+        let unknown = error.get(ContextKind::InvalidArg).map(ToString::to_string).unwrap_or_default();
+        if let Some((_, own)) = MEANT.iter().find(|(other, _)| *other == unknown) {
+            error.remove(ContextKind::SuggestedArg);
+            let tip = format!("use `{own}`").into();
+            error.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![tip]));
+        }
     }
     error.exit()
 }
@@ -261,11 +326,11 @@ fn application(text: &str) -> Result<Application, String> {
 
 fn samples(text: &str) -> Result<usize, String> {
     let number = text.parse().ok().filter(|number| *number <= MOST_SAMPLES);
-    number.ok_or_else(|| format!("a whole number from 0 to {MOST_SAMPLES} is wanted"))
+    number.ok_or_else(|| format!("expected a whole number from 0 to {MOST_SAMPLES}"))
 }
 
 fn level_setting(text: &str) -> Result<(String, Option<Level>), String> {
-    let (rule, level) = text.split_once('=').ok_or("RULE=LEVEL is wanted, `target-zero-delta=off` say")?;
+    let (rule, level) = text.split_once('=').ok_or("expected RULE=LEVEL, for example `target-zero-delta=off`")?;
     let level = match level {
         "error" => Some(Level::Error),
         "warning" => Some(Level::Warning),

@@ -32,6 +32,7 @@ pub(super) fn run(
     let paths = &args.paths_or_here();
     let mut config = settings(args)?;
     let targets = targets(&args.reports, &config)?;
+    refuse_without_human(args, &targets)?;
     config.compare = compared(args, paths, err)?;
     let new_baseline = new_baseline(&config)?;
     let progress = Progress::start("reading and evaluating");
@@ -137,6 +138,17 @@ fn is_empty(outcome: &Outcome) -> bool {
     outcome.summary.files == 0 && outcome.findings.is_empty() && !outcome.nothing_in.is_empty()
 }
 
+/// Refuses what only the report for people can show where there is none.
+fn refuse_without_human(args: &CheckArgs, targets: &[Target]) -> Result<(), Failure> {
+    let options = [("--full", args.full), ("--statistics", args.statistics)];
+    match options.into_iter().find(|(_, is_set)| *is_set) {
+        Some((option, _)) if !targets.iter().any(|target| target.format == Format::Human) => Err(Failure::Usage(
+            format!("`{option}` changes the human report, which is not written; add `--report human`, or leave it out"),
+        )),
+        _ => Ok(()),
+    }
+}
+
 /// Files first: whoever reads standard output may go away at any time.
 fn write_reports(
     targets: &[Target],
@@ -156,6 +168,8 @@ fn write_reports(
         unicode: terminal.unicode,
         width: terminal.width,
         quiet: args.quiet,
+        full: args.full,
+        statistics: args.statistics,
         rules: &rules,
     };
     let is_silent = |target: &&Target| is_empty(outcome) && target.format.shows_notes();

@@ -18,17 +18,17 @@ use crate::source::Limits;
 #[derive(Debug, Clone, Copy, Default, clap::Args)]
 pub(super) struct FixArgs {
     /// Apply the safe fixes, then report the remaining findings.
-    #[arg(long, group = "fixing")]
+    #[arg(long, group = "fixing", help_heading = "Fixes")]
     fix: bool,
     /// Show what --fix would change as a diff, and write nothing.
     ///
     /// The exit code is 1 if anything would change.
-    #[arg(long, group = "fixing", conflicts_with = "reports")]
+    #[arg(long, group = "fixing", conflicts_with = "reports", help_heading = "Fixes")]
     pub(super) diff: bool,
     /// Include unsafe fixes in --fix or --diff.
     ///
     /// An unsafe fix may change more than the fault. Check the result with --diff first.
-    #[arg(long, requires = "fixing")]
+    #[arg(long, requires = "fixing", help_heading = "Fixes")]
     unsafe_fixes: bool,
 }
 

@@ -36,7 +36,7 @@ impl Terminal {
     }
 }
 
-/// `--color`, then `NO_COLOR`, then `CLICOLOR_FORCE`, then whether it is a terminal that knows colour.
+/// `--color`, then `NO_COLOR`, then `FORCE_COLOR` and `CLICOLOR_FORCE`, then whether it is a terminal that knows colour.
 /// Logs of CI systems show colour even where `TERM` is not set.
 fn color(choice: ColorChoice, around: &Surroundings) -> bool {
     let is_set = |name| (around.variable)(name).is_some_and(|value| value != "0");
@@ -44,7 +44,7 @@ fn color(choice: ColorChoice, around: &Surroundings) -> bool {
         ColorChoice::Always => true,
         ColorChoice::Never => false,
         ColorChoice::Auto if (around.variable)("NO_COLOR").is_some() => false,
-        ColorChoice::Auto if is_set("CLICOLOR_FORCE") => true,
+        ColorChoice::Auto if is_set("FORCE_COLOR") || is_set("CLICOLOR_FORCE") => true,
         ColorChoice::Auto => {
             let knows_color = match (around.variable)("TERM") {
                 Some(term) => term != "dumb",
@@ -94,6 +94,8 @@ mod tests {
     fn the_environment_overrides_the_terminal() {
         assert!(!auto(true, |name| only(name, "NO_COLOR", "1").or(only(name, "TERM", "xterm"))));
         assert!(auto(false, |name| only(name, "CLICOLOR_FORCE", "1")));
+        assert!(auto(false, |name| only(name, "FORCE_COLOR", "1")));
+        assert!(!auto(false, |name| only(name, "NO_COLOR", "1").or(only(name, "FORCE_COLOR", "1"))));
         assert!(!auto(false, |name| only(name, "CLICOLOR_FORCE", "0")));
         assert!(auto(true, |name| only(name, "CI", "true")));
         assert!(!auto(false, |name| only(name, "CI", "true")));

@@ -83,9 +83,10 @@ impl Selector {
         self.glob.as_ref().map_or(0, |_| self.text.len())
     }
 
-    /// Whether it fits a rule.
+    /// Whether it fits a rule: by its name, the name of its family, or the glob.
     pub fn fits(&self, rule: &str) -> bool {
-        self.glob.as_ref().map_or(self.text == rule, |glob| glob.is_match(rule))
+        let is_named = || self.text == rule || rule.split_once('-').is_some_and(|(family, _)| family == self.text);
+        self.glob.as_ref().map_or_else(is_named, |glob| glob.is_match(rule))
     }
 }
 

@@ -38,7 +38,7 @@ pub(super) const fn has_rules(application: Application, kind: Kind) -> bool {
                 | Kind::Material
                 | Kind::Image
         ),
-        Application::Makehuman1 => false,
+        Application::Makehuman1 => matches!(kind, Kind::Weights | Kind::AssetWeights),
     }
 }
 

@@ -5,6 +5,7 @@ use super::geometry::Geometry;
 use super::json_file::JsonFault;
 use super::macro_json::MacroFile;
 use super::mhbin::MeshFault;
+use super::mhclo::Name;
 use super::mhmat::Material;
 use super::mhskel::Skeleton;
 use super::mhw::Weights;
@@ -47,6 +48,8 @@ pub enum Content {
     MeshArchive(Box<Result<Mesh, MeshFault>>),
     /// `.target`.
     Target(Box<TargetFacts>),
+    /// `.mhclo`, `.proxy`: the files that it names.
+    Clothes(Vec<Name>),
     /// `.mhmat`.
     Material(Box<Material>),
     /// `compressedtargets.npz`.

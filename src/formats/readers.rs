@@ -6,7 +6,7 @@ use super::inline_ignore::{self, InlineIgnore};
 use super::json_file::{self, JsonFacts, JsonFault};
 use super::table::{Format, Reader, Syntax};
 use super::target::{self, MeshSize, Row};
-use super::{Content, mhbin, mhmat, mhw, npz, obj};
+use super::{Content, mhbin, mhclo, mhmat, mhw, npz, obj};
 use crate::json::{self, Document, SchemaFaults};
 use crate::source::{Encoding, GzipFault, Limits, try_gunzip, zip_bomb};
 
@@ -96,6 +96,11 @@ pub(super) fn target(input: &Input<'_>) -> Parsed {
         rows: parsed.rows,
         ..Parsed::default()
     }
+}
+
+/// What is worn, as far as it names files.
+pub(super) fn clothes(input: &Input<'_>) -> Parsed {
+    Parsed { content: Content::Clothes(mhclo::names(input.bytes)), ..hashed(input) }
 }
 
 /// A material. One without anything in it names nothing.

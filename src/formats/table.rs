@@ -1,6 +1,6 @@
 //! The table of formats: what is to be known of each kind of file before and while it is read.
 
-use super::readers::{archive, material, mesh, mesh_archive, packed, target, weights, zip};
+use super::readers::{archive, clothes, material, mesh, mesh_archive, packed, target, weights, zip};
 use super::{Content, Input, Parsed, base_json, geometry, macro_json, mhskel, modelling, target_cat, target_catalog};
 use crate::discover::Kind;
 use crate::json::Document;
@@ -106,7 +106,7 @@ pub(crate) static FORMATS: [Format; 26] = [
     mhw(Kind::Weights, Needs::Mesh),
     mhw(Kind::AssetWeights, Needs::Nothing),
     plain(Kind::Pose, "JSON", Syntax::Json),
-    text(Kind::Clothes, &["#"]),
+    Format { comments: &["#"], ..read(Kind::Clothes, "text asset", Syntax::Text, clothes) },
     Format { comments: &["#", "//"], ..read(Kind::Material, "text asset", Syntax::Text, material) },
     text(Kind::Model, &["#"]),
     text(Kind::Motion, &[]),

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::{FileFacts, Layers, Reference, ReferenceKind, View, parent};
+use super::{FileFacts, Layers, Reference, ReferenceKind, View, Worn, parent};
 use crate::formats::macro_json::MacroFile;
 use crate::formats::mhskel::Skeleton;
 use crate::formats::mhw::Weights;
@@ -34,8 +34,10 @@ pub(crate) struct Body<'v> {
     pub targets: Vec<Target<'v>>,
     /// Skeletons with their weights.
     pub rigs: &'v [Rig<'v>],
-    /// All weights that could be those of a skeleton.
+    /// All weights of the body, and those of the checked layer for what it wears.
     pub weights: Vec<BodyWeights<'v>>,
+    /// What the body can wear, of all layers.
+    pub worn: &'v [Worn<'v>],
     view: &'v View<'v>,
     /// Numbers of the targets by printed path.
     by_path: BTreeMap<&'v str, usize>,
@@ -70,7 +72,7 @@ pub(crate) struct Target<'v> {
 pub(crate) struct Rig<'a> {
     /// The skeleton.
     pub file: &'a FileFacts,
-    /// What it names as weights; `None` where that cannot be read.
+    /// What it names as weights; `None` where it names none, or cannot be read.
     pub weights: Option<Reference<'a>>,
     /// Whether it is the one that the application poses the body with.
     pub is_default: bool,
@@ -78,15 +80,26 @@ pub(crate) struct Rig<'a> {
     pub is_found: bool,
 }
 
-/// Weights of a body.
+/// Weights of a body, or of an asset that it wears.
 #[derive(Debug)]
 pub(crate) struct BodyWeights<'v> {
     /// Their file.
     pub file: &'v FileFacts,
-    /// What a skeleton has to call them.
-    pub name: &'v str,
-    /// Whether no skeleton names them. False where nobody can tell.
-    pub is_unbound: bool,
+    /// What a skeleton of the body has to call them; `None` where they are for another mesh than its own.
+    pub name: Option<&'v str>,
+    /// What becomes of them.
+    pub used: WeightsUse,
+}
+
+/// What an application does with weights.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum WeightsUse {
+    /// Something moves by them; also where nobody can tell.
+    Applied,
+    /// It loads them and moves nothing by them.
+    Loaded,
+    /// It never reads them.
+    Unread,
 }
 
 impl<'a> Rig<'a> {
@@ -118,7 +131,7 @@ impl<'v> Body<'v> {
         let by_path = targets.iter().enumerate().map(|(at, target)| (target.file.path.as_str(), at)).collect();
         let (mesh, obj, visible_groups, one_sided_endings, macros, rigs) =
             (None, None, None, None, None, [].as_slice());
-        let (weights, layers) = (Vec::new(), view.layers());
+        let (weights, worn, layers) = (Vec::new(), [].as_slice(), view.layers());
         let (has_foreign_mesh, has_too_many_macros) = (false, false);
         Self {
             name,
@@ -133,6 +146,7 @@ impl<'v> Body<'v> {
             targets,
             rigs,
             weights,
+            worn,
             view,
             by_path,
         }
@@ -146,6 +160,26 @@ impl<'v> Body<'v> {
     /// The weights file of the default rig.
     pub(crate) fn default_weights(&self) -> Option<&'v FileFacts> {
         self.default_rig()?.weights_file()
+    }
+
+    /// Weights for its own mesh.
+    pub(crate) fn own_weights(&self) -> impl Iterator<Item = &BodyWeights<'v>> {
+        self.weights.iter().filter(|weights| weights.name.is_some())
+    }
+
+    /// Adds weights for other meshes than its own. Those that lie beside what is worn are for that: they are read if
+    /// some of it names them.
+    pub(super) fn add_worn_weights(&mut self, files: impl IntoIterator<Item = &'v FileFacts>) {
+        let named: BTreeSet<&str> = self.worn.iter().flat_map(Worn::weights).map(|file| file.path.as_str()).collect();
+        let mut is_known: BTreeMap<&str, bool> = BTreeMap::new();
+        for worn in self.worn {
+            *is_known.entry(worn.file.folder()).or_insert(true) &= worn.references.is_some();
+        }
+        let used = |file: &FileFacts| {
+            let can_tell = is_known.get(file.folder()).is_some_and(|is_known| *is_known);
+            if can_tell && !named.contains(file.path.as_str()) { WeightsUse::Unread } else { WeightsUse::Applied }
+        };
+        self.weights.extend(files.into_iter().map(|file| BodyWeights { file, name: None, used: used(file) }));
     }
 
     /// Whether a group of the mesh is shown; where that is said nowhere, all of them are.

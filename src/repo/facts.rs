@@ -7,6 +7,7 @@ use crate::discover::{Kind, Use, kind_in, owner_of};
 use crate::formats::inline_ignore::InlineIgnore;
 use crate::formats::json_file::JsonFacts;
 use crate::formats::mhbin::MeshFault;
+use crate::formats::mhclo::Name;
 use crate::formats::mhmat::Material;
 use crate::formats::mhskel::Skeleton;
 use crate::formats::mhw::Weights;
@@ -140,6 +141,11 @@ impl FileFacts {
     /// The skeleton, if it is one that could be read.
     pub fn skeleton(&self) -> Option<&Skeleton> {
         if let Content::Skeleton(skeleton) = &*self.content { Some(skeleton) } else { None }
+    }
+
+    /// The files that it names, if it is worn and could be read.
+    pub fn asset_names(&self) -> Option<&[Name]> {
+        if let Content::Clothes(names) = &*self.content { Some(names) } else { None }
     }
 
     /// The material, if it is one that could be read.

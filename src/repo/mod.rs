@@ -15,15 +15,17 @@ mod path;
 mod reference;
 mod references;
 mod view;
+mod worn;
 
-pub(crate) use body::{Body, BodyWeights, Rig, Shown, Target};
+pub(crate) use body::{Body, BodyWeights, Rig, Shown, Target, WeightsUse};
 pub(crate) use facts::FileFacts;
 pub(crate) use layer::{Layer, composed, fold};
 pub(crate) use layers::Layers;
 pub(crate) use path::shortened;
-pub(crate) use reference::{Reference, ReferenceKind, Resolution};
+pub(crate) use reference::{PictureFolders, Reference, ReferenceKind, Resolution};
 pub(crate) use references::References;
 pub(crate) use view::View;
+pub(crate) use worn::Worn;
 
 /// The folder of a path, empty at the top.
 pub(crate) fn parent(path: &str) -> &str {

@@ -1,6 +1,7 @@
 //! A name of a file in a file, and what the application finds there.
 
-use super::FileFacts;
+use super::path::resolve;
+use super::{FileFacts, Layer};
 use crate::diag::Place;
 
 /// A name of a file in a file.
@@ -45,6 +46,12 @@ pub enum ReferenceKind {
     Model,
     /// A picture in a material.
     Texture,
+    /// `obj_file` of an asset.
+    AssetMesh,
+    /// `material` of an asset.
+    AssetMaterial,
+    /// `vertexboneweights_file` of an asset, or what stands for it.
+    AssetWeights,
     /// A slot of `opposites` in `target.json`.
     Slot,
     /// `name` in `target.json` of a slider without `opposites`.
@@ -74,6 +81,19 @@ pub enum Resolution<'a> {
     NeedsSystem,
 }
 
+/// Where the pictures of a material are looked for, below the data root.
+#[derive(Debug, Clone)]
+pub(crate) struct PictureFolders<'a> {
+    /// The folder of the material.
+    pub own: &'a str,
+    /// The one above, where that is asked as well.
+    pub above: Option<&'a str>,
+    /// The folder of all assets of this sort. A name that begins with `sort` loses its first part there.
+    pub all: String,
+    /// What the assets are called.
+    pub sort: &'a str,
+}
+
 impl ReferenceKind {
     /// Whether it is a morph target.
     pub const fn is_target(self) -> bool {
@@ -92,6 +112,20 @@ impl<'a> Resolution<'a> {
 }
 
 impl<'a> Reference<'a> {
+    /// A name that leads to a path below the data root, in these layers, strongest first.
+    pub(super) fn to(
+        layers: &[&'a Layer],
+        kind: ReferenceKind,
+        base: &'a str,
+        from: &'a FileFacts,
+        place: Place,
+        text: &'a str,
+        rel: String,
+    ) -> Self {
+        let resolution = resolve(layers, text, &rel);
+        Self { kind, base, from, place, text, owner: from.stem(), folder_at_fault: None, rel, resolution }
+    }
+
     /// The file, if the name is right.
     pub fn found(&self) -> Option<&'a FileFacts> {
         if let Resolution::Found(file) = self.resolution { Some(file) } else { None }

@@ -1,6 +1,8 @@
 //! The data of one application as it sees them.
 
-use super::{Body, FileFacts, Layers, Reference, References, Shown, Target, makehuman1, makehuman2, mpfb, parent};
+use super::{
+    Body, FileFacts, Layers, PictureFolders, Reference, References, Shown, Target, makehuman1, makehuman2, mpfb,
+};
 use crate::diag::Application;
 use crate::discover::{Kind, Layout};
 
@@ -72,8 +74,8 @@ impl<'a> View<'a> {
     pub(crate) fn bodies(&self) -> Vec<Body<'_>> {
         match self {
             Self::Makehuman2(view) => view.bodies(self),
+            Self::Makehuman1(view) => view.body(self).into_iter().collect(),
             Self::Mpfb(view) => view.body(self).into_iter().collect(),
-            Self::Makehuman1(_) => Vec::new(),
         }
     }
 
@@ -97,8 +99,8 @@ impl<'a> View<'a> {
     pub(crate) fn body_names(&self) -> Vec<&'a str> {
         match self {
             Self::Makehuman2(view) => view.bases.iter().map(|base| base.name).collect(),
+            Self::Makehuman1(view) => view.body_name().into_iter().collect(),
             Self::Mpfb(view) => view.body_name().into_iter().collect(),
-            Self::Makehuman1(_) => Vec::new(),
         }
     }
 
@@ -107,9 +109,7 @@ impl<'a> View<'a> {
         match self {
             Self::Makehuman2(view) => view.target(file),
             Self::Mpfb(view) => view.target(file),
-            Self::Makehuman1(_) => {
-                Target { file, folder: parent(&file.rel), used_as: None, is_unused: false, packed_in: None }
-            }
+            Self::Makehuman1(_) => makehuman1::target(file),
         }
     }
 
@@ -117,6 +117,14 @@ impl<'a> View<'a> {
     pub(super) fn shown_at(&self, file: &FileFacts) -> Option<Shown<'a>> {
         match self {
             Self::Makehuman2(view) => view.shown_at(file),
+            Self::Makehuman1(_) | Self::Mpfb(_) => None,
+        }
+    }
+
+    /// Where the picture that a material names is looked for, if that is known.
+    pub(crate) fn picture_folders<'r>(&self, reference: &Reference<'r>) -> Option<PictureFolders<'r>> {
+        match self {
+            Self::Makehuman2(_) => makehuman2::picture_folders(reference.from, reference.base),
             Self::Makehuman1(_) | Self::Mpfb(_) => None,
         }
     }

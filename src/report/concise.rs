@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use super::phrase::{self, colons};
+use super::phrase;
 use super::unchecked::unchecked;
 use super::{View, count, printable};
 use crate::diag::Outcome;
@@ -10,15 +10,7 @@ use crate::diag::Outcome;
 /// Writes the findings, then a line of counts and what was not checked unless quiet.
 pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> io::Result<()> {
     for finding in &outcome.findings {
-        writeln!(
-            out,
-            "{}{}: {}[{}] {}",
-            printable(&finding.path),
-            colons(&finding.location),
-            finding.level,
-            finding.rule,
-            printable(&phrase::message(finding))
-        )?;
+        writeln!(out, "{}", phrase::one_line(finding))?;
     }
     if !view.quiet {
         let summary = &outcome.summary;

@@ -2,11 +2,12 @@
 
 use std::io::{self, Write};
 
+use super::files::by_file;
 use super::phrase::{self, Piece, pieces};
 use super::snippet::snippet;
 use super::unchecked::unchecked;
-use super::{View, printable, verdict};
-use crate::diag::{Finding, Outcome};
+use super::{View, count, printable, verdict};
+use crate::diag::{Finding, Level, Outcome};
 
 /// Columns of quoted source lines.
 const WIDTH: usize = 100;
@@ -29,24 +30,52 @@ pub fn summary(outcome: &Outcome, view: &View<'_>, room: usize) -> String {
         return if text.len() <= room { text } else { String::new() };
     }
     let all = outcome.findings.iter().collect::<Vec<_>>();
-    let body = blocks(&all);
-    let length = |blocks: &[String]| blocks.iter().map(String::len).sum::<usize>();
-    if length(&body) <= room - fixed {
-        body.iter().for_each(|block| text.push_str(block));
+    let body = Body::of(&all);
+    if body.length() <= room - fixed {
+        text.push_str(&body.text());
     } else {
         let mut gravest = all;
         gravest.sort_by_key(|finding| std::cmp::Reverse(finding.level));
         let kept = fitting(&blocks(&gravest), room - fixed);
         gravest.truncate(kept);
-        blocks(&gravest).iter().for_each(|block| text.push_str(block));
+        text.push_str(&Body::of(&gravest).text());
         text.push_str(&left_out(outcome.findings.len() - kept));
     }
     text.push_str(&tail);
     text
 }
 
+/// The findings: errors and warnings, and infos to be unfolded.
+struct Body {
+    loud: Vec<String>,
+    infos: Vec<String>,
+    count: usize,
+}
+
+impl Body {
+    fn of(findings: &[&Finding]) -> Self {
+        let (infos, loud): (Vec<&Finding>, Vec<&Finding>) =
+            findings.iter().copied().partition(|finding| finding.level == Level::Info);
+        let ordered = |findings: &[&Finding]| blocks(&by_file(findings).concat());
+        Self { loud: ordered(&loud), infos: ordered(&infos), count: infos.len() }
+    }
+
+    fn length(&self) -> usize {
+        self.loud.iter().chain(&self.infos).map(String::len).sum()
+    }
+
+    fn text(&self) -> String {
+        let loud = self.loud.concat();
+        if self.infos.is_empty() {
+            return loud;
+        }
+        let title = count(self.count, "info");
+        format!("{loud}\n<details><summary>{title}</summary>\n{}\n</details>\n", self.infos.concat())
+    }
+}
+
 fn left_out(number: usize) -> String {
-    format!("\n**{number} findings more** do not fit here; the gravest are shown, the other reports list all.\n")
+    format!("\n**{number} more findings** do not fit here; the gravest are shown, the other reports list all.\n")
 }
 
 /// How many blocks fit, from the first on.
@@ -79,7 +108,7 @@ fn head(outcome: &Outcome, view: &View<'_>) -> String {
         verdict::files(summary),
     );
     let roots: Vec<String> = verdict::roots(outcome).iter().map(|root| inline(&printable(root))).collect();
-    let checked = if roots.is_empty() { String::new() } else { format!("\nJudged: {}\n", roots.join(", ")) };
+    let checked = if roots.is_empty() { String::new() } else { format!("\nChecked: {}\n", roots.join(", ")) };
     table + &checked
 }
 
@@ -181,7 +210,7 @@ fn escape(words: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diag::{Level, Place, RuleInfo};
+    use crate::diag::{Place, RuleInfo};
 
     #[test]
     fn words_stay_words() {
@@ -215,7 +244,7 @@ mod tests {
         assert!(some.len() <= room && some.len() > room / 2, "{} of {room}", some.len());
         assert_eq!(some.matches("**error**").count(), 10);
         let left = 90 - some.matches("**info**").count();
-        assert!(some.contains(&format!("**{left} findings more**")), "{some}");
+        assert!(some.contains(&format!("**{left} more findings**")), "{some}");
         assert_eq!(summary(&outcome(100), &View::PLAIN, 10), "");
     }
 }

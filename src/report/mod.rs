@@ -1,6 +1,7 @@
 //! An outcome as text. One file a format; no writer computes, sorts or reads anything.
 
 mod concise;
+mod files;
 mod github;
 mod gitlab;
 mod html;
@@ -48,6 +49,10 @@ pub struct View<'a> {
     pub width: usize,
     /// Leave out everything but findings and verdict.
     pub quiet: bool,
+    /// Show every finding with everything that is known of it, in the report for people.
+    pub full: bool,
+    /// Show how many findings each rule has instead of the findings, in the report for people.
+    pub statistics: bool,
     /// Declared halves of all rules.
     pub rules: &'a [&'a RuleInfo],
 }
@@ -63,6 +68,8 @@ impl View<'static> {
         unicode: false,
         width: 80,
         quiet: false,
+        full: false,
+        statistics: false,
         rules: &[],
     };
 }

@@ -23,20 +23,20 @@ pub(super) fn step(step: &FailedStep) -> String {
 /// One sentence, not made harmless yet.
 pub fn note(note: &Note) -> String {
     match note {
-        Note::SystemIsChecked { path } => format!("`--system` names the data to judge itself; {path} is judged"),
+        Note::SystemIsChecked { path } => format!("`--system` names the checked folder itself; {path} is checked"),
         Note::Compared { with, gone } => {
             let gone = match gone {
                 0 => String::new(),
-                1 => "; 1 finding is gone".to_owned(),
-                more => format!("; {more} findings are gone"),
+                1 => "; 1 finding no longer occurs".to_owned(),
+                more => format!("; {more} findings no longer occur"),
             };
-            format!("compared with `{with}`: only what is new or worse is told{gone}")
+            format!("compared with `{with}`: only new or worse findings are reported{gone}")
         }
         Note::SettingsChanged { path } => {
-            format!("`{path}` changed; both sides were checked with it as it is now")
+            format!("`{path}` changed; both sides were checked with its current settings")
         }
         Note::Unfinished { turns } => {
-            format!("fixes did not come to an end in {turns} turns; run mhlint again for the rest")
+            format!("fixes did not settle in {turns} rounds; run mhlint again for the rest")
         }
     }
 }

@@ -42,7 +42,7 @@ pub(super) fn lines(finding: &Finding) -> Vec<Line> {
 /// Which option fixes it, and how.
 pub(super) fn fixed_by(fix: &Fix) -> String {
     let option = if fix.kind == FixKind::Safe { "`--fix`" } else { "`--fix --unsafe-fixes`" };
-    format!("{option} mends it: {}", fix.title)
+    format!("{} ({option})", fix.title)
 }
 
 /// What is wrong; how much of it is new, or how many of the files that have it are ignored.
@@ -55,7 +55,7 @@ pub(super) fn message(finding: &Finding) -> Cow<'_, str> {
         }
         (_, Some(IgnoredFiles { files, of })) => {
             let count = files.len();
-            Cow::Owned(format!("{message}; {count} of these {of} files {} muted", be(count as u64)))
+            Cow::Owned(format!("{message}; {count} of these {of} files {} ignored", be(count as u64)))
         }
         _ => Cow::Borrowed(message),
     }
@@ -122,6 +122,12 @@ pub(super) fn bare_place(location: &Location) -> Option<String> {
     let pointer = location.pointer.clone().filter(|pointer| line.is_none() && !pointer.is_empty());
     let parts: Vec<String> = [line, element, pointer].into_iter().flatten().collect();
     (!parts.is_empty()).then(|| parts.join(", "))
+}
+
+/// `path:line:column: level[rule] message`.
+pub(super) fn one_line(finding: &Finding) -> String {
+    let place = format!("{}{}", printable(&finding.path), colons(&finding.location));
+    format!("{place}: {}[{}] {}", finding.level, finding.rule, printable(&message(finding)))
 }
 
 /// `:line:column` behind a path.

@@ -26,21 +26,21 @@ fn clause(entry: &NotChecked) -> String {
         Unchecked::Kind => format!("{} (no rules yet)", by_extension(entry)),
         Unchecked::Application => {
             let application = entry.application.map_or_else(String::new, |application| format!("{application} "));
-            format!("{application}data, {files} (this version does not check them yet)")
+            format!("{files} of {application}data (not supported yet)")
         }
         Unchecked::NoBaseMesh => format!(
-            "vertex numbers in {} (no base mesh; use `--system`, and `--base` for files outside of data folders)",
+            "vertex numbers in {} (no base mesh; use `--system`, and `--base` for files outside data folders)",
             by_extension(entry)
         ),
-        Unchecked::NoSystem => format!("{} (looked for in the system data; use `--system`)", names(entry)),
-        Unchecked::Closed => format!("what is in {} (cannot be listed)", names(entry)),
+        Unchecked::NoSystem => format!("{} (expected in the system data; use `--system`)", names(entry)),
+        Unchecked::Closed => format!("the contents of {} (cannot be listed)", names(entry)),
         Unchecked::TooManyMacros => {
-            format!("all that the macros of {} do (more of them than can be compared or tried)", names(entry))
+            format!("all effects of the macros of {} (too many to compare or try)", names(entry))
         }
         Unchecked::Evaluation => {
-            format!("some of what sliders make of {} (more than is evaluated of one base mesh)", names(entry))
+            format!("some effects of sliders on {} (over the limit for one base mesh)", names(entry))
         }
-        Unchecked::NotCompared => format!("whether findings in {files} are new (former contents are not at hand)"),
+        Unchecked::NotCompared => format!("whether findings in {files} are new (previous contents are not available)"),
     }
 }
 
@@ -98,7 +98,7 @@ mod tests {
 
     #[test]
     fn one_name_stands_alone() {
-        assert_eq!(line(Unchecked::Closed, &["a/b"]), "Not checked: what is in `a/b` (cannot be listed).");
+        assert_eq!(line(Unchecked::Closed, &["a/b"]), "Not checked: the contents of `a/b` (cannot be listed).");
         let two = line(Unchecked::NoSystem, &["a/b", "a/c"]);
         assert!(two.starts_with("Not checked: 2 names such as `a/b`"), "{two}");
     }

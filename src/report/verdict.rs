@@ -1,4 +1,4 @@
-//! The last lines: what was looked at, and one sentence that says how it ended.
+//! The last lines: what was checked, and one sentence that says how it ended.
 
 use super::{Paint, View, count, hang, phrase, printable};
 use crate::diag::{Application, Finding, Level, Outcome, Scope, Summary, Unchecked};
@@ -24,15 +24,13 @@ pub(super) fn tally(outcome: &Outcome) -> String {
 /// How many findings are hidden, and by what.
 pub(super) fn hidden(outcome: &Outcome) -> impl Iterator<Item = (usize, &'static str)> {
     let known = outcome.in_baseline;
-    let all = [(known, "in the baseline"), (outcome.summary.suppressed.saturating_sub(known), "muted")];
+    let all = [(known, "in the baseline"), (outcome.summary.suppressed.saturating_sub(known), "ignored")];
     all.into_iter().filter(|(number, _)| *number > 0)
 }
 
-/// `29 findings in the baseline and 1 finding muted`.
-fn beside(outcome: &Outcome) -> String {
-    let parts: Vec<String> =
-        hidden(outcome).map(|(number, what)| format!("{} {what}", count(number, "finding"))).collect();
-    parts.join(" and ")
+/// `29 in the baseline and 1 ignored`.
+fn apart_from(outcome: &Outcome) -> String {
+    hidden(outcome).map(|(number, what)| format!("{number} {what}")).collect::<Vec<_>>().join(" and ")
 }
 
 /// `86 files (344.3 kB)`.
@@ -78,48 +76,52 @@ pub(super) fn first_errors(outcome: &Outcome) -> Vec<String> {
 
 /// The verdict without colour or line breaks.
 pub(super) fn words(outcome: &Outcome, view: &View<'_>) -> String {
-    let summary = &outcome.summary;
     if !outcome.is_whole() {
-        return "No verdict: mhlint itself failed on these data.".to_owned();
+        return "No verdict: mhlint itself failed on this data.".to_owned();
     }
     if !outcome.checked_anything() {
         let what = outcome.nothing_in.first().and_then(|first| first.what);
         return format!("Nothing was checked: {}.", why_nothing(outcome, what));
     }
-    let only = only(outcome);
     let gone = gone(outcome);
-    if let (true, Some(compared)) = (outcome.findings.is_empty(), &outcome.compared) {
-        return format!("Nothing new found{only}, compared with `{}`.{gone}", printable(&compared.with));
-    }
-    if outcome.findings.is_empty() && summary.suppressed > 0 {
-        return format!("Nothing found{only} beside {}.", beside(outcome));
-    }
-    if outcome.findings.is_empty() && !only.is_empty() {
-        return format!("Nothing found{only}; what else there is was left out.");
-    }
-    if outcome.findings.is_empty() {
-        let who = applications(outcome, &[]);
-        let (where_, all) =
-            if outcome.not_checked.is_empty() { ("", "all of it") } else { (" in what was checked", "it") };
-        return format!("Nothing found{where_}: as far as the rules reach, {who} loads {all} as it was written.");
-    }
-    let harm = harm(outcome);
-    let new = if outcome.compared.is_some() { " new" } else { "" };
+    let Some(gravest) = Gravest::of(&outcome.findings) else {
+        return match outcome.nothing_in.first() {
+            Some(first) if !view.pass => format!("No findings, but nothing was checked in `{}`.{gone}", first.path),
+            _ => format!("Passed: {}.{gone}", nothing_found(outcome)),
+        };
+    };
+    let (number, harm, also) = (gravest.number(outcome), gravest.harm(outcome), gravest.also());
+    // Settings concern no application: what is said then is that nothing else was found.
+    let [failed, passed] = match (gravest.findings.is_empty(), gravest.level) {
+        (true, _) => ["; ", "; "],
+        (_, Level::Info) => [", ", ": "],
+        _ => [". ", ": "],
+    };
     if !view.pass {
-        return format!("Failed. {harm}{}{gone}", too_many(outcome, view));
+        return format!("Failed: {number}{failed}{harm}.{also}{}{gone}", too_many(outcome, view));
     }
-    match view.fail_on {
-        Some(limit) => format!("Passed: nothing{new} at or above {limit}. {harm}{gone}"),
-        None => format!("Passed, whatever was found (`fail-on` is never). {harm}{gone}"),
-    }
+    let whatever = if view.fail_on.is_none() { " (`fail-on` is `never`)" } else { "" };
+    format!("Passed with {number}{whatever}{passed}{harm}.{also}{gone}")
 }
 
-/// ` 3 findings are gone.`
+/// `no findings`, and where or apart from what.
+fn nothing_found(outcome: &Outcome) -> String {
+    let only = only(outcome);
+    if let Some(compared) = &outcome.compared {
+        return format!("no new findings{only}, compared with `{}`", printable(&compared.with));
+    }
+    if outcome.summary.suppressed > 0 {
+        return format!("no findings{only} apart from {}", apart_from(outcome));
+    }
+    if only.is_empty() { "no findings".to_owned() } else { format!("no findings{only}; everything else was left out") }
+}
+
+/// ` 3 findings no longer occur.`
 fn gone(outcome: &Outcome) -> String {
     match outcome.compared.as_ref().map_or(0, |compared| compared.gone) {
         0 => String::new(),
-        1 => " 1 finding is gone.".to_owned(),
-        more => format!(" {more} findings are gone."),
+        1 => " 1 finding no longer occurs.".to_owned(),
+        more => format!(" {more} findings no longer occur."),
     }
 }
 
@@ -129,11 +131,11 @@ pub(crate) fn why_nothing(outcome: &Outcome, what: Option<Unchecked>) -> String 
         Some(Unchecked::Application) => {
             let others = outcome.roots.iter().filter(|root| !root.checked);
             let others: Vec<Application> = others.map(|root| root.application).collect();
-            format!("this version does not check data of {} yet", titles(&others))
+            format!("this version cannot check {} data yet", titles(&others))
         }
-        Some(_) => "no rule is about files of these kinds yet".to_owned(),
+        Some(_) => "there are no rules for files of these kinds yet".to_owned(),
         None => format!(
-            "no data of {} were found; give the folder that holds `base/`, `target/`, `contarget/` or `rigs/`",
+            "no {} data found; name the folder that contains `base/`, `target/`, `contarget/` or `rigs/`",
             titles(&outcome.looked_for)
         ),
     }
@@ -144,9 +146,9 @@ fn only(outcome: &Outcome) -> String {
     let Scope { paths, excluded, bases, rules, without } = &outcome.scope;
     let parts = [
         ("in", paths),
-        ("outside of", excluded),
-        ("on the base mesh", bases),
-        ("by the rules", rules),
+        ("outside", excluded),
+        ("for the base mesh", bases),
+        ("from the rules", rules),
         ("without the rules", without),
     ];
     let parts = parts.into_iter().filter(|(_, names)| !names.is_empty());
@@ -164,41 +166,66 @@ fn listed(names: &[String]) -> String {
     shown.join(", ") + &more
 }
 
-/// What the gravest findings on assets mean. Those on the settings of mhlint concern no application.
-fn harm(outcome: &Outcome) -> String {
-    let (settings, assets): (Vec<&Finding>, Vec<&Finding>) = outcome.findings.iter().partition(|one| one.is_upkeep());
-    let Some(worst) = assets.iter().map(|finding| finding.level).max() else {
-        let (found, only) = (about_settings(&settings), only(outcome));
-        let data = if only.is_empty() { " in the data" } else { &only };
-        return match (&outcome.compared, outcome.summary.suppressed) {
-            (Some(_), _) => format!("{found}; nothing new found{data}."),
-            (None, 0) => format!("{found}; nothing found{data}."),
-            (None, _) => format!("{found}; nothing found{data} beside {}.", beside(outcome)),
-        };
-    };
-    let gravest: Vec<&Finding> = assets.into_iter().filter(|finding| finding.level == worst).collect();
-    let who = applications(outcome, &gravest);
-    let number = count(gravest.len(), worst.word());
-    let harm = match worst {
-        Level::Error => format!("{number}: {who} would crash, or refuse or lose something."),
-        Level::Warning => format!("{number}: {who} loads it, but does something else than was written."),
-        Level::Info => format!("{number}: harmless in {who} today."),
-    };
-    let also: Vec<&Finding> = settings.into_iter().filter(|finding| finding.level >= worst).collect();
-    if also.is_empty() { harm } else { format!("{harm} Besides, {}.", about_settings(&also)) }
+/// The gravest findings on assets, or where there is none those on the settings of mhlint, which concern no application.
+struct Gravest<'a> {
+    level: Level,
+    findings: Vec<&'a Finding>,
+    /// Those on settings that are as grave.
+    settings: Vec<&'a Finding>,
 }
 
-/// `1 warning about the settings of mhlint`, by the gravest.
+impl<'a> Gravest<'a> {
+    fn of(findings: &'a [Finding]) -> Option<Self> {
+        let (settings, assets): (Vec<&Finding>, Vec<&Finding>) = findings.iter().partition(|one| one.is_upkeep());
+        let worst = |findings: &[&Finding]| findings.iter().map(|finding| finding.level).max();
+        let of_assets = worst(&assets);
+        let level = of_assets.or(worst(&settings))?;
+        let assets = assets.into_iter().filter(|finding| finding.level == level).collect();
+        let settings = settings.into_iter().filter(|finding| finding.level >= level).collect();
+        Some(Self { level, findings: assets, settings })
+    }
+
+    /// `2 new warnings`.
+    fn number(&self, outcome: &Outcome) -> String {
+        if self.findings.is_empty() {
+            return about_settings(&self.settings);
+        }
+        let new = if outcome.compared.is_some() { "new " } else { "" };
+        count(self.findings.len(), &format!("{new}{}", self.level))
+    }
+
+    /// What they mean, without a full stop.
+    fn harm(&self, outcome: &Outcome) -> String {
+        let who = applications(outcome, &self.findings);
+        match self.level {
+            _ if self.findings.is_empty() => nothing_found(outcome),
+            Level::Error => format!("{who} would crash, reject a file or lose data"),
+            Level::Warning => format!("{who} loads the data, but the result differs from the files"),
+            Level::Info => format!("harmless in {who} today"),
+        }
+    }
+
+    /// Those on settings, beside others.
+    fn also(&self) -> String {
+        match self.settings.as_slice() {
+            [] => String::new(),
+            _ if self.findings.is_empty() => String::new(),
+            settings => format!(" Also {}.", about_settings(settings)),
+        }
+    }
+}
+
+/// `1 warning about mhlint's settings`, by the gravest.
 fn about_settings(findings: &[&Finding]) -> String {
     let worst = findings.iter().map(|finding| finding.level).max().unwrap_or(Level::Info);
     let number = findings.iter().filter(|finding| finding.level == worst).count();
-    format!("{} about the settings of mhlint", count(number, worst.word()))
+    format!("{} about mhlint's settings", count(number, worst.word()))
 }
 
 fn too_many(outcome: &Outcome, view: &View<'_>) -> String {
     match view.max_warnings {
         Some(limit) if outcome.summary.warning > limit => {
-            format!(" More than the {} that `max-warnings` allows.", count(limit, "warning"))
+            format!(" `max-warnings` allows {limit}.")
         }
         _ => String::new(),
     }

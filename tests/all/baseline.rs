@@ -436,7 +436,7 @@ fn errors_hide_what_the_baseline_knows() {
         let broken = if file == MESH { &broken[2..] } else { &broken[..2] };
         for damage in broken {
             damage();
-            let text = stdout(&mhlint(root, &["--baseline", "known.json"]));
+            let text = stdout(&mhlint(root, &["--baseline", "known.json", "--full"]));
             assert!(
                 text.contains(&format!(" of {all} baseline entries w")) && text.contains(" not found again"),
                 "{text}"
@@ -499,11 +499,11 @@ fn the_ignore_of_what_an_error_hides_is_not_to_be_removed() {
 #[test]
 fn reports_tell_what_is_known_from_what_is_ignored() {
     let repository = known_and_ignored();
-    let verdict = "Nothing found beside 1 finding in the baseline and 1 finding muted.";
+    let verdict = "Passed: no findings apart from 1 in the baseline and 1 ignored.";
     for (format, counts) in [
-        ("human", "0 infos, 1 in the baseline, 1 muted in "),
-        ("markdown", "| errors | warnings | infos | in the baseline | muted | files |"),
-        ("html", ", 1 finding in the baseline, 1 finding muted"),
+        ("human", "0 infos, 1 in the baseline, 1 ignored in "),
+        ("markdown", "| errors | warnings | infos | in the baseline | ignored | files |"),
+        ("html", ", 1 finding in the baseline, 1 finding ignored"),
     ] {
         let text = words(repository.path(), format);
         assert!(text.contains(counts) && text.contains(verdict), "{text}");

@@ -15,7 +15,7 @@ fn code(output: &Output) -> Option<i32> {
 fn a_faultless_repository_exits_0_and_says_nothing_on_stderr() {
     let output = mhlint(&project("fixtures/makehuman2"), &[]);
     assert_eq!((code(&output), stderr(&output).as_str()), (Some(0), ""));
-    assert!(stdout(&output).contains("Nothing found"), "{}", stdout(&output));
+    assert!(stdout(&output).contains("Passed: no findings"), "{}", stdout(&output));
 }
 
 #[test]
@@ -44,7 +44,7 @@ fn max_warnings_bounds_the_warnings() {
     assert_eq!(code(&mhlint(repository.path(), &[&args[..], &["1"]].concat())), Some(0));
     let output = mhlint(repository.path(), &[&args[..], &["0"]].concat());
     assert_eq!(code(&output), Some(1));
-    assert!(stdout(&output).contains("More than the 0 warnings that `max-warnings` allows."), "{}", stdout(&output));
+    assert!(stdout(&output).contains("`max-warnings` allows 0."), "{}", stdout(&output));
 }
 
 #[test]
@@ -57,12 +57,60 @@ fn only_skip_and_level_off_silence_a_rule() {
 }
 
 #[test]
+fn a_family_is_named_by_its_name() {
+    let repository = broken();
+    let found = |args: &[&str]| stdout(&mhlint(repository.path(), &[args, &["--report", "concise"]].concat()));
+    assert!(found(&["--only", "macro"]).contains("[macro-steps-length]"));
+    assert!(!found(&["--skip", "macro"]).contains("[macro-"));
+    assert!(found(&["--level", "macro=info"]).contains("info[macro-steps-length]"));
+    assert_refused(&mhlint(repository.path(), &["--only", "makro"]), &["makro"]);
+}
+
+#[test]
+fn options_of_other_linters_are_answered_with_ours() {
+    for (args, own) in [
+        (&["--json"][..], "--report json"),
+        (&["--format", "json"], "--report FORMAT"),
+        (&["--output", "x"], "--report FORMAT=FILE"),
+        (&["--select", "macro"], "--only RULE"),
+    ] {
+        assert_refused(&mhlint(&project("fixtures/makehuman2"), args), &[own]);
+    }
+}
+
+#[test]
+#[cfg(unix)]
+fn behind_a_link_into_a_data_root_files_have_their_real_names() {
+    let repository = broken();
+    let root = repository.path();
+    fs::create_dir(root.join("sub")).unwrap();
+    std::os::unix::fs::symlink("../data/target", root.join("sub/link")).unwrap();
+    fs::write(root.join("data/mhlint.toml"), "skip = [\"json\"]\n").unwrap();
+    let text = stdout(&mhlint(root, &["sub/link", "--report", "concise"]));
+    assert!(text.contains("\ndata/target/figure/macro.json:") || text.starts_with("data/target/figure/"), "{text}");
+    let settings = stdout(&mhlint(root, &["config", "sub/link"]));
+    assert!(settings.starts_with("# ") && settings.contains("/data/mhlint.toml"), "{settings}");
+}
+
+#[test]
+fn help_is_short_or_long() {
+    let [short, long] = ["-h", "--help"].map(|option| stdout(&mhlint(&project("fixtures"), &[option])));
+    for heading in ["Input:", "Rules:", "Only new findings:", "Fixes:", "Output:"] {
+        assert!(short.contains(heading) && long.contains(heading), "{heading}\n{short}");
+    }
+    assert!(long.lines().count() > short.lines().count() + 20);
+    assert!(long.contains("Exit codes:") && !short.contains("Exit codes:"));
+    let wide: Vec<&str> = short.lines().filter(|line| line.len() > 110).collect();
+    assert_eq!(wide, Vec::<&str>::new());
+}
+
+#[test]
 fn nothing_to_check_exits_3_and_says_what_to_give() {
     let folder = tempfile::tempdir().unwrap();
     let output = mhlint(folder.path(), &[]);
     assert_eq!((code(&output), stdout(&output).as_str()), (Some(3), ""));
     assert!(stderr(&output).contains("nothing was checked in `.`"), "{}", stderr(&output));
-    assert!(stderr(&output).contains("give the folder"), "{}", stderr(&output));
+    assert!(stderr(&output).contains("name the folder"), "{}", stderr(&output));
 }
 
 #[test]
@@ -124,7 +172,7 @@ fn loose_assets_are_named_as_they_lie() {
 fn system_data_given_to_be_checked_are_checked() {
     let output = mhlint(&project("fixtures/makehuman2"), &["data", "--system", "./data/"]);
     assert_eq!(code(&output), Some(0), "{}", stderr(&output));
-    assert!(stdout(&output).contains("names the data to judge itself"), "{}", stdout(&output));
+    assert!(stdout(&output).contains("names the checked folder itself"), "{}", stdout(&output));
 }
 
 #[test]
@@ -232,7 +280,7 @@ fn two_reports_one_to_a_file() {
     let repository = broken();
     let output = mhlint(repository.path(), &["--report", "human", "--report", "concise=out.txt"]);
     assert_eq!(code(&output), Some(1));
-    assert!(stdout(&output).contains("Failed."));
+    assert!(stdout(&output).contains("Failed:"));
     let file = fs::read_to_string(repository.path().join("out.txt")).unwrap();
     assert!(file.contains("error[macro-steps-length]") && file.contains("fail: "), "{file}");
 }
@@ -292,15 +340,15 @@ fn notes_go_to_stderr_for_programs_and_into_the_human_report() {
     fs::create_dir_all(repository.path().join("other/targets")).unwrap();
     fs::write(repository.path().join("other/targets/target.json"), "{}").unwrap();
     let human = mhlint(repository.path(), &[]);
-    assert!(stdout(&human).contains("MPFB data, 1 file (this version"), "{}", stdout(&human));
+    assert!(stdout(&human).contains("1 file of MPFB data (not supported"), "{}", stdout(&human));
     assert_eq!(stderr(&human), "");
     let gitlab = mhlint(repository.path(), &["--report", "gitlab"]);
-    assert!(stderr(&gitlab).contains("MPFB data, 1 file (this version"), "{}", stderr(&gitlab));
+    assert!(stderr(&gitlab).contains("1 file of MPFB data (not supported"), "{}", stderr(&gitlab));
     assert!(!stdout(&gitlab).contains("MPFB"));
     let concise = mhlint(repository.path(), &["--report", "concise"]);
     assert_eq!(stderr(&concise), "");
     assert!(
-        stdout(&concise).contains("not checked: 4 .json, 2 .mhm (no rules yet); MPFB data"),
+        stdout(&concise).contains("not checked: 4 .json, 2 .mhm (no rules yet); 1 file of MPFB data"),
         "{}",
         stdout(&concise)
     );
@@ -311,7 +359,7 @@ fn notes_go_to_stderr_for_programs_and_into_the_human_report() {
 fn quiet_leaves_findings_and_verdict() {
     let output = mhlint(broken().path(), &["--quiet", "--only", "macro-steps-length"]);
     let text = stdout(&output);
-    assert!(text.contains("error[macro-steps-length]") && text.contains("Failed."), "{text}");
+    assert!(text.contains("error[macro-steps-length]") && text.contains("Failed:"), "{text}");
     assert!(!text.contains("more: mhlint explain") && !text.contains(" files ("), "{text}");
 }
 
@@ -410,7 +458,7 @@ fn explain_shows_the_change_and_the_finding() {
     for line in [
         "    - \"steps\": [0.0, 0.25, 0.5, 1.0]",
         "    + \"steps\": [0.0, 0.25, 0.5, 0.75, 1.0]",
-        "MakeHuman 2: stops with an IndexError",
+        "MakeHuman 2: crashes with `IndexError`",
         "component `age` has 4 values but 5 steps",
     ] {
         assert!(text.contains(line), "no `{line}` in:\n{text}");
@@ -630,20 +678,20 @@ fn the_verdict_claims_no_more_than_was_reported() {
     for (args, said) in [
         (
             &["data/target/figure/head"][..],
-            "Nothing found in `data/target/figure/head`; what else there is was left out.",
+            "Passed: no findings in `data/target/figure/head`; everything else was left out.",
         ),
-        (&["--only", "json-*"], "Nothing found by the rules `json-*`; what else there is was left out."),
-        (&["--skip", "macro-*"], "Nothing found without the rules `macro-*`; what else there is was left out."),
-        (&["--level", "macro-*=off"], "Nothing found without the rules `macro-*`; what else there is was left out."),
+        (&["--only", "json-*"], "Passed: no findings from the rules `json-*`; everything else was left out."),
+        (&["--skip", "macro-*"], "Passed: no findings without the rules `macro-*`; everything else was left out."),
+        (&["--level", "macro-*=off"], "Passed: no findings without the rules `macro-*`; everything else was left out."),
         (
             &["data/rigs", "--base", "figure", "--only", "json-*"],
-            "Nothing found in `data/rigs` on the base mesh `figure` by the rules `json-*`; what else there is was left out.",
+            "Passed: no findings in `data/rigs` for the base mesh `figure` from the rules `json-*`; everything else was left out.",
         ),
     ] {
         assert!(verdict(args).starts_with(said), "{args:?}: {}", verdict(args));
     }
     fs::write(repository.path().join("mhlint.toml"), "select = [\"json-*\"]\n").unwrap();
-    assert!(verdict(&[]).contains("Nothing found by the rules `json-*`;"));
+    assert!(verdict(&[]).contains("Passed: no findings from the rules `json-*`;"));
 }
 
 /// Applies what `--diff` shows in `folder` with a program that reads patches from standard input.

@@ -80,7 +80,7 @@ fn what_was_there_before_is_not_shown() {
     fs::write(root.join("notes.txt"), "nothing to do with the data").unwrap();
     assert_shown(&check(root, &["--since", "HEAD"]), 0, &[], &[OLD]);
     let human = mhlint(root, &["check", ".", "--no-eval", "--since", "HEAD"]);
-    assert!(stdout(&human).contains("Nothing new found, compared with `HEAD`."), "{}", stdout(&human));
+    assert!(stdout(&human).contains("no new findings, compared with `HEAD`."), "{}", stdout(&human));
     assert_eq!(report(root, &["--since", "HEAD"])["compared"], serde_json::json!({"with": "HEAD", "gone": 0}));
     assert_eq!(report(root, &[])["compared"], serde_json::Value::Null);
 }
@@ -95,7 +95,7 @@ fn what_is_gone_is_counted() {
     let compared = &report(root, &["--since", "main"])["compared"];
     assert_eq!(*compared, serde_json::json!({"with": "main", "gone": 1}));
     let human = mhlint(root, &["check", ".", "--no-eval", "--since", "main"]);
-    let said = "Nothing new found, compared with `main`. 1 finding is gone.";
+    let said = "no new findings, compared with `main`. 1 finding no longer occurs.";
     assert!(stdout(&human).contains(said), "{}", stdout(&human));
 }
 

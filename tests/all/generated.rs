@@ -94,6 +94,8 @@ fn the_sample_of_the_readme_is_what_a_terminal_shows() {
         unicode: true,
         width: 80,
         quiet: false,
+        full: false,
+        statistics: false,
         rules: &mhlint::rule_infos(),
     };
     let mut sample = Vec::new();

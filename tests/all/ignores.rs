@@ -85,7 +85,7 @@ fn what_several_files_have_is_ignored_when_it_is_for_all_of_them() {
         for (config, commented) in [(ignore_of(one), vec![]), (String::new(), vec![one]), (config_for(one), vec![])] {
             let told = told(repository(&config, &commented).path());
             let [line] = told.as_slice() else { panic!("{one} {config}: {told:#?}") };
-            assert!(line.contains("1 of these 2 files is muted"), "{line}");
+            assert!(line.contains("1 of these 2 files is ignored"), "{line}");
         }
     }
     for (config, commented) in [(ignore_of(A), vec![B]), (String::new(), vec![A, B]), (config_for(B), vec![A])] {
@@ -144,7 +144,7 @@ fn a_folder_is_ignored_by_its_files() {
         found.into_iter().filter(|line| line.contains("[target-unreferenced]") || line.contains("[config-")).collect()
     };
     let some: Vec<String> = told("", [comment, "", comment]);
-    assert!(some.len() == 1 && some[0].ends_with("; 2 of these 3 files are muted"), "{some:#?}");
+    assert!(some.len() == 1 && some[0].ends_with("; 2 of these 3 files are ignored"), "{some:#?}");
     assert_eq!(told(ignore, [""; 3]), [""; 0]);
     assert_eq!(told("", [comment; 3]), [""; 0]);
 }

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-use crate::scratch::{command, edit, example, lose_a_step, mhlint, project, stderr, stdout};
+use crate::scratch::{assert_refused, command, edit, example, lose_a_step, mhlint, project, stderr, stdout};
 use serde_json::Value;
 
 /// A copy of the example repository with two errors in two files.
@@ -88,14 +88,14 @@ fn human_report_shows_source_consequence_and_help() {
     for part in [
         "data/target/figure/macro.json\n",
         "  error[macro-steps-length] component `age` has 4 values but 5 steps",
-        "MakeHuman 2: stops with an IndexError",
+        "MakeHuman 2: crashes with `IndexError`",
         "[data/target/figure/macro.json:11:22]",
         "11 |",
         "^^^^",
-        "  help: name a value for every step",
+        "  help: add a value for every step",
         "  more: mhlint explain macro-steps-length",
         "1 error, 0 warnings, 0 infos in ",
-        "Failed. 1 error: MakeHuman 2 would",
+        "Failed: 1 error. MakeHuman 2 would",
     ] {
         assert!(text.contains(part), "no `{part}` in:\n{text}");
     }
@@ -110,10 +110,44 @@ fn human_report_fits_eighty_columns_and_ascii_when_piped() {
 }
 
 #[test]
+fn human_report_begins_with_the_gravest_and_ends_with_a_line_for_each_info() {
+    let repository = broken();
+    edit(repository.path(), "data/target/figure/head/head-oval.target", "340 -.001 .001 .001", "340 0 0 0");
+    let text = run(repository.path(), &[]);
+    let at = |part: &str| text.find(part).unwrap_or_else(|| panic!("no `{part}` in:\n{text}"));
+    assert!(at("error[macro-steps-length]") < at("1 info (harmless today;"));
+    assert!(text.contains("\n  data/target/figure/head/head-oval.target:6:1: info[target-zero-delta] "), "{text}");
+    assert!(!text.contains("explain target-zero-delta"), "{text}");
+    let full = run(repository.path(), &["--full"]);
+    assert!(full.contains("explain target-zero-delta") && !full.contains("harmless today;"), "{full}");
+}
+
+#[test]
+fn statistics_count_the_findings_of_each_rule() {
+    let text = run(broken().path(), &["--statistics"]);
+    let row = text.lines().find(|line| line.contains("macro-steps-length")).unwrap();
+    let words: Vec<&str> = row.split_whitespace().take(3).collect();
+    assert_eq!(words, ["1", "error", "macro-steps-length"]);
+    assert!(!text.contains("help:") && text.contains("Failed: "), "{text}");
+    let refused = mhlint(broken().path(), &["--statistics", "--report", "json"]);
+    assert_refused(&refused, &["--statistics", "--report human"]);
+}
+
+#[test]
+fn markdown_folds_infos() {
+    let repository = broken();
+    edit(repository.path(), "data/target/figure/head/head-oval.target", "340 -.001 .001 .001", "340 0 0 0");
+    let text = run(repository.path(), &["--report", "markdown"]);
+    let (loud, folded) = text.split_once("<details><summary>1 info</summary>\n").unwrap();
+    assert!(loud.contains("macro-steps-length") && !loud.contains("target-zero-delta"), "{text}");
+    assert!(folded.contains("target-zero-delta") && folded.contains("</details>"), "{text}");
+}
+
+#[test]
 fn human_report_names_what_passes() {
     let level = "macro-steps-length=warning";
     let text = run(broken().path(), &["--only", "macro-steps-length", "--level", level]);
-    assert!(text.contains("Passed: nothing at or above error. 1 warning:"), "{text}");
+    assert!(text.contains("Passed with 1 warning:"), "{text}");
 }
 
 #[test]
@@ -141,7 +175,7 @@ fn long_lists_are_cut_with_a_word_on_the_rest() {
     }
     let text = run(repository.path(), &["--only", "target-breaks-start"]);
     assert_eq!(text.matches("error[target-breaks-start]").count(), 10, "{text}");
-    assert!(text.contains("and 4 more like it: `--only target-breaks-start --report concise` lists all"), "{text}");
+    assert!(text.contains("and 4 more like it; `--only target-breaks-start --full` shows all"), "{text}");
     assert!(text.contains("14 errors, "), "{text}");
 }
 
@@ -272,11 +306,11 @@ fn the_verdict_on_settings_says_nothing_of_an_application() {
     let ignore = "[[ignore]]\nrule = \"macro-steps-length\"\npath = \"**\"\nreason = \"once\"\n";
     fs::write(repository.path().join("mhlint.toml"), ignore).unwrap();
     let last = |args: &[&str]| run(repository.path(), args).lines().rev().nth(1).unwrap().to_owned();
-    let text = "Failed. 1 warning about the settings of mhlint; nothing found in the data.";
+    let text = "Failed: 1 warning about mhlint's settings; no findings.";
     assert_eq!(last(&["--fail-on", "warning"]), text);
     edit(repository.path(), "data/target/figure/head/head-oval.target", "339 0 .001 .001", "339 0 0 0");
     let text = run(repository.path(), &[]).replace('\n', " ");
-    assert!(text.contains("1 info: harmless in MakeHuman 2 today. Besides, 1 warning about the settings of"), "{text}");
+    assert!(text.contains("1 info: harmless in MakeHuman 2 today. Also 1 warning about mhlint's settings."), "{text}");
 }
 
 /// A copy of the example repository with `count` targets that cannot be read.
@@ -325,7 +359,7 @@ fn the_summary_of_a_github_step_stays_below_its_limit() {
     github_step(repository.path(), &summary);
     let text = fs::read_to_string(&summary).unwrap();
     assert!(text.len() > before + 4_000 && text.len() <= 1 << 20, "{}", text.len());
-    assert!(text.contains("findings more** do not fit here"), "{}", &text[before..]);
+    assert!(text.contains("more findings** do not fit here"), "{}", &text[before..]);
 }
 
 #[test]
@@ -400,6 +434,8 @@ fn markdown_holds_no_markup_from_assets() {
     let (mut shown, mut headings) = (String::new(), 0);
     for event in Parser::new_ext(&text, Options::all()) {
         match event {
+            // The one fold is ours.
+            Event::Html(html) if ["<details><summary>2 infos</summary>\n", "</details>\n"].contains(&&*html) => {}
             Event::Html(html) | Event::InlineHtml(html) => panic!("{html} in:\n{text}"),
             Event::Start(Tag::Link { .. } | Tag::Image { .. } | Tag::Emphasis) => panic!("{event:?} in:\n{text}"),
             Event::Start(Tag::Heading { .. }) => headings += 1,
@@ -408,7 +444,11 @@ fn markdown_holds_no_markup_from_assets() {
         }
     }
     let files: BTreeSet<String> = findings(repository.path()).iter().map(|one| one["path"].to_string()).collect();
-    assert_eq!(headings, files.len() + 2, "the title, and what was not checked: {text}");
+    assert_eq!(
+        headings,
+        files.len() + 3,
+        "the title, what was not checked, and macro.json once more for infos: {text}"
+    );
     assert!(shown.contains("</script><img src=x onerror=alert(1)>]]>\"'&amp;"), "{shown}");
     assert!(shown.contains("**b** [l](x) http://x.org"), "{shown}");
 }
@@ -431,18 +471,18 @@ fn html_holds_one_script_and_no_markup_from_assets() {
 fn html_shows_verdict_consequence_source_and_help() {
     let page = run(broken().path(), &["--report", "html", "--only", "macro-steps-length"]);
     for part in [
-        "<h1>Failed. 1 error: MakeHuman 2 would",
+        "<h1>Failed: 1 error. MakeHuman 2 would",
         "component <code>age</code> has 4 values but 5 steps",
-        "<dt>MakeHuman 2</dt><dd>stops with an IndexError",
+        "<dt>MakeHuman 2</dt><dd>crashes with <code>IndexError</code>",
         "<mark>[0.0, 0.25, 0.5, 0.75, 1.0]</mark>",
-        "<dt>What to do</dt><dd>name a value for every step",
+        "<dt>What to do</dt><dd>add a value for every step",
         "data/target/figure/macro.json:11:22",
         "id=\"rule-macro-steps-length\"",
     ] {
         assert!(page.contains(part), "no `{part}`");
     }
     let clean = run(&project("fixtures/makehuman2"), &["--report", "html"]);
-    assert!(clean.contains("<h1>Nothing found") && clean.contains("There are no findings."));
+    assert!(clean.contains("<h1>Passed: no findings") && clean.contains("There are no findings."));
 }
 
 #[test]
@@ -451,7 +491,7 @@ fn html_shows_the_fix() {
     let file = "data/target/figure/head/head-oval.target";
     edit(repository.path(), file, "339 0 .001 .001", "339 0 0 0");
     let page = run(repository.path(), &["--report", "html", "--only", "target-zero-delta"]);
-    assert!(page.contains("<dt>Fix</dt><dd><code>--fix</code> mends it: remove the rows</dd>"), "{page}");
+    assert!(page.contains("<dt>Fix</dt><dd>remove the rows (<code>--fix</code>)</dd>"), "{page}");
 }
 
 #[test]
@@ -459,7 +499,7 @@ fn the_end_of_a_long_report_names_the_first_errors() {
     let last = |count: usize| {
         let text = run(many(count).path(), &["--only", "target-breaks-start"]);
         let mut lines: Vec<String> =
-            text.split_once("\nFailed. ").unwrap().1.lines().skip(1).map(str::to_owned).collect();
+            text.split_once("\nFailed: ").unwrap().1.lines().skip(1).map(str::to_owned).collect();
         assert!(lines.pop().unwrap().starts_with("Not checked: "), "{text}");
         lines
     };

@@ -80,6 +80,46 @@ fn an_application_on_trial_is_not_checked_for_users() {
     assert!(rule_infos().iter().all(|rule| rule.family() != "catalog"));
 }
 
+/// `MakeHuman` 1 has no example repository yet.
+#[test]
+fn weights_are_checked_as_makehuman_1_reads_them() {
+    let weights = |pair: &str| format!(r#"{{"name": "w", "version": 1, "license": "CC0", "weights": {{{pair}}}}}"#);
+    let negative = weights(r#""root": [[0, 1], [1, 1.25], [2, 1]], "tip": [[1, -0.25]]"#);
+    let skeleton = |file: &str| {
+        let bone = r#"{"head": "a", "tail": "b", "parent": null}"#;
+        format!(
+            r#"{{"name": "rig", "weights_file": "{file}", "bones": {{"root": {bone}}}, "joints": {{"a": [0], "b": [1]}}}}"#
+        )
+    };
+    let files = [
+        ("modifiers/modeling_modifiers.json", "[]".to_owned()),
+        ("3dobjs/base.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\ng body\nf 1 2 3\n".to_owned()),
+        ("rigs/default.mhskel", skeleton("default_weights.mhw")),
+        ("rigs/other.mhskel", skeleton("data/rigs/sub/other.mhw")),
+        ("rigs/default_weights.mhw", negative.clone()),
+        ("rigs/sub/other.mhw", weights(r#""root": [[0, 1], [1, 1], [2, 1]]"#)),
+        ("rigs/old.mhw", negative.clone()),
+        (
+            "clothes/hat/hat.mhclo",
+            "name hat\nobj_file hat.obj\nvertexboneweights_file: old.mhw\nvertexboneweights_file hat.mhw\n".to_owned(),
+        ),
+        ("clothes/hat/hat.mhw", negative.clone()),
+        ("clothes/hat/old.mhw", negative),
+    ];
+    let tree = Tree::in_memory("", files.map(|(path, text)| (path.to_owned(), text.into_bytes())));
+    let config = mhlint::Config::default();
+    let outcome = trial::lint_trees(&[mhlint::Application::Makehuman1], vec![tree], None, &config).unwrap();
+    let expected = [
+        "clothes/hat/hat.mhw:1:76: warning[weights-above-one] vertex 1 has weight 1.25 in bone `root`, more than 1",
+        "clothes/hat/hat.mhw:1:104: error[weights-negative] vertex 1 has the negative weight -0.25 in bone `tip`",
+        "rigs/default_weights.mhw:1:76: warning[weights-above-one] vertex 1 has weight 1.25 in bone `root`, more than 1",
+        "rigs/default_weights.mhw:1:96: warning[weights-unknown-bone] the skeleton has no bone `tip`",
+        "rigs/default_weights.mhw:1:104: error[weights-negative] vertex 1 has the negative weight -0.25 in bone `tip`",
+        "rigs/old.mhw: warning[weights-unbound] no skeleton of base `hm08` uses these weights",
+    ];
+    assert_eq!(concise(&outcome), expected);
+}
+
 #[test]
 #[ignore = "needs the corpora: MHLINT_CORPORA=FOLDER cargo test -- --ignored"]
 fn the_catalogue_of_mpfb_is_whole() {

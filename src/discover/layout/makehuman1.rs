@@ -2,24 +2,18 @@
 
 use super::super::Kind;
 use super::super::kind::extension;
-use super::{HM08, Layout, Role, Sign};
+use super::{HM08, LIBRARIES, Layout, Role, Sign, WORN};
 use crate::diag::Application;
 
 pub(super) static LAYOUT: Layout = Layout {
     application: Application::Makehuman1,
     shape: "modifiers/*_modifiers.json",
     depth: 3,
-    folders: &[&["targets", "modifiers", "3dobjs", "proxymeshes", "custom"]],
+    folders: &[&["targets", "modifiers", "3dobjs", "custom"], &LIBRARIES, &WORN],
     sign,
     place,
-    reads_hidden: |_| false,
-    loose_place: |_, _| None,
     role: |below| Role::of_one(below, Application::Makehuman1, Kind::BaseMesh),
-    is_system_of_two: |_| false,
-    opens: |_| true,
-    scans: |_| false,
-    is_folder: |_, _| false,
-    misnamed: |_, _| None,
+    ..Layout::PLAIN
 };
 
 fn sign(parts: &[&str]) -> Option<(Sign, usize)> {
@@ -71,5 +65,12 @@ mod tests {
             assert_eq!((found.kind, found.owner.as_deref()), (kind, Some(HM08)), "{path}");
         }
         assert_eq!(LAYOUT.use_of("targets.npz").owner, None);
+    }
+
+    #[test]
+    fn a_path_in_a_library_knows_where_its_root_would_be() {
+        assert_eq!(LAYOUT.root_above("v1py3/data/hair/bob01/bob01.mhclo"), Some("v1py3/data"));
+        assert_eq!(LAYOUT.root_above("v1py3/data/proxymeshes/a"), Some("v1py3/data"));
+        assert_eq!(LAYOUT.root_above("v1py3/data/proxy/a"), None);
     }
 }

@@ -6,14 +6,14 @@ use std::collections::BTreeSet;
 
 use super::super::kind::extension;
 use super::super::{Candidate, Kind};
-use super::{HiddenPath, Layout, Role, Sign};
+use super::{HiddenPath, Layout, Role, Sign, WORN};
 use crate::diag::Application;
 
 pub(super) static LAYOUT: Layout = Layout {
     application: Application::Makehuman2,
     shape: "base/<name>/base.json",
     depth: 4,
-    folders: &[&SCANNED, &NOT_SCANNED],
+    folders: &[&WORN, &SCANNED, &NOT_SCANNED],
     sign,
     place,
     reads_hidden,
@@ -22,25 +22,17 @@ pub(super) static LAYOUT: Layout = Layout {
     is_system_of_two,
     opens: opened::opens,
     scans: opened::is_scanned,
+    single: opened::single,
     is_folder: opened::is_folder,
     misnamed: opened::misnamed,
 };
 
-/// Folders that the asset scan visits, with one level of folders below the base mesh.
-const SCANNED: [&str; 12] = [
-    "clothes",
-    "hair",
-    "eyes",
-    "eyebrows",
-    "eyelashes",
-    "teeth",
-    "tongue",
-    "proxy",
-    "rigs",
-    "poses",
-    "expressions",
-    "models",
-];
+/// Folders that the asset scan visits besides those of what is worn, with one level of folders below the base mesh.
+const SCANNED: [&str; 5] = ["proxy", "rigs", "poses", "expressions", "models"];
+
+fn is_scanned_folder(folder: &str) -> bool {
+    WORN.contains(&folder) || SCANNED.contains(&folder)
+}
 
 /// Folders with a folder for each base mesh that the scan leaves out.
 const NOT_SCANNED: [&str; 4] = ["target", "contarget", "base", "skins"];
@@ -116,7 +108,7 @@ fn reads_hidden(path: &HiddenPath<'_>) -> bool {
 
 /// The asset scan takes files by their suffix, hidden or not; macOS leaves such beside each of its own (§19).
 fn is_scanned_though_hidden(path: &HiddenPath<'_>) -> bool {
-    let Some(at) = path.visible.iter().rposition(|part| SCANNED.contains(part)) else { return false };
+    let Some(at) = path.visible.iter().rposition(|part| is_scanned_folder(part)) else { return false };
     let below = path.visible.get(at..).unwrap_or_default().join("/");
     !path.is_folder && path.name.starts_with('.') && opened::is_scanned(&format!("{below}/{}", path.name))
 }

@@ -35,11 +35,32 @@ pub(crate) struct Layout {
     pub opens: fn(&str) -> bool,
     /// Whether the scan of assets opens a file of this name.
     pub scans: fn(&str) -> bool,
+    /// What a file of this name is that shares its kind with others and not what becomes of them.
+    pub single: fn(&str) -> Option<Single>,
     /// Whether loaders list this path as a folder; the second says which names are those of base meshes.
     pub is_folder: fn(&str, Holds<'_>) -> bool,
     /// The path under which a file of this name but for its capitals is looked for, where nothing has that path; the
     /// second says what there is.
     pub misnamed: fn(&str, Holds<'_>) -> Option<String>,
+}
+
+/// Files that an application has a use of their own for, without a format of their own.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Single {
+    /// The names of what expressions are made of.
+    Expressions,
+    /// The same of poses.
+    Poses,
+    /// Any other JSON beside a base mesh.
+    BesideBase,
+    /// The version of the program.
+    Version,
+    /// What is known of shaders.
+    Shaders,
+    /// A selection that a window was left with.
+    SelectionFilter,
+    /// The ranges of the one base mesh that scripts know.
+    ScriptedRanges,
 }
 
 /// What is asked of a name or path.
@@ -86,7 +107,32 @@ struct HiddenPath<'p> {
 /// The base mesh of the applications that have but one.
 const HM08: &str = "hm08";
 
+/// Folders of what a body wears, of all applications.
+const WORN: [&str; 7] = ["clothes", "hair", "eyes", "eyebrows", "eyelashes", "teeth", "tongue"];
+
+/// Folders of other assets that `MakeHuman` 1 and MPFB both have.
+const LIBRARIES: [&str; 5] = ["proxymeshes", "rigs", "poses", "expressions", "skins"];
+
 impl Layout {
+    /// What layouts have that know of nothing else: no root, and nothing that is left out of one.
+    const PLAIN: Self = Self {
+        application: Application::Makehuman1,
+        shape: "",
+        depth: 0,
+        folders: &[],
+        sign: |_| None,
+        place: |_| (Kind::Other, None),
+        reads_hidden: |_| false,
+        loose_place: |_, _| None,
+        role: |_| Role::User,
+        is_system_of_two: |_| false,
+        opens: |_| true,
+        scans: |_| false,
+        single: |_| None,
+        is_folder: |_, _| false,
+        misnamed: |_, _| None,
+    };
+
     /// The layout of an application.
     pub(crate) const fn of(application: Application) -> &'static Self {
         match application {

@@ -2,24 +2,22 @@
 
 use super::super::Kind;
 use super::super::kind::extension;
-use super::{HM08, Layout, Role, Sign};
+use super::{HM08, LIBRARIES, Layout, Role, Sign, WORN};
 use crate::diag::Application;
 
 pub(super) static LAYOUT: Layout = Layout {
     application: Application::Mpfb,
     shape: "targets/target.json",
     depth: 3,
-    folders: &[&["targets", "3dobjs", "mesh_metadata", "ink_layers", "uv_layers", "packs", "custom"]],
+    folders: &[
+        &["targets", "3dobjs", "mesh_metadata", "ink_layers", "uv_layers", "packs", "custom"],
+        &LIBRARIES,
+        &WORN,
+    ],
     sign,
     place,
-    reads_hidden: |_| false,
-    loose_place: |_, _| None,
     role: |below| Role::of_one(below, Application::Mpfb, Kind::TargetCatalog),
-    is_system_of_two: |_| false,
-    opens: |_| true,
-    scans: |_| false,
-    is_folder: |_, _| false,
-    misnamed: |_, _| None,
+    ..Layout::PLAIN
 };
 
 fn sign(parts: &[&str]) -> Option<(Sign, usize)> {

@@ -91,7 +91,10 @@ fn open_above(path: &Path, place: &Path, here: &str, applications: &[Application
     let slashed_place = slashed(place);
     let root = applications.iter().find_map(|application| root_above(&slashed_place, Layout::of(*application)))?;
     let levels = place.strip_prefix(&root).ok()?.components().count();
-    let root_label = label_above(path, here, levels);
+    let written = label_above(path, here, levels);
+    // What lies above a link is not above what it leads to.
+    let leads_there = std::fs::canonicalize(named_or_here(&written)).is_ok_and(|real| real == root);
+    let root_label = if leads_there { written } else { label_of_real(&root) };
     let below = slashed(place.strip_prefix(&root).ok()?);
     let narrow = if root_label.is_empty() { below } else { format!("{root_label}/{below}") };
     let tree = Tree::on_disk(root_label, &root, is_read_though_hidden);
@@ -103,6 +106,16 @@ fn root_above(place: &str, layout: &Layout) -> Option<PathBuf> {
     let root = PathBuf::from(layout.root_above(place)?);
     let shallow = Tree::on_disk_to_depth(String::new(), &root, layout.depth, is_read_though_hidden);
     roots_of(&shallow, |_| true).contains_key("").then_some(root)
+}
+
+fn named_or_here(label: &str) -> &Path {
+    Path::new(if label.is_empty() { "." } else { label })
+}
+
+/// What is printed for a folder that no written path names: its path below the working directory, else all of it.
+fn label_of_real(folder: &Path) -> String {
+    let here = std::fs::canonicalize(".").ok();
+    slashed(here.and_then(|here| folder.strip_prefix(here).ok()).unwrap_or(folder))
 }
 
 /// What is printed for the folder `levels` above `path`.

@@ -4,8 +4,10 @@
 
 use serde_json::Value;
 
+use super::roots::use_of;
 use super::tolerance::{AT_THRESHOLD, Tolerance};
 use super::{CaseReport, Kind};
+use crate::discover::Kind::Weights;
 use crate::json::Node;
 
 /// A case against what the file says.
@@ -55,7 +57,7 @@ pub(super) fn compare(kind: &Kind, case: &Node, report: &CaseReport) -> Comparis
         differences: Vec::new(),
         failure: report.outputs.as_ref().err().map(ToString::to_string),
     };
-    let mut comparer = Comparer { kind, of_asset: is_asset_file(case), comparison };
+    let mut comparer = Comparer { kind, of_asset: is_of_asset(kind, case), comparison };
     if let Ok(found) = &report.outputs {
         match case.get("outputs").map(|node| node.plain(&Value::Null)) {
             Some(Value::Object(expected)) if !expected.is_empty() => {
@@ -75,10 +77,10 @@ pub(super) fn compare(kind: &Kind, case: &Node, report: &CaseReport) -> Comparis
     comparer.comparison
 }
 
-/// Weights in a file of an asset may have an entry more or less at the threshold.
-fn is_asset_file(case: &Node) -> bool {
+/// Weights for the mesh of an asset may have an entry more or less at the threshold.
+fn is_of_asset(kind: &Kind, case: &Node) -> bool {
     let file = case.get("inputs").and_then(|inputs| inputs.get("file")).and_then(Node::as_str);
-    file.is_some_and(|file| !file.contains("rigs/"))
+    file.is_some_and(|file| use_of(file, kind.application).is_none_or(|use_of| use_of.kind != Weights))
 }
 
 struct Comparer<'a> {

@@ -38,7 +38,7 @@ impl<'a> Computer<'a> {
     }
 
     pub(in crate::evaluate) fn base_called(&mut self, name: Option<&str>) -> Result<&mut Evaluation, Error> {
-        let data = self.roots.data(self.kind.root)?;
+        let data = self.roots.data(self.kind.application)?;
         let opened = self.bases.entry(name.map(str::to_owned)).or_insert_with(|| open(self.open, &data, name));
         self.work += opened.as_ref().map_or(0, |base| base.scene().positions.len());
         opened.as_mut().map_err(|error| error.clone())

@@ -15,10 +15,12 @@ pub use compare::{Comparison, Deviation};
 pub use computer::OpenBase;
 pub(super) use computer::{Computer, morphed, setting};
 pub use roots::Roots;
+pub(super) use roots::use_of;
 
 use super::error::Error;
 use super::files;
 use super::formulas::kinds;
+use crate::diag::Application;
 use crate::json::{Document, Node};
 use inputs::File;
 use tolerance::Tolerance;
@@ -37,8 +39,8 @@ const WORK_OF_A_VALUE: usize = 256;
 pub(super) struct Kind {
     /// As files say it.
     pub(super) name: &'static str,
-    /// The folder that holds the data of its bases.
-    pub(super) root: &'static str,
+    /// Whose it is; the data of its bases lie in the folder of this one.
+    pub(super) application: Application,
     pub(super) outputs: Compute,
     /// How far numbers may lie apart.
     pub(super) tolerance: Tolerance,

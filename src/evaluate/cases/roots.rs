@@ -3,9 +3,13 @@
 use std::collections::BTreeMap;
 use std::path::{Component, Path, PathBuf};
 
-use crate::diag::nearest;
+use crate::diag::{Application, nearest};
+use crate::discover::{Layout, Use};
 use crate::evaluate::Error;
 use crate::source::canonical;
+
+/// The folder of a program with its data.
+const DATA: &str = "data";
 
 const NAMES: [&str; 4] = ["makehuman2", "makehuman1", "mpfb", "makehuman-assets"];
 
@@ -33,8 +37,8 @@ impl Roots {
     }
 
     /// The data folder of a program: the `data` in its folder, or that folder itself.
-    pub(super) fn data(&self, name: &str) -> Result<PathBuf, Error> {
-        Ok(inside(self.folder(name)?, "data"))
+    pub(super) fn data(&self, application: Application) -> Result<PathBuf, Error> {
+        Ok(inside(self.folder(application.word())?, DATA))
     }
 
     /// Where a file of a case is. The name may end in ` (NAME)`; without, files of the assets begin with `base/`.
@@ -66,6 +70,12 @@ impl Roots {
         let missing = || Error::Input(format!("the folder of {name} is needed; use `--root {name}=DIR`"));
         self.folders.get(name).map(PathBuf::as_path).ok_or_else(missing)
     }
+}
+
+/// What an application has a file in its data for that a case names so.
+pub(in crate::evaluate) fn use_of(written: &str, application: Application) -> Option<Use> {
+    let below = written.strip_prefix(DATA)?.strip_prefix('/')?;
+    Some(Layout::of(application).use_of(below))
 }
 
 /// `folder/first`, or `folder` where that is already it.

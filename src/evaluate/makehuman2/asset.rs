@@ -36,10 +36,9 @@ pub struct Asset {
 /// Files that cannot be read, and lines that stop the application.
 pub fn read_asset(path: &Path) -> Result<Asset, Error> {
     let clothes = mhclo::parse(&read_text(path)?);
-    let stops_at = clothes.faults.iter().find_map(|fault| Some((fault, exception(fault.kind)?)));
-    if let Some((fault, exception)) = stops_at {
-        let reason = format!("`{}`, line {}: {}", shown(path), fault.line, fault.kind);
-        return Err(stops(exception, reason));
+    let stops_at = clothes.faults.iter().find_map(|fault| Some((fault.line, stop(fault.kind)?)));
+    if let Some((line, (exception, reason))) = stops_at {
+        return Err(stops(exception, format!("`{}`, line {line}: {reason}", shown(path))));
     }
     let name = clothes.obj_file.as_ref().ok_or_else(|| Error::file(shown(path), "it has no `obj_file` line"))?;
     let obj_path = path.parent().unwrap_or(Path::new("")).join(name);
@@ -59,14 +58,20 @@ pub fn read_asset(path: &Path) -> Result<Asset, Error> {
     Ok(asset)
 }
 
-/// The exception at such a line; `None` where the loader goes on without it.
-const fn exception(kind: FaultKind) -> Option<&'static str> {
-    match kind {
-        FaultKind::FieldCount(_) | FaultKind::MissingValue => Some("IndexError"),
-        FaultKind::NoNumber | FaultKind::KeywordInDelete | FaultKind::OldFormat => Some("ValueError"),
-        FaultKind::OpenRange => Some("UnboundLocalError"),
-        FaultKind::Dropped => None,
-    }
+/// The exception at such a line, and why; `None` where the loader goes on without it.
+fn stop(kind: FaultKind) -> Option<(&'static str, String)> {
+    let (exception, reason) = match kind {
+        FaultKind::FieldCount(count) => {
+            return Some(("IndexError", format!("a vertex line needs 1, 6 or at least 9 words, but has {count}")));
+        }
+        FaultKind::MissingValue => ("IndexError", "the values of a keyword are missing"),
+        FaultKind::NoNumber => ("ValueError", "a word is not a number"),
+        FaultKind::KeywordInDelete => ("ValueError", "a keyword is in the list of vertices to delete"),
+        FaultKind::OldFormat => ("ValueError", "`weights` belongs to an old format that is no longer read"),
+        FaultKind::OpenRange => ("UnboundLocalError", "a range begins with `-`"),
+        FaultKind::NoVertex => return None,
+    };
+    Some((exception, reason.to_owned()))
 }
 
 impl Asset {

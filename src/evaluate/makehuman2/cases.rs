@@ -9,9 +9,8 @@ use super::skeleton::read_skeleton;
 use super::stops;
 use super::weights::{MOST_VERTICES, WeightLists, read_weights, transferred};
 use crate::diag::Application;
-use crate::discover::Layout;
 use crate::evaluate::cases::tolerance::{FACTORS, FITTED, JOINTS, MORPHED, REST_MATRICES, SKINNED, Tolerance, WEIGHTS};
-use crate::evaluate::cases::{Compute, Computer, Kind, inputs, morphed, setting};
+use crate::evaluate::cases::{Compute, Computer, Kind, inputs, morphed, setting, use_of};
 use crate::evaluate::outputs::{fit_json, mesh_json, skeleton_json, skin_json, weight_lists_json, weights_json};
 use crate::evaluate::{Error, pose};
 use crate::formats::mhw;
@@ -30,8 +29,11 @@ pub(in crate::evaluate) static KINDS: [Kind; 7] = [
     kind("mh2_fit", fit, FITTED),
 ];
 
+/// Whose cases these are.
+const OWN: Application = Application::Makehuman2;
+
 const fn kind(name: &'static str, outputs: Compute, tolerance: Tolerance) -> Kind {
-    Kind { name, root: "makehuman2", outputs, tolerance, tolerances: &[], by_bone: false }
+    Kind { name, application: OWN, outputs, tolerance, tolerances: &[], by_bone: false }
 }
 
 fn macros(of: &mut Computer<'_>, case: &Node, notes: &mut Vec<String>) -> Result<Outputs, Error> {
@@ -72,7 +74,7 @@ fn weights(of: &mut Computer<'_>, case: &Node, _: &mut Vec<String>) -> Result<Ou
         let asset = read_asset(&path)?;
         // Assets of MakeHuman 2 lie in a folder of their base; others say nothing about it.
         let named = inputs::field(case, "base").and_then(Node::as_str).map(str::to_owned);
-        let base = named.or_else(|| Layout::of(Application::Makehuman2).use_of(written.strip_prefix("data/")?).owner);
+        let base = named.or_else(|| use_of(written, OWN)?.owner);
         asset.derived_weights(of.base_called(base.as_deref())?, root)?
     } else {
         read_weights(&path)?.load(root, count)?
@@ -86,9 +88,8 @@ fn transfer(of: &mut Computer<'_>, case: &Node, _: &mut Vec<String>) -> Result<O
     let other = read_skeleton(&of.roots.file(inputs::text(case, "rig")?)?)?;
     let written = inputs::text(case, "weights")?;
     let path = of.roots.file(written)?;
-    let named = inputs::field(case, "base").and_then(Node::as_str);
-    let base = named.or_else(|| written.strip_prefix("data/rigs/")?.split('/').next());
-    let base = of.base_called(base)?;
+    let named = inputs::field(case, "base").and_then(Node::as_str).map(str::to_owned);
+    let base = of.base_called(named.or_else(|| use_of(written, OWN)?.owner).as_deref())?;
     let default = base.pose_skeleton()?.clone();
     let vertices = base.scene().positions.len();
     let count =

@@ -1,13 +1,14 @@
-//! `.mhclo` and `.proxy`: an asset tied to the vertices of a base mesh, as MakeHuman 2 reads it
-//! (formats/makehuman2.md §15.1).
+//! `.mhclo` and `.proxy`: an asset tied to the vertices of a base mesh (formats/makehuman2.md §15.1, makehuman1.md §10,
+//! mpfb.md §26.1).
 //!
-//! Words split at white space; a keyword may have a colon behind it. Faults are kept with their lines and
-//! never end the reading: what an application would do at a fault is a matter of its evaluation.
+//! Words split at white space; a keyword may have a colon behind it. All lines are read, also behind one that some
+//! application stops at, or that ends a section for it: such lines are kept as faults. What comes of a fault is a matter
+//! of the application's own evaluation.
 
+mod names;
 mod reader;
 
-use std::fmt;
-
+pub use names::{Name, Named, names};
 pub use reader::parse;
 
 /// The file.
@@ -21,7 +22,7 @@ pub struct Clothes {
     pub references: Vec<Reference>,
     /// Runs of base vertices to hide, both ends included, as written.
     pub deleted: Vec<(i64, i64)>,
-    /// What the loader stops at or drops.
+    /// Lines that are not what their section or keyword wants.
     pub faults: Vec<Fault>,
 }
 
@@ -49,7 +50,7 @@ pub struct Reference {
     pub line: u32,
 }
 
-/// A line that the loader cannot take.
+/// A line that is not what its section or keyword wants.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Fault {
     /// Line from 1.
@@ -71,24 +72,10 @@ pub enum FaultKind {
     OpenRange,
     /// A keyword in the delete section.
     KeywordInDelete,
-    /// A line of the vertex section that begins with no plain number: dropped, all later vertices shift.
-    Dropped,
-    /// `weights`: a format that is no longer read.
+    /// A line of the vertex section that begins with neither a plain number nor a letter.
+    NoVertex,
+    /// `weights`, of an old format.
     OldFormat,
-}
-
-impl fmt::Display for FaultKind {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::FieldCount(count) => write!(f, "a vertex line needs 1, 6 or at least 9 words, but has {count}"),
-            Self::NoNumber => f.write_str("a word is not a number"),
-            Self::MissingValue => f.write_str("the values of a keyword are missing"),
-            Self::OpenRange => f.write_str("a range begins with `-`"),
-            Self::KeywordInDelete => f.write_str("a keyword is in the list of vertices to delete"),
-            Self::Dropped => f.write_str("the line does not begin with a vertex number and is dropped"),
-            Self::OldFormat => f.write_str("`weights` belongs to an old format that is no longer read"),
-        }
-    }
 }
 
 #[cfg(test)]
@@ -112,7 +99,7 @@ mod tests {
         let faults: Vec<_> = clothes.faults.iter().map(|fault| (fault.line, fault.kind)).collect();
         let kinds = [
             (6, FaultKind::MissingValue),
-            (11, FaultKind::Dropped),
+            (11, FaultKind::NoVertex),
             (12, FaultKind::FieldCount(2)),
             (17, FaultKind::KeywordInDelete),
         ];

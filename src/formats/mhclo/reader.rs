@@ -66,7 +66,7 @@ impl Reader {
                 None => self.fault(FaultKind::MissingValue),
             },
             word if self.section == Section::Vertices && !word.starts_with(char::is_alphabetic) => {
-                self.fault(FaultKind::Dropped);
+                self.fault(FaultKind::NoVertex);
             }
             _ => {}
         }

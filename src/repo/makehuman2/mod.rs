@@ -15,10 +15,11 @@ mod shown;
 mod slider;
 mod target_folder;
 mod textures;
-mod unbound;
 mod usage;
 pub(crate) mod user_scan;
 mod view;
+mod weights;
+mod worn;
 
 pub(crate) use base::Base;
 pub(crate) use foreign::{ForeignMesh, ForeignSign};
@@ -28,6 +29,7 @@ pub(crate) use misnamed::MisnamedFolder;
 pub(crate) use overlay::{Candidate, Overlaid};
 pub(crate) use slider::{BoundSlider, Pattern};
 pub(crate) use target_folder::TargetFolder;
+pub(in crate::repo) use textures::folders as picture_folders;
 pub(crate) use view::View;
 
 use crate::diag::Application;

@@ -3,7 +3,6 @@
 
 use crate::diag::Place;
 use crate::formats::base_json::BaseJson;
-use crate::repo::path::resolve;
 use crate::repo::{FileFacts, Layer, Layers, Reference, ReferenceKind, Resolution, Rig};
 
 /// Weights of a skeleton that names none.
@@ -21,11 +20,11 @@ pub(super) fn named_by_settings<'a>(
         (ReferenceKind::PoseSkeleton, "pose-skeleton", "rigs", settings.pose_skeleton.as_deref()),
         (ReferenceKind::Model, "mhm", "base", settings.mhm.as_deref()),
     ];
-    let reference = |(kind, member, folder, text): (_, &'static str, &str, Option<&'a str>)| {
+    let name = |(kind, member, folder, text): (_, &'static str, &str, Option<&'a str>)| {
         let (text, place) = (text?, Place::pointer([member]));
-        Some(layered(layers, Reference { owner: member, ..unresolved(kind, base, from, place, text, folder) }))
+        Some(Reference { owner: member, ..reference(layers, kind, base, from, place, text, folder) })
     };
-    named.into_iter().filter_map(reference).collect()
+    named.into_iter().filter_map(name).collect()
 }
 
 /// The rigs of a base.
@@ -51,7 +50,7 @@ fn weights<'a>(base: &'a str, layers: Layers<'a>, from: &'a FileFacts) -> Option
     let skeleton = from.skeleton().filter(|skeleton| !skeleton.weights_file_misshapen)?;
     let text = skeleton.weights_file.as_deref().unwrap_or(DEFAULT_WEIGHTS);
     let place = skeleton.weights_file.as_ref().map_or(Place::File, |_| Place::pointer(["weights_file"]));
-    Some(layered(layers, unresolved(ReferenceKind::WeightsFile, base, from, place, text, "rigs")))
+    Some(reference(layers, ReferenceKind::WeightsFile, base, from, place, text, "rigs"))
 }
 
 /// What a skeleton of a base has to call weights.
@@ -60,7 +59,9 @@ pub(super) fn name_of<'f>(base: &str, file: &'f FileFacts) -> &'f str {
     below(&file.rel).unwrap_or(&file.rel)
 }
 
-fn unresolved<'a>(
+/// A name in a folder of the base, looked for in all layers.
+fn reference<'a>(
+    layers: Layers<'a>,
     kind: ReferenceKind,
     base: &'a str,
     from: &'a FileFacts,
@@ -68,16 +69,10 @@ fn unresolved<'a>(
     text: &'a str,
     folder: &str,
 ) -> Reference<'a> {
-    let rel = format!("{folder}/{base}/{text}");
-    let resolution = Resolution::Missing;
-    Reference { kind, base, from, place, text, owner: from.stem(), folder_at_fault: None, rel, resolution }
-}
-
-fn layered<'a>(layers: Layers<'a>, reference: Reference<'a>) -> Reference<'a> {
     let all: Vec<&Layer> = layers.strongest_first().collect();
-    let resolution = match resolve(&all, reference.text, &reference.rel) {
-        Resolution::Missing if layers.system.is_none() => Resolution::NeedsSystem,
-        found => found,
-    };
-    Reference { resolution, ..reference }
+    let found = Reference::to(&all, kind, base, from, place, text, format!("{folder}/{base}/{text}"));
+    match found.resolution {
+        Resolution::Missing if layers.system.is_none() => Reference { resolution: Resolution::NeedsSystem, ..found },
+        _ => found,
+    }
 }

@@ -4,15 +4,15 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::OWN;
 use crate::diag::Place;
-use crate::discover::{Kind, Layout, material_of};
+use crate::discover::{Kind, material_of};
 use crate::formats::mhmat::Texture;
 use crate::repo::path::{is_absolute, normalized, resolve};
-use crate::repo::{FileFacts, Layer, Layers, Reference, ReferenceKind, Resolution, parent};
+use crate::repo::{FileFacts, Layer, Layers, PictureFolders, Reference, ReferenceKind, Resolution, Worn, parent};
 
 /// The pictures of all materials that the application opens, by base mesh.
-pub(super) fn by_base(layers: Layers<'_>) -> BTreeMap<&str, Vec<Reference<'_>>> {
+pub(super) fn by_base<'a>(layers: Layers<'a>, worn: &[Worn<'a>]) -> BTreeMap<&'a str, Vec<Reference<'a>>> {
     let mut by_base: BTreeMap<&str, Vec<Reference<'_>>> = BTreeMap::new();
-    let assets: Vec<_> = layers.strongest_first().map(Assets::of).collect();
+    let assets: Vec<_> = layers.strongest_first().map(|layer| Assets::of(layer, worn)).collect();
     for layer in layers.strongest_first() {
         for file in layer.files.values().filter(|file| is_material(file)) {
             let search = file.base_in(OWN).and_then(|base| Search::of(layers, layer, file, base));
@@ -28,7 +28,7 @@ fn is_material(file: &FileFacts) -> bool {
     file.kind_in(OWN) == Kind::Material
 }
 
-/// What the asset scan finds in a layer (formats/makehuman2.md §19).
+/// What can be worn of a layer.
 struct Assets<'a> {
     layer: &'a Layer,
     /// Folders of assets.
@@ -38,9 +38,9 @@ struct Assets<'a> {
 }
 
 impl<'a> Assets<'a> {
-    fn of(layer: &'a Layer) -> Self {
-        let scans = Layout::of(OWN).scans;
-        let folders: BTreeSet<&str> = layer.files.keys().filter(|rel| scans(rel)).map(|rel| parent(rel)).collect();
+    fn of(layer: &'a Layer, worn: &[Worn<'a>]) -> Self {
+        let is_here = |worn: &&Worn<'_>| layer.file(&worn.file.rel).is_some_and(|own| std::ptr::eq(own, worn.file));
+        let folders: BTreeSet<&str> = worn.iter().filter(is_here).map(|worn| parent(&worn.file.rel)).collect();
         let bare = folders.iter().filter(|asset| !layer.below(asset).any(is_material));
         Self { layer, with_bare: bare.map(|asset| parent(asset)).collect(), folders }
     }
@@ -66,8 +66,8 @@ struct Search<'a> {
     file: &'a FileFacts,
     base: &'a str,
     layer: &'a Layer,
-    /// The folder that all assets of this sort are in, without that for the base mesh.
-    sort: &'a str,
+    /// Where it is looked for.
+    folders: PictureFolders<'a>,
     /// Layers with a folder for all assets of this sort.
     shared: Vec<&'a Layer>,
     /// Whether system data that is not at hand could have the picture.
@@ -76,21 +76,22 @@ struct Search<'a> {
 
 impl<'a> Search<'a> {
     fn of(layers: Layers<'a>, layer: &'a Layer, file: &'a FileFacts, base: &'a str) -> Option<Self> {
-        let sort = material_of(&file.rel)?.folder;
+        let folders = folders(file, base)?;
         let is_open = is_open(layers, base)?;
         let shared = layers.system.into_iter().chain(layers.user).collect();
-        Some(Self { file, base, layer, sort, shared, is_open })
+        Some(Self { file, base, layer, folders, shared, is_open })
     }
 
     /// What is worn has the materials below its folder. If there are none it has those of the folder `materials` beside
     /// it, eyes those of the system and of the user.
     fn is_opened(&self, assets: &[Assets<'_>]) -> bool {
-        let is_eye = self.sort == "eyes";
+        let sort = self.folders.sort;
+        let is_eye = sort == "eyes";
         let offers = |assets: &Assets<'_>| {
             let is_own = std::ptr::eq(assets.layer, self.layer);
             is_own && self.is_below(&assets.folders) || (is_own || is_eye) && self.is_beside(assets)
         };
-        self.sort == "skins" || is_eye && self.is_open || assets.iter().any(offers)
+        sort == "skins" || is_eye && self.is_open || assets.iter().any(offers)
     }
 
     fn is_below(&self, folders: &BTreeSet<&str>) -> bool {
@@ -99,7 +100,7 @@ impl<'a> Search<'a> {
     }
 
     fn is_beside(&self, assets: &Assets<'_>) -> bool {
-        let all = format!("{}/{}", self.sort, self.base);
+        let all = &self.folders.all;
         self.file.rel.starts_with(&format!("{all}/materials/")) && assets.with_bare.contains(all.as_str())
     }
 
@@ -168,18 +169,23 @@ impl<'a> Search<'a> {
 
     /// Where the picture is looked for, in order, and what of the name is left there.
     fn places<'w>(&self, word: &'w str) -> Vec<(&'a Layer, String, &'w str)> {
-        let (folder, sort) = (parent(&self.file.rel), self.sort);
+        let PictureFolders { own, above, sort, all } = &self.folders;
         // What begins with a slash is not put behind the folder.
         let below = word.split_once('/').map(|(_, below)| below).filter(|below| !is_absolute(below));
-        let mut places = vec![(self.layer, format!("{folder}/{word}"), word)];
-        if folder.ends_with("materials") {
-            places.push((self.layer, format!("{}/{word}", parent(folder)), word));
-        }
-        places.extend(below.map(|below| (self.layer, format!("{folder}/{below}"), below)));
+        let mut places = vec![(self.layer, format!("{own}/{word}"), word)];
+        places.extend(above.map(|above| (self.layer, format!("{above}/{word}"), word)));
+        places.extend(below.map(|below| (self.layer, format!("{own}/{below}"), below)));
         let shared = below.filter(|_| word.starts_with(sort)).unwrap_or(word);
-        places.extend(self.shared.iter().map(|layer| (*layer, format!("{sort}/{}/{shared}", self.base), shared)));
+        places.extend(self.shared.iter().map(|layer| (*layer, format!("{all}/{shared}"), shared)));
         places
     }
+}
+
+/// Where the pictures of a material for a base mesh are looked for.
+pub(in crate::repo) fn folders<'a>(material: &'a FileFacts, base: &str) -> Option<PictureFolders<'a>> {
+    let (own, sort) = (parent(&material.rel), material_of(&material.rel)?.folder);
+    let above = own.ends_with("materials").then(|| parent(own));
+    Some(PictureFolders { own, above, sort, all: format!("{sort}/{base}") })
 }
 
 /// How far from the picture a place is: what is there outweighs what only another system finds, and that outweighs

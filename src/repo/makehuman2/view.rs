@@ -7,10 +7,10 @@ use super::base::base_names;
 use super::known::KnownNames;
 use super::references::collect;
 use super::usage::Usage;
-use super::{Base, OWN, rigs, target_folder, textures, unbound};
+use super::{Base, OWN, target_folder, textures, weights, worn};
 use crate::discover::Kind;
 use crate::formats::base_json::BaseJson;
-use crate::repo::{Body, BodyWeights, FileFacts, Layers, Reference, References, Target};
+use crate::repo::{Body, FileFacts, Layers, Reference, References, Target, Worn};
 
 /// `MakeHuman` 2's data, connected.
 #[derive(Debug)]
@@ -21,6 +21,8 @@ pub(crate) struct View<'a> {
     pub bases: Vec<Base<'a>>,
     /// Everything that names a file, and what it leads to.
     pub references: References<'a>,
+    /// What bodies can wear, sorted by base.
+    worn: Vec<Worn<'a>>,
     usage: Usage<'a>,
     /// By base; made when a fix asks for them.
     pub(super) known_names: OnceLock<BTreeMap<String, KnownNames>>,
@@ -30,14 +32,15 @@ impl<'a> View<'a> {
     /// Connects layers.
     pub(crate) fn connect(layers: Layers<'a>) -> Self {
         let bases: Vec<Base<'a>> = base_names(layers).into_iter().map(|name| Base::resolve(name, layers)).collect();
-        let mut textures = textures::by_base(layers);
+        let worn = worn::worn(layers);
+        let mut textures = textures::by_base(layers, &worn);
         let of_base = |base| collect(base).into_iter().chain(textures.remove(base.name).unwrap_or_default());
         let mut references: Vec<Reference<'a>> = bases.iter().flat_map(of_base).collect();
         // Assets for a base that no layer has.
         references.extend(textures.into_values().flatten());
         let references = References::new(references);
         let usage = Usage::of(layers, &bases, &references);
-        Self { layers, bases, references, usage, known_names: OnceLock::new() }
+        Self { layers, bases, references, worn, usage, known_names: OnceLock::new() }
     }
 
     /// The base of a name.
@@ -99,36 +102,37 @@ impl<'a> View<'a> {
         files.filter(|file| file.kind_in(OWN) == Kind::Target)
     }
 
-    /// A body for every base, and one for the targets that belong to none.
+    /// A body for every base, and one for the targets and weights that belong to none.
     pub(in crate::repo) fn bodies<'v>(&'v self, view: &'v crate::repo::View<'v>) -> Vec<Body<'v>> {
-        let mut targets: BTreeMap<&str, Vec<Target<'v>>> = BTreeMap::new();
-        for file in self.layers.checked.files.values().filter(|file| file.kind_in(OWN) == Kind::Target) {
-            targets.entry(file.base_in(OWN).unwrap_or_default()).or_default().push(self.target(file));
+        let mut files: BTreeMap<&str, Vec<&'v FileFacts>> = BTreeMap::new();
+        for file in view.files().filter(|file| is_of_body(file)) {
+            files.entry(file.base_in(OWN).unwrap_or_default()).or_default().push(file);
         }
-        let body = |base: &'v Base<'a>, targets| {
-            let mut body = Body::new(base.name, view, targets);
-            let weights = base.weights.iter().zip(unbound::unbound(base));
-            body.mesh = base.mesh;
-            body.obj = base.obj();
-            body.has_foreign_mesh = base.foreign_mesh.is_some();
-            let settings = base.settings().map(|(_, settings)| settings);
-            body.visible_groups = settings.and_then(|settings| settings.shown.as_ref());
-            let random = |settings: &'v BaseJson| settings.random.as_ref().map(|random| random.nonsym.as_slice());
-            body.one_sided_endings = settings.map(|settings| random(settings).unwrap_or_default());
-            body.macros = base.macro_file();
-            body.has_too_many_macros = base.has_too_many_macros();
-            body.rigs = &base.rigs;
-            body.weights = weights
-                .map(|(file, is_unbound)| BodyWeights { file, name: rigs::name_of(base.name, file), is_unbound })
-                .collect();
+        let body = |name: &'v str, files: Vec<&'v FileFacts>| {
+            let (targets, weights): (Vec<_>, Vec<_>) = files.into_iter().partition(|file| file.kind == Kind::Target);
+            let base = self.base(name);
+            let mut body = Body::new(name, view, targets.into_iter().map(|file| self.target(file)).collect());
+            if let Some(base) = base {
+                fill(&mut body, base);
+            }
+            body.worn = self.worn_of(name);
+            let is_own = |file: &&FileFacts| base.is_some() && file.kind == Kind::Weights;
+            body.add_worn_weights(weights.into_iter().filter(|file| !is_own(file)));
             body
         };
         let mut bodies: Vec<Body<'v>> = Vec::new();
         for base in &self.bases {
-            bodies.push(body(base, targets.remove(base.name).unwrap_or_default()));
+            bodies.push(body(base.name, files.remove(base.name).unwrap_or_default()));
         }
-        bodies.extend(targets.into_iter().map(|(name, targets)| Body::new(name, view, targets)));
+        bodies.extend(files.into_iter().map(|(name, files)| body(name, files)));
         bodies
+    }
+
+    /// What the body of this name can wear.
+    fn worn_of(&self, name: &str) -> &[Worn<'a>] {
+        let start = self.worn.partition_point(|worn| worn.base < name);
+        let end = self.worn.partition_point(|worn| worn.base <= name);
+        self.worn.get(start..end).unwrap_or_default()
     }
 
     /// What is known of a target of the checked layer.
@@ -142,4 +146,23 @@ impl<'a> View<'a> {
             packed_in: self.layers.checked.file(&format!("{folder}/compressedtargets.npz")),
         }
     }
+}
+
+fn is_of_body(file: &FileFacts) -> bool {
+    matches!(file.kind, Kind::Target | Kind::Weights | Kind::AssetWeights)
+}
+
+/// What a base adds to its body.
+fn fill<'v>(body: &mut Body<'v>, base: &'v Base<'_>) {
+    body.mesh = base.mesh;
+    body.obj = base.obj();
+    body.has_foreign_mesh = base.foreign_mesh.is_some();
+    let settings = base.settings().map(|(_, settings)| settings);
+    body.visible_groups = settings.and_then(|settings| settings.shown.as_ref());
+    let random = |settings: &'v BaseJson| settings.random.as_ref().map(|random| random.nonsym.as_slice());
+    body.one_sided_endings = settings.map(|settings| random(settings).unwrap_or_default());
+    body.macros = base.macro_file();
+    body.has_too_many_macros = base.has_too_many_macros();
+    body.rigs = &base.rigs;
+    body.weights = weights::weights(base);
 }

@@ -1,4 +1,5 @@
-//! The data of MPFB as it sees them (formats/mpfb.md §1, §2). Connected so far: the catalogue of sliders with its targets.
+//! The data of MPFB as it sees them (formats/mpfb.md §1, §2). Connected so far: the catalogue of sliders with its targets,
+//! and what is worn with its weights.
 
 mod references;
 mod view;

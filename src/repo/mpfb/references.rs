@@ -3,7 +3,7 @@
 use super::view::{Catalog, OWN};
 use crate::diag::Place;
 use crate::formats::target_catalog::{Category, Section};
-use crate::repo::path::{normalized, resolve};
+use crate::repo::path::normalized;
 use crate::repo::{Reference, ReferenceKind, Resolution};
 
 /// All targets that the catalogue names, in its order.
@@ -64,11 +64,10 @@ fn reference<'a>(
     text: &'a str,
     path: &str,
 ) -> Reference<'a> {
-    let from = catalog.file;
-    let resolution = resolve(&[catalog.layer], text, path);
+    let base = catalog.file.base_in(OWN).unwrap_or_default();
+    let found = Reference::to(&[catalog.layer], kind, base, catalog.file, place, text, path.to_owned());
     let rel = normalized(path).unwrap_or_else(|| path.to_owned());
-    let (base, owner) = (from.base_in(OWN).unwrap_or_default(), category.name.as_str());
-    Reference { kind, base, from, place, text, owner, folder_at_fault: None, rel, resolution }
+    Reference { owner: &category.name, rel, ..found }
 }
 
 fn place(section: &Section, category: &Category, member: &[&str]) -> Place {

@@ -1,11 +1,13 @@
 //! The system data with their catalogue: MPFB looks for neither it nor its targets anywhere else (formats/mpfb.md §1).
 
+use std::ops::Bound;
+
 use super::references::collect;
-use crate::diag::Application;
+use crate::diag::{Application, Place};
 use crate::discover::Kind;
 use crate::formats::obj::Mesh;
 use crate::formats::target_catalog::TargetCatalog;
-use crate::repo::{Body, FileFacts, Layer, Layers, References, Target, parent};
+use crate::repo::{Body, FileFacts, Layer, Layers, Reference, ReferenceKind, References, Target, Worn, parent};
 
 /// Whose uses of a file count here.
 pub(super) const OWN: Application = Application::Mpfb;
@@ -21,6 +23,8 @@ pub(crate) struct View<'a> {
     pub mesh: Option<(&'a FileFacts, &'a Mesh)>,
     /// Everything that names a file, and what it leads to.
     pub references: References<'a>,
+    /// What the body can wear.
+    worn: Vec<Worn<'a>>,
 }
 
 /// The catalogue in its layer.
@@ -42,7 +46,7 @@ impl<'a> View<'a> {
         let catalog = catalog.and_then(|(layer, file)| Some(Catalog { layer, file, sliders: file.catalog()? }));
         let mesh = file(Kind::BaseMesh).and_then(|file| Some((file, file.mesh()?)));
         let references = References::new(catalog.as_ref().map(collect).unwrap_or_default());
-        Self { layers, catalog, mesh, references }
+        Self { layers, catalog, mesh, references, worn: worn(layers) }
     }
 
     /// The name of the base mesh, if there is anything for it.
@@ -53,11 +57,12 @@ impl<'a> View<'a> {
 
     /// The body. Which of its targets nobody uses cannot be told: any can be asked for by its name (formats/mpfb.md §4.4).
     pub(in crate::repo) fn body<'v>(&'v self, view: &'v crate::repo::View<'v>) -> Option<Body<'v>> {
-        let files = self.layers.checked.files.values();
-        let targets = files.filter(|file| matches!(file.kind_in(OWN), Kind::Target | Kind::PackedTarget));
+        let targets = view.files().filter(|file| matches!(file.kind, Kind::Target | Kind::PackedTarget));
         let mut body = Body::new(self.body_name()?, view, targets.map(|file| self.target(file)).collect());
         body.mesh = self.mesh;
         body.obj = self.mesh;
+        body.worn = &self.worn;
+        body.add_worn_weights(view.files().filter(|file| file.kind == Kind::AssetWeights));
         Some(body)
     }
 
@@ -66,6 +71,33 @@ impl<'a> View<'a> {
         let used_as = self.references.to_file(file).map(|reference| reference.kind).min();
         Target { file, folder: parent(&file.rel), used_as, is_unused: false, packed_in: None }
     }
+}
+
+/// What can be worn (formats/mpfb.md §26).
+fn worn(layers: Layers<'_>) -> Vec<Worn<'_>> {
+    let of_layer = |layer| {
+        Worn::all(layer, OWN).map(|(file, base)| {
+            let mut worn = Worn::of(layer, file, base, |name| !name.has_colon, false);
+            if let Some(references) = &mut worn.references {
+                references.retain(|one| one.kind != ReferenceKind::AssetWeights);
+                references.extend(weights_of(layer, file, base));
+            }
+            worn
+        })
+    };
+    layers.strongest_first().flat_map(of_layer).collect()
+}
+
+/// The weights of an asset: those beside it that have its name, whatever it names (§26.6).
+fn weights_of<'a>(layer: &'a Layer, asset: &'a FileFacts, base: &'a str) -> impl Iterator<Item = Reference<'a>> {
+    let named = format!("{}/{}.", parent(&asset.rel), asset.stem());
+    let from = layer.files.range::<str, _>((Bound::Included(named.as_str()), Bound::Unbounded));
+    let own = from.map(|(_, file)| file).take_while(move |file| file.rel.starts_with(&named));
+    let kind = ReferenceKind::AssetWeights;
+    let reference = move |file: &'a FileFacts| {
+        Reference::to(&[layer], kind, base, asset, Place::File, file.file_name(), file.rel.clone())
+    };
+    own.filter(|file| file.kind_in(OWN) == Kind::AssetWeights).map(reference)
 }
 
 impl<'a> Catalog<'a> {

@@ -26,7 +26,7 @@ pub(super) fn article(finding: &Finding, id: &str, open: bool) -> Markup {
                     span .chip .(level) { (level) }
                     " "
                     h3 { (inline(&printable(&phrase::message(finding)))) (doubt(finding.confidence)) }
-                    span .at { (short_place(&finding.location)) }
+                    span .at { span .of { (phrase::path(&finding.path)) " " } (short_place(&finding.location)) }
                 }
                 (source(finding))
                 dl {

@@ -10,6 +10,7 @@ use std::io::{self, Write};
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
+use super::files::by_file;
 use super::phrase::{self, Piece, pieces};
 use super::unchecked::unchecked;
 use super::{View, count, printable, verdict};
@@ -20,7 +21,7 @@ const SCRIPT: &str = include_str!("page.js");
 
 /// What the browser may do: nothing but use the style and the script with these hashes.
 const POLICY: &str = "default-src 'none'; base-uri 'none'; form-action 'none'; img-src data:; \
-    style-src 'sha256-6a3zt/DznwmnzK5eVJJEHWCwY83s8WizqPa3sLJkL+M='; script-src 'sha256-F5Tix3ZfqcXROthsX9dMec4CsE1/5R0HMWsHwsPcOP8='";
+    style-src 'sha256-zQpap0ZzCpw+cdoUQP1X0Z3ZTAX7Opv0kvsKur+i0LY='; script-src 'sha256-IizRmeWnv7wyt1MgkAm2DcJ75/gnKrsLN7VJ49b0+cI='";
 
 /// Where the list of the findings goes. No text of an asset can hold it: there `<` is escaped.
 const LIST: &str = "<!--list-->";
@@ -83,7 +84,7 @@ fn top(outcome: &Outcome, view: &View<'_>) -> Markup {
             h1 { (inline(&verdict::words(outcome, view))) }
             ul .counts {
                 @for ((level, meaning), number) in LEVELS.iter().zip(numbers) {
-                    li .(level.word()) .none[number == 0] {
+                    li .(level.word()) .none[number == 0] data-level=(level.word()) {
                         span .number { (number) }
                         " " span .noun { (level.word()) @if number != 1 { "s" } }
                         " " span .meaning { (meaning) }
@@ -91,7 +92,7 @@ fn top(outcome: &Outcome, view: &View<'_>) -> Markup {
                 }
             }
             @for root in verdict::roots(outcome) {
-                p .root { "Judged: " (inline(&printable(&root))) }
+                p .root { "Checked: " (inline(&printable(&root))) }
             }
             p .root {
                 (verdict::files(summary))
@@ -176,7 +177,7 @@ fn choice<'a>(id: &str, label: &str, all: &str, options: impl Iterator<Item = (&
 
 /// The files with their counts, each leading to its findings.
 fn files(findings: &[Finding]) -> Markup {
-    let files: Vec<&[Finding]> = findings.chunk_by(|a, b| a.path == b.path).collect();
+    let files = by_file(findings);
     html! {
         details .files open[files.len() <= 12] {
             summary { h2 { "Files with findings: " (files.len()) } }
@@ -199,7 +200,7 @@ fn list(findings: &[Finding], out: &mut dyn Write) -> io::Result<()> {
     let mut ids = BTreeMap::new();
     // A long list is read by its messages; the gravest stand open.
     let opened = |finding: &Finding| finding.level == Level::Error || findings.len() <= 20;
-    for (number, file) in findings.chunk_by(|a, b| a.path == b.path).enumerate() {
+    for (number, file) in by_file(findings).into_iter().enumerate() {
         let head = html! { h2 { code { (path_of(file)) } " " (chips(file)) } }.into_string();
         write!(out, "<section class=\"group\" id=\"file-{}\">{head}", number + 1)?;
         for finding in file {

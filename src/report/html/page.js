@@ -16,6 +16,25 @@
   }));
   const levels = ["error", "warning", "info"];
 
+  /* Whether one level alone is to be seen. */
+  const boxes = [...form.querySelectorAll("[name=level]")];
+  const isAlone = (level) => boxes.length > 1 && boxes.every((box) => box.checked === (box.value === level));
+
+  /* The counts at the top show one level alone, or all levels again. */
+  const cards = [...document.querySelectorAll(".counts li:not(.none)")].map((card) => {
+    const level = card.dataset.level;
+    const button = document.createElement("button");
+    button.type = "button";
+    button.append(...card.childNodes);
+    card.append(button);
+    button.addEventListener("click", () => {
+      const all = isAlone(level);
+      for (const box of boxes) box.checked = all || box.value === level;
+      filter();
+    });
+    return { button, level };
+  });
+
   /* Which findings are to be seen. */
   const filter = () => {
     const words = search.value.toLowerCase().split(/\s+/).filter(Boolean);
@@ -32,12 +51,14 @@
     }
     for (const group of list.children) group.hidden = !group.querySelector("article:not([hidden])");
     nothing.hidden = count > 0;
+    for (const { button, level } of cards) button.setAttribute("aria-pressed", String(isAlone(level)));
     shown.textContent = count === findings.length ? `${count} findings` : `${count} of ${findings.length} findings`;
   };
 
   /* The same articles under other headings. */
   const order = () => {
     const key = value("order");
+    list.classList.toggle("mixed", key !== "path");
     if (key === "path") {
       for (const { node, group } of findings) group.append(node);
       list.replaceChildren(...original);

@@ -18,18 +18,17 @@ use crate::report::snippet::{Snippet, snippet};
 use crate::report::{Paint, View, hang, printable};
 
 /// The block of a finding: message, consequences, source text, evidence, other places, help.
-/// With `repeats` the consequences were said just before and are left out.
-pub(super) fn render(finding: &Finding, repeats: bool, view: &View<'_>) -> String {
+/// Of the consequences only `effects`, of the help only what was not said before.
+pub(super) fn render(finding: &Finding, effects: &[&Break], with_help: bool, view: &View<'_>) -> String {
     let source = finding.location.excerpt.as_ref().and_then(|excerpt| snippet(excerpt, view.width));
     let source = source.map(|snippet| Source { snippet, path: printable(&finding.path), at: &finding.location });
     let has_source = source.is_some();
-    let breaks = if repeats { &[] } else { finding.breaks.as_slice() };
-    let shown = Shown { finding, consequence: Consequence::chain(breaks), source };
+    let shown = Shown { finding, consequence: Consequence::chain(effects), source };
     let mut text = String::new();
     handler(finding, view)
         .render_report(&mut text, &shown)
         .expect("invariant: writing to a string does not fail and the label lies within the snippet");
-    for (label, line) in footer(finding, has_source) {
+    for (label, line) in footer(finding, has_source).into_iter().filter(|(label, _)| with_help || label != "help") {
         let paint = Paint { color: view.color };
         let plain = format!("  {label}: ");
         let block = hang(&plain, &printable(&line), view.width);
@@ -113,7 +112,7 @@ struct Consequence {
 }
 
 impl Consequence {
-    fn chain(breaks: &[Break]) -> Option<Self> {
+    fn chain(breaks: &[&Break]) -> Option<Self> {
         let (first, rest) = breaks.split_first()?;
         let text = format!("{}: {}", first.application, printable(&first.effect));
         Some(Self { text, next: Self::chain(rest).map(Box::new) })
@@ -172,6 +171,10 @@ mod tests {
         Finding::new(&RuleInfo::new("a-rule", Level::Warning, ""), "data/a.target", Place::File, "it is so")
     }
 
+    fn whole(finding: &Finding) -> String {
+        render(finding, &finding.breaks.iter().collect::<Vec<_>>(), true, &View::PLAIN)
+    }
+
     #[test]
     fn evidence_other_places_and_help_follow_the_message() {
         let mut finding = finding().confidence(Confidence::Medium).help("mend it");
@@ -182,7 +185,7 @@ mod tests {
         let expected = "  warning[a-rule] (likely) it is so\n  at: line 4, vertex 17\n  \
             seen: 7 of 9: x, x, x, x, x and 2 more; worst 0.1235 at vertex 3\n  \
             see: data/b.target: the other one\n  help: mend it\n";
-        assert_eq!(render(&finding, false, &View::PLAIN), expected);
+        assert_eq!(whole(&finding), expected);
     }
 
     #[test]
@@ -192,8 +195,8 @@ mod tests {
         let rule = RuleInfo { breaks, ..RuleInfo::new("a-rule", Level::Warning, "") };
         let finding = Finding::new(&rule, "data/a.target", Place::File, "it is so");
         let expected = "  warning[a-rule] it is so\n  |-> MakeHuman 2: stops\n  `-> MPFB: ignores it\n";
-        assert_eq!(render(&finding, false, &View::PLAIN), expected);
-        assert_eq!(render(&finding, true, &View::PLAIN), "  warning[a-rule] it is so\n");
+        assert_eq!(whole(&finding), expected);
+        assert_eq!(render(&finding, &[], false, &View::PLAIN), "  warning[a-rule] it is so\n");
     }
 
     #[test]
@@ -202,7 +205,7 @@ mod tests {
         let excerpt = crate::diag::Excerpt { text: "{\n}".to_owned(), first_line: 1, mark: 3..3 };
         (finding.location.line, finding.location.column) = (Some(2), Some(2));
         finding.location.excerpt = Some(excerpt);
-        let text = render(&finding, false, &View::PLAIN);
+        let text = whole(&finding);
         assert!(text.contains("[data/a.target:2:2]") && text.contains(" 2 | }"), "{text}");
     }
 }

@@ -1,24 +1,26 @@
-//! The report for people: findings by file, then notes, counts and a verdict in one sentence.
+//! The report for people: findings by file, the gravest files first, infos a line each, then notes, counts and a verdict
+//! in one sentence.
 //!
 //! Long lists are cut with a word on what was left out. Readable at eighty columns and without colour.
 
 mod block;
 mod pick;
+mod statistics;
 
 use std::collections::BTreeSet;
 use std::io::{self, Write};
 
-use super::{Paint, View, count, hang, printable, verdict};
-use crate::diag::{Break, Finding, Level, Note, Outcome};
+use super::files::by_file;
+use super::{Paint, View, count, hang, phrase, printable, verdict};
+use crate::diag::{Application, Break, Finding, Level, Note, Outcome};
 use pick::Picked;
 
 /// Writes the report.
 pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> io::Result<()> {
-    let picked = pick::pick(&outcome.findings);
-    let mut explained = BTreeSet::new();
-    for file in picked.shown.chunk_by(|a, b| a.path == b.path) {
-        write_heading(file, outcome, view, out)?;
-        write_findings(file, &picked, &mut explained, view, out)?;
+    if view.statistics {
+        statistics::write(outcome, view, out)?;
+    } else {
+        write_findings(outcome, view, out)?;
     }
     if !view.quiet {
         write_notes(&outcome.notes, view, out)?;
@@ -33,15 +35,34 @@ pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> 
     }
 }
 
+/// Files with errors, files with warnings, infos.
+fn write_findings(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> io::Result<()> {
+    let picked = pick::pick(&outcome.findings, view.full);
+    let is_block = |finding: &&Finding| view.full || finding.level > Level::Info;
+    let (blocks, infos): (Vec<&Finding>, Vec<&Finding>) = picked.shown.iter().copied().partition(is_block);
+    let mut explained = BTreeSet::new();
+    for file in by_file(&blocks) {
+        write_heading(file, outcome, view, out)?;
+        write_file(file, &picked, &mut explained, view, out)?;
+    }
+    write_infos(&infos, &blocks, &picked, view, out)
+}
+
 fn write_heading(file: &[&Finding], outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> io::Result<()> {
     let path = file.first().map_or("", |first| first.path.as_str());
     let all: Vec<&Finding> = outcome.findings.iter().filter(|finding| finding.path == path).collect();
     let paint = Paint { color: view.color };
-    let shown = if path.is_empty() { ".".to_owned() } else { printable(path) };
-    writeln!(out, "{}{}", paint.bold(&shown), paint.dim(&tally(&all)))
+    writeln!(out, "{}{}", paint.bold(&phrase::path(path)), paint.dim(&tally(&all)))
 }
 
-fn write_findings(
+/// What was said of a file already and is not said again.
+#[derive(Default)]
+struct Said<'a> {
+    effects: BTreeSet<(Application, &'a str)>,
+    helps: BTreeSet<&'a str>,
+}
+
+fn write_file(
     file: &[&Finding],
     picked: &Picked<'_>,
     explained: &mut BTreeSet<&'static str>,
@@ -49,17 +70,18 @@ fn write_findings(
     out: &mut dyn Write,
 ) -> io::Result<()> {
     let paint = Paint { color: view.color };
-    let mut before: Option<&Finding> = None;
+    let mut said = Said::default();
     for finding in file {
-        let repeats = before.is_some_and(|before| before.rule == finding.rule && same_effects(before, finding));
-        out.write_all(block::render(finding, repeats, view).as_bytes())?;
+        let effects = finding.breaks.iter().filter(|one| said.effects.insert((one.application, &one.effect)));
+        let effects: Vec<&Break> = effects.collect();
+        let with_help = finding.help.as_deref().is_some_and(|help| said.helps.insert(help));
+        out.write_all(block::render(finding, &effects, with_help, view).as_bytes())?;
         if explained.insert(finding.rule) && !view.quiet {
             writeln!(out, "  {}", paint.dim(&format!("more: mhlint explain {}", finding.rule)))?;
         }
         if let Some(more) = picked.more_like(finding) {
             writeln!(out, "  {}", paint.bold(&more))?;
         }
-        before = Some(finding);
         writeln!(out)?;
     }
     match file.first().and_then(|first| picked.more_in(&first.path)) {
@@ -68,9 +90,34 @@ fn write_findings(
     }
 }
 
-fn same_effects(one: &Finding, other: &Finding) -> bool {
-    let same = |(one, other): (&Break, &Break)| one.application == other.application && one.effect == other.effect;
-    one.breaks.len() == other.breaks.len() && one.breaks.iter().zip(&other.breaks).all(same)
+/// A line for each info. What more there is in a file is said here, unless its findings stand in `blocks`.
+fn write_infos(
+    infos: &[&Finding],
+    blocks: &[&Finding],
+    picked: &Picked<'_>,
+    view: &View<'_>,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    if infos.is_empty() {
+        return Ok(());
+    }
+    let paint = Paint { color: view.color };
+    let hint = if view.quiet { "" } else { " (harmless today; `--full` shows consequences and help)" };
+    let total = infos.len() + picked.left(Level::Info);
+    writeln!(out, "{}{}", paint.bold(&count(total, "info")), paint.dim(hint))?;
+    for file in infos.chunk_by(|a, b| a.path == b.path) {
+        for finding in file {
+            writeln!(out, "  {}", phrase::one_line(finding))?;
+            if let Some(more) = picked.more_like(finding) {
+                writeln!(out, "  {}", paint.bold(&more))?;
+            }
+        }
+        let path = file.first().map_or("", |first| first.path.as_str());
+        if let Some(more) = picked.more_in(path).filter(|_| !blocks.iter().any(|finding| finding.path == path)) {
+            writeln!(out, "  {}", paint.bold(&more))?;
+        }
+    }
+    writeln!(out)
 }
 
 /// `: 2 errors, 1 warning` behind the name of a file with more than one finding.

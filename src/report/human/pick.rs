@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::diag::Finding;
+use crate::diag::{Finding, Level};
 
 /// Findings of one rule in a report; the eleventh says nothing that ten did not.
 const PER_RULE: usize = 10;
@@ -16,10 +16,14 @@ pub(super) struct Picked<'a> {
     pub(super) shown: Vec<&'a Finding>,
     left_of_rule: BTreeMap<&'static str, usize>,
     left_in_file: BTreeMap<&'a str, usize>,
+    left_of_level: BTreeMap<Level, usize>,
 }
 
-/// Picks from all findings, which come in the order of the report.
-pub(super) fn pick(findings: &[Finding]) -> Picked<'_> {
+/// Picks from all findings, which come in the order of the report; with `full` all of them.
+pub(super) fn pick(findings: &[Finding], full: bool) -> Picked<'_> {
+    if full {
+        return Picked { shown: findings.iter().collect(), ..Picked::default() };
+    }
     let mut by_level: Vec<(usize, &Finding)> = findings.iter().enumerate().collect();
     by_level.sort_by_key(|(_, finding)| std::cmp::Reverse(finding.level));
     let mut of_rule: BTreeMap<&str, usize> = BTreeMap::new();
@@ -29,6 +33,9 @@ pub(super) fn pick(findings: &[Finding]) -> Picked<'_> {
     for (at, finding) in by_level {
         let rule = of_rule.entry(finding.rule).or_default();
         let file = in_file.entry(&finding.path).or_default();
+        if *rule >= PER_RULE || *file >= PER_FILE {
+            *picked.left_of_level.entry(finding.level).or_default() += 1;
+        }
         if *rule >= PER_RULE {
             *picked.left_of_rule.entry(finding.rule).or_default() += 1;
         } else if *file >= PER_FILE {
@@ -44,25 +51,30 @@ pub(super) fn pick(findings: &[Finding]) -> Picked<'_> {
 }
 
 impl Picked<'_> {
+    /// How many findings of a level are not shown.
+    pub(super) fn left(&self, level: Level) -> usize {
+        self.left_of_level.get(&level).copied().unwrap_or_default()
+    }
+
     /// What to say below a finding that is the last shown of its rule while more were left out.
     pub(super) fn more_like(&self, finding: &Finding) -> Option<String> {
         let left = self.left_of_rule.get(finding.rule)?;
         let last = self.shown.iter().rfind(|other| other.rule == finding.rule)?;
         std::ptr::eq(*last, finding)
-            .then(|| format!("and {left} more like it: `--only {} --report concise` lists all", finding.rule))
+            .then(|| format!("and {left} more like it; `--only {} --full` shows all", finding.rule))
     }
 
     /// What to say below the last shown finding of a file of which more were left out.
     pub(super) fn more_in(&self, path: &str) -> Option<String> {
         let left = self.left_in_file.get(path)?;
-        Some(format!("and {left} more in this file: `--report concise` lists all"))
+        Some(format!("and {left} more in this file; `--full` shows all"))
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diag::{Level, Place, RuleInfo};
+    use crate::diag::{Place, RuleInfo};
 
     fn findings(rule: &'static str, level: Level, number: usize) -> Vec<Finding> {
         let info = RuleInfo::new(rule, level, "");
@@ -72,7 +84,7 @@ mod tests {
     #[test]
     fn the_last_shown_finding_says_how_many_are_left() {
         let all = findings("a", Level::Warning, PER_RULE + 3);
-        let picked = pick(&all);
+        let picked = pick(&all, false);
         assert_eq!(picked.shown.len(), PER_RULE);
         assert!(picked.more_like(&all[PER_RULE - 1]).unwrap().starts_with("and 3 more like it"));
         assert_eq!(picked.more_like(&all[0]), None);
@@ -88,7 +100,7 @@ mod tests {
         for finding in &mut all {
             finding.path = "same".to_owned();
         }
-        let picked = pick(&all);
+        let picked = pick(&all, false);
         assert_eq!(picked.shown.last().unwrap().rule, "d");
         assert!(picked.more_in("same").unwrap().starts_with("and 11 more"));
     }

@@ -1,5 +1,4 @@
-//! A mesh that does not belong to the data around it: whatever is off against it is its doing. And one that an archive
-//! is read in place of: whatever is off in it nobody meets.
+//! A mesh that an archive is read in place of: whatever is off in it nobody meets.
 
 use super::consequence::UNREAD_MESH;
 use crate::diag::Finding;
@@ -16,14 +15,4 @@ pub(in crate::rules) fn is_in_archive(view: &View<'_>, file: &FileFacts, fault: 
     let View::Makehuman2(own) = view else { return false };
     let base = file.base().and_then(|name| own.base(name)).filter(|_| view.is_replaced(&file.rel));
     base.and_then(|base| base.mesh_files.read?.mesh()).is_some_and(fault)
-}
-
-/// Whether the base mesh of a file has another number of vertices than all the rest is made for (`base-vertex-count`).
-pub(in crate::rules) fn is_beside_foreign_mesh(view: &View<'_>, file: &FileFacts) -> bool {
-    match view {
-        View::Makehuman2(own) => {
-            file.base().and_then(|name| own.base(name)).is_some_and(|base| base.foreign_mesh.is_some())
-        }
-        View::Makehuman1(_) | View::Mpfb(_) => false,
-    }
 }

@@ -14,4 +14,3 @@ pub(super) mod weights;
 
 pub(super) use file::{counts_as_missing, is_ignored_override, is_override, is_unmet};
 pub(super) use generated::is_generated_for;
-pub(super) use mesh::is_beside_foreign_mesh;

@@ -33,11 +33,10 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         if steps.len() != component.values.len() || !is_increasing(steps) {
             continue;
         }
-        let Some((fault, effect)) = fault(steps, &component.values) else { continue };
         // To fix one end and break the other is another fault.
-        let end = fault.split_whitespace().next().unwrap_or_default();
+        let Some((end, fault, effect)) = fault(steps, &component.values) else { continue };
         let slider = component.pattern.as_deref().map(|pattern| format!(" (slider `{pattern}`)")).unwrap_or_default();
-        let message = format!("`steps` of `{}`{slider} {fault}", component.name);
+        let message = format!("`steps` of `{}`{slider} {end} {fault}", component.name);
         let place = Place::pointer(["components", &component.name, "steps"]);
         let finding = RULE.at(file, place, message).key(format!("{} {end}", component.name)).help(help(steps));
         let finding = if is_dead(steps) { finding.level(Level::Error) } else { finding };
@@ -49,32 +48,30 @@ fn is_increasing(steps: &[f64]) -> bool {
     steps.is_sorted_by(|a, b| a.partial_cmp(b) == Some(Ordering::Less))
 }
 
-/// What is wrong with the ends, and what comes of it.
-fn fault(steps: &[f64], values: &[String]) -> Option<(String, &'static str)> {
+/// Which end is wrong, how, and what comes of it.
+fn fault(steps: &[f64], values: &[String]) -> Option<(&'static str, String, &'static str)> {
     const NO_INTERVAL: &str = "drops the component and never applies its macrodefs";
     const OUT_OF_REACH: &str = "silently never applies that value with its full weight";
     let ([first, .., last] | [first @ last]) = steps else {
-        let fault = "are empty; at least two steps are needed";
-        return Some((fault.to_owned(), NO_INTERVAL));
+        return Some(("are", "empty; at least two steps are needed".to_owned(), NO_INTERVAL));
     };
     if steps.len() == 1 {
-        let fault = format!("hold only {last}; at least two steps are needed");
-        return Some((fault, NO_INTERVAL));
+        return Some(("hold", format!("only {last}; at least two steps are needed"), NO_INTERVAL));
     }
     if is_dead(steps) {
-        let fault = format!("end at {last} instead of 1");
-        return Some((fault, "drops the macrodef unless the slider is at exactly 0"));
+        let effect = "drops the macrodef unless the slider is at exactly 0";
+        return Some(("end", format!("at {last} instead of 1"), effect));
     }
     if last.total_cmp(&1.0).is_lt() {
-        let fault = format!("end at {last} instead of 1");
-        Some((fault, "drops the macrodef when the slider is above the last step"))
+        let effect = "drops the macrodef when the slider is above the last step";
+        Some(("end", format!("at {last} instead of 1"), effect))
     } else if first.partial_cmp(&0.0) == Some(Ordering::Greater) {
-        let fault = format!("begin at {first} instead of 0");
-        Some((fault, "applies the first value with more than its full weight when the slider is below the first step"))
+        let effect = "applies the first value with more than its full weight when the slider is below the first step";
+        Some(("begin", format!("at {first} instead of 0"), effect))
     } else if first.partial_cmp(&0.0) == Some(Ordering::Less) {
-        Some((format!("begin at {first} instead of 0"), OUT_OF_REACH))
+        Some(("begin", format!("at {first} instead of 0"), OUT_OF_REACH))
     } else if last.total_cmp(&1.0).is_gt() {
-        Some((format!("end at {last} instead of 1: {}", out_of_reach(steps, values)), OUT_OF_REACH))
+        Some(("end", format!("at {last} instead of 1: {}", out_of_reach(steps, values)), OUT_OF_REACH))
     } else {
         None
     }

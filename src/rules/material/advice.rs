@@ -6,7 +6,7 @@ use std::ops::Bound;
 use super::super::did_you_mean;
 use crate::diag::{Place, Suggestions};
 use crate::discover::extension;
-use crate::repo::{FileFacts, Reference, View, parent};
+use crate::repo::{FileFacts, PictureFolders, Reference, View};
 
 /// The pictures that names may be meant for.
 pub(super) struct Advice<'v, 'a> {
@@ -30,16 +30,17 @@ impl<'v, 'a> Advice<'v, 'a> {
     }
 
     pub(super) fn on(&self, reference: &Reference<'_>) -> String {
-        if let Some(name) = with_blanks(reference).filter(|name| self.is_near(name, reference)) {
+        let otherwise = "correct the name, add the picture, or remove the line";
+        let Some(folders) = self.view.picture_folders(reference) else { return otherwise.to_owned() };
+        if let Some(name) = with_blanks(reference).filter(|name| self.is_near(name, &folders)) {
             return format!("a name ends at the first blank: rename `{name}` without any, and write that");
         }
-        if let Some(name) = self.moved(reference) {
+        if let Some(name) = self.moved(reference, &folders) {
             return format!("write `{name}`, where the picture is");
         }
-        let around = self.below(around(reference)).filter(|file| self.is_free(file));
-        let names = around.filter_map(|file| near(file, reference)).filter(|name| is_name(name));
-        let near = self.suggestions.nearest(reference.text, names);
-        did_you_mean(near, "correct the name, add the picture, or remove the line")
+        let around = self.below(around(&folders)).filter(|file| self.is_free(file));
+        let names = around.filter_map(|file| near(file, &folders)).filter(|name| is_name(name));
+        did_you_mean(self.suggestions.nearest(reference.text, names), otherwise)
     }
 
     /// The pictures below a folder.
@@ -50,24 +51,22 @@ impl<'v, 'a> Advice<'v, 'a> {
     }
 
     /// Whether a picture lies where a material looks for this name.
-    fn is_near(&self, name: &str, reference: &Reference<'_>) -> bool {
-        let folders = [parent(&reference.from.rel), around(reference)];
-        let found = folders.iter().filter_map(|folder| self.paths.get(format!("{folder}/{name}").as_str()));
-        found.into_iter().any(|file| near(file, reference) == Some(name))
+    fn is_near(&self, name: &str, folders: &PictureFolders<'_>) -> bool {
+        let asked = [folders.own, around(folders)];
+        let found = asked.iter().filter_map(|folder| self.paths.get(format!("{folder}/{name}").as_str()));
+        found.into_iter().any(|file| near(file, folders) == Some(name))
     }
 
     /// A picture of this name in another folder: one of the same asset, or one that nobody names.
-    fn moved(&self, reference: &Reference<'_>) -> Option<&'a str> {
+    fn moved(&self, reference: &Reference<'_>, folders: &PictureFolders<'_>) -> Option<&'a str> {
         let same = self.pictures.get(file_name(reference.text))?;
-        let has_own_folder = around(reference).matches('/').count() > 1;
+        let has_own_folder = around(folders).matches('/').count() > 1;
         let same = same.get(..SAME_NAMES).unwrap_or(same);
         let around = same.iter().filter(|file| has_own_folder || self.is_free(file));
-        let mut around = around.filter_map(|file| near(file, reference));
-        let sort = reference.from.rel.split('/').next().filter(|folder| *folder != "base").unwrap_or("skins");
-        let all = format!("{sort}/{}", reference.base);
-        let shared = same.iter().filter(|file| self.is_free(file)).filter_map(|file| below(&file.rel, &all));
+        let mut around = around.filter_map(|file| near(file, folders));
+        let shared = same.iter().filter(|file| self.is_free(file)).filter_map(|file| below(&file.rel, &folders.all));
         // The first part of such a name would be left out.
-        let mut shared = shared.filter(|name| !name.starts_with(sort));
+        let mut shared = shared.filter(|name| !name.starts_with(folders.sort));
         around.find(|name| is_name(name)).or_else(|| shared.find(|name| is_name(name)))
     }
 
@@ -94,15 +93,14 @@ fn with_blanks(reference: &Reference<'_>) -> Option<String> {
     (!texture.lost.is_empty()).then(|| format!("{} {}", texture.word, texture.lost).replace('"', ""))
 }
 
-/// The folder of the material, or the one above if the application looks there as well.
-fn around<'r>(reference: &'r Reference<'_>) -> &'r str {
-    let own = parent(&reference.from.rel);
-    if own.ends_with("materials") { parent(own) } else { own }
+/// The farthest folder around a material in which its pictures are looked for.
+fn around<'r>(folders: &PictureFolders<'r>) -> &'r str {
+    folders.above.unwrap_or(folders.own)
 }
 
 /// The name of a picture there, as the material would write it.
-fn near<'a>(file: &'a FileFacts, reference: &Reference<'_>) -> Option<&'a str> {
-    below(&file.rel, parent(&reference.from.rel)).or_else(|| below(&file.rel, around(reference)))
+fn near<'a>(file: &'a FileFacts, folders: &PictureFolders<'_>) -> Option<&'a str> {
+    below(&file.rel, folders.own).or_else(|| below(&file.rel, around(folders)))
 }
 
 fn below<'p>(path: &'p str, folder: &str) -> Option<&'p str> {

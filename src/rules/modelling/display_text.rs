@@ -11,7 +11,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
             stands for the result of `display.formula`, and the format after a colon is for one type of \
             value.\n\n`{:d}` is for whole numbers, `{:.1f}` for all numbers, `{:>8}` for everything. `val` is a \
             decimal number, and so is everything calculated with it. `round(…)` without a second argument returns a \
-            whole number, `str(…)` a text.\n\nMakeHuman 2 prints these texts when it opens its window. It crashes \
+            whole number, `str(…)` a string.\n\nMakeHuman 2 prints these texts when it opens its window. It crashes \
             with `ValueError` if a format is unknown or for another type, with `IndexError` if the text asks for a \
             second value, and with `KeyError` if it asks for a named one.\n\nChange the format, or round the result.",
         ..RuleInfo::new("modelling-display-text", Level::Error, "a format in `display.text` does not fit its value")

@@ -18,7 +18,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
             slider, 0 to 1), arithmetic, comparisons, `and`, `or`, `not`, conditional expressions, `round`, `str`, \
             quoted strings and `+` between them, and powers with a fixed small exponent. In `text`, `{}` and `{0}` \
             are safe, with or without a format.\n\nEverything else is reported: names, attributes, elements, other \
-            calls. So is what Python refuses, because MakeHuman 2 then crashes before its window is open, and a \
+            calls. So is what Python rejects, because MakeHuman 2 then crashes before its window is open, and a \
             division by `val`, which crashes it when the slider is at 0. This finding cannot be ignored.\n\nRewrite \
             the formula with what is safe.",
         ..RuleInfo::new("modelling-unsafe-formula", Level::Error, "`display.formula` is more than harmless arithmetic")
@@ -55,7 +55,7 @@ fn finding(bound: &BoundSlider<'_>, member: &str, fault: &Fault) -> Finding {
         _ if fault.kind == FaultKind::Mistyped => "write `**` for a power, `and` and `or` between conditions",
         _ if fault.kind == FaultKind::Pair => "write numbers with a decimal point, such as `0.5`",
         "text" => "use `{}` for the result, or a format such as `{:.1f}`",
-        _ => "use numbers, `val`, arithmetic, comparisons, `if`/`else`, `round`, `str` and texts joined with `+`",
+        _ => "use numbers, `val`, arithmetic, comparisons, `if`/`else`, `round`, `str` and strings joined with `+`",
     };
     RULE.at(bound.file, Place::Span(fault.span.clone()), message)
         .key(format!("{key} {member}"))

@@ -24,6 +24,9 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 const NOT_NEEDED: Case = &[(Application::Makehuman2, Level::Info, "silently drops the joint; no bone needs it")];
 
+const STOPS: Case =
+    &[(Application::Makehuman2, Level::Error, "crashes with `KeyError`, on the first bone that needs the joint,")];
+
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for rig in rigs(body) {
         let asked = rig.asked_joints();
@@ -35,7 +38,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 .key(&joint.name)
                 .help("list the base-mesh vertices whose mean is the joint, or remove it");
             out.push(if asked.contains(joint.name.as_str()) {
-                rig.stops_with("`KeyError`", finding)
+                rig.stops_with(STOPS, finding)
             } else {
                 finding.case(NOT_NEEDED)
             });

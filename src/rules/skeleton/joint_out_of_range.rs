@@ -26,6 +26,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Body(run),
 };
 
+const STOPS: Case = &[(Application::Makehuman2, Level::Error, "crashes with `IndexError`")];
 const SEAM: Case = &[(Application::Makehuman2, Level::Warning, "uses the position of a UV-seam duplicate")];
 const NEGATIVE: Case = &[(Application::Makehuman2, Level::Warning, "uses a vertex counted from the end of the mesh")];
 
@@ -87,7 +88,7 @@ fn finding(rig: &Rig<'_>, fault: Fault, cases: &[(&str, usize, i64)], vertices: 
         .help(help)
         .evidence(Evidence::of_cases(names));
     Some(match fault {
-        Fault::Beyond | Fault::Float => rig.stops_with("`IndexError`", finding),
+        Fault::Beyond | Fault::Float => rig.stops_with(STOPS, finding),
         Fault::Seam => finding.case(SEAM),
         Fault::Negative => finding.case(NEGATIVE),
     })

@@ -24,6 +24,9 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Body(run),
 };
 
+const EXCEPTION: Case = &[(Application::Makehuman2, Level::Error, "crashes")];
+const TYPE_ERROR: Case = &[(Application::Makehuman2, Level::Error, "crashes with `TypeError`")];
+const KEY_ERROR: Case = &[(Application::Makehuman2, Level::Error, "crashes with `KeyError`")];
 const REFUSED: Case = &[(Application::Makehuman2, Level::Error, "refuses the skeleton and logs a line")];
 const NOT_USED: Case = &[(Application::Makehuman2, Level::Info, "never reads the plane: no bone uses it")];
 
@@ -53,7 +56,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Outcome {
     /// A bone uses it: the exception that follows, if one does.
-    Asked(Option<&'static str>),
+    Asked(Option<Case>),
     NotUsed,
 }
 
@@ -68,22 +71,22 @@ fn finding(rig: &Rig<'_>, plane: &str, outcome: Outcome, message: String) -> Fin
         .help("name three joints that are not in line, or remove the plane and the `rotation_plane` of its bones");
     match outcome {
         Outcome::NotUsed => finding.case(NOT_USED),
-        Outcome::Asked(Some(error)) => rig.stops_with(error, finding),
+        Outcome::Asked(Some(exceptions)) => rig.stops_with(exceptions, finding),
         Outcome::Asked(None) => finding.case(REFUSED),
     }
 }
 
 /// What is wrong with a plane, and the exception that follows, if one does.
-fn fault(plane: &Plane) -> Option<(String, Option<&'static str>)> {
+fn fault(plane: &Plane) -> Option<(String, Option<Case>)> {
     let Some(joints) = plane.joints.as_deref() else {
-        return Some(("is not a list of joints".to_owned(), Some("an exception")));
+        return Some(("is not a list of joints".to_owned(), Some(EXCEPTION)));
     };
     if plane.is_null {
         return Some(("is `[null, null, null]`".to_owned(), None));
     }
     if joints.len() < 3 {
-        return Some((format!("has {} instead of three", counted(joints.len(), "joint")), Some("`TypeError`")));
+        return Some((format!("has {} instead of three", counted(joints.len(), "joint")), Some(TYPE_ERROR)));
     }
     let unnamed = joints.iter().take(3).position(Option::is_none)?;
-    Some((format!("has no joint name at index {unnamed}"), Some("`KeyError`")))
+    Some((format!("has no joint name at index {unnamed}"), Some(KEY_ERROR)))
 }

@@ -30,7 +30,7 @@ pub(super) mod zero_length_bone;
 
 use std::collections::BTreeSet;
 
-use crate::diag::{Application, Finding};
+use crate::diag::{Case, Finding};
 use crate::formats::mhskel::{RotationPlane, Skeleton};
 use crate::repo::{self, Body, FileFacts};
 
@@ -54,10 +54,12 @@ fn rigs<'v>(body: &Body<'v>) -> impl Iterator<Item = Rig<'v>> + use<'v> {
 }
 
 impl<'a> Rig<'a> {
-    /// The finding with the time at which an exception in this skeleton reaches the user of MakeHuman 2.
-    fn stops_with(&self, error: &str, finding: Finding) -> Finding {
+    /// A finding on exceptions, with the time at which they reach the user.
+    fn stops_with(&self, exceptions: Case, finding: Finding) -> Finding {
         let when = if self.own.is_default { "while loading the base mesh" } else { "when the skeleton is chosen" };
-        finding.effect_in(Application::Makehuman2, format!("crashes with {error} {when}"))
+        exceptions.iter().fold(finding, |finding, (application, level, effect)| {
+            finding.level_in(*application, *level).effect_in(*application, format!("{effect} {when}"))
+        })
     }
 
     /// Joints that a bone, or a plane that a bone names, asks for.

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::{Rig, SINGLE, rigs};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::mhskel::Section;
 use crate::repo::Body;
 
@@ -23,6 +23,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
     },
     check: Check::Body(run),
 };
+
+const STOPS: Case = &[(Application::Makehuman2, Level::Error, "crashes with `KeyError`")];
 
 fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for rig in rigs(body).filter(|rig| rig.skeleton.joints_section == Section::Present) {
@@ -48,7 +50,7 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
             );
             let finding = RULE.at(rig.file, place.clone(), message).key(joint).help(help);
             let finding = finding.evidence(Evidence::of_cases(uses.iter().map(|(_, owner)| owner)));
-            out.push(rig.stops_with("`KeyError`", finding));
+            out.push(rig.stops_with(STOPS, finding));
         }
     }
 }
@@ -66,12 +68,7 @@ fn many(rig: &Rig<'_>, unknown: &BTreeMap<&str, Vec<(Place, String)>>, known: &B
         None => "name existing joints; check that `joints` is not from another skeleton".to_owned(),
     };
     let finding = RULE.at(rig.file, place.clone(), message).key("joints").help(help);
-    Some(
-        rig.stops_with(
-            "`KeyError`",
-            finding.evidence(Evidence::of_cases(unknown.keys()).out_of(self::uses(rig).len())),
-        ),
-    )
+    Some(rig.stops_with(STOPS, finding.evidence(Evidence::of_cases(unknown.keys()).out_of(self::uses(rig).len()))))
 }
 
 /// What the joints have in front of these names, and what the names have in front of the joints, where that is all that
@@ -98,7 +95,7 @@ fn without_joints(rig: &Rig<'_>) -> Option<Finding> {
     let message = format!("bones and planes name {} joints, but `joints` is empty", uses.len());
     let finding = RULE.at(rig.file, place.clone(), message).key("joints").help("add the joints to `joints`");
     let finding = finding.evidence(Evidence::of_cases(uses.keys()));
-    Some(rig.stops_with("`KeyError`", finding))
+    Some(rig.stops_with(STOPS, finding))
 }
 
 /// Joints that are looked up, with the places that name them.

@@ -2,14 +2,16 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::loss::noticeable_loss;
-use super::{has_unusable_entries, pair_place};
+use super::{Tallied, has_unusable_entries, tallied};
 use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Rewrite, RuleInfo};
-use crate::repo::{Body, BodyWeights};
+use crate::repo::{Body, FileFacts};
+
+const USUAL: &str = "drops the entry: it keeps weights above 0.0001 only";
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         fix: FixKind::Safe,
-        breaks: &[(Application::Makehuman2, "drops the entry: it keeps weights above 0.0001 only")],
+        breaks: &[(Application::Makehuman2, USUAL), (Application::Makehuman1, USUAL)],
         docs: "After dividing by the sum of a vertex, MakeHuman keeps weights above 0.0001. Smaller ones, zeros \
             among them, only make the file larger; their share is not given to the other bones.\n\nRemove the \
             entries. Then the other bones of the vertex get their share, at most 0.0001 for each; a bone that \
@@ -23,12 +25,11 @@ pub(in crate::rules) static RULE: Rule = Rule {
 fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     // Where the loss can be seen, the same entries are told by `weights-lost-after-threshold`.
     let told = noticeable_loss(body, cx).map(|loss| loss.file);
-    for BodyWeights { file, .. } in
-        body.weights.iter().filter(|own| !told.is_some_and(|told| std::ptr::eq(told, own.file)))
+    let is_told = |file: &FileFacts| told.is_some_and(|told| std::ptr::eq(told, file));
+    let of_body = tallied(body, |facts| &facts.below_threshold).filter(|one| one.own.name.is_some());
+    for Tallied { own, weights, tally, bone, vertex, weight, place } in
+        of_body.filter(|one| !is_told(one.own.file) && !has_unusable_entries(one.weights))
     {
-        let Some(weights) = file.weights().filter(|weights| !has_unusable_entries(weights)) else { continue };
-        let tally = &weights.facts.below_threshold;
-        let (Some((bone, _, vertex, weight)), Some(place)) = (tally.first.first(), pair_place(tally)) else { continue };
         let message = match tally.count {
             1 => format!("weight {weight} of vertex {vertex} in bone `{bone}` is too small to be kept"),
             count => format!(
@@ -37,8 +38,8 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
             ),
         };
         let fix = Fix::new(RULE.info.fix, "remove the entries");
-        let fix = fix.step(&file.path, Change::Rewrite(Rewrite::DropSmallWeights));
+        let fix = fix.step(&own.file.path, Change::Rewrite(Rewrite::DropSmallWeights));
         let evidence = tally.evidence(weights.facts.pairs);
-        out.push(RULE.at(file, place, message).help("remove them").evidence(evidence).fix(fix));
+        out.push(RULE.at(own.file, place, message).help("remove them").evidence(evidence).fix(fix));
     }
 }

@@ -7,7 +7,10 @@ use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "pulls the vertices towards the origin of the scene in pose mode")],
+        breaks: &[
+            (Application::Makehuman2, "pulls the vertices towards the origin of the scene in pose mode"),
+            (Application::Makehuman1, "pulls the vertices towards the origin of the scene in every pose"),
+        ],
         docs: "After dividing by the sum of a vertex, MakeHuman 2 drops weights that are not above 0.0001. Nobody gets their \
             share: the rest sums to less than 1, and the vertex is pulled towards the origin, farther the farther away it \
             is.\n\nReported once the pull reaches `distance`: a warning; a tenth of it is an info. Less cannot be \

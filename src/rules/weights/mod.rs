@@ -20,24 +20,56 @@ pub(super) mod vertex_out_of_range;
 pub(super) mod wrong_side;
 
 use super::cause::weights::{has_unusable_entries, unusable_entries};
-use crate::diag::{Cases, Place};
-use crate::formats::mhw::{PairTally, Weights};
-use crate::repo::FileFacts;
+use crate::diag::{Application, Case, Cases, Finding, Level, Place};
+use crate::formats::mhw::{PairTally, Weights, WeightsFacts};
+use crate::repo::{Body, BodyWeights, WeightsUse};
 
-/// The weights in a file, if they are an object of bones.
-fn bones_of(file: &FileFacts) -> Option<&Weights> {
-    file.weights().filter(|weights| weights.has_weights)
+/// The weights of a body, and of what it wears, that are read and are an object of bones.
+fn readable<'b, 'v>(body: &'b Body<'v>) -> impl Iterator<Item = (&'b BodyWeights<'v>, &'v Weights)> {
+    let read = body.weights.iter().filter(|own| own.used != WeightsUse::Unread);
+    read.filter_map(|own| Some((own, own.file.weights().filter(|weights| weights.has_weights)?)))
 }
+
+/// Those for the mesh of the body itself.
+fn readable_own<'b, 'v>(body: &'b Body<'v>) -> impl Iterator<Item = (&'b BodyWeights<'v>, &'v Weights)> {
+    readable(body).filter(|(own, _)| own.name.is_some())
+}
+
+/// A finding on what moves with the weights, of some that are loaded and move nothing.
+fn weigh(own: &BodyWeights<'_>, finding: Finding) -> Finding {
+    if own.used == WeightsUse::Loaded { finding.case(NEVER_APPLIED) } else { finding }
+}
+
+const NEVER_APPLIED: Case =
+    &[(Application::Makehuman2, Level::Info, "never applies these weights: the base is posed by another skeleton")];
 
 /// Whether no bone has a single entry.
 fn is_empty(weights: &Weights) -> bool {
     weights.bones.iter().all(|bone| bone.is_list && bone.listed == 0)
 }
 
-/// The first pair of a tally.
-fn pair_place(tally: &PairTally) -> Option<Place> {
-    let (bone, position, ..) = tally.first.first()?;
-    Some(Place::pointer(["weights", bone, &position.to_string()]))
+/// Pairs of weights with one fault, and the first of them.
+struct Tallied<'b, 'v> {
+    own: &'b BodyWeights<'v>,
+    weights: &'v Weights,
+    tally: &'v PairTally,
+    bone: &'v str,
+    vertex: i64,
+    weight: f32,
+    place: Place,
+}
+
+/// The readable weights of a body in which some pair was counted.
+fn tallied<'b, 'v>(
+    body: &'b Body<'v>,
+    tally: fn(&WeightsFacts) -> &PairTally,
+) -> impl Iterator<Item = Tallied<'b, 'v>> {
+    readable(body).filter_map(move |(own, weights)| {
+        let tally = tally(&weights.facts);
+        let (bone, position, vertex, weight) = tally.first.first()?;
+        let place = Place::pointer(["weights", bone, &position.to_string()]);
+        Some(Tallied { own, weights, tally, bone, vertex: *vertex, weight: *weight, place })
+    })
 }
 
 /// Adds the largest number of a tally.

@@ -1,17 +1,21 @@
 //! Weights must not be negative.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{bones_of, pair_place, worst};
+use super::{Tallied, tallied, weigh, worst};
 use crate::diag::{Application, Case, Finding, Level, RuleInfo};
-use crate::repo::{FileFacts, View};
+use crate::repo::Body;
+
+const USUAL: &str = "drops the share and enlarges the others of the vertex (0.25 taken away: a third more); where the sum \
+    becomes 0 it divides by zero";
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "drops the share and enlarges the others of the vertex (0.25 taken away: a third more); where the sum \
-            becomes 0 it divides by zero",
-        )],
+        breaks: &[
+            (Application::Makehuman2, USUAL),
+            (Application::Makehuman1, USUAL),
+            (Application::Mpfb, "takes the weight as 0"),
+        ],
+        levels: &[(Application::Mpfb, Level::Warning)],
         docs: "A weight says how much of a vertex moves with a bone, from 0 to 1.\n\nMakeHuman 2 adds the negative \
             number to the sum of the vertex, divides by the sum, and drops what is below 0. What remains adds up \
             to more than 1, so the vertex shoots away from the body in every pose. Weights that cancel out \
@@ -19,22 +23,23 @@ pub(in crate::rules) static RULE: Rule = Rule {
             them all the same (`info`).\n\nRemove the entry or paint the weight again.",
         ..RuleInfo::new("weights-negative", Level::Error, "a weight is negative")
     },
-    check: Check::File(run),
+    check: Check::Body(run),
 };
 
 const ALONE: Case =
-    &[(Application::Makehuman2, Level::Info, "divides the weight by the negative sum of its vertex: nothing happens")];
+    &[(Application::Makehuman2, Level::Info, BY_NEGATIVE), (Application::Makehuman1, Level::Info, BY_NEGATIVE)];
+const BY_NEGATIVE: &str = "divides the weight by the negative sum of its vertex: nothing happens";
 
-fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(weights) = bones_of(file) else { return };
-    let tally = &weights.facts.negative;
-    let (Some((bone, _, vertex, weight)), Some(place)) = (tally.first.first(), pair_place(tally)) else { return };
-    let message = match tally.count {
-        1 => format!("vertex {vertex} has the negative weight {weight} in bone `{bone}`"),
-        count => format!("{count} weights are negative, the first is {weight} of vertex {vertex} in bone `{bone}`"),
-    };
-    let evidence = worst(tally.evidence(weights.facts.pairs), tally);
-    let finding = RULE.at(file, place, message).help("remove the entry, or paint the weight again").evidence(evidence);
-    let is_harmless = weights.facts.negative_alone == tally.count;
-    out.push(if is_harmless { finding.case(ALONE) } else { finding });
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for Tallied { own, weights, tally, bone, vertex, weight, place } in tallied(body, |facts| &facts.negative) {
+        let message = match tally.count {
+            1 => format!("vertex {vertex} has the negative weight {weight} in bone `{bone}`"),
+            count => format!("{count} weights are negative, the first is {weight} of vertex {vertex} in bone `{bone}`"),
+        };
+        let evidence = worst(tally.evidence(weights.facts.pairs), tally);
+        let finding =
+            RULE.at(own.file, place, message).help("remove the entry, or paint the weight again").evidence(evidence);
+        let is_harmless = weights.facts.negative_alone == tally.count;
+        out.push(weigh(own, if is_harmless { finding.case(ALONE) } else { finding }));
+    }
 }

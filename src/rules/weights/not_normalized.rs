@@ -3,15 +3,21 @@
 use std::fmt::Write as _;
 
 use super::super::{Check, Rule, RuleCx};
-use super::unusable_entries;
+use super::{readable_own, unusable_entries};
 use crate::diag::{Application, Change, Evidence, Finding, Fix, FixKind, Level, Place, Rewrite, RuleInfo};
 use crate::formats::mhw::{FAR_SUMS, Weights};
 use crate::formats::obj::Mesh;
-use crate::repo::{Body, BodyWeights};
+use crate::repo::Body;
+
+const USUAL: &str = "divides the weights of every vertex by their sum, so nothing happens";
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "divides the weights of every vertex by their sum, so nothing happens")],
+        breaks: &[
+            (Application::Makehuman2, USUAL),
+            (Application::Makehuman1, USUAL),
+            (Application::Mpfb, "lets Blender divide by the sum when the vertex moves, so nothing happens"),
+        ],
         // Every line of the file changes for nothing that anybody sees today.
         fix: FixKind::Unsafe,
         docs: "The weights of a vertex over all bones should add up to 1. Where they do not, and nobody repairs it, \
@@ -28,10 +34,9 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for BodyWeights { file, .. } in &body.weights {
-        // An entry that cannot be used may be what one vertex lacks; of more vertices it is not the reason.
-        let explained = |weights: &&Weights| unusable_entries(weights).is_none_or(|lost| weights.facts.sum.off <= lost);
-        let Some(weights) = file.weights().filter(|weights| !explained(weights)) else { continue };
+    // An entry that cannot be used may be what one vertex lacks; of more vertices it is not the reason.
+    let is_explained = |weights: &Weights| unusable_entries(weights).is_none_or(|lost| weights.facts.sum.off <= lost);
+    for (own, weights) in readable_own(body).filter(|(_, weights)| !is_explained(weights)) {
         let (sums, vertices) = (&weights.facts.sum, weights.facts.vertices);
         let Some((vertex, sum)) = sums.worst else { continue };
         let message = if sums.off == 1 {
@@ -57,8 +62,8 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let evidence =
             Evidence::of_cases(&sums.vertices).out_of(vertices).with_worst(f64::from(sum), format!("vertex {vertex}"));
         let fix = Fix::new(RULE.info.fix, "divide the weights of these vertices by their sum");
-        let fix = fix.step(&file.path, Change::Rewrite(Rewrite::NormalizeWeights));
-        out.push(RULE.at(file, Place::pointer(["weights"]), message).help(help).evidence(evidence).fix(fix));
+        let fix = fix.step(&own.file.path, Change::Rewrite(Rewrite::NormalizeWeights));
+        out.push(RULE.at(own.file, Place::pointer(["weights"]), message).help(help).evidence(evidence).fix(fix));
     }
 }
 

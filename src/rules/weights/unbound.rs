@@ -2,13 +2,13 @@
 
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
-use crate::repo::{Body, BodyWeights};
+use crate::repo::{Body, BodyWeights, WeightsUse};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "never reads the file")],
-        docs: "Weights in `rigs/<base>/` are read when a skeleton names them in `weights_file` (without the key: \
-            `default_weights.mhw`).\n\nA file that no skeleton names has no effect. Often the name in the \
+        breaks: &[(Application::Makehuman2, "never reads the file"), (Application::Makehuman1, "never reads the file")],
+        docs: "MakeHuman 2 reads weights in `rigs/<base>/` when a skeleton names them in `weights_file` (without the key: \
+            `default_weights.mhw`), MakeHuman 1 those in `rigs/`, with the key alone.\n\nA file that no skeleton names has no effect. Often the name in the \
             skeleton is misspelt, or points to an older file.\n\nName it in a skeleton, or remove it.",
         ..RuleInfo::new("weights-unbound", Level::Warning, "no skeleton uses a weights file")
     },
@@ -16,11 +16,13 @@ pub(in crate::rules) static RULE: Rule = Rule {
 };
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for BodyWeights { file, name, .. } in body.weights.iter().filter(|own| own.is_unbound) {
+    for BodyWeights { file, name, .. } in body.own_weights().filter(|own| own.used == WeightsUse::Unread) {
         let message = format!("no skeleton of base `{}` uses these weights", body.name);
         out.push(
-            RULE.at(file, Place::File, message)
-                .help(format!("name `{name}` as `weights_file` of a skeleton, or remove the file")),
+            RULE.at(file, Place::File, message).help(format!(
+                "name `{}` as `weights_file` of a skeleton, or remove the file",
+                name.unwrap_or_default()
+            )),
         );
     }
 }

@@ -3,12 +3,21 @@
 use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
+use super::readable_own;
 use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::{Body, BodyWeights, FileFacts, Rig};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "stops with a KeyError when pose mode is entered")],
+        breaks: &[
+            (Application::Makehuman2, "stops with a KeyError when pose mode is entered"),
+            (
+                Application::Makehuman1,
+                "leaves the weights of the bone out with a warning, which pulls their vertices towards the origin",
+            ),
+            (Application::Mpfb, "leaves the weights of the bone out without a message"),
+        ],
+        levels: &[(Application::Makehuman1, Level::Warning), (Application::Mpfb, Level::Warning)],
         docs: "The bones of a weights file are those of the skeletons that name it in `weights_file`.\n\nMakeHuman \
             2 loads weights for other bones, but stops with a KeyError as soon as the user enters pose mode. \
             What counts is the skeleton that `base.json` names (`pose-skeleton`). Weights that only other \
@@ -23,8 +32,7 @@ const NEVER_APPLIED: Case =
     &[(Application::Makehuman2, Level::Warning, "never applies these weights: the base is posed by another skeleton")];
 
 fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    for BodyWeights { file, .. } in &body.weights {
-        let Some(weights) = file.weights() else { continue };
+    for (BodyWeights { file, .. }, weights) in readable_own(body) {
         let Some(Binding { known, is_posed, skeleton }) = binding(body, file) else { continue };
         let unknown = weights.bones.iter().filter(|bone| bone.listed > 0 && !known.contains(bone.name.as_str()));
         let unknown: Vec<&str> = unknown.map(|bone| bone.name.as_str()).collect();

@@ -4,18 +4,21 @@ use std::cell::OnceCell;
 use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
-use super::{has_unusable_entries, is_empty};
+use super::{has_unusable_entries, is_empty, readable_own, weigh};
 use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::mhw::Weights;
 use crate::formats::obj::Mesh;
 use crate::repo::{Body, FileFacts};
 
+const USUAL: &str = "gives the vertex to the root bone: it stays behind when the body is posed";
+
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "gives the vertex to the root bone: it stays behind when the body is posed",
-        )],
+        breaks: &[
+            (Application::Makehuman2, USUAL),
+            (Application::Makehuman1, USUAL),
+            (Application::Mpfb, "moves the vertex with no bone: it stays behind when the body is posed"),
+        ],
         docs: "Every vertex of the base mesh should follow some bone.\n\nMakeHuman 2 gives vertices without \
             weights, and such with zeros only, to the root bone. Part of a limb then stays at the hip when the \
             limb moves. Where no visible group of the mesh is concerned (helpers, joints) it is a remark \
@@ -25,19 +28,21 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Body(run),
 };
 
-const WITHOUT_ANY: Case =
-    &[(Application::Makehuman2, Level::Warning, "gives the whole mesh to the root bone: no other bone moves anything")];
+const WITHOUT_ANY: Case = &[
+    (Application::Makehuman2, Level::Warning, ALL_ON_ROOT),
+    (Application::Makehuman1, Level::Warning, ALL_ON_ROOT),
+    (Application::Mpfb, Level::Warning, "makes a rig that moves nothing"),
+];
+const ALL_ON_ROOT: &str = "gives the whole mesh to the root bone: no other bone moves anything";
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     // Walks the mesh once, not for each of many files, and only where some vertex has no weight.
     let homes = OnceCell::new();
     let mut room = MOST_NAMED;
-    // Of a file that is never read that is all there is to say.
-    for file in body.weights.iter().filter(|own| !own.is_unbound).map(|own| own.file) {
-        // Entries that cannot be used may be the missing ones.
-        let Some(weights) = file.weights().filter(|weights| !has_unusable_entries(weights)) else { continue };
+    // Entries that cannot be used may be the missing ones.
+    for (own, weights) in readable_own(body).filter(|(_, weights)| !has_unusable_entries(weights)) {
         if is_empty(weights) {
-            out.push(without_any(file, weights));
+            out.push(weigh(own, without_any(own.file, weights)));
             continue;
         }
         let Some(mesh) = body.whole_mesh() else { continue };
@@ -58,7 +63,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             count => format!("{count} of {} vertices have no weight ({named})", weights.facts.vertices),
         };
         let finding = RULE
-            .at(file, Place::pointer(["weights"]), message)
+            .at(own.file, Place::pointer(["weights"]), message)
             .help("paint the vertices for the bones that should move them");
         let left = room.checked_sub(vertices.len());
         room = left.unwrap_or(room);
@@ -67,7 +72,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             None => finding.evidence(Evidence::of_unnamed(&vertices).out_of(weights.facts.vertices)),
         };
         let is_seen = groups.keys().any(|group| body.shows(group));
-        out.push(if is_seen { finding } else { finding.at_most(Level::Info) });
+        out.push(weigh(own, if is_seen { finding } else { finding.at_most(Level::Info) }));
     }
 }
 

@@ -45,6 +45,8 @@ fn one(file: &Path, format: Format, outcome: &Outcome, config: &Config) {
         unicode: true,
         width: 100,
         quiet: false,
+        full: false,
+        statistics: false,
         rules: &rules,
     };
     let mut bytes = Vec::new();

@@ -189,6 +189,8 @@ pub fn concise(outcome: &Outcome) -> Vec<String> {
         unicode: false,
         width: 80,
         quiet: true,
+        full: false,
+        statistics: false,
         rules: &rules,
     };
     let mut text = Vec::new();

@@ -1,7 +1,8 @@
 //! Which names the loaders of MakeHuman 2 look for (formats/makehuman2.md §1, §2, §19).
 
 use super::super::super::kind::extension;
-use super::SCANNED;
+use super::super::{Single, WORN};
+use super::is_scanned_folder;
 
 /// Decided for the folders of base meshes, targets and rigs; everything else counts as opened. Tools of the program
 /// count as loaders.
@@ -41,7 +42,20 @@ pub(super) fn is_scanned(rel: &str) -> bool {
         "mhbin" => true,
         _ => false,
     };
-    wanted && SCANNED.contains(&folder) && matches!(rel.split('/').count(), 3 | 4)
+    wanted && is_scanned_folder(folder) && matches!(rel.split('/').count(), 3 | 4)
+}
+
+pub(super) fn single(rel: &str) -> Option<Single> {
+    match rel.split('/').collect::<Vec<_>>().as_slice() {
+        ["base", "hm08", "geometry.json"] => Some(Single::ScriptedRanges),
+        ["base", _, "face-poses.json"] => Some(Single::Expressions),
+        ["base", _, "body-poses.json"] => Some(Single::Poses),
+        ["base", ..] => Some(Single::BesideBase),
+        ["makehuman2_version.json"] => Some(Single::Version),
+        ["shaders", "shader.json"] => Some(Single::Shaders),
+        [.., "selection_filter.json"] => Some(Single::SelectionFilter),
+        _ => None,
+    }
 }
 
 /// Whether a path lies in the folder whose files take the place of the system's.
@@ -58,11 +72,8 @@ pub(crate) struct MaterialUse<'p> {
     pub is_worn: bool,
 }
 
-/// Folders of what a body wears with a material of its own; a topology wears the skin.
-const WORN: [&str; 7] = ["clothes", "hair", "eyes", "eyebrows", "eyelashes", "teeth", "tongue"];
-
 /// What the application has a material of this path for: skins, one folder deep, the base mesh, and what is worn
-/// (formats/makehuman2.md §17).
+/// (formats/makehuman2.md §17); a topology wears the skin.
 pub(crate) fn material_of(rel: &str) -> Option<MaterialUse<'_>> {
     match rel.split('/').collect::<Vec<_>>().as_slice() {
         ["skins" | "base", _, _] | ["skins", _, _, _] => Some(MaterialUse { folder: "skins", is_worn: false }),

@@ -2,12 +2,12 @@
 //! §11, §12, §17, §19, §20, §21).
 
 use super::super::overlay::{SystemFolder, system_folder};
-use super::table::At::{Below, Generated, Named, Path, Replaced};
+use super::table::At::{self, Generated, Replaced, Scanned};
 use super::table::{Cell, Row, Table, anywhere, cell, level, nothing, row};
 use super::{Consequence, Damage, Moment};
 use crate::diag::Level::{Error, Info, Warning};
 use crate::diag::{Application, Case};
-use crate::discover::Kind;
+use crate::discover::{Kind, Layout, Single};
 use crate::repo::ReferenceKind;
 use crate::repo::makehuman2::{Base, View};
 use Damage::{
@@ -16,6 +16,7 @@ use Damage::{
 };
 use Moment::{Never, Scan, Start, Tools, Use};
 use ReferenceKind::{Decr, Icon, Incr, MacroTarget, Model, PoseSkeleton, Texture, WeightsFile};
+use Single::{BesideBase, Expressions, Poses, ScriptedRanges, SelectionFilter, Shaders, Version};
 
 pub(super) static TABLE: Table = Table { rows: ROWS, at_moment: AT_MOMENT, in_general: IN_GENERAL, unfound: UNFOUND };
 
@@ -83,7 +84,7 @@ const ROWS: &[Row] = &[
         cell(Pointer, Error, "takes the pointer for the mesh and stops at every start with a ValueError"),
         cell(Empty, Error, "stops at every start with an EOFError until the file is deleted by hand"),
     ]),
-    row(Kind::Geometry, Path(&["base", "hm08", "geometry.json"]), Tools, &[cell(Syntax, Warning, NOT_READ)]),
+    row(Kind::Geometry, At::Single(ScriptedRanges), Tools, &[cell(Syntax, Warning, NOT_READ)]),
     anywhere(Kind::Geometry, Use, &[
         cell(Closed, Info, NEVER_OPENED),
         cell(Pointer, Info, NEVER_OPENED),
@@ -136,19 +137,18 @@ const ROWS: &[Row] = &[
     anywhere(Kind::Skeleton, Scan, &[SCAN_SYNTAX]),
     anywhere(Kind::Weights, Start, NO_WEIGHTS),
     anywhere(Kind::AssetWeights, Use, NO_WEIGHTS),
-    row(Kind::Pose, Below(&["expressions", "poses"], &[]), Scan, &[SCAN_SYNTAX]),
-    row(Kind::Pose, Below(&["base"], &[]), Start, &[]),
+    row(Kind::Pose, Scanned, Scan, &[SCAN_SYNTAX]),
     anywhere(Kind::Pose, Use, &[]),
-    row(Kind::Json, Path(&["base", "*", "face-poses.json"]), Start,
+    row(Kind::Json, At::Single(Expressions), Start,
         &[cell(Refused, Error, NO_EXPRESSIONS), cell(Syntax, Error, NO_EXPRESSIONS)]),
-    row(Kind::Json, Path(&["base", "*", "body-poses.json"]), Start,
+    row(Kind::Json, At::Single(Poses), Start,
         &[cell(Refused, Error, NO_POSES), cell(Syntax, Error, NO_POSES)]),
-    row(Kind::Json, Path(&["makehuman2_version.json"]), Use,
+    row(Kind::Json, At::Single(Version), Use,
         &[cell(Refused, Error, "does not start"), cell(Syntax, Error, "does not start (exit code 20)")]),
-    row(Kind::Json, Path(&["shaders", "shader.json"]), Use,
+    row(Kind::Json, At::Single(Shaders), Use,
         &[cell(Refused, Error, "does not start"), cell(Syntax, Error, "does not start (exit code 21)")]),
-    row(Kind::Json, Below(&["base"], &[]), Start, &[]),
-    row(Kind::Json, Named("selection_filter.json"), Use, &[cell(Syntax, Warning, "goes on with an empty filter")]),
+    row(Kind::Json, At::Single(BesideBase), Start, &[]),
+    row(Kind::Json, At::Single(SelectionFilter), Use, &[cell(Syntax, Warning, "goes on with an empty filter")]),
     anywhere(Kind::Json, Use, &[]),
     anywhere(Kind::Clothes, Scan, &[DROPS, NO_ATTACHMENT]),
     anywhere(Kind::Material, Use, &[DROPS, cell(Empty, Warning, "shows the default white material")]),
@@ -160,7 +160,7 @@ const ROWS: &[Row] = &[
     ]),
     anywhere(Kind::MotionMeta, Scan, &[DROPS, cell(Empty, Warning, "names the pose after its file")]),
     anywhere(Kind::AssetMesh, Use, &[NO_ATTACHMENT]),
-    row(Kind::Packed, Below(&[], &["mhbin"]), Scan, &[BINARY, cell(Empty, Error, SCAN)]),
+    row(Kind::Packed, Scanned, Scan, &[BINARY, cell(Empty, Error, SCAN)]),
     anywhere(Kind::Packed, Use, &[BINARY]),
     anywhere(Kind::Image, Use, NO_PICTURE),
     anywhere(Kind::Other, Use, &[BINARY]),
@@ -204,7 +204,7 @@ const UNFOUND: &[(&[ReferenceKind], Consequence)] = &[
 
 /// Whether the scripts that align joint cubes open this `geometry.json`: they know one base mesh.
 pub(in crate::rules) fn is_opened_by_scripts(rel: &str) -> bool {
-    rel == "base/hm08/geometry.json"
+    (Layout::of(Application::Makehuman2).single)(rel) == Some(ScriptedRanges)
 }
 
 /// What becomes of a base whose override of this name is ignored, with or without a file of the system's behind it.

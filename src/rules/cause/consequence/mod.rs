@@ -9,7 +9,7 @@ mod mpfb;
 mod table;
 
 pub(in crate::rules) use makehuman2::{NEVER_OPENED, NO_POSE_SKELETON, ignored_override, is_opened_by_scripts};
-use table::{Row, Standing, Table};
+use table::{Row, Spot, Standing, Table};
 
 use crate::diag::{Application, Case, Finding, Level};
 use crate::json::{SchemaFault, UnknownKey};
@@ -99,26 +99,28 @@ const fn table(application: Application) -> &'static Table {
     }
 }
 
-/// The table for a view, and its row for a path.
-fn asked(view: &View<'_>, rel: &str) -> (&'static Table, &'static Row) {
+/// The table for a view, its row for a path, and when the application opens the file there.
+fn asked(view: &View<'_>, rel: &str) -> (&'static Table, &'static Row, Moment) {
     let table = table(view.application());
     let standing = match view.is_generated(rel) {
         true => Standing::Generated,
         false if view.is_replaced(rel) => Standing::Replaced,
         false => Standing::Usual,
     };
-    (table, table.row(view.kind_at(rel), rel, standing))
+    let spot = Spot { layout: view.layout(), rel, standing };
+    let row = table.row(view.kind_at(rel), spot);
+    (table, row, row.moment(spot))
 }
 
 /// When the application opens a file of this path.
 pub(in crate::rules) fn moment(view: &View<'_>, rel: &str) -> Moment {
-    asked(view, rel).1.moment(view.layout(), rel)
+    asked(view, rel).2
 }
 
 /// What a damage of the file at a path comes to; `None` where nothing happens, or nobody needs what is lost.
 pub(in crate::rules) fn consequence(view: &View<'_>, rel: &str, damage: Damage) -> Option<Consequence> {
-    let (table, row) = asked(view, rel);
-    table.consequence(row, row.moment(view.layout(), rel), damage)
+    let (table, row, moment) = asked(view, rel);
+    table.consequence(row, moment, damage)
 }
 
 /// What the application does if a name leads to no file; `None` for a name that it does not have.
@@ -156,14 +158,20 @@ mod tests {
     use crate::discover::{Kind, Layout};
     use crate::formats::FORMATS;
 
+    /// A path that no loader knows.
+    fn spot(application: Application) -> Spot<'static> {
+        Spot { layout: Layout::of(application), rel: "x", standing: Standing::Usual }
+    }
+
     #[test]
     fn every_kind_that_is_read_has_a_consequence_in_every_application() {
         for (format, application) in FORMATS.iter().flat_map(|format| Application::ALL.map(|one| (format, one))) {
             let table = table(application);
-            let row = table.row(format.kind, "x", Standing::Usual);
+            let spot = spot(application);
+            let row = table.row(format.kind, spot);
             let lost = if format.kind.is_json() { Damage::Syntax } else { Damage::Packed };
             for damage in [Damage::Closed, Damage::Pointer, Damage::NotUtf8, lost] {
-                let found = table.consequence(row, row.moment(Layout::of(application), "x"), damage);
+                let found = table.consequence(row, row.moment(spot), damage);
                 // It never opens a packed target.
                 let is_never = (application, format.kind, damage)
                     == (Application::Makehuman2, Kind::PackedTarget, Damage::Pointer);
@@ -180,7 +188,7 @@ mod tests {
         assert!(unknown.consequence(&own, Moment::Use, Damage::NotUtf8).is_some());
         let special = |kind| {
             makehuman2::TABLE.consequence(
-                makehuman2::TABLE.row(kind, "x", Standing::Usual),
+                makehuman2::TABLE.row(kind, spot(Application::Makehuman2)),
                 Moment::Use,
                 Damage::Special,
             )

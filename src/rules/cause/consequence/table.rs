@@ -2,7 +2,7 @@
 
 use super::{Consequence, Damage, Moment};
 use crate::diag::Level;
-use crate::discover::{Kind, Layout, extension};
+use crate::discover::{Kind, Layout, Single};
 use crate::repo::ReferenceKind;
 
 /// What becomes of damaged files in one application.
@@ -44,12 +44,18 @@ pub(super) enum At {
     Generated,
     /// Where another file is read in their place.
     Replaced,
-    /// At this path; `*` is any one folder.
-    Path(&'static [&'static str]),
-    /// Under this name.
-    Named(&'static str),
-    /// Below one of these folders of the data, with one of these extensions; all of them if there is none.
-    Below(&'static [&'static str], &'static [&'static str]),
+    /// Where the scan of assets opens them.
+    Scanned,
+    /// Where the layout has a file by its name.
+    Single(Single),
+}
+
+/// A path of a layout, with what the application takes the file there for.
+#[derive(Clone, Copy)]
+pub(super) struct Spot<'q> {
+    pub(super) layout: &'static Layout,
+    pub(super) rel: &'q str,
+    pub(super) standing: Standing,
 }
 
 /// What one damage comes to; without a consequence nothing happens.
@@ -105,8 +111,8 @@ static USED: Row = anywhere(Kind::Other, Moment::Use, &[]);
 
 impl Table {
     /// The row for a file. One of which nothing more is known is opened when it is used.
-    pub(super) fn row(&self, kind: Kind, rel: &str, standing: Standing) -> &Row {
-        self.rows.iter().find(|row| row.kind == kind && row.at.holds(rel, standing)).unwrap_or(&USED)
+    pub(super) fn row(&self, kind: Kind, spot: Spot<'_>) -> &Row {
+        self.rows.iter().find(|row| row.kind == kind && row.at.holds(spot)).unwrap_or(&USED)
     }
 
     pub(super) fn consequence(&self, row: &Row, moment: Moment, damage: Damage) -> Option<Consequence> {
@@ -119,32 +125,24 @@ impl Table {
 }
 
 impl Row {
-    /// When an application of this layout opens the file at a path.
-    pub(super) fn moment(&self, layout: &Layout, rel: &str) -> Moment {
+    /// When the application opens the file there.
+    pub(super) fn moment(&self, spot: Spot<'_>) -> Moment {
         match self.opened {
-            _ if !(layout.opens)(rel) => Moment::Never,
-            Moment::Scan if !(layout.scans)(rel) => Moment::Use,
+            _ if !(spot.layout.opens)(spot.rel) => Moment::Never,
+            Moment::Scan if !(spot.layout.scans)(spot.rel) => Moment::Use,
             opened => opened,
         }
     }
 }
 
 impl At {
-    fn holds(&self, rel: &str, standing: Standing) -> bool {
+    fn holds(&self, spot: Spot<'_>) -> bool {
         match self {
             Self::Anywhere => true,
-            Self::Generated => standing == Standing::Generated,
-            Self::Replaced => standing == Standing::Replaced,
-            Self::Path(parts) => {
-                rel.split('/').count() == parts.len()
-                    && rel.split('/').zip(*parts).all(|(own, part)| *part == "*" || own == *part)
-            }
-            Self::Named(name) => rel.rsplit('/').next() == Some(name),
-            Self::Below(folders, extensions) => {
-                let (top, _) = rel.split_once('/').unwrap_or_default();
-                (folders.is_empty() || folders.contains(&top))
-                    && (extensions.is_empty() || extensions.contains(&extension(rel)))
-            }
+            Self::Generated => spot.standing == Standing::Generated,
+            Self::Replaced => spot.standing == Standing::Replaced,
+            Self::Scanned => (spot.layout.scans)(spot.rel),
+            Self::Single(single) => (spot.layout.single)(spot.rel) == Some(*single),
         }
     }
 }

@@ -1,0 +1,18 @@
+//! What bodies can wear: assets that the scan finds (formats/makehuman2.md §15.1, §19).
+
+use super::OWN;
+use crate::discover::{Kind, Layout};
+use crate::repo::{Layers, Worn};
+
+/// The assets of all layers, sorted by base.
+pub(super) fn worn(layers: Layers<'_>) -> Vec<Worn<'_>> {
+    let scans = Layout::of(OWN).scans;
+    let mut worn: Vec<Worn<'_>> = Vec::new();
+    for layer in layers.strongest_first() {
+        let files = layer.files.values().filter(|file| scans(&file.rel));
+        let files = files.filter(|file| matches!(file.kind_in(OWN), Kind::Clothes | Kind::Packed));
+        worn.extend(files.filter_map(|file| Some(Worn::of(layer, file, file.base_in(OWN)?, |_| true, true))));
+    }
+    worn.sort_by_key(|worn| worn.base);
+    worn
+}
