@@ -15,7 +15,7 @@ if [ -n "${MHLINT_BASE:-}" ] && [[ ! " ${args[*]-} " =~ \ --(since|staged|agains
     if git cat-file -e "$MHLINT_BASE^{commit}" 2>/dev/null; then
         since=(--since "$MHLINT_BASE")
     else
-        echo "::notice::mhlint: the base of the pull request was not fetched (fetch-depth: 0): the whole report"
+        echo "::notice::mhlint: the base of the pull request was not fetched (fetch-depth: 0); reporting all findings"
     fi
 fi
 human=$RUNNER_TEMP/mhlint.txt

@@ -108,16 +108,19 @@ fn write_baseline(
     Ok(())
 }
 
-/// `: 1 new (1 error), 11 gone`, and a word where the one may be why of the other.
+/// `: 1 new (1 error), 11 removed`, and a word where the one may be why of the other.
 fn difference(taken_over: TakenOver) -> String {
     let TakenOver { new, errors, gone } = taken_over;
     if (new, gone) == (0, 0) {
-        return ", the same as before".to_owned();
+        return " (unchanged)".to_owned();
     }
     let of_them = if errors > 0 { format!(" ({})", report::count(errors, "error")) } else { String::new() };
-    let hidden =
-        if errors > 0 && gone > 0 { "; errors can hide findings, so mend what is new and write it again" } else { "" };
-    format!(": {new} new{of_them}, {gone} gone{hidden}")
+    let hidden = if errors > 0 && gone > 0 {
+        "; errors can hide findings: fix the new errors, then write the baseline again"
+    } else {
+        ""
+    };
+    format!(": {new} new{of_them}, {gone} removed{hidden}")
 }
 
 /// A bug of ours outweighs everything, since findings may be missing; then come findings, then what was not checked.
@@ -227,20 +230,20 @@ fn explained(error: Error, paths: &[PathBuf], args: &CheckArgs, config: &Config)
         && system.to_string_lossy() == path.as_str()
     {
         let line = file.line("system").unwrap_or(1);
-        return Failure::Usage(format!("{error}; `system` stands in {}:{line}", file.path));
+        return Failure::Usage(format!("{error}; `system` is set in {}:{line}", file.path));
     }
     if let Error::Path { path, .. } = &error
         && paths.first().is_some_and(|first| first.as_os_str() == path.as_str() && !first.exists())
         && let Some(word) = nearest(path, Command::WORDS)
     {
-        return Failure::Usage(format!("there is no file or folder `{path}`; did you mean the command `{word}`?"));
+        return Failure::Usage(format!("`{path}` does not exist; did you mean the command `{word}`?"));
     }
     error.into()
 }
 
 /// What to say when mhlint itself failed.
 pub(super) fn own_fault(panics: &[String]) -> String {
-    let mut text = "this is a bug of mhlint, please report it with the files; findings may be missing".to_owned();
+    let mut text = "this is a bug in mhlint; please report it with the files (findings may be missing)".to_owned();
     for panic in panics {
         text.push_str("\n  ");
         text.push_str(&report::printable(panic));

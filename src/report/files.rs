@@ -5,6 +5,20 @@ use std::cmp::Reverse;
 
 use crate::diag::Finding;
 
+/// Findings that a page holds: with many more no browser opens it.
+const MOST: usize = 5_000;
+
+/// The findings for a page, in their order: all of them, or the gravest where there are too many, and how many are left
+/// out.
+pub(super) fn for_page(findings: &[Finding]) -> (Vec<&Finding>, usize) {
+    let mut order: Vec<usize> = (0..findings.len()).collect();
+    order.sort_by_key(|at| findings.get(*at).map(|finding| Reverse(finding.level)));
+    order.truncate(MOST);
+    order.sort_unstable();
+    let left = findings.len() - order.len();
+    (order.into_iter().filter_map(|at| findings.get(at)).collect(), left)
+}
+
 /// The findings of each file. They come sorted by path; files whose worst finding is of one level keep that order.
 pub(super) fn by_file<F: Borrow<Finding>>(findings: &[F]) -> Vec<&[F]> {
     let mut files: Vec<&[F]> = findings.chunk_by(|a, b| a.borrow().path == b.borrow().path).collect();
@@ -28,5 +42,17 @@ mod tests {
         let paths: Vec<&str> = by_file(&findings).into_iter().map(|file| file[0].path.as_str()).collect();
         assert_eq!(paths, ["c", "b", "d", "a"]);
         assert_eq!(by_file(&findings)[0].len(), 2);
+    }
+
+    #[test]
+    fn a_page_holds_the_gravest_of_too_many() {
+        let level = |at: usize| if at % 1000 == 0 { Level::Error } else { Level::Info };
+        let finding = |at| Finding::new(&RuleInfo::new("a-rule", level(at), ""), format!("{at:5}"), Place::File, "");
+        let findings: Vec<Finding> = (0..MOST + 1001).map(finding).collect();
+        let (shown, left) = for_page(&findings);
+        assert_eq!((shown.len(), left), (MOST, 1001));
+        assert_eq!(shown.iter().filter(|finding| finding.level == Level::Error).count(), 7);
+        assert!(shown.is_sorted_by_key(|finding| &finding.path));
+        assert_eq!(for_page(&findings[..9]).1, 0);
     }
 }

@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use super::files::by_file;
+use super::files::{by_file, for_page};
 use super::phrase::{self, Piece, pieces};
 use super::snippet::snippet;
 use super::unchecked::unchecked;
@@ -29,7 +29,7 @@ pub fn summary(outcome: &Outcome, view: &View<'_>, room: usize) -> String {
     if fixed > room {
         return if text.len() <= room { text } else { String::new() };
     }
-    let all = outcome.findings.iter().collect::<Vec<_>>();
+    let (all, mut left) = for_page(&outcome.findings);
     let body = Body::of(&all);
     if body.length() <= room - fixed {
         text.push_str(&body.text());
@@ -39,7 +39,10 @@ pub fn summary(outcome: &Outcome, view: &View<'_>, room: usize) -> String {
         let kept = fitting(&blocks(&gravest), room - fixed);
         gravest.truncate(kept);
         text.push_str(&Body::of(&gravest).text());
-        text.push_str(&left_out(outcome.findings.len() - kept));
+        left = outcome.findings.len() - kept;
+    }
+    if left > 0 {
+        text.push_str(&left_out(left));
     }
     text.push_str(&tail);
     text

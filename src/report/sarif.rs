@@ -203,7 +203,7 @@ fn notifications(outcome: &Outcome, shown: usize) -> Vec<Value> {
     let steps = outcome.failed_steps.iter().map(step).collect();
     let failed = [("the rule", &outcome.failed_rules), ("the reader of", &outcome.failed_files), ("the step", &steps)];
     for (what, names) in failed {
-        let said = |name: &String| format!("{what} {} failed, a bug of mhlint", text(&printable(name)));
+        let said = |name: &String| format!("{what} {} failed, a bug in mhlint", text(&printable(name)));
         notes.extend(names.iter().map(|name| note(said(name), "error")));
     }
     notes
@@ -254,7 +254,7 @@ mod tests {
         let missing = invocation(&Outcome { failed_files: vec!["a.target".to_owned()], ..Outcome::default() });
         assert_eq!(missing["executionSuccessful"], false);
         let said = &missing["toolExecutionNotifications"][0];
-        assert_eq!(said["message"]["text"], "the reader of a.target failed, a bug of mhlint");
+        assert_eq!(said["message"]["text"], "the reader of a.target failed, a bug in mhlint");
     }
 
     #[test]

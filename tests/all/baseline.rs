@@ -445,7 +445,10 @@ fn errors_hide_what_the_baseline_knows() {
             assert!(!text.contains("prune"), "{text}");
             let written = mhlint(root, &["--baseline", "known.json", "--write-baseline"]);
             let said = stderr(&written);
-            assert!(said.contains(": 1 new (1 error), ") && said.contains(" gone; errors can hide findings"), "{said}");
+            assert!(
+                said.contains(": 1 new (1 error), ") && said.contains(" removed; errors can hide findings"),
+                "{said}"
+            );
             fs::write(root.join("known.json"), &known).unwrap();
         }
         fs::write(root.join(file), whole).unwrap();
@@ -460,11 +463,11 @@ fn writing_a_baseline_says_what_changes() {
     let said = || stderr(&mhlint(root, &["--baseline", "known.json", "--write-baseline"]));
     let first = said();
     assert!(first.ends_with("known findings written to `known.json`\n"), "{first}");
-    assert!(said().ends_with("written to `known.json`, the same as before\n"));
+    assert!(said().ends_with("written to `known.json` (unchanged)\n"));
     edit(root, OVAL, "339 0 0 0", "339 0 .001 .001");
-    assert!(said().ends_with("written to `known.json`: 0 new, 1 gone\n"));
+    assert!(said().ends_with("written to `known.json`: 0 new, 1 removed\n"));
     edit(root, SIDE, "\n", "\n1 2 x 4\n");
-    assert!(said().ends_with("written to `known.json`: 1 new (1 error), 0 gone\n"));
+    assert!(said().ends_with("written to `known.json`: 1 new (1 error), 0 removed\n"));
 }
 
 /// An ignored fault and a known one, in files of their own.

@@ -10,7 +10,7 @@ use std::io::{self, Write};
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
-use super::files::by_file;
+use super::files::{by_file, for_page};
 use super::phrase::{self, Piece, pieces};
 use super::unchecked::unchecked;
 use super::{View, count, printable, verdict};
@@ -35,6 +35,7 @@ const LEVELS: [(Level, &str); 3] = [
 
 /// Writes the page.
 pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> io::Result<()> {
+    let (findings, left) = for_page(&outcome.findings);
     let page = html! {
         (DOCTYPE)
         html lang="en" {
@@ -51,16 +52,19 @@ pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> 
                 a .skip href="#findings" { "Skip to the findings" }
                 (top(outcome, view))
                 main #findings tabindex="-1" {
-                    @if outcome.findings.is_empty() {
+                    @if findings.is_empty() {
                         p .empty { "There are no findings." }
                     } @else {
-                        (controls(outcome))
-                        (files(&outcome.findings))
+                        (controls(&findings))
+                        @if left > 0 {
+                            p .quiet { (count(left, "more finding")) " left out: the page shows the gravest, other formats list all." }
+                        }
+                        (files(&findings))
                         div #list { (PreEscaped(LIST)) }
                         p #nothing .empty hidden { "No finding fits. " button #again type="button" { "Show all" } }
                     }
                 }
-                (rules(&outcome.findings, view.rules))
+                (rules(&findings, view.rules))
                 footer { p { "Written by mhlint " (env!("CARGO_PKG_VERSION")) "." } }
                 script { (PreEscaped(SCRIPT)) }
             }
@@ -70,7 +74,7 @@ pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> 
     // The list is made file by file while it is written: a page of many findings is larger than all that was checked.
     let (before, after) = page.split_once(LIST).unwrap_or((&page, ""));
     out.write_all(before.as_bytes())?;
-    list(&outcome.findings, out)?;
+    list(&findings, out)?;
     writeln!(out, "{after}")
 }
 
@@ -115,8 +119,7 @@ fn top(outcome: &Outcome, view: &View<'_>) -> Markup {
 }
 
 /// Search, filters and order. Of no use without scripts, so the script shows them.
-fn controls(outcome: &Outcome) -> Markup {
-    let findings = &outcome.findings;
+fn controls(findings: &[&Finding]) -> Markup {
     let rules: BTreeSet<&str> = findings.iter().map(|finding| finding.rule).collect();
     let breaks = findings.iter().flat_map(|finding| &finding.breaks);
     let applications: BTreeSet<Application> = breaks.map(|one| one.application).collect();
@@ -176,7 +179,7 @@ fn choice<'a>(id: &str, label: &str, all: &str, options: impl Iterator<Item = (&
 }
 
 /// The files with their counts, each leading to its findings.
-fn files(findings: &[Finding]) -> Markup {
+fn files(findings: &[&Finding]) -> Markup {
     let files = by_file(findings);
     html! {
         details .files open[files.len() <= 12] {
@@ -196,7 +199,7 @@ fn files(findings: &[Finding]) -> Markup {
 }
 
 /// The findings, file by file.
-fn list(findings: &[Finding], out: &mut dyn Write) -> io::Result<()> {
+fn list(findings: &[&Finding], out: &mut dyn Write) -> io::Result<()> {
     let mut ids = BTreeMap::new();
     // A long list is read by its messages; the gravest stand open.
     let opened = |finding: &Finding| finding.level == Level::Error || findings.len() <= 20;
@@ -212,7 +215,7 @@ fn list(findings: &[Finding], out: &mut dyn Write) -> io::Result<()> {
     Ok(())
 }
 
-fn path_of(file: &[Finding]) -> String {
+fn path_of(file: &[&Finding]) -> String {
     file.first().map_or_else(String::new, |first| phrase::path(&first.path))
 }
 
@@ -224,7 +227,7 @@ fn unique(fingerprint: &str, ids: &mut BTreeMap<String, usize>) -> String {
 }
 
 /// `2 errors, 1 info` as small marks.
-fn chips(findings: &[Finding]) -> Markup {
+fn chips(findings: &[&Finding]) -> Markup {
     let number = |level| findings.iter().filter(|finding| finding.level == level).count();
     html! {
         span .chips {
@@ -236,7 +239,7 @@ fn chips(findings: &[Finding]) -> Markup {
 }
 
 /// What the rules of this page mean.
-fn rules(findings: &[Finding], infos: &[&RuleInfo]) -> Markup {
+fn rules(findings: &[&Finding], infos: &[&RuleInfo]) -> Markup {
     let used = |info: &&&RuleInfo| findings.iter().any(|finding| finding.rule == info.id);
     let used: Vec<&&RuleInfo> = infos.iter().filter(used).collect();
     html! {
