@@ -42,7 +42,7 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             if links.iter().all(|link| link.target == last.target) {
                 let effect = "is not affected: the entries are equal";
                 let surplus = links.iter().skip(1);
-                let fix = surplus.fold(Fix::new(RULE.info.fix, "remove the repeated entry"), |fix, link| {
+                let fix = surplus.fold(Fix::new(RULE.info.fix, "keep only the first entry"), |fix, link| {
                     fix.step(&file.path, Change::Element(macrodef.entry_pointer(link)))
                 });
                 finding = finding.level(Level::Info).effect(effect).fix(fix);

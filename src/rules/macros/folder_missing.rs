@@ -11,8 +11,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "looks in the folder of the previous macrodef, or crashes at start if no macrodef before has one; without \
-             its target, a combination crashes it with `AttributeError` as soon as it has weight",
+            "uses the folder of the previous macrodef, or crashes at start in the first one; a missing target crashes \
+             it with `AttributeError` as soon as its combination has weight",
         )],
         docs: "A macrodef has no `folder`, or one without its targets. `folder` is the folder of the targets, below \
             the target folder of the base mesh.\n\nWithout `folder`, MakeHuman 2 uses the folder of the previous \

@@ -80,7 +80,7 @@ fn dead(bound: &BoundSlider<'_>, names: &[String]) -> Finding {
     RULE.at(bound.file, Place::pointer([key, member]), message)
         .key(key)
         .level(Level::Warning)
-        .effect("shows a slider that silently moves nothing")
+        .effect("shows a slider that moves nothing")
         .help("use the pattern in a component of macro.json, or remove the slider")
 }
 

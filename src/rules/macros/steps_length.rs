@@ -49,6 +49,6 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 fn surplus_effect(steps: usize) -> &'static str {
     match steps {
         0 | 1 => "silently drops the component: with fewer than two steps, nothing of its macrodefs applies",
-        _ => "silently never uses the values without a step, nor their targets",
+        _ => "never uses the values without a step, nor their targets",
     }
 }

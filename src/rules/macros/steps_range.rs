@@ -51,7 +51,7 @@ fn is_increasing(steps: &[f64]) -> bool {
 /// Which end is wrong, how, and what comes of it.
 fn fault(steps: &[f64], values: &[String]) -> Option<(&'static str, String, &'static str)> {
     const NO_INTERVAL: &str = "drops the component and never applies its macrodefs";
-    const OUT_OF_REACH: &str = "silently never applies that value with its full weight";
+    const OUT_OF_REACH: &str = "never applies that value with its full weight";
     let ([first, .., last] | [first @ last]) = steps else {
         return Some(("are", "empty; at least two steps are needed".to_owned(), NO_INTERVAL));
     };

@@ -17,7 +17,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
             their steps make 128 combinations with the weight 1/128 each.\n\nMakeHuman 2 applies a combination only \
             if its weight is above 0.01, and does not give the lost weight to the others. If no combination is above \
             that limit when every slider is equally far from its active values, the shape of the macrodef disappears \
-            between the steps. (More than three values of a triangle slider are a crash; see \
+            between the steps. (More than three values of a triangle slider crash MakeHuman 2; see \
             `macro-sum-arity`.)\n\nSplit the macrodef into several with fewer components each.",
         ..RuleInfo::new(
             "macro-too-many-active",

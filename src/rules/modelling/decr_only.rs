@@ -12,9 +12,9 @@ pub(in crate::rules) static RULE: Rule = Rule {
             "crashes with `AttributeError` when the slider moves to its positive side",
         )],
         docs: "A slider has `decr`, its negative side, but no `incr`, its positive side.\n\nMakeHuman 2 still shows \
-            both sides. The positive side has no target, so moving the slider there is a crash. The slider also has \
-            no pattern: it is never saved, and no model can set it.\n\nAdd `incr`, or rename `decr` to `incr` to get \
-            a slider with one side.",
+            both sides. The positive side has no target, so moving the slider there crashes with `AttributeError`. \
+            The slider also has no pattern: it is never saved, and no model can set it.\n\nAdd `incr`, or rename \
+            `decr` to `incr` to get a slider with one side.",
         ..RuleInfo::new("modelling-decr-only", Level::Error, "a slider has `decr` but no `incr`")
     },
     check: Check::Makehuman2(run),

@@ -106,7 +106,7 @@ fn fault(
             return None;
         }
         let help = format!("write `\"{}\": \"{pattern}\"` in `{other}`, or correct the counterpart here", link.back());
-        return Some((format!("`{own}` has the counterpart `{other}`, whose own is `{}`", back.partner), help));
+        return Some((format!("`{own}` has the counterpart `{other}`, which names `{}`", back.partner), help));
     }
     if back.member == link.member {
         // Seen from both sides; told once.

@@ -16,8 +16,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
             "shows a slider with its increasing side only; the other target cannot be reached",
         )],
         docs: "An entry has `decr` and `incr`, but `target-opposites` of `base.json` has no pair of endings for them. \
-            Both file names must end in one of the pair, after a `-`, to make a slider with two sides.\n\nMakeHuman \
-            2 silently drops the negative side, and the pattern of the slider is `incr` alone: presets, symmetry and \
+            A slider has two sides only if the two file names end in such a pair, each after a `-`.\n\nMakeHuman 2 \
+            silently drops the negative side, and the pattern of the slider is `incr` alone: presets, symmetry and \
             saved models that use `<decr>|<ending>` do not find it. If it is the left counterpart of another slider, \
             the random character view looks for it under that pattern and crashes with `KeyError` (an error).\n\nAdd \
             the pair, or correct the names. If `target-opposites` is missing, or none of its pairs fits, no slider \
@@ -84,12 +84,14 @@ fn without_pairs(
     let (place, message, help) = match opposites {
         [] => (
             Place::File,
-            format!("`target-opposites` is missing, so {count} pairs of targets have only one side"),
+            format!("`target-opposites` is missing, so {count} sliders have only one side"),
             "add `\"target-opposites\": {\"decr\": \"incr\"}` with the endings of the target names",
         ),
         _ => (
             Place::key(["target-opposites"]),
-            format!("`target-opposites` covers none of the {count} pairs of targets, so all have only one side"),
+            format!(
+                "`target-opposites` covers none of the {count} pairs of targets, so their sliders have only one side"
+            ),
             match (covers(false), covers(true)) {
                 (_, true) => "write the decreasing ending first: `\"decr\": \"incr\"`",
                 (true, _) => "write the endings without `-`: `\"decr\": \"incr\"`",

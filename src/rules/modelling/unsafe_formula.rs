@@ -42,8 +42,7 @@ fn finding(bound: &BoundSlider<'_>, member: &str, fault: &Fault) -> Finding {
     let message = format!("`display.{member}` of `{key}` {}", fault.what);
     let effect = match fault.kind {
         FaultKind::Foreign => {
-            "runs it as Python code at start: the data file can do anything that the user may do, or crashes it with \
-             `NameError`"
+            "runs it as Python code with all rights of the user at start, or crashes with `NameError`"
         }
         FaultKind::Endless => "may hang at start or run out of memory",
         FaultKind::Syntax => "crashes at start with `SyntaxError`",
