@@ -1,7 +1,10 @@
 //! A body as every application has it: a mesh, what moves it, and the rigs that pose it.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::Display;
+use std::sync::OnceLock;
 
+use super::landmarks::Landmarks;
 use super::{FileFacts, Layers, Reference, ReferenceKind, View, Worn, parent};
 use crate::formats::macro_json::MacroFile;
 use crate::formats::mhskel::Skeleton;
@@ -41,6 +44,8 @@ pub(crate) struct Body<'v> {
     view: &'v View<'v>,
     /// Numbers of the targets by printed path.
     by_path: BTreeMap<&'v str, usize>,
+    /// Made when a place is asked for.
+    landmarks: OnceLock<Landmarks>,
 }
 
 /// A setting at which a target is applied fully.
@@ -149,6 +154,7 @@ impl<'v> Body<'v> {
             worn,
             view,
             by_path,
+            landmarks: OnceLock::new(),
         }
     }
 
@@ -180,6 +186,17 @@ impl<'v> Body<'v> {
             if can_tell && !named.contains(file.path.as_str()) { WeightsUse::Unread } else { WeightsUse::Applied }
         };
         self.weights.extend(files.into_iter().map(|file| BodyWeights { file, name: None, used: used(file) }));
+    }
+
+    /// A vertex with its place on the body: ``vertex 17960 (`helper-tights`, near `pelvis.L`)``.
+    pub(crate) fn vertex(&self, vertex: impl TryInto<u32> + Display + Copy) -> String {
+        let in_words = |vertex| self.whole_mesh().and_then(|mesh| self.landmarks(mesh).place(mesh, vertex));
+        let place = vertex.try_into().ok().and_then(in_words);
+        place.map_or_else(|| format!("vertex {vertex}"), |place| format!("vertex {vertex} ({place})"))
+    }
+
+    fn landmarks(&self, mesh: &Mesh) -> &Landmarks {
+        self.landmarks.get_or_init(|| Landmarks::of(mesh, self.default_rig().and_then(Rig::skeleton)))
     }
 
     /// Whether a group of the mesh is shown; where that is said nowhere, all of them are.

@@ -6,6 +6,7 @@
 
 mod body;
 mod facts;
+mod landmarks;
 mod layer;
 mod layers;
 pub(crate) mod makehuman1;

@@ -21,7 +21,7 @@ pub(super) struct Line {
 pub(super) fn lines(finding: &Finding) -> Vec<Line> {
     let line = |label: &str, text: &str| Line { label: label.to_owned(), text: printable(text) };
     let mut lines: Vec<Line> = finding.breaks.iter().map(|one| line(one.application.title(), &one.effect)).collect();
-    if let Some(evidence) = finding.evidence.as_ref().and_then(evidence_line) {
+    if let Some(evidence) = evidence_of(finding) {
         lines.push(line("seen", &evidence));
     }
     for related in finding.related.iter().take(RELATED) {
@@ -37,6 +37,19 @@ pub(super) fn lines(finding: &Finding) -> Vec<Line> {
         lines.push(line("fix", &fixed_by(fix)));
     }
     lines
+}
+
+/// The evidence in words, without a worst case that the message names.
+pub(super) fn evidence_of(finding: &Finding) -> Option<String> {
+    let mut evidence = finding.evidence.clone()?;
+    evidence.worst = evidence.worst.filter(|worst| !names(&finding.message, &worst.place));
+    evidence_line(&evidence)
+}
+
+/// Whether a text names a place: `vertex 17`, not only `vertex 170`.
+fn names(text: &str, place: &str) -> bool {
+    let ends = |behind: &str| !behind.starts_with(|next: char| next.is_ascii_digit());
+    !place.is_empty() && text.match_indices(place).any(|(at, _)| text.get(at + place.len()..).is_some_and(ends))
 }
 
 /// Which option fixes it, and how.
@@ -140,7 +153,7 @@ pub(super) fn colons(location: &Location) -> String {
 }
 
 /// `108 of 216: a, b, c and 105 more; worst 0.5 at vertex 7`. Nothing for a single case: the message says it.
-pub(super) fn evidence_line(evidence: &Evidence) -> Option<String> {
+fn evidence_line(evidence: &Evidence) -> Option<String> {
     if evidence.count < 2 && evidence.worst.is_none() {
         return None;
     }

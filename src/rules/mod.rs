@@ -18,6 +18,7 @@ mod overlay;
 mod rule;
 mod skeleton;
 mod target;
+mod units;
 mod weights;
 
 pub(crate) use rule::{Check, Rule, RuleCx};

@@ -603,7 +603,7 @@ fn a_report_does_not_take_the_place_of_an_asset() {
         fs::create_dir_all(root.join("user/target/figure")).unwrap();
         fs::write(root.join("user/target/figure/macro.json"), &before).unwrap();
         let output = mhlint(root, &[path, "--report", &format!("json={checked}")]);
-        assert_refused(&output, &[checked, "is an asset", "use another file"]);
+        assert_refused(&output, &[checked, "is an asset", "use a file outside the data"]);
     }
     assert_eq!(fs::read(root.join(asset)).unwrap(), before);
     fs::write(root.join("loose.target"), "1 0.1 0.2 0.3\n").unwrap();

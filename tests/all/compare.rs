@@ -491,7 +491,7 @@ fn another_copy_is_shown_at_its_own_file() {
     git(root, &["commit", "-q", "-m", "a picture twice"]);
     picture("c.png");
     let only = ["--since", "HEAD", "--only", "file-duplicate-content"];
-    assert_shown(&check(root, &only), 0, &["data/skins/figure/c.png: info", "in 3 files"], &[]);
+    assert_shown(&check(root, &only), 0, &["data/skins/figure/c.png: info", "3 files have the same picture"], &[]);
     let findings = &report(root, &only)["findings"];
     let related = findings[0]["related"].as_array().unwrap().iter().map(|one| one["path"].as_str().unwrap());
     assert_eq!(related.collect::<Vec<_>>(), ["data/skins/figure/b.png", "data/skins/figure/a.png"]);

@@ -126,7 +126,7 @@ fn system_is_relative_to_the_file() {
     assert_eq!(concise(repository.path(), &["user"]), Vec::<String>::new());
     assert_eq!(concise(&repository.path().join("user"), &[]), Vec::<String>::new());
     fs::write(repository.path().join("user/mhlint.toml"), "system = \"../gone\"\n").unwrap();
-    assert_refused(&mhlint(repository.path(), &["user"]), &["gone", "`system` stands in user/mhlint.toml:1"]);
+    assert_refused(&mhlint(repository.path(), &["user"]), &["gone", "`system` is set in user/mhlint.toml:1"]);
 }
 
 #[test]
@@ -296,7 +296,7 @@ fn init_writes_a_file_that_changes_nothing_and_overwrites_none() {
     fs::write(repository.path().join("mhlint.toml"), "# mine\n").unwrap();
     assert_refused(&mhlint(repository.path(), &["init"]), &["already exists", "was not changed", "remove it first"]);
     assert_eq!(fs::read_to_string(repository.path().join("mhlint.toml")).unwrap(), "# mine\n");
-    assert_refused(&mhlint(repository.path(), &["init", "no/such"]), &["no folder `no/such`", "make it"]);
+    assert_refused(&mhlint(repository.path(), &["init", "no/such"]), &["folder `no/such` does not exist", "create it"]);
     assert_eq!(mhlint(repository.path(), &["init", "data"]).status.code(), Some(0));
     assert_eq!(fs::read_to_string(repository.path().join("data/mhlint.toml")).unwrap(), text);
 }

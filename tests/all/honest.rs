@@ -97,7 +97,7 @@ fn loose_files_take_one_base() {
     let folder = tempfile::tempdir().unwrap();
     write(folder.path(), "one.target", TARGET);
     let args = [".", "--system", &system(), "--base", "figure", "--base", "imp"];
-    assert_refused(&mhlint(folder.path(), &args), &["`one.target`", "give `--base` once"]);
+    assert_refused(&mhlint(folder.path(), &args), &["`one.target`", "use `--base` once"]);
     assert_refused(&mhlint(folder.path(), &[".", "--system", &system(), "--base", "nobody"]), &["nobody"]);
 }
 

@@ -82,6 +82,8 @@ struct Parser<'a> {
     by_variable: Option<Range<usize>>,
 }
 
+const NO_DIGITS: &str = "rounds to a number of digits that is not an integer";
+
 impl<'a> Parser<'a> {
     fn advance(&mut self) -> Result<Range<usize>, Fault> {
         let next = self.lexer.next()?;
@@ -117,9 +119,7 @@ impl<'a> Parser<'a> {
             Token::Operator("&" | "|" | "^" | "~" | "<<" | ">>" | "@") => {
                 Fault::new(FaultKind::Mistyped, span, format!("uses `{shown}`, which does not work on decimal numbers"))
             }
-            Token::Name if shown == "in" => {
-                Fault::new(FaultKind::Mistyped, span, "uses `in`, which does not work on numbers".to_owned())
-            }
+            Token::Name if shown == "in" => Fault::new(FaultKind::Mistyped, span, "uses `in` on numbers".to_owned()),
             Token::Operator(",") => Fault::new(FaultKind::Pair, span, "contains a comma"),
             Token::Operator("[" | "{" | ":=" | "." | "...") => Self::foreign(span, format!("uses `{shown}`")),
             Token::Name if matches!(shown, "is" | "for" | "async") => Self::foreign(span, format!("uses `{shown}`")),
@@ -391,10 +391,8 @@ impl<'a> Parser<'a> {
     fn digits(digits: Operand, call: Range<usize>) -> Result<(), Fault> {
         match digits.literal {
             Some((value, true)) if value.abs() <= MOST_DIGITS => Ok(()),
-            Some((_, false)) => Err(Self::raises(call, "rounds to a number of digits that is not an integer")),
-            None if digits.variable || digits.is_text() => {
-                Err(Self::raises(call, "rounds to a number of digits that is not an integer"))
-            }
+            Some((_, false)) => Err(Self::raises(call, NO_DIGITS)),
+            None if digits.variable || digits.is_text() => Err(Self::raises(call, NO_DIGITS)),
             _ => Err(Self::endless(call, "rounds to a number of digits without a limit")),
         }
     }

@@ -4,7 +4,7 @@ use maud::{Markup, html};
 
 use super::inline;
 use crate::diag::{Finding, Location, Related};
-use crate::report::phrase::{self, bare_place, colons, doubt, evidence_line, fixed_by};
+use crate::report::phrase::{self, bare_place, colons, doubt, evidence_of, fixed_by};
 use crate::report::printable;
 use crate::report::snippet::snippet;
 
@@ -80,7 +80,7 @@ fn source(finding: &Finding) -> Markup {
 }
 
 fn evidence(finding: &Finding) -> Markup {
-    let line = finding.evidence.as_ref().and_then(evidence_line);
+    let line = evidence_of(finding);
     html! {
         @if let Some(line) = line {
             div { dt { "Seen" } dd { (inline(&printable(&line))) } }

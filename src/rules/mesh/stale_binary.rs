@@ -1,5 +1,6 @@
 //! `base.mhbin` and the OBJ that it was packed from are the same mesh.
 
+use super::super::units::length;
 use super::super::{Check, Rule, RuleCx, counted};
 use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::mesh_difference::MeshDifference;
@@ -30,9 +31,6 @@ pub(in crate::rules) static RULE: Rule = Rule {
 const ABOVE: Case =
     &[(Application::Makehuman2, Level::Warning, "loads the system's base.mhbin and ignores the user's base.obj")];
 const BELOW: Case = &[(Application::Makehuman2, Level::Info, "shows the user's mesh instead of the system's")];
-
-/// A mesh unit is a decimetre, and MakeHuman 2 shows centimetres.
-const CM_PER_UNIT: f32 = 10.0;
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let (Some(archive), Some((_, packed))) = (base.mesh_files.archive(), base.mesh) else { return };
@@ -113,11 +111,6 @@ impl Told<'_> {
             (Some(own), Some(other)) => Some(format!("group `{own}` instead of `{other}`")),
         }
     }
-}
-
-fn length(units: f32) -> String {
-    let cm = units * CM_PER_UNIT;
-    if cm < 0.1 { format!("{cm:.3} cm ({units:.4})") } else { format!("{cm:.1} cm ({units:.3})") }
 }
 
 fn several(faces: usize, what: &str) -> Option<String> {

@@ -31,11 +31,11 @@ pub(in crate::rules) static RULE: Rule = Rule {
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(space) = &measures.space else { return };
     let Some(seen) = untold(body, space, space.exploded.as_ref()) else { return };
-    let (vertex, by) = (seen.element, seen.value);
+    let (vertex, by) = (body.vertex(seen.element), seen.value);
     let message = match seen.count {
-        1 => format!("vertex {vertex} lies outside the figure by {by:.1} times the figure's diagonal"),
+        1 => format!("{vertex} lies outside the figure by {by:.1} times the figure's diagonal"),
         count => format!(
-            "{count} vertices lie outside the figure, vertex {vertex} farthest, by {by:.1} times the figure's diagonal"
+            "{count} vertices lie outside the figure, {vertex} farthest, by {by:.1} times the figure's diagonal"
         ),
     };
     let evidence = Evidence::counted(seen.count);

@@ -1,5 +1,6 @@
 //! A target that names no side moves both sides alike.
 
+use super::super::units::length;
 use super::super::{Check, Rule, RuleCx};
 use super::shown::shown_by;
 use crate::diag::{Application, Evidence, Finding, Level, OptionInfo, Place, RuleInfo};
@@ -68,9 +69,10 @@ fn one_sided(body: &Body<'_>, file: &FileFacts, target: &TargetMeasure) -> Optio
     let shown = shown_by(body, file).map(|setting| format!("; seen with {setting}")).unwrap_or_default();
     let differ = if different == 1 { "differs from its" } else { "differ from their" };
     let message = format!(
-        "{different} of {} vertices {differ} mirror image, vertex {vertex} most, by {:.2} cm ({worst:.3}){shown}",
+        "{different} of {} vertices {differ} mirror image, {} most, by {}{shown}",
         mirror.compared,
-        10.0 * worst
+        body.vertex(vertex),
+        length(worst)
     );
     let evidence = Evidence::counted(different).out_of(mirror.compared);
     Some(
@@ -88,11 +90,11 @@ fn uneven(body: &Body<'_>, slight: &[(&FileFacts, &TargetMeasure)], checked: usi
     let (vertex, distance) = target.own_mirror.worst?;
     let are = if slight.len() == 1 { "is" } else { "are" };
     let message = format!(
-        "{} of {checked} targets without a side {are} slightly asymmetric, `{}` most: vertex {vertex} by {:.2} cm \
-         ({distance:.3})",
+        "{} of {checked} targets without a side {are} slightly asymmetric, `{}` most: {} by {}",
         slight.len(),
         target.name,
-        10.0 * distance
+        body.vertex(vertex),
+        length(distance)
     );
     let evidence = Evidence::of_cases(slight.iter().map(|(_, target)| {
         format!("{} ({} of {} vertices)", target.name, target.own_mirror.different.len(), target.own_mirror.compared)

@@ -1,5 +1,6 @@
 //! A target for the left is the mirror image of the one for the right.
 
+use super::super::units::length;
 use super::super::{Check, Rule, RuleCx};
 use super::shown::shown_by;
 use crate::diag::{Application, Case, Element, Evidence, Finding, Level, Place, RuleInfo};
@@ -45,11 +46,11 @@ fn finding(body: &Body<'_>, pair: &PairMeasure) -> Option<Finding> {
     let differ = if different == 1 { "differs" } else { "differ" };
     let shown = shown_by(body, left).map(|setting| format!("; seen with {setting}")).unwrap_or_default();
     let message = format!(
-        "not the mirror image of `{}`: {different} of {} {vertices} {differ}{nowhere}, vertex {vertex} most, by \
-         {:.2} cm ({worst:.3}){shown}",
+        "not the mirror image of `{}`: {different} of {} {vertices} {differ}{nowhere}, {} most, by {}{shown}",
         right.file_name(),
         difference.compared,
-        10.0 * worst,
+        body.vertex(vertex),
+        length(worst),
     );
     let place = Place::Element(Element { kind: "vertex", index: u64::from(vertex) });
     let evidence = Evidence::counted(different);

@@ -29,14 +29,15 @@ const EQUAL: Case = &[(
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (target, file, facts) in targets(body) {
         let Some((_, index)) = facts.duplicate.first.first().filter(|_| facts.conflict.is_none()) else { continue };
+        let vertex = body.vertex(*index);
         let message = match facts.duplicate.count {
-            1 if facts.repeats_are_equal => format!("vertex {index} appears twice, with the same numbers"),
+            1 if facts.repeats_are_equal => format!("{vertex} appears twice, with the same numbers"),
             count if facts.repeats_are_equal => {
-                format!("{count} rows repeat an earlier row of their vertex, first vertex {index}")
+                format!("{count} rows repeat an earlier row of their vertex, first {vertex}")
             }
-            1 => format!("vertex {index} appears twice; only the last row counts"),
+            1 => format!("{vertex} appears twice; only the last row counts"),
             count => {
-                format!("{count} rows repeat a vertex, first vertex {index}; only the last row of each counts")
+                format!("{count} rows repeat a vertex, first {vertex}; only the last row of each counts")
             }
         };
         let mut fix =

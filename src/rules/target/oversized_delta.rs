@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use super::super::units::length;
 use super::super::{Check, Rule, RuleCx};
 use super::shown::shown_by;
 use super::{decoded, targets};
@@ -49,12 +50,14 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         match oversize(lengths, size, ratio) {
             Some(Oversize::BeyondMesh) => {
                 let mesh = 10.0 * size;
-                let message = format!("{}, more than the whole base mesh ({mesh:.1} cm){}", moves(&largest), shown());
+                let message =
+                    format!("{}, more than the whole base mesh ({mesh:.1} cm){}", moves(body, &largest), shown());
                 out.push(finding(file, facts, &largest, message));
             }
             Some(Oversize::Outlier) => {
                 let times = largest.length / facts.median_length;
-                let message = format!("{}, {times:.0} times the median of this target{}", moves(&largest), shown());
+                let message =
+                    format!("{}, {times:.0} times the median of this target{}", moves(body, &largest), shown());
                 out.push(finding(file, facts, &largest, message).confidence(Confidence::Medium));
             }
             None => {}
@@ -80,10 +83,15 @@ fn beyond_neighbours(body: &Body<'_>, size: f32, ratio: f32) -> Vec<Finding> {
             folders.entry(target.file.folder()).or_default().push((target.file, facts, largest));
         }
     }
-    folders.into_values().filter_map(|details| beyond(details, size, ratio)).collect()
+    folders.into_values().filter_map(|details| beyond(body, details, size, ratio)).collect()
 }
 
-fn beyond(mut details: Vec<(&FileFacts, &TargetFacts, &Largest)>, size: f32, ratio: f32) -> Option<Finding> {
+fn beyond(
+    body: &Body<'_>,
+    mut details: Vec<(&FileFacts, &TargetFacts, &Largest)>,
+    size: f32,
+    ratio: f32,
+) -> Option<Finding> {
     details.sort_by(|one, other| other.2.length.total_cmp(&one.2.length));
     let [(file, facts, largest), (_, _, next), others @ ..] = details.as_slice() else { return None };
     let lengths = |facts: &TargetFacts, largest: &Largest| Lengths {
@@ -99,12 +107,12 @@ fn beyond(mut details: Vec<(&FileFacts, &TargetFacts, &Largest)>, size: f32, rat
         return None;
     }
     let times = largest.length / next.length;
-    let message = format!("{}, {times:.0} times as far as any other slider target in its folder", moves(largest));
+    let message = format!("{}, {times:.0} times as far as any other slider target in its folder", moves(body, largest));
     Some(finding(file, facts, largest, message).key("folder").confidence(Confidence::Medium))
 }
 
-fn moves(largest: &Largest) -> String {
-    format!("vertex {} moves {:.1} cm ({:.3})", largest.index, 10.0 * largest.length, largest.length)
+fn moves(body: &Body<'_>, largest: &Largest) -> String {
+    format!("{} moves {}", body.vertex(largest.index), length(largest.length))
 }
 
 fn finding(file: &FileFacts, facts: &TargetFacts, largest: &Largest, message: String) -> Finding {

@@ -1,5 +1,6 @@
 //! Joint cubes move as a whole.
 
+use super::super::units::length;
 use super::super::{Check, Rule, RuleCx, counted};
 use super::shown::shown_by;
 use crate::diag::{Application, Evidence, Finding, Level, OptionInfo, Place, RuleInfo};
@@ -48,7 +49,7 @@ fn finding(body: &Body<'_>, measures: &Measures, target: &TargetMeasure, rigid: 
         1 => format!("tears joint cube `{}`", name(*cube)),
         count => format!("tears {count} joint cubes, worst `{}`", name(*cube)),
     };
-    let message = format!("{what}: its vertices move apart by {:.2} cm ({apart:.3}){shown}", 10.0 * apart);
+    let message = format!("{what}: its vertices move apart by {}{shown}", length(*apart));
     let rigid = counted(rigid, "cube");
     let evidence = Evidence::of_cases(target.torn.iter().map(|(cube, _)| name(*cube)));
     Some(
