@@ -4,6 +4,7 @@
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::path::Path;
+use std::sync::LazyLock;
 
 use crate::scratch::memory::{Asked, Memory};
 use crate::scratch::{Case, folders, project};
@@ -12,15 +13,19 @@ use rayon::prelude::*;
 
 #[test]
 fn every_message_can_be_listed() {
+    assert!(MESSAGES.len() > 500, "{}", MESSAGES.len());
+    if let Some(file) = std::env::var_os("LISTING") {
+        std::fs::write(file, MESSAGES.iter().map(String::as_str).collect::<String>()).unwrap();
+    }
+}
+
+/// Each once, with its consequences, other places, help and fix.
+pub(crate) static MESSAGES: LazyLock<BTreeSet<String>> = LazyLock::new(|| {
     let rules = folders(&project("fixtures/rules"));
     let cases: Vec<_> = rules.iter().flat_map(|rule| folders(rule)).collect();
     let texts: Vec<BTreeSet<String>> = cases.par_iter().map(|case| texts(case)).collect();
-    let texts: BTreeSet<String> = texts.into_iter().flatten().collect();
-    assert!(texts.len() > 500, "{}", texts.len());
-    if let Some(file) = std::env::var_os("LISTING") {
-        std::fs::write(file, texts.into_iter().collect::<String>()).unwrap();
-    }
-}
+    texts.into_iter().flatten().collect()
+});
 
 /// The findings of one fixture; none where it needs a disk.
 fn texts(folder: &Path) -> BTreeSet<String> {

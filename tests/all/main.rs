@@ -27,4 +27,5 @@ mod overlay;
 mod reports;
 mod rules;
 mod scratch;
+mod vocabulary;
 mod workspace;
