@@ -37,12 +37,12 @@ pub(super) struct BaseArgs {
 #[derive(Debug, Args)]
 pub(super) struct SettingArgs {
     /// MakeHuman's own data, if ROOT is a user's data folder.
-    #[arg(long, value_name = "DIR")]
+    #[arg(long, value_name = "FOLDER")]
     pub(super) system: Option<PathBuf>,
     /// Base mesh to use; optional if there is only one.
     #[arg(long, value_name = "NAME")]
     pub(super) base: Option<String>,
-    /// Set a slider; repeatable.
+    /// Set a slider; can be repeated.
     ///
     /// NAME is the name in models (.mhm) or the key in modelling.json. VALUE is not clamped.
     #[arg(long = "set", value_name = "NAME=VALUE")]
@@ -185,7 +185,7 @@ pub(in crate::cli) struct CasesArgs {
     /// File with the cases (JSON).
     #[arg(value_name = "FILE")]
     pub(super) file: PathBuf,
-    /// Folder of a program or of assets that the cases use; repeatable.
+    /// Folder of a program or of assets that the cases use; can be repeated.
     ///
     /// NAME is makehuman2, makehuman1, mpfb or makehuman-assets.
     #[arg(long = "root", value_name = "NAME=DIR")]

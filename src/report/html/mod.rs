@@ -28,8 +28,8 @@ const LIST: &str = "<!--list-->";
 
 /// Levels, gravest first, with what they mean.
 const LEVELS: [(Level, &str); 3] = [
-    (Level::Error, "crashes, refuses or loses something"),
-    (Level::Warning, "does something else than was written"),
+    (Level::Error, "crash, rejected file or lost data"),
+    (Level::Warning, "the result differs from the files"),
     (Level::Info, "harmless today"),
 ];
 
@@ -61,7 +61,7 @@ pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> 
                         }
                         (files(&findings))
                         div #list { (PreEscaped(LIST)) }
-                        p #nothing .empty hidden { "No finding fits. " button #again type="button" { "Show all" } }
+                        p #nothing .empty hidden { "No findings match. " button #again type="button" { "Show all" } }
                     }
                 }
                 (rules(&findings, view.rules))
