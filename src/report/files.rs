@@ -1,6 +1,5 @@
 //! Findings by file, the gravest files first.
 
-use std::borrow::Borrow;
 use std::cmp::Reverse;
 
 use crate::diag::Finding;
@@ -19,10 +18,12 @@ pub(super) fn for_page(findings: &[Finding]) -> (Vec<&Finding>, usize) {
     (order.into_iter().filter_map(|at| findings.get(at)).collect(), left)
 }
 
-/// The findings of each file. They come sorted by path; files whose worst finding is of one level keep that order.
-pub(super) fn by_file<F: Borrow<Finding>>(findings: &[F]) -> Vec<&[F]> {
-    let mut files: Vec<&[F]> = findings.chunk_by(|a, b| a.borrow().path == b.borrow().path).collect();
-    files.sort_by_key(|file| Reverse(file.iter().map(|finding| finding.borrow().level).max()));
+/// The findings of each file, the gravest first. They come sorted by path and place; files whose worst finding is of one
+/// level keep that order, and so do findings of one level.
+pub(super) fn by_file<'f>(findings: &[&'f Finding]) -> Vec<Vec<&'f Finding>> {
+    let mut files: Vec<Vec<&Finding>> = findings.chunk_by(|a, b| a.path == b.path).map(<[_]>::to_vec).collect();
+    files.iter_mut().for_each(|file| file.sort_by_key(|finding| Reverse(finding.level)));
+    files.sort_by_key(|file| file.first().map(|finding| Reverse(finding.level)));
     files
 }
 
@@ -39,9 +40,10 @@ mod tests {
             Finding::new(&RuleInfo::new("a-rule", level, ""), path, Place::File, "it is so")
         };
         let findings: Vec<Finding> = levels.into_iter().map(finding).collect();
-        let paths: Vec<&str> = by_file(&findings).into_iter().map(|file| file[0].path.as_str()).collect();
+        let files = by_file(&findings.iter().collect::<Vec<_>>());
+        let paths: Vec<&str> = files.iter().map(|file| file[0].path.as_str()).collect();
         assert_eq!(paths, ["c", "b", "d", "a"]);
-        assert_eq!(by_file(&findings)[0].len(), 2);
+        assert_eq!(files[0].iter().map(|finding| finding.level).collect::<Vec<_>>(), [Level::Error, Level::Info]);
     }
 
     #[test]

@@ -202,9 +202,14 @@ fn files(findings: &[&Finding]) -> Markup {
 fn list(findings: &[&Finding], out: &mut dyn Write) -> io::Result<()> {
     let mut ids = BTreeMap::new();
     // A long list is read by its messages; the gravest stand open.
-    let opened = |finding: &Finding| finding.level == Level::Error || findings.len() <= 20;
+    let loud = findings.iter().filter(|finding| finding.level > Level::Info).count();
+    let opened = |finding: &Finding| match finding.level {
+        Level::Error => true,
+        Level::Warning => loud <= 50,
+        Level::Info => findings.len() <= 20,
+    };
     for (number, file) in by_file(findings).into_iter().enumerate() {
-        let head = html! { h2 { code { (path_of(file)) } " " (chips(file)) } }.into_string();
+        let head = html! { h2 { code { (path_of(&file)) } " " (chips(&file)) } }.into_string();
         write!(out, "<section class=\"group\" id=\"file-{}\">{head}", number + 1)?;
         for finding in file {
             let article = finding::article(finding, &unique(&finding.fingerprint, &mut ids), opened(finding));

@@ -42,15 +42,16 @@ fn write_findings(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> io
     let (blocks, infos): (Vec<&Finding>, Vec<&Finding>) = picked.shown.iter().copied().partition(is_block);
     let mut explained = BTreeSet::new();
     for file in by_file(&blocks) {
-        write_heading(file, outcome, view, out)?;
-        write_file(file, &picked, &mut explained, view, out)?;
+        write_heading(&file, outcome, view, out)?;
+        write_file(&file, &picked, &mut explained, view, out)?;
     }
     write_infos(&infos, &blocks, &picked, view, out)
 }
 
 fn write_heading(file: &[&Finding], outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> io::Result<()> {
     let path = file.first().map_or("", |first| first.path.as_str());
-    let all: Vec<&Finding> = outcome.findings.iter().filter(|finding| finding.path == path).collect();
+    let stands_here = |finding: &&Finding| finding.path == path && (view.full || finding.level > Level::Info);
+    let all: Vec<&Finding> = outcome.findings.iter().filter(stands_here).collect();
     let paint = Paint { color: view.color };
     writeln!(out, "{}{}", paint.bold(&phrase::path(path)), paint.dim(&tally(&all)))
 }
