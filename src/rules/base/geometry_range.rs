@@ -80,7 +80,7 @@ fn never_opened(found: Vec<Finding>) -> Option<Finding> {
     let keys: Vec<String> = found.iter().map(|finding| finding.subject.key.clone()).collect();
     let mut first = found.into_iter().next()?;
     if keys.len() > 1 {
-        first.message = format!("{} ({} wrong ranges)", first.message, keys.len());
+        first.message = format!("{} wrong ranges, first: {}", keys.len(), first.message);
         first = first.help("correct the ranges, or remove the file");
     }
     Some(first.key("ranges").effect(NEVER_OPENED).evidence(Evidence::of_cases(&keys)))
@@ -125,5 +125,5 @@ fn unlike(file: &FileFacts, (section, range): (&str, &Range), mesh: &Mesh, group
     }
     let message =
         format!("`{}` covers vertices {first} to {last}, but its group covers {lowest} to {highest}", range.name);
-    Some(at(message).help(format!("write {lowest} and {highest}")))
+    Some(at(message).help(format!("write {lowest} as the first vertex and {highest} as the last")))
 }

@@ -28,8 +28,8 @@ pub(super) fn of_other_base(
         !std::ptr::eq(*other, base) && settings.presets.iter().all(|(pattern, _)| other.slider(pattern).is_some())
     };
     let help = match view.bases.iter().find(has_presets).filter(|_| !settings.presets.is_empty()) {
-        Some(other) => format!("replace the names with those of this base: they belong to base `{}`", other.name),
-        None => "replace the names with those of this base: they seem to belong to another one".to_owned(),
+        Some(other) => format!("use the names of this base: those in the file belong to base `{}`", other.name),
+        None => "use the names of this base: those in the file seem to belong to another base".to_owned(),
     };
     let mut one = Finding { message: format!("{count} of {all} slider and group names do not exist"), ..first };
     one.subject.parts = Parts::default();

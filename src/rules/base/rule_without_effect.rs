@@ -6,7 +6,7 @@ use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "evaluates the condition, but moves the slider in any case")],
+        breaks: &[(Application::Makehuman2, "evaluates the condition but moves the slider every time")],
         docs: "A condition in `random.rules` keeps a slider from being moved only if its value is exactly `False`, \
             as a comparison or `not` returns. A number is never `False`, not even 0, and neither is a string. With \
             such a condition MakeHuman 2 moves the slider whatever the other slider is set to.\n\nWrite a \

@@ -12,7 +12,7 @@ use crate::repo::makehuman2::{Base, View};
 /// Kinds of assets that a base can wear.
 const EQUIPMENT: [&str; 8] = ["clothes", "hair", "eyes", "eyebrows", "eyelashes", "teeth", "tongue", "proxy"];
 const MEMBER: &str = "visible groups";
-const INVISIBLE: &str = "silently shows an invisible character of height 0; the glTF export crashes with `ValueError`";
+const INVISIBLE: &str = "silently shows nothing and a height of 0 cm; the glTF export crashes with `ValueError`";
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {

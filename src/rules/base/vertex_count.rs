@@ -40,7 +40,8 @@ const ABSENT: Case = &[(
 const TOO_LARGE: Case = &[(
     Application::Makehuman2,
     Level::Warning,
-    "builds binary assets with too long delete masks; crashes with `ValueError` when they are worn with others",
+    "builds binary assets with delete masks that are too long; crashes with `ValueError` when they are worn with \
+     others",
 )];
 
 const TOO_FEW: Case =
@@ -53,7 +54,7 @@ const PACKED_TOO_FEW: Case = &[(
 const TOO_MANY: Case = &[(
     Application::Makehuman2,
     Level::Error,
-    "applies targets, weights and joints to the wrong vertices, from the first added vertex on",
+    "applies targets, weights and joints to the wrong vertices, starting at the first added one",
 )];
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
@@ -86,7 +87,7 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
     let finding = RULE
         .at(file, Place::pointer(["numverts"]), message)
         .key("numverts")
-        .help(format!("write {vertices}, and rebuild the binary assets of this base"))
+        .help(format!("write `\"numverts\": {vertices}`, and rebuild the binary assets of this base"))
         .related(mesh_file.path.clone(), Place::File, format!("has {vertices} vertices"));
     out.push(if is_larger { finding.case(TOO_LARGE) } else { finding });
 }

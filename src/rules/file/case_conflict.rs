@@ -8,7 +8,7 @@ use crate::repo::View;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "finds only one of them on Windows and macOS, where both cannot exist")],
+        breaks: &[(Application::Makehuman2, "finds only one of them on Windows and macOS, where they cannot coexist")],
         docs: "Linux keeps `Nose.target` and `nose.target` apart; Windows and macOS do not. If the repository is \
             checked out or unpacked there, the later file replaces the earlier one, and what refers to the earlier \
             one gets the wrong content.\n\nOnly names in the same folder are compared. Rename one of them, and \
@@ -34,7 +34,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let before: Vec<String> =
             paths.iter().filter(|path| *path != last).map(|path| format!("`{}`", name(path))).collect();
         let message = format!("{} and `{}` differ only in case", before.join(", "), name(last));
-        let help = "rename all but one, and update what refers to them";
+        let help = "rename all but one, and update the references to them";
         let finding = RULE.in_layer(layer, last, message).key(folded).help(help);
         let finding = finding.asset(layer.display(folder)).parts(&paths);
         out.push(finding.related(layer.display(first), Place::File, "the other name"));

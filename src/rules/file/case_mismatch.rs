@@ -57,7 +57,8 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         }
         let what = if on_disk == target { "file" } else { "folder" };
         if in_form {
-            let help = format!("rename the {what} with plain letters here and on disk, or copy its name from the disk");
+            let help =
+                format!("give the {what} a name without accents, here and on disk, or copy its name from the disk");
             out.push(finding.help(help));
             continue;
         }

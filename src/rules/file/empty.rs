@@ -38,7 +38,7 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     let help = match file.kind {
         Kind::TargetArchive => "delete it; MakeHuman 2 rebuilds it from the targets",
         Kind::BaseJson | Kind::BaseMesh => "restore the content",
-        _ => "restore the content, or remove the file and what refers to it",
+        _ => "restore the content, or remove the file and all references to it",
     };
     out.push(loss.of(view, RULE.at(file, Place::File, message)).help(help));
 }

@@ -41,7 +41,7 @@ const fn worded(guess: Guess) -> (&'static str, &'static str) {
     match guess {
         Guess::Utf16 => ("probably UTF-16", SAVE),
         Guess::SingleByte => ("probably Latin-1 or a Windows code page", SAVE),
-        Guess::Gzip => ("packed with gzip", "unpack the file, which is read as plain text"),
+        Guess::Gzip => ("packed with gzip", "unpack the file: it is read as plain text"),
         Guess::Binary => ("probably binary data", "replace it with the text file"),
     }
 }

@@ -41,7 +41,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 continue;
             }
             let finding = RULE.in_layer(layer, path, format!("`{name}` {fault}"));
-            out.push(finding.help("rename it with plain letters, and update what refers to it"));
+            out.push(finding.help("give it another name in plain letters, and update the references to it"));
         }
     }
 }

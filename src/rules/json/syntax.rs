@@ -93,10 +93,10 @@ fn help(fault: &SyntaxFault) -> &'static str {
         }
         SyntaxKind::Expected { found, .. } if found.starts_with('\'') => "use double quotes",
         SyntaxKind::Expected { found, .. } if found.starts_with(TYPOGRAPHIC) => {
-            "replace the curly quotes by straight ones (`\"`)"
+            "replace the curly quotes with straight ones (`\"`)"
         }
         SyntaxKind::Expected { .. } | SyntaxKind::TooDeep => {
-            "add the missing comma, quote or bracket, which may belong just before this place"
+            "add the missing comma, quote or bracket; it may belong just before this place"
         }
     }
 }

@@ -33,7 +33,7 @@ pub(super) fn message(absence: &Absence, total: usize, survey: &Survey<'_>, kind
             format!("{count} of {total} combinations are missing: {shown}")
         }
         (Kind::System, 1, 1) => {
-            format!("`{first}` is not listed, without harm: it is neutral, or all its siblings are `null`")
+            format!("`{first}` is not listed, which is harmless: it is neutral, or all its siblings are `null`")
         }
         (Kind::System, ..) => format!("{count} of {total} combinations are left out systematically: {shown}"),
         (Kind::Sparse, ..) => format!("{count} of {total} combinations are missing, more than are listed: {shown}"),

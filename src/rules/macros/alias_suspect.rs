@@ -45,7 +45,8 @@ fn crowd(file: &FileFacts, first: &Suspect<'_>, others: &[&Suspect<'_>]) -> Find
     let names = || std::iter::once(name).chain(others.iter().map(|suspect| &suspect.link.link.name));
     let count = names().count();
     let more = others.len();
-    let message = format!("{count} combinations use `{text}`, which spells different values: `{name}` and {more} more");
+    let message =
+        format!("{count} combinations use `{text}`, which is named after other values: `{name}` and {more} more");
     RULE.at(file, first.link.place(), message)
         .key(format!("all {text}"))
         .confidence(Confidence::Medium)

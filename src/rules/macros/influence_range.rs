@@ -48,13 +48,16 @@ fn finding(wrong: &[i64], sliders: &[&BoundSlider<'_>], count: i64) -> Option<Fi
     let place = |bound: &BoundSlider<'_>| Place::pointer([bound.slider.key.as_str(), "macro_influence"]);
     let key = &first.slider.key;
     let shown = wrong.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
-    let range =
-        if count == 1 { "the only macrodef is 0".to_owned() } else { format!("the macrodefs are 0 to {}", count - 1) };
+    let range = if count == 1 {
+        "the only macrodef is number 0".to_owned()
+    } else {
+        format!("the macrodefs are numbered 0 to {}", count - 1)
+    };
     let more = if others.is_empty() { String::new() } else { format!(" (in {} sliders)", sliders.len()) };
     let message = format!("`macro_influence` of `{key}` lists {shown}, but {range}{more}");
     let mut finding = RULE.at(first.file, place(first), message);
     finding = finding.help(if others.is_empty() {
-        "correct the index, or remove it if others are left"
+        "correct the index, or remove it if the list has others"
     } else {
         "correct the index; if a macrodef was removed, restore it, or also remove its components and folder"
     });

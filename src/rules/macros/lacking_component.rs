@@ -29,7 +29,7 @@ pub(super) fn finding(
     };
     let place = Place::pointer(["macrodef", &macrodef.index.to_string(), "comp"]);
     let finding = rule.at(file, place, message).key(format!("{}/length", macrodef.components.join("-"))).help(help);
-    let effect = "never applies the macrodef: its components make no name that is listed";
+    let effect = "never applies the macrodef: its components generate none of the listed names";
     Some(finding.effect(effect).evidence(Evidence::of_cases(names()).out_of(macrodef.links.len())))
 }
 

@@ -60,7 +60,7 @@ impl Slip {
     pub(super) fn reason(&self, space: &Space<'_>) -> String {
         let wanted = space.axes.len();
         match self {
-            Self::Order => "has its values in another order than `comp`".to_owned(),
+            Self::Order => "has its values in a different order from `comp`".to_owned(),
             Self::Value { axis, token } => {
                 let name = space.axes.get(*axis).map_or("", |axis| &axis.name);
                 match token.as_str() {

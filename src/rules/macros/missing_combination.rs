@@ -104,7 +104,7 @@ fn uncounted(file: &FileFacts, macrodef: &Macrodef, survey: &Survey<'_>) -> Opti
         Some(total) => format!("{} of {total} combinations are not listed", total - listed),
         None => format!("all combinations but {listed} are not listed"),
     };
-    let message = format!("{absent}; they are too many to check");
+    let message = format!("{absent}; there are too many to check");
     let finding = RULE.at(file, place(macrodef), message).key(format!("{}/uncounted", macrodef.components.join("-")));
     Some(finding.level(Level::Info).help("split the macrodef into several with fewer components each"))
 }

@@ -11,8 +11,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "writes a line to its log and crashes with `AttributeError` as soon as the combination has weight, at \
-             start if the default character uses it",
+            "logs a line and crashes with `AttributeError` as soon as the combination has weight, at start \
+             if the default character uses it",
         )],
         docs: "A combination names a target that does not exist. `t` is a file in the `folder` of the macrodef, \
             without `.target`, in the target folder of the `macro.json` in use.\n\nMakeHuman 2 does not skip a \

@@ -122,7 +122,7 @@ fn report(
         finding = finding.related(&file.path, twin, "the same name");
     }
     if level == Level::Warning {
-        finding = finding.effect("applies the target for both macrodefs, so that the morph is doubled");
+        finding = finding.effect("applies the target once for each macrodef, so the shape is doubled");
     }
     out.push(finding);
 }

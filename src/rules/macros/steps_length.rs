@@ -39,7 +39,7 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             let effect = surplus_effect(steps.len());
             let level = if is_dead(steps) { Level::Error } else { Level::Warning };
             let finding = finding.level(level).effect(effect);
-            finding.help("add a step for every value; the last values are never used now")
+            finding.help("add a step for every value, or remove the last values, which are never used")
         };
         out.push(weigh(finding, macros, component));
     }

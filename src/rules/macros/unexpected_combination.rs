@@ -122,8 +122,8 @@ fn without_components(file: &FileFacts, macrodef: &Macrodef) -> Option<Finding> 
     let first = names().next().filter(|_| file.schema.faults.is_empty())?;
     let place = Place::pointer(["macrodef", &macrodef.index.to_string()]);
     let message = match names().count() {
-        1 => format!("`comp` is empty, so that `{first}` is never used"),
-        count => format!("`comp` is empty, so that `{first}` is never used ({count} such names)"),
+        1 => format!("`comp` is empty, so `{first}` is never used"),
+        count => format!("`comp` is empty, so `{first}` is never used ({count} such names)"),
     };
     let finding = RULE.at(file, place, message).key(macrodef.effective_folder.as_deref().unwrap_or_default());
     Some(finding.help("list the components of the names in `comp`").evidence(Evidence::of_cases(names())))

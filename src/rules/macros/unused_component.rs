@@ -59,8 +59,8 @@ fn run(_: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
 fn without_macrodefs(base: &Base<'_>, file: &FileFacts, macros: &MacroFile) -> Option<Finding> {
     let first = macros.components.first().filter(|_| is_sound(file, "/macrodef"))?;
     let message = match macros.components.len() {
-        1 => format!("component `{}` is never used: no macrodef exists", first.name),
-        count => format!("the {count} components are never used: no macrodef exists"),
+        1 => format!("component `{}` is never used: macro.json has no macrodefs", first.name),
+        count => format!("the {count} components are never used: macro.json has no macrodefs"),
     };
     let finding = RULE.at(file, Place::pointer(["macrodef"]), message).key("no macrodef");
     let finding = finding.help("add the macrodefs of the components, or remove the components");

@@ -9,29 +9,31 @@ use crate::repo::{Layer, Reference, ReferenceKind, Resolution, View, parent};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "drops the keyword without a message and goes without this texture")],
-        docs: "`diffuseTexture`, `normalmapTexture`, `aomapTexture`, `metallicRoughnessTexture` and `emissiveTexture` name a \
-            picture. MakeHuman 2 drops a keyword whose picture it does not find, without a message: the surface has the colour \
-            of the material where its texture should be, and exports go without it as well.\n\nA picture is looked for in the \
-            folder of the material; in the folder above, if that one is called `materials`; without the first folder of its name, \
-            again beside the material; and last in the folder of all such assets, `clothes/<base>/` say, of the system and of \
-            the user (`skins/<base>/` for the material of a body). A name is one word: it ends at the first blank.\n\n\
-            Where a keyword has several lines, the last with a picture wins.\n\nLooked at are materials of skins, of base meshes, and below \
-            the folders of assets; the folder `clothes/<base>/materials/` is for assets without a material of their own. A topology wears \
-            the skin. Other keywords, such as `specularmapTexture`, are not known to MakeHuman 2.\n\nCorrect the name, add the picture, or \
-            remove the line. A folder that does not exist is one finding for all pictures that are looked for in it.",
+        breaks: &[(Application::Makehuman2, "silently drops the keyword and goes without this texture")],
+        docs: "A material names a picture that does not exist, in `diffuseTexture`, `normalmapTexture`, \
+            `aomapTexture`, `metallicRoughnessTexture` or `emissiveTexture`. MakeHuman 2 does not know other keywords, \
+            such as `specularmapTexture`. A name is one word: it ends at the first blank.\n\n\
+            MakeHuman 2 silently drops a keyword whose picture it does not find: the surface shows the colour of the \
+            material instead, and exports have no texture either. If a keyword has several lines, the last one with a \
+            picture wins.\n\n\
+            It looks for a picture in the folder of the material; if that ends in `materials`, in the folder above it; \
+            then next to the material without the first folder of the name; and finally in the folder of all assets of \
+            this kind, such as `clothes/<base>/`, of the system and of the user (`skins/<base>/` for the material of a \
+            body).\n\n\
+            Materials of skins, of base meshes and below the folders of assets are checked. The folder \
+            `clothes/<base>/materials/` is for assets without their own material. A topology uses the skin instead of \
+            its own material.\n\n\
+            Correct the name, add the picture, or remove the line. A folder that does not exist is one finding for all \
+            pictures in it.",
         ..RuleInfo::new("material-missing-texture", Level::Warning, "a material names a texture that does not exist")
     },
     check: Check::Repository(run),
 };
 
-const KEPT: Case = &[(
-    Application::Makehuman2,
-    Level::Warning,
-    "drops the line without a message and keeps the texture of a line above",
-)];
+const KEPT: Case =
+    &[(Application::Makehuman2, Level::Warning, "silently drops the line and keeps the texture of a line above")];
 const COLOUR: Case =
-    &[(Application::Makehuman2, Level::Warning, "drops the keyword without a message and shows the colour instead")];
+    &[(Application::Makehuman2, Level::Warning, "silently drops the keyword and shows the colour instead")];
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layers = view.layers();
@@ -88,10 +90,10 @@ fn finding(view: &View<'_>, kept: &Kept<'_>, cause: &str, references: &[&Referen
 fn message(cause: &str, first: &Reference<'_>, references: &[&Reference<'_>]) -> String {
     let materials: BTreeSet<&str> = references.iter().map(|reference| reference.from.path.as_str()).collect();
     let pictures: BTreeSet<&str> = references.iter().map(|reference| reference.rel.as_str()).collect();
-    let texture = format!("the texture `{}` of `{}` does not exist", first.text, first.owner);
+    let texture = format!("texture `{}` of `{}` does not exist", first.text, first.owner);
     match (pictures.len(), materials.len()) {
         (1, 1) => texture,
         (1, count) => format!("{texture} ({count} materials name it)"),
-        (count, _) => format!("the folder `{}` of {count} textures does not exist", file_name(cause)),
+        (count, _) => format!("folder `{}` of {count} textures does not exist", file_name(cause)),
     }
 }

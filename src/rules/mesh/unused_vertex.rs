@@ -32,7 +32,7 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     let Some((_, vertex)) = tally.first.first() else { return };
     let message = match tally.count {
         1 => format!("no face uses vertex {vertex}"),
-        count => format!("no face uses {count} of {} vertices, first vertex {vertex}", mesh.facts.vertices),
+        count => format!("{count} of {} vertices are not used by any face, first vertex {vertex}", mesh.facts.vertices),
     };
     out.push(RULE.at(file, Place::File, message).evidence(tally.evidence(mesh.facts.vertices)));
 }

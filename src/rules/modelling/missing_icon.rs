@@ -10,7 +10,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "shows a button without size, which cannot be clicked, instead of the picture",
+            "shows a button of zero size, which cannot be clicked, instead of the picture",
         )],
         docs: "`icon` names a picture that does not exist. It is looked for in the folder `icons` of the target \
             folder in use.\n\nMakeHuman 2 does not check whether it exists: the slider then has a button without \

@@ -81,7 +81,7 @@ fn finding(
     } else if is_unused(base, first) {
         finding = finding
             .level(Level::Warning)
-            .effect("writes a line to its log; it never applies the targets of an entry with `macro` or `barycentric`");
+            .effect("only logs a line: it never applies the targets of an entry with `macro` or `barycentric`");
     }
     Some(finding)
 }

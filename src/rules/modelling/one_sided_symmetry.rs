@@ -112,7 +112,7 @@ fn fault(
         // Seen from both sides; told once.
         let side = if link.member == "rsym" { "left" } else { "right" };
         let help = format!("use `{}` in one of them", link.back());
-        let message = || format!("`{own}` and `{other}` both have `{}`, as if both were {side}", link.member);
+        let message = || format!("`{own}` and `{other}` both have `{}`, as if both were {side} sliders", link.member);
         return (own < other).then(|| (message(), help));
     }
     let swapped = link.member == "rsym" && side_of(bound) == Some('r') && side_of(partner) == Some('l');

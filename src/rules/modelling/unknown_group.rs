@@ -71,7 +71,7 @@ fn renamed_category(view: &View<'_>, base: &Base<'_>, renamed: &Renamed<'_, '_>)
     let first = renamed.sliders.first()?;
     let (count, wanted) = (renamed.sliders.len(), &renamed.wanted);
     let message = format!(
-        "{count} sliders are never shown: category `{}` has the group `{}`, but they have `{wanted}`",
+        "{count} sliders are never shown: category `{}` has the group `{}`, but their group is `{wanted}`",
         renamed.name, renamed.group
     );
     let finding = if view.layers.is_checked(file) {
@@ -105,7 +105,7 @@ fn unknown(
     };
     let item = groups.meant(group).and_then(|near| groups::item_with_blanks(view, base, near));
     let (file, place, help) = match (item, groups::whose(view, base, first)?) {
-        (Some((file, place)), _) => (file, place, format!("remove the space: the sliders have `{group}`")),
+        (Some((file, place)), _) => (file, place, format!("remove the space: the group of the sliders is `{group}`")),
         (None, (file, place)) => (file, place, help),
     };
     Some(RULE.at(file, place, message).key(group).help(help).evidence(keys))

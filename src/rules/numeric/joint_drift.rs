@@ -29,7 +29,7 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
     let Some(space) = &measures.space else { return };
     let Some(seen) = untold(body, space, space.drifted.as_ref()) else { return };
     let message = format!(
-        "joint `{}` leaves the skin around it: its distance grows by {:.1} times its normal reach",
+        "joint `{}` leaves the skin around it: it moves away by {:.1} times its normal reach",
         seen.name, seen.value
     );
     out.push(

@@ -52,7 +52,7 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
     out.push(
         RULE.at(skeleton, place, format!("with all bones at rest, vertex {vertex} {how} after skinning"))
             .key("rest")
-            .help("check the rotation planes of the bones that move this vertex")
+            .help("correct the rotation planes of the bones that move this vertex")
             .evidence(Evidence::counted(1).with_worst(moved, format!("vertex {vertex}"))),
     );
 }

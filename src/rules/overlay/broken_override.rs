@@ -57,11 +57,11 @@ fn fault(file: &FileFacts) -> (Place, String, &'static str) {
         Content::Broken(JsonFault::Syntax(fault)) => {
             (Place::Span(fault.span.clone()), fault.to_string(), "fix the JSON at this place, or remove the file")
         }
-        Content::Broken(_) => (Place::File, "it is empty".to_owned(), "fill it, or remove it"),
+        Content::Broken(_) => (Place::File, "it is empty".to_owned(), "write its content, or remove the file"),
         _ => (
             Place::Pointer(String::new()),
             "an empty value counts as a missing file".to_owned(),
-            "fill it, or remove it; a base without macros writes `{\"components\": {}, \"macrodef\": []}`",
+            "write its content, or remove the file; for a base without macros, write `{\"components\": {}, \"macrodef\": []}`",
         ),
     }
 }

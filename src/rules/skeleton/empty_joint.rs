@@ -25,7 +25,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 const NOT_NEEDED: Case = &[(Application::Makehuman2, Level::Info, "silently drops the joint; no bone needs it")];
 
 const STOPS: Case =
-    &[(Application::Makehuman2, Level::Error, "crashes with `KeyError`, on the first bone that needs the joint,")];
+    &[(Application::Makehuman2, Level::Error, "crashes with `KeyError` at the first bone that needs the joint,")];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for rig in rigs(body) {
@@ -36,7 +36,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             let finding = RULE
                 .at(rig.file, place, format!("joint `{}` {what}", joint.name))
                 .key(&joint.name)
-                .help("list the base-mesh vertices whose mean is the joint, or remove it");
+                .help("list the base-mesh vertices whose mean is the joint, or remove the joint");
             out.push(if asked.contains(joint.name.as_str()) {
                 rig.stops_with(STOPS, finding)
             } else {

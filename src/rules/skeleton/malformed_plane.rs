@@ -85,7 +85,7 @@ fn fault(plane: &Plane) -> Option<(String, Option<Case>)> {
         return Some(("is `[null, null, null]`".to_owned(), None));
     }
     if joints.len() < 3 {
-        return Some((format!("has {} instead of three", counted(joints.len(), "joint")), Some(TYPE_ERROR)));
+        return Some((format!("has {} instead of 3", counted(joints.len(), "joint")), Some(TYPE_ERROR)));
     }
     let unnamed = joints.iter().take(3).position(Option::is_none)?;
     Some((format!("has no joint name at index {unnamed}"), Some(KEY_ERROR)))

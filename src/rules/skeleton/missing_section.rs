@@ -52,7 +52,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 fn missing_sections(rig: &Rig<'_>, out: &mut Vec<Finding>) {
     if rig.file.json.falsy {
         let finding = RULE.at(rig.file, Place::File, "the skeleton is empty: `bones` and `joints` are missing");
-        out.push(finding.case(EMPTY).help("remove the file, or write the skeleton"));
+        out.push(finding.case(EMPTY).help("remove the file, or export the skeleton again"));
         return;
     }
     for (name, section) in [("bones", rig.skeleton.bones_section), ("joints", rig.skeleton.joints_section)] {

@@ -30,7 +30,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         };
         out.push(
             RULE.at(rig.file, Place::pointer(["bones", second]), message)
-                .help("give every bone but one a parent")
+                .help("keep one root, and give every other bone a parent")
                 .related(rig.file.path.clone(), Place::pointer(["bones", first]), "the first root")
                 .evidence(Evidence::of_cases(&roots).out_of(rig.skeleton.bones.len())),
         );

@@ -8,7 +8,7 @@ use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "rolls the bone by tiny differences, which may change with every morph")],
+        breaks: &[(Application::Makehuman2, "takes the roll from tiny differences, which may change with every morph")],
         docs: "A bone is almost parallel to the normal of its plane. Without `rotation_plane` the normal points \
             straight up (0, 1, 0), so this affects upright bones.\n\n\
             MakeHuman 2 computes the roll from the part of the normal across the bone. If hardly any of it is left, \
@@ -41,8 +41,8 @@ fn run(body: &Body<'_>, measures: &Measures, cx: &RuleCx<'_>, out: &mut Vec<Find
         let Some((bone, measure)) = worst else { continue };
         let without = bones.iter().filter(|(bone, _)| plane_of(bone).is_none()).count();
         let message = format!(
-            "the roll of {} of {} bones is noise: less than {:.1}° from their normal, `{}` most ({:.2}°); {without} \
-             without `rotation_plane`",
+            "unstable roll: {} of {} bones within {:.1}° of their normal, `{}` closest ({:.2}°); {without} without \
+             `rotation_plane`",
             bones.len(),
             rig.skeleton.bones.len(),
             cosine.acos().to_degrees(),

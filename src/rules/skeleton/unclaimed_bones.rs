@@ -56,7 +56,7 @@ fn finding(rig: &Measured<'_>, vertices: usize) -> Option<Finding> {
     }
     let get = if lost == 1 { "gets" } else { "get" };
     let message = format!(
-        "{lost} of {vertices} vertices {get} no weights: no bone of this skeleton takes those of {}",
+        "{lost} of {vertices} vertices {get} no weights: no bone of this skeleton takes the weights of {}",
         named(&bones)
     );
     Some(

@@ -50,7 +50,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         }
         let message = match unused.len() {
             1 => format!("no bone or plane uses joint `{first}`"),
-            count => format!("no bone or plane uses {count} of {} joints, first `{first}`", joints.len()),
+            count => format!("{count} of {} joints are not used by any bone or plane, first `{first}`", joints.len()),
         };
         out.push(
             RULE.at(rig.file, Place::key(["joints", first]), message)

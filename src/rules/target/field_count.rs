@@ -42,7 +42,7 @@ fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let fields = counted(fields.unsigned_abs(), "field");
     let message = match (facts.rows, count) {
         (0, _) => format!("no line has four fields, so the target does nothing; the first has {fields}"),
-        (_, 1) => format!("the line has {fields} instead of four and is skipped"),
+        (_, 1) => format!("the line has {fields} instead of 4 and is skipped"),
         _ => format!("{count} lines do not have four fields and are skipped; the first has {fields}"),
     };
     let cases = facts.field_count.first.iter().map(|(line, fields)| format!("line {line}: {fields}"));

@@ -65,7 +65,7 @@ fn finding(stem: &str, files: &[(&FileFacts, String)]) -> Option<Finding> {
     let mut finding = RULE.at(first, Place::File, message).key(stem).asset(first.folder());
     finding = finding.parts_in(files.iter().map(|(file, partner)| (partner, &file.path)));
     for (file, partner) in files.iter().skip(1) {
-        finding = finding.related(&file.path, Place::File, format!("`{partner}` is missing, too"));
+        finding = finding.related(&file.path, Place::File, format!("`{partner}` is also missing"));
     }
     let evidence = Evidence::of_cases(files.iter().map(|(_, partner)| partner));
     Some(finding.help("mirror the target and save it under the name of its counterpart").evidence(evidence))

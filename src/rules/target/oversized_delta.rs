@@ -121,7 +121,7 @@ fn finding(file: &FileFacts, facts: &TargetFacts, largest: &Largest, message: St
     let evidence = Evidence::counted(1);
     RULE.at(file, place, message)
         .parts([largest.index])
-        .help("check for a missing decimal point or a wrong unit; lengths are in decimetres")
+        .help("correct the numbers; a decimal point may be missing or the unit wrong: lengths are in decimetres")
         .evidence(
             evidence.out_of(facts.rows).with_worst(f64::from(largest.length), format!("vertex {}", largest.index)),
         )

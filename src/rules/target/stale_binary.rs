@@ -82,7 +82,7 @@ fn differs(text: &FileFacts, content: u64) -> bool {
 
 fn finding(file: &FileFacts, archive: &Archive, stale: &Stale<'_>) -> Option<Finding> {
     let groups = [
-        (&stale.differing, "with other numbers than the text file", DIFFERING),
+        (&stale.differing, "with numbers that differ from the text file", DIFFERING),
         (&stale.without_text, "without a text file", WITHOUT_TEXT),
         (&stale.without_member, "missing from the archive", WITHOUT_MEMBER),
     ];

@@ -11,12 +11,14 @@ use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "bends the two sides differently in mirrored poses")],
-        docs: "Bones that are named alike but for their side (`.L` and `.R`, `_l` and `_r`, `Left` and `Right` …) move mirrored \
-            vertices with different weights.\n\nWhich vertices mirror each other is found from the base mesh. Weights are \
-            compared as MakeHuman 2 holds them after loading (scaled to a sum of 1), entries of a vertex that a bone lists twice added, and may differ by 0.01.\n\nMirror the \
-            weights of one side. A figure that is meant to be uneven can leave it so.",
-        ..RuleInfo::new("weights-asymmetric", Level::Info, "left and right bones weighted unlike their mirror")
+        breaks: &[(Application::Makehuman2, "bends the left and right side differently in mirrored poses")],
+        docs: "Left and right bones of the same name (`.L` and `.R`, `_l` and `_r`, `Left` and `Right` …) have \
+            different weights for mirrored vertices.\n\n\
+            The base mesh shows which vertices mirror each other. Weights are compared as MakeHuman 2 holds them after \
+            loading: scaled to a sum of 1, with the entries of a vertex that a bone lists twice added up. A difference \
+            of up to 0.01 is not reported.\n\n\
+            Mirror the weights of one side. If the figure is asymmetric on purpose, leave them.",
+        ..RuleInfo::new("weights-asymmetric", Level::Info, "left and right bones have different weights")
     },
     check: Check::Numeric(run),
 };
@@ -42,14 +44,18 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
         1 => "1 pair of bones is".to_owned(),
         count => format!("{count} pairs of bones are"),
     };
+    let differing = match worst.vertices {
+        1 => "1 vertex differs".to_owned(),
+        count => format!("{count} vertices differ"),
+    };
     let message = format!(
-        "{pairs} weighted unlike the mirror, most `{}` and `{}`: {} vertices differ, vertex {vertex} by {difference:.3}",
+        "{pairs} weighted asymmetrically, worst `{}` and `{}`: {differing}, vertex {vertex} by {difference:.3}",
         name(worst.left),
-        name(worst.right),
-        worst.vertices
+        name(worst.right)
     );
+    let vertices = |count: usize| if count == 1 { "1 vertex".to_owned() } else { format!("{count} vertices") };
     let evidence = Evidence::of_cases(
-        weights.asymmetric.iter().map(|pair| format!("{} ({} vertices)", name(pair.left), pair.vertices)),
+        weights.asymmetric.iter().map(|pair| format!("{} ({})", name(pair.left), vertices(pair.vertices))),
     );
     out.push(
         RULE.at(file, Place::key(["weights", name(worst.left)]), message)

@@ -6,17 +6,18 @@ use super::{Tallied, has_unusable_entries, tallied};
 use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Rewrite, RuleInfo};
 use crate::repo::{Body, FileFacts};
 
-const USUAL: &str = "drops the entry: it keeps weights above 0.0001 only";
+const USUAL: &str = "drops the entry: it keeps only weights above 0.0001";
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         fix: FixKind::Safe,
         breaks: &[(Application::Makehuman2, USUAL), (Application::Makehuman1, USUAL)],
-        docs: "After dividing by the sum of a vertex, MakeHuman keeps weights above 0.0001. Smaller ones, zeros \
-            among them, only make the file larger; their share is not given to the other bones.\n\nRemove the \
-            entries. Then the other bones of the vertex get their share, at most 0.0001 for each; a bone that \
-            nothing is left of goes, too. What is lost so much of that it can be seen is \
-            `weights-lost-after-threshold`.",
+        docs: "A weight is too small to have an effect.\n\n\
+            MakeHuman divides the weights of a vertex by their sum and keeps only those above 0.0001. Smaller ones, \
+            including zeros, only make the file larger; the other bones do not get their share. If so much is lost \
+            that it can be seen, see `weights-lost-after-threshold`.\n\n\
+            Remove the entries. The other bones of the vertex then get their share, at most 0.0001 for each; the fix \
+            also removes a bone that has no entries left.",
         ..RuleInfo::new("weights-below-threshold", Level::Info, "a weight is too small to have an effect")
     },
     check: Check::Body(run),
@@ -31,15 +32,15 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         of_body.filter(|one| !is_told(one.own.file) && !has_unusable_entries(one.weights))
     {
         let message = match tally.count {
-            1 => format!("weight {weight} of vertex {vertex} in bone `{bone}` is too small to be kept"),
+            1 => format!("bone `{bone}` has weight {weight} for vertex {vertex}, too small to be kept"),
             count => format!(
-                "{count} of {} weights are too small to be kept, the first is {weight} of vertex {vertex} in bone `{bone}`",
+                "{count} of {} weights are too small to be kept, first {weight} for vertex {vertex} in bone `{bone}`",
                 weights.facts.pairs
             ),
         };
         let fix = Fix::new(RULE.info.fix, "remove the entries");
         let fix = fix.step(&own.file.path, Change::Rewrite(Rewrite::DropSmallWeights));
         let evidence = tally.evidence(weights.facts.pairs);
-        out.push(RULE.at(own.file, place, message).help("remove them").evidence(evidence).fix(fix));
+        out.push(RULE.at(own.file, place, message).help("remove the entries").evidence(evidence).fix(fix));
     }
 }

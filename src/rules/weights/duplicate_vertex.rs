@@ -11,19 +11,21 @@ pub(in crate::rules) static RULE: Rule = Rule {
         breaks: &[
             (
                 Application::Makehuman2,
-                "uses only one of the two shares in pose mode: the vertex lacks the other and is pulled towards the \
-            origin (half way, if they are equal)",
+                "uses only one of the entries in pose mode: the missing share pulls the vertex towards the origin, \
+                 half way for two equal entries",
             ),
-            (Application::Makehuman1, "adds the shares: nothing happens"),
-            (Application::Mpfb, "adds the shares, up to 1"),
+            (Application::Makehuman1, "adds the weights, which changes nothing"),
+            (Application::Mpfb, "adds the weights, up to 1"),
         ],
         levels: &[(Application::Makehuman1, Level::Info), (Application::Mpfb, Level::Info)],
-        docs: "A bone lists a vertex once.\n\nMakeHuman 2 does not merge two entries of one vertex: both count for \
-            the sum that it divides by, but posing uses one of them. The missing share pulls the vertex towards \
-            the origin. (MakeHuman 1, and the transfer of weights to clothes, add the entries.)\n\nReplace the \
-            entries by one with their sum. Where the weights of the vertex then do not add up to 1, the fix divides \
-            them by their sum, as the loader does; not where one of them is above 1, which has a rule of its own.",
-        ..RuleInfo::new("weights-duplicate-vertex", Level::Warning, "a bone lists a vertex twice")
+        docs: "A bone lists the same vertex more than once.\n\n\
+            MakeHuman 2 does not merge such entries: all of them count for the sum it divides by, but posing uses only \
+            one. The missing share pulls the vertex towards the origin. MakeHuman 1, and the transfer of weights to \
+            clothes in MakeHuman 2, add the entries.\n\n\
+            Replace the entries with one that has the sum of their weights. If the weights of the vertex do not add up \
+            to 1 then, the fix divides them by their sum, as the loader does; it does not if one of them is above 1, \
+            which has its own rule.",
+        ..RuleInfo::new("weights-duplicate-vertex", Level::Warning, "a bone lists a vertex more than once")
     },
     check: Check::Body(run),
 };
@@ -32,11 +34,11 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for Tallied { own, weights, tally, bone, vertex, place, .. } in tallied(body, |facts| &facts.duplicate) {
         let message = match tally.count {
             1 => format!("bone `{bone}` lists vertex {vertex} twice"),
-            count => format!("{count} entries list a vertex again, the first is vertex {vertex} of bone `{bone}`"),
+            count => format!("{count} entries repeat a vertex of their bone, first vertex {vertex} in bone `{bone}`"),
         };
         let finding =
-            RULE.at(own.file, place, message).help("replace the entries by one with the sum of their weights");
-        let mut fix = Fix::new(RULE.info.fix, "replace the entries by one with their sum");
+            RULE.at(own.file, place, message).help("replace the entries with one that has the sum of their weights");
+        let mut fix = Fix::new(RULE.info.fix, "replace the entries with one that has their sum");
         // What a negative or malformed entry beside them should have been changes the sum, and one beyond float32 cannot be
         // written.
         if weights.facts.negative.count == 0 && !weights.facts.may_overflow && !has_unusable_entries(weights) {

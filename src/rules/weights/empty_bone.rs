@@ -8,14 +8,15 @@ use crate::repo::Body;
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[
-            (Application::Makehuman2, "takes the bone as one that the file does not mention: it moves no vertex"),
-            (Application::Makehuman1, "leaves the bone out of the weights: it moves no vertex"),
-            (Application::Mpfb, "leaves the bone without a vertex group: it moves no vertex"),
+            (Application::Makehuman2, "treats the bone as if the file did not list it: it moves no vertex"),
+            (Application::Makehuman1, "gives the bone no weights: it moves no vertex"),
+            (Application::Mpfb, "creates no vertex group for the bone: it moves no vertex"),
         ],
-        docs: "A bone with an empty list means the same as one that is not mentioned. It is harmless, even where \
-            the skeleton does not have the bone, but often a sign that painting it was forgotten.\n\nRemove the \
-            bone from the file, or paint it.",
-        ..RuleInfo::new("weights-empty-bone", Level::Info, "a bone of the weights has no entry")
+        docs: "A bone has an empty list of weights.\n\n\
+            That means the same as a bone that the file does not list. It is harmless, even if the skeleton does not \
+            have the bone, but often somebody forgot to paint it.\n\n\
+            Remove the bone from the file, or paint its weights.",
+        ..RuleInfo::new("weights-empty-bone", Level::Info, "a bone has an empty list of weights")
     },
     check: Check::Body(run),
 };
@@ -28,11 +29,11 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let Some(first) = names.first() else { continue };
         let message = match names.len() {
             1 => format!("bone `{first}` has no weights"),
-            count => format!("{count} of {} bones have no weights, the first is `{first}`", weights.bones.len()),
+            count => format!("{count} of {} bones have no weights, first `{first}`", weights.bones.len()),
         };
         out.push(
             RULE.at(own.file, Place::key(["weights", first]), message)
-                .help("remove the bone, or paint it")
+                .help("remove the bone from the file, or paint its weights")
                 .evidence(Evidence::of_cases(&names).out_of(weights.bones.len())),
         );
     }

@@ -10,7 +10,7 @@ pub(super) const ID: &str = "weights-lost-after-threshold";
 pub(super) const DISTANCE: OptionInfo = OptionInfo {
     name: "distance",
     default: 0.01,
-    docs: "pull in mesh units (decimetres) from which it is a warning; a tenth of it is an info",
+    docs: "pull from which the finding is a warning, in decimetres; from a tenth of it, an info",
 };
 
 /// What the weights of the default rig lose, and the vertex that it moves farthest.

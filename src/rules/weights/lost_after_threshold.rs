@@ -11,13 +11,14 @@ pub(in crate::rules) static RULE: Rule = Rule {
             (Application::Makehuman2, "pulls the vertices towards the origin of the scene in pose mode"),
             (Application::Makehuman1, "pulls the vertices towards the origin of the scene in every pose"),
         ],
-        docs: "After dividing by the sum of a vertex, MakeHuman 2 drops weights that are not above 0.0001. Nobody gets their \
-            share: the rest sums to less than 1, and the vertex is pulled towards the origin, farther the farther away it \
-            is.\n\nReported once the pull reaches `distance`: a warning; a tenth of it is an info. Less cannot be \
-            seen; such entries are `weights-below-threshold`.\n\n\
-            Remove the tiny weights and normalise.",
+        docs: "A vertex has so many tiny weights that dropping them visibly moves it.\n\n\
+            MakeHuman 2 divides the weights of a vertex by their sum and drops those that are not above 0.0001. No \
+            other bone gets their share: the rest adds up to less than 1 and pulls the vertex towards the origin, more \
+            the farther away it is. A pull of at least `distance` is a warning, a tenth of it an info. Less cannot be \
+            seen; such entries are reported as `weights-below-threshold`.\n\n\
+            Remove the tiny weights and normalise the rest.",
         options: &[DISTANCE],
-        ..RuleInfo::new(ID, Level::Warning, "vertices lose weight to the threshold of the loader")
+        ..RuleInfo::new(ID, Level::Warning, "vertices lose visible weight to the threshold of the loader")
     },
     check: Check::Body(run),
 };
@@ -26,10 +27,10 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(loss) = noticeable_loss(body, cx) else { return };
     let (losing, vertex) = (loss.vertices.len(), loss.vertex);
     let message = format!(
-        "{} to the threshold 0.0001, most vertex {vertex}: {:.2} % of its weight, which pulls it {:.4} units towards the \
-         origin",
+        "{} to the threshold 0.0001, most vertex {vertex}: {:.2} %, which pulls it {:.3} cm ({:.4}) towards the origin",
         if losing == 1 { "1 vertex loses weight".to_owned() } else { format!("{losing} vertices lose weight") },
         loss.share * 100.0,
+        loss.pull * 10.0,
         loss.pull
     );
     let vertices = body.mesh.map_or(0, |(_, mesh)| mesh.positions.len());

@@ -10,17 +10,19 @@ pub(in crate::rules) static RULE: Rule = Rule {
         breaks: &[
             (
                 Application::Makehuman2,
-                "stops with an exception while the weights are loaded (ValueError, TypeError or UFuncTypeError)",
+                "crashes with `ValueError`, `TypeError` or `UFuncTypeError` while loading the weights",
             ),
             (
                 Application::Makehuman1,
-                "stops with an exception while the weights are loaded (IndexError, TypeError or ValueError)",
+                "crashes with `IndexError`, `TypeError` or `ValueError` while loading the weights",
             ),
-            (Application::Mpfb, "stops with an exception while the weights are loaded (TypeError or ValueError)"),
+            (Application::Mpfb, "raises `TypeError` or `ValueError` while loading the weights"),
         ],
-        docs: "The entries of a bone are pairs `[vertex, weight]`: a whole number without a point, and a \
-            number.\n\nMakeHuman 2 makes a table of them and stops when an entry has another length or type, \
-            `[12.0, 0.5]` included.\n\nCorrect the entry or remove it.",
+        docs: "An entry of a bone is not a pair `[vertex, weight]`. The vertex is a whole number without a decimal \
+            point, the weight a number.\n\n\
+            MakeHuman 2 builds a table of the entries and crashes if one has another length or type, such as \
+            `[12.0, 0.5]`.\n\n\
+            Correct the entry, or remove it.",
         ..RuleInfo::new("weights-malformed-pair", Level::Error, "an entry of a bone is not a pair of vertex and weight")
     },
     check: Check::Body(run),
@@ -31,11 +33,9 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let tally = &weights.facts.malformed;
         let Some((bone, position, ..)) = tally.first.first() else { continue };
         let message = match tally.count {
-            1 => format!("entry {position} of bone `{bone}` is no pair `[vertex, weight]`"),
+            1 => format!("entry {position} of bone `{bone}` is not a pair `[vertex, weight]`"),
             count => {
-                format!(
-                    "{count} entries are no pairs `[vertex, weight]`, the first is entry {position} of bone `{bone}`"
-                )
+                format!("{count} entries are not pairs `[vertex, weight]`, first entry {position} of bone `{bone}`")
             }
         };
         let cases = tally.first.iter().map(|(bone, position, ..)| format!("{bone}[{position}]"));
@@ -43,7 +43,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         evidence.count = tally.count;
         out.push(
             RULE.at(own.file, Place::pointer(["weights", bone, &position.to_string()]), message)
-                .help("write a vertex number without a point and a weight between 0 and 1")
+                .help("write a vertex number without a decimal point, and a weight from 0 to 1")
                 .parts(weights.facts.malformed_names.names())
                 .evidence(evidence),
         );

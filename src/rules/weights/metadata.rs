@@ -8,13 +8,14 @@ use crate::repo::Body;
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[
-            (Application::Makehuman2, "keeps `name` and `version` without using them, and does not read `license`"),
-            (Application::Makehuman1, "keeps what is there without using it"),
-            (Application::Mpfb, "never reads any of it"),
+            (Application::Makehuman2, "stores `name` and `version` without using them, and never reads `license`"),
+            (Application::Makehuman1, "stores these keys without using them"),
+            (Application::Mpfb, "never reads these keys"),
         ],
-        docs: "`name`, `version` and `license` have no effect on the shape. They tell people what the weights are \
-            for and whether they may be passed on.\n\nAdd them beside `weights`.",
-        ..RuleInfo::new("weights-metadata", Level::Info, "weights do not say what they are")
+        docs: "`name`, `version` or `license` is missing. They have no effect on the shape; they tell people what the \
+            weights are for and whether they may be shared.\n\n\
+            Add them next to `weights`.",
+        ..RuleInfo::new("weights-metadata", Level::Info, "a weights file has no name, version or licence")
     },
     check: Check::Body(run),
 };
@@ -26,8 +27,8 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         if missing.is_empty() {
             continue;
         }
-        let message = format!("the weights have no {}", missing.join(", no "));
-        out.push(RULE.at(own.file, Place::File, message).parts(&missing).help("add them beside `weights`"));
+        let message = format!("the weights file has no {}", missing.join(", no "));
+        out.push(RULE.at(own.file, Place::File, message).parts(&missing).help("add them next to `weights`"));
     }
 }
 

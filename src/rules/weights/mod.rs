@@ -41,7 +41,7 @@ fn weigh(own: &BodyWeights<'_>, finding: Finding) -> Finding {
 }
 
 const NEVER_APPLIED: Case =
-    &[(Application::Makehuman2, Level::Info, "never applies these weights: the base is posed by another skeleton")];
+    &[(Application::Makehuman2, Level::Info, "never applies these weights: another skeleton poses the base")];
 
 /// Whether no bone has a single entry.
 fn is_empty(weights: &Weights) -> bool {

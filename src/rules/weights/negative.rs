@@ -5,22 +5,23 @@ use super::{Tallied, tallied, weigh, worst};
 use crate::diag::{Application, Case, Finding, Level, RuleInfo};
 use crate::repo::Body;
 
-const USUAL: &str = "drops the share and enlarges the others of the vertex (0.25 taken away: a third more); where the sum \
-    becomes 0 it divides by zero";
+const USUAL: &str = "drops the weight and makes the others of the vertex too large, for -0.25 by a third; divides by \
+    zero if the sum becomes 0";
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[
             (Application::Makehuman2, USUAL),
             (Application::Makehuman1, USUAL),
-            (Application::Mpfb, "takes the weight as 0"),
+            (Application::Mpfb, "reads the weight as 0"),
         ],
         levels: &[(Application::Mpfb, Level::Warning)],
-        docs: "A weight says how much of a vertex moves with a bone, from 0 to 1.\n\nMakeHuman 2 adds the negative \
-            number to the sum of the vertex, divides by the sum, and drops what is below 0. What remains adds up \
-            to more than 1, so the vertex shoots away from the body in every pose. Weights that cancel out \
-            divide by zero. A vertex that has negative weights only is divided by a negative sum, which makes shares of \
-            them all the same (`info`).\n\nRemove the entry or paint the weight again.",
+        docs: "A weight is negative. It says how much of a vertex moves with a bone, from 0 to 1.\n\n\
+            MakeHuman 2 adds the negative number to the sum of the vertex, divides by the sum, and drops what is below \
+            0. The rest adds up to more than 1, so the vertex shoots away from the body in every pose. Weights that \
+            cancel out cause a division by zero. If all weights of a vertex are negative, so is the sum, and the \
+            shares are right: an info.\n\n\
+            Remove the entry, or paint the weight again.",
         ..RuleInfo::new("weights-negative", Level::Error, "a weight is negative")
     },
     check: Check::Body(run),
@@ -28,13 +29,13 @@ pub(in crate::rules) static RULE: Rule = Rule {
 
 const ALONE: Case =
     &[(Application::Makehuman2, Level::Info, BY_NEGATIVE), (Application::Makehuman1, Level::Info, BY_NEGATIVE)];
-const BY_NEGATIVE: &str = "divides the weight by the negative sum of its vertex: nothing happens";
+const BY_NEGATIVE: &str = "divides the weight by the negative sum of its vertex, which gives the right share";
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for Tallied { own, weights, tally, bone, vertex, weight, place } in tallied(body, |facts| &facts.negative) {
         let message = match tally.count {
-            1 => format!("vertex {vertex} has the negative weight {weight} in bone `{bone}`"),
-            count => format!("{count} weights are negative, the first is {weight} of vertex {vertex} in bone `{bone}`"),
+            1 => format!("bone `{bone}` has the negative weight {weight} for vertex {vertex}"),
+            count => format!("{count} weights are negative, first {weight} for vertex {vertex} in bone `{bone}`"),
         };
         let evidence = worst(tally.evidence(weights.facts.pairs), tally);
         let finding =

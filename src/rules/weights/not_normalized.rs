@@ -9,25 +9,25 @@ use crate::formats::mhw::{FAR_SUMS, Weights};
 use crate::formats::obj::Mesh;
 use crate::repo::Body;
 
-const USUAL: &str = "divides the weights of every vertex by their sum, so nothing happens";
+const USUAL: &str = "divides the weights of every vertex by their sum, so that the result is right";
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[
             (Application::Makehuman2, USUAL),
             (Application::Makehuman1, USUAL),
-            (Application::Mpfb, "lets Blender divide by the sum when the vertex moves, so nothing happens"),
+            (Application::Mpfb, "lets Blender divide by the sum when the vertex moves, so that the result is right"),
         ],
         // Every line of the file changes for nothing that anybody sees today.
         fix: FixKind::Unsafe,
-        docs: "The weights of a vertex over all bones should add up to 1. Where they do not, and nobody repairs it, \
-            the vertex is pulled to the origin (less than 1) or pushed away from it (more) as soon as a skeleton \
-            is used.\n\nMakeHuman 2 divides by the sum when it loads the file, so this is a remark only \
-            (`info`); an exporter or engine that reads the file itself may not do so. A sum within 0.0001 of 1 \
-            counts as 1. Vertices without any weight, and such with a negative, infinite, too large or repeated \
-            entry, have rules of their own and are not counted here.\n\nNormalise the weights in the tool that \
-            painted them. The fix writes the numbers that MakeHuman 2 gets when it divides, with as many decimals \
-            as that takes (seven to nine), and leaves all other vertices as they are.",
+        docs: "The weights of a vertex over all bones do not add up to 1. A sum within 0.0001 of 1 counts as 1. \
+            Vertices without weights, and those with a negative, infinite, too large or repeated entry, have their own \
+            rules and are not counted here.\n\n\
+            MakeHuman 2 divides by the sum when it loads the file, so this is only an info. A program that reads the \
+            file without dividing pulls the vertex towards the origin (less than 1) or pushes it away (more) as soon \
+            as a skeleton is used.\n\n\
+            Normalise the weights in the tool that painted them. The fix writes the numbers that MakeHuman 2 gets when \
+            it divides, with as many digits as needed (seven to nine), and does not change other vertices.",
         ..RuleInfo::new("weights-not-normalized", Level::Info, "the weights of a vertex do not add up to 1")
     },
     check: Check::Body(run),
@@ -40,24 +40,30 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let (sums, vertices) = (&weights.facts.sum, weights.facts.vertices);
         let Some((vertex, sum)) = sums.worst else { continue };
         let message = if sums.off == 1 {
-            format!("the weights of vertex {vertex} add up to {sum}")
+            format!("the weights of vertex {vertex} add up to {sum}, not 1")
         } else {
             format!(
-                "the weights of {} of {vertices} vertices do not add up to 1; the worst is vertex {vertex} with {sum:.3}",
+                "the weights of {} of {vertices} vertices do not add up to 1, worst vertex {vertex} with {sum:.3}",
                 sums.off
             )
         };
         let (least, most) = sums.range;
         let [far, farther] = sums.far_off;
         let range = if most - least < 5e-4 {
-            format!("all of these sums are {least:.3}")
+            format!("all these sums are {least:.3}")
         } else {
-            format!("sums from {least:.3} to {most:.3}")
+            format!("the sums are {least:.3} to {most:.3}")
         };
-        let mut help =
-            format!("{range}; {far} are off by more than {}, {farther} by more than {}", FAR_SUMS[0], FAR_SUMS[1]);
+        let mut help = format!(
+            "normalise them; {range}, {far} off by more than {}, {farther} by more than {}",
+            FAR_SUMS[0], FAR_SUMS[1]
+        );
         if let Some(distance) = body.mesh.and_then(|(_, mesh)| shift(mesh, vertex, sum)) {
-            let _ = write!(help, "; if nobody normalised, vertex {vertex} would move by {distance:.2} units");
+            let centimetres = distance * 10.0;
+            let _ = write!(
+                help,
+                "; a program that does not normalise moves vertex {vertex} by {centimetres:.1} cm ({distance:.2})"
+            );
         }
         let evidence =
             Evidence::of_cases(&sums.vertices).out_of(vertices).with_worst(f64::from(sum), format!("vertex {vertex}"));

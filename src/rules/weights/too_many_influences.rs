@@ -10,12 +10,15 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "uses all of them, but its glTF export keeps the four largest: there the surface bends otherwise",
+            "uses all bones, but its glTF export keeps only the four largest weights: the exported surface bends \
+             differently",
         )],
-        docs: "Vertices that more than four bones move.\n\nMakeHuman 2 itself has no limit. Its glTF export, like most engines, \
-            keeps the four largest weights of a vertex and scales them to 1. The finding says how many vertices that concerns \
-            and where the largest share is lost.\n\nHarmless where the lost shares are small; otherwise paint with fewer bones.",
-        ..RuleInfo::new("weights-too-many-influences", Level::Info, "more than four bones on a vertex")
+        docs: "A vertex has weights of more than four bones.\n\n\
+            MakeHuman 2 itself has no limit. Its glTF export, like most engines, keeps the four largest weights of a \
+            vertex and scales them to a sum of 1. The finding counts these vertices and names the one that loses the \
+            largest share.\n\n\
+            Small lost shares are harmless; otherwise paint the vertices with fewer bones.",
+        ..RuleInfo::new("weights-too-many-influences", Level::Info, "a vertex has weights of more than four bones")
     },
     check: Check::Numeric(run),
 };
@@ -24,9 +27,10 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
     let Some((weights, file)) = measures.weights.as_ref().zip(body.default_weights()) else { return };
     let Some((vertex, share)) = weights.worst_reduction.filter(|_| !weights.over.is_empty()) else { return };
     let vertices = body.mesh.map_or(0, |(_, mesh)| mesh.positions.len());
+    let have = if weights.over.len() == 1 { "has" } else { "have" };
     let message = format!(
-        "{} of {vertices} vertices are moved by more than {ENGINE_INFLUENCES} bones (up to {}); cut to {ENGINE_INFLUENCES}, \
-         vertex {vertex} loses {:.1} % of its weight",
+        "{} of {vertices} vertices {have} weights of more than {ENGINE_INFLUENCES} bones (up to {}); with only \
+         {ENGINE_INFLUENCES}, vertex {vertex} loses {:.1} % of its weight",
         weights.over.len(),
         weights.most,
         share * 100.0
@@ -36,7 +40,7 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
     out.push(
         RULE.at(file, place, message)
             .parts(&weights.over)
-            .help("fine inside MakeHuman; for engines paint with fewer bones where much is lost")
+            .help("for export, paint the vertices that lose much with fewer bones; MakeHuman itself has no limit")
             .evidence(evidence.with_worst(f64::from(share), format!("vertex {vertex}"))),
     );
 }

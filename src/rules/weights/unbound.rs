@@ -7,9 +7,12 @@ use crate::repo::{Body, BodyWeights, WeightsUse};
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(Application::Makehuman2, "never reads the file"), (Application::Makehuman1, "never reads the file")],
-        docs: "MakeHuman 2 reads weights in `rigs/<base>/` when a skeleton names them in `weights_file` (without the key: \
-            `default_weights.mhw`), MakeHuman 1 those in `rigs/`, with the key alone.\n\nA file that no skeleton names has no effect. Often the name in the \
-            skeleton is misspelt, or points to an older file.\n\nName it in a skeleton, or remove it.",
+        docs: "No skeleton names this weights file, so it has no effect. Often the name in the skeleton is misspelt or \
+            that of an older file.\n\n\
+            MakeHuman 2 reads a weights file in `rigs/<base>/` if a skeleton names it in `weights_file`; a skeleton \
+            without this key uses `default_weights.mhw`. MakeHuman 1 reads those in `rigs/`, and only with the \
+            key.\n\n\
+            Name the file in a skeleton, or remove it.",
         ..RuleInfo::new("weights-unbound", Level::Warning, "no skeleton uses a weights file")
     },
     check: Check::Body(run),

@@ -10,26 +10,27 @@ use crate::repo::{Body, BodyWeights, FileFacts, Rig};
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[
-            (Application::Makehuman2, "stops with a KeyError when pose mode is entered"),
+            (Application::Makehuman2, "crashes with `KeyError` when pose mode is entered"),
             (
                 Application::Makehuman1,
-                "leaves the weights of the bone out with a warning, which pulls their vertices towards the origin",
+                "drops the weights of the bone with a warning, which pulls their vertices towards the origin",
             ),
-            (Application::Mpfb, "leaves the weights of the bone out without a message"),
+            (Application::Mpfb, "silently drops the weights of the bone"),
         ],
         levels: &[(Application::Makehuman1, Level::Warning), (Application::Mpfb, Level::Warning)],
-        docs: "The bones of a weights file are those of the skeletons that name it in `weights_file`.\n\nMakeHuman \
-            2 loads weights for other bones, but stops with a KeyError as soon as the user enters pose mode. \
-            What counts is the skeleton that `base.json` names (`pose-skeleton`). Weights that only other \
-            skeletons use are never applied; a bone that none of them has is then a `warning`. A bone with an \
-            empty list is harmless.\n\nCorrect the name of the bone, here or in the skeleton.",
+        docs: "A weights file has weights for a bone that does not exist in the skeleton that names it in \
+            `weights_file`.\n\n\
+            MakeHuman 2 loads such weights, but crashes with `KeyError` as soon as the user enters pose mode. This is \
+            about the skeleton that `base.json` names in `pose-skeleton`. Weights that only other skeletons use are \
+            never applied; a bone that none of them has is then a warning. A bone with an empty list is harmless.\n\n\
+            Correct the name of the bone, here or in the skeleton.",
         ..RuleInfo::new("weights-unknown-bone", Level::Error, "weights for a bone that the skeleton does not have")
     },
     check: Check::Body(run),
 };
 
 const NEVER_APPLIED: Case =
-    &[(Application::Makehuman2, Level::Warning, "never applies these weights: the base is posed by another skeleton")];
+    &[(Application::Makehuman2, Level::Warning, "never applies these weights: another skeleton poses the base")];
 
 fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (BodyWeights { file, .. }, weights) in readable_own(body) {
@@ -38,14 +39,14 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let unknown: Vec<&str> = unknown.map(|bone| bone.name.as_str()).collect();
         let Some(first) = unknown.first() else { continue };
         let message = match unknown.len() {
-            1 => format!("the skeleton has no bone `{first}`"),
+            1 => format!("bone `{first}` does not exist in the skeleton"),
             count => {
-                format!("the skeleton does not have {count} of {} bones, the first is `{first}`", weights.bones.len())
+                format!("{count} of {} bones do not exist in the skeleton, first `{first}`", weights.bones.len())
             }
         };
         let help = did_you_mean(
             cx.suggestions.nearest(first, known.iter().copied()),
-            "name bones of the skeleton that uses these weights",
+            "name a bone of the skeleton that uses these weights",
         );
         let finding = RULE
             .at(file, Place::key(["weights", first]), message)

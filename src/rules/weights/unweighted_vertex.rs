@@ -10,20 +10,22 @@ use crate::formats::mhw::Weights;
 use crate::formats::obj::Mesh;
 use crate::repo::{Body, FileFacts};
 
-const USUAL: &str = "gives the vertex to the root bone: it stays behind when the body is posed";
+const USUAL: &str = "assigns the vertex to the root bone: it stays behind when the body is posed";
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[
             (Application::Makehuman2, USUAL),
             (Application::Makehuman1, USUAL),
-            (Application::Mpfb, "moves the vertex with no bone: it stays behind when the body is posed"),
+            (Application::Mpfb, "does not move the vertex: it stays behind when the body is posed"),
         ],
-        docs: "Every vertex of the base mesh should follow some bone.\n\nMakeHuman 2 gives vertices without \
-            weights, and such with zeros only, to the root bone. Part of a limb then stays at the hip when the \
-            limb moves. Where no visible group of the mesh is concerned (helpers, joints) it is a remark \
-            (`info`): clothes that are fitted to a helper follow it.\n\nVertices that no face uses are not counted.\n\nPaint the vertices.",
-        ..RuleInfo::new("weights-unweighted-vertex", Level::Warning, "a vertex has no weight at all")
+        docs: "A vertex of the base mesh has no weight, so it follows no bone. Vertices that no face uses are not \
+            counted.\n\n\
+            MakeHuman 2 assigns vertices without weights, or with only zeros, to the root bone. Part of a limb then \
+            stays at the hip when the limb moves. If only groups that are not visible are affected (helpers, joint \
+            cubes), it is an info: clothes fitted to a helper follow it.\n\n\
+            Paint the vertices for the bones that should move them.",
+        ..RuleInfo::new("weights-unweighted-vertex", Level::Warning, "a vertex has no weight")
     },
     check: Check::Body(run),
 };
@@ -31,9 +33,9 @@ pub(in crate::rules) static RULE: Rule = Rule {
 const WITHOUT_ANY: Case = &[
     (Application::Makehuman2, Level::Warning, ALL_ON_ROOT),
     (Application::Makehuman1, Level::Warning, ALL_ON_ROOT),
-    (Application::Mpfb, Level::Warning, "makes a rig that moves nothing"),
+    (Application::Mpfb, Level::Warning, "creates a rig that moves nothing"),
 ];
-const ALL_ON_ROOT: &str = "gives the whole mesh to the root bone: no other bone moves anything";
+const ALL_ON_ROOT: &str = "assigns the whole mesh to the root bone: no other bone moves anything";
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     // Walks the mesh once, not for each of many files, and only where some vertex has no weight.
@@ -80,7 +82,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 fn without_any(file: &FileFacts, weights: &Weights) -> Finding {
     let vertices = weights.facts.vertices;
     let mut finding = RULE
-        .at(file, Place::pointer(["weights"]), "no vertex has a weight: the file has no entry at all")
+        .at(file, Place::pointer(["weights"]), "no vertex has a weight: the file has no entries")
         .help("paint the weights and export them again, or name another file in the skeleton")
         .case(WITHOUT_ANY);
     if vertices > 0 {

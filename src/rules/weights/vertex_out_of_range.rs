@@ -5,27 +5,28 @@ use super::{Tallied, tallied};
 use crate::diag::{Application, Case, Finding, Level, RuleInfo};
 use crate::repo::Body;
 
-const USUAL: &str = "stops with an IndexError while the weights are loaded";
+const USUAL: &str = "crashes with `IndexError` while loading the weights";
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[
             (Application::Makehuman2, USUAL),
             (Application::Makehuman1, USUAL),
-            (Application::Mpfb, "leaves the entry out without a message"),
+            (Application::Mpfb, "silently drops the entry"),
         ],
         levels: &[(Application::Mpfb, Level::Warning)],
-        docs: "The vertices of a weights file are those of the base mesh, counted from 0; duplicates along texture \
-            seams do not count.\n\nMakeHuman 2 stops with an IndexError while it loads the base when an index is \
-            too large. Negative ones stop it with an OverflowError.\n\nUsually the weights belong to another \
-            mesh.",
+        docs: "A weights file has an entry for a vertex that the base mesh does not have. Vertices are counted from 0, \
+            without UV-seam duplicates.\n\n\
+            MakeHuman 2 crashes with `IndexError` while loading the base mesh if an index is too large, and with \
+            `OverflowError` if it is negative.\n\n\
+            Usually the weights were made for another mesh. Use the weights for this mesh.",
         ..RuleInfo::new("weights-vertex-out-of-range", Level::Error, "weights for a vertex that the mesh does not have")
     },
     check: Check::Body(run),
 };
 
 const NEGATIVE: Case =
-    &[(Application::Makehuman2, Level::Error, "stops with an OverflowError while the weights are loaded")];
+    &[(Application::Makehuman2, Level::Error, "crashes with `OverflowError` while loading the weights")];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if body.has_foreign_mesh {
@@ -34,18 +35,18 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for Tallied { own, weights, tally, bone, vertex, place, .. } in tallied(body, |facts| &facts.out_of_range) {
         let vertices = weights.facts.vertices;
         let size = match vertices.checked_sub(1) {
-            Some(last) => format!(", but the mesh has vertices 0 to {last}"),
+            Some(last) => format!("; the mesh has vertices 0 to {last}"),
             None => String::new(),
         };
         let message = match tally.count {
-            1 => format!("bone `{bone}` weights vertex {vertex}{size}"),
-            count => format!(
-                "{count} entries weight a vertex that does not exist, the first is vertex {vertex} of bone `{bone}`{size}"
-            ),
+            1 => format!("bone `{bone}` has a weight for vertex {vertex}, which does not exist{size}"),
+            count => {
+                format!("{count} entries name vertices that do not exist, first vertex {vertex} in bone `{bone}`{size}")
+            }
         };
         let mut finding = RULE
             .at(own.file, place, message)
-            .help("use vertices of the base mesh, counted from 0; were the weights made for another mesh?")
+            .help("use vertices of the base mesh, counted from 0, or the weights that were made for this mesh")
             .evidence(tally.evidence(weights.facts.pairs));
         if weights.facts.negative_index == tally.count {
             finding = finding.case(NEGATIVE);

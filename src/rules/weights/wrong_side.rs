@@ -9,14 +9,17 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "turns the skin of the other side with the bone: bending a hand throws the other one about",
+            "rotates the skin of the left/right counterpart with the bone: the smallest bend throws it far off",
         )],
-        docs: "A bone whose name says left or right (`hand.L`, `r-thigh`, `LeftFoot` …) and whose joints lie on that side has its \
-            weights on the other half of the mesh, nine tenths of them at least. Left is where x is above 0.\n\nMakeHuman 2 says \
-            nothing: it turns these vertices around a bone that is far away, so that the smallest bend throws them far. Mostly \
-            left and right were exchanged when the weights were mirrored or exported.\n\nWhere the joints lie on the wrong side as \
-            well it is the skeleton's fault: `skeleton-wrong-side`. Exchange the lists of the bone and its partner.",
-        ..RuleInfo::new("weights-wrong-side", Level::Warning, "weights on the other half of the mesh than their bone")
+        docs: "A bone whose name says left or right (`hand.L`, `r-thigh`, `LeftFoot` …) and whose joints are on that \
+            side has at least nine tenths of its weights on the opposite half of the mesh. Left is where x is above \
+            0.\n\n\
+            MakeHuman 2 reports nothing: it rotates these vertices around a bone that is far away, so that the \
+            smallest bend throws them far off. Usually left and right were swapped when the weights were mirrored or \
+            exported. If the joints are on the wrong side as well, the skeleton is wrong: see \
+            `skeleton-wrong-side`.\n\n\
+            Swap the weights of the bone and its left/right counterpart.",
+        ..RuleInfo::new("weights-wrong-side", Level::Warning, "weights are on the opposite half of the mesh")
     },
     check: Check::Numeric(run),
 };
@@ -27,12 +30,12 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
         weights.wrong_side.iter().filter_map(|bone| measures.bones.get(*bone)).map(String::as_str).collect();
     let Some(first) = bones.first() else { return };
     let message = match bones.len() {
-        1 => format!("the weights of bone `{first}` are on the other half of the mesh"),
-        count => format!("the weights of {count} bones are on the other half of the mesh, the first is `{first}`"),
+        1 => format!("the weights of bone `{first}` are on the opposite half of the mesh"),
+        count => format!("the weights of {count} bones are on the opposite half of the mesh, first `{first}`"),
     };
     out.push(
         RULE.at(file, Place::key(["weights", first]), message)
-            .help("exchange the weights of left and right")
+            .help("swap the weights of the left and right bones")
             .evidence(Evidence::of_cases(&bones).out_of(measures.bones.len())),
     );
 }

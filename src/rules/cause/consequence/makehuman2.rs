@@ -20,33 +20,30 @@ use Single::{BesideBase, Expressions, Poses, ScriptedRanges, SelectionFilter, Sh
 
 pub(super) static TABLE: Table = Table { rows: ROWS, at_moment: AT_MOMENT, in_general: IN_GENERAL, unfound: UNFOUND };
 
-/// What a text that stops the program does while an archive stands for it.
-pub(super) const ARCHIVED: Case = &[(
-    Application::Makehuman2,
-    Warning,
-    "stops at start as soon as the archive of the folder is deleted to be made anew",
-)];
+/// What a text that crashes the program does while an archive stands for it.
+pub(super) const ARCHIVED: Case =
+    &[(Application::Makehuman2, Warning, "crashes at start once the archive of the folder is deleted and rebuilt")];
 
 /// What a mesh does that an archive is read in place of.
 pub(super) const UNREAD_MESH: Case = &[(Application::Makehuman2, Info, UNREAD)];
-const UNREAD: &str = "reads base.mhbin in its place; compile_meshes.py, which makes that anew, stops";
+const UNREAD: &str = "reads base.mhbin instead; compile_meshes.py, which rebuilds it, crashes";
 
-pub(super) const NOT_READ: &str = "never reads this file; the scripts that align joint cubes stop";
-pub(in crate::rules) const NEVER_OPENED: &str =
-    "never opens it; of all geometry.json its scripts open that of `hm08` alone";
-pub(super) const NO_WEIGHTS_LOADED: &str = "loads no weights at all: in pose mode the mesh collapses to the origin";
+pub(super) const NOT_READ: &str = "never reads this file; the scripts that align joint cubes crash";
+pub(in crate::rules) const NEVER_OPENED: &str = "never opens it; its scripts open only the geometry.json of `hm08`";
+pub(super) const NO_WEIGHTS_LOADED: &str = "loads no weights: in pose mode the mesh collapses to the origin";
 /// What becomes of a base without a skeleton for poses.
 pub(in crate::rules) const NO_POSE_SKELETON: &str = "has no poses and no bone weights for assets, shows a message whenever \
-    poses or rigs are opened, and stops with an AttributeError in the editors and the glTF export";
+    poses or rigs are opened, and crashes with `AttributeError` in the editors and the glTF export";
+const TYPE_ERROR: &str = "crashes at start with `TypeError`";
 const NO_BASE: &str = "does not load the base mesh";
-const SCAN: &str = "stops at start while it scans the assets";
-const SCAN_SYNTAX: Cell = cell(Syntax, Error, "stops at start, while it scans the assets (AttributeError)");
-const TOOLS: &str = "does not read it; tools that do stop";
-const DROPS: Cell = cell(NotUtf8, Warning, "drops the bytes that are no UTF-8");
+const SCAN: &str = "crashes at start while scanning the assets";
+const SCAN_SYNTAX: Cell = cell(Syntax, Error, "crashes at start with `AttributeError` while scanning the assets");
+const TOOLS: &str = "never reads it; the tools that read it crash";
+const DROPS: Cell = cell(NotUtf8, Warning, "drops the bytes that are not UTF-8");
 const NO_EXPRESSIONS: &str = "offers no expressions for the base";
 const NO_POSES: &str = "offers no pose editor for the base";
 const NO_WEIGHTS: &[Cell] = &[
-    cell(Refused, Error, "has no weights: the mesh collapses as soon as it is posed"),
+    cell(Refused, Error, NO_WEIGHTS_LOADED),
     cell(Syntax, Error, NO_WEIGHTS_LOADED),
     // What `NaN` does to weights is worse, and the business of `weights-non-finite`.
     nothing(Special),
@@ -54,13 +51,13 @@ const NO_WEIGHTS: &[Cell] = &[
 const NO_ATTACHMENT: Cell = cell(Empty, Error, "cannot attach the asset");
 const NO_PICTURE: &[Cell] =
     &[level(Closed, Warning), level(Pointer, Warning), cell(Empty, Warning, "shows no picture")];
-const NO_USER_ICON: &str = "stops at start with a FileNotFoundError, where the picture is a link to nothing";
+const NO_USER_ICON: &str = "crashes at start with `FileNotFoundError` if the picture is a broken link";
 const BINARY: Cell = level(Pointer, Warning);
 
 #[rustfmt::skip]
 const ROWS: &[Row] = &[
     anywhere(Kind::BaseJson, Start, &[
-        cell(Absent, Error, "stops with a TypeError when it loads the base"),
+        cell(Absent, Error, "crashes with `TypeError` when it loads the base"),
         cell(Refused, Error, NO_BASE),
         cell(Syntax, Error, "does not load the base mesh; the window opens without one"),
     ]),
@@ -73,16 +70,16 @@ const ROWS: &[Row] = &[
     ]),
     anywhere(Kind::BaseMesh, Start,
         &[
-            cell(Absent, Error, "stops with an AttributeError when it loads the base"),
-            cell(Empty, Error, "stops at start: there is no base mesh"),
+            cell(Absent, Error, "crashes with `AttributeError` when it loads the base"),
+            cell(Empty, Error, "crashes at start because the base mesh is empty"),
         ]),
     row(Kind::MeshArchive, Replaced, Use,
-        &[cell(Closed, Info, "takes it for no file, and reads the mesh elsewhere")]),
+        &[cell(Closed, Info, "treats it as missing and reads the mesh from another file")]),
     anywhere(Kind::MeshArchive, Start, &[
         cell(Absent, Error, NO_BASE),
-        cell(Closed, Error, "stops at every start: it reads no other mesh while the archive is there"),
-        cell(Pointer, Error, "takes the pointer for the mesh and stops at every start with a ValueError"),
-        cell(Empty, Error, "stops at every start with an EOFError until the file is deleted by hand"),
+        cell(Closed, Error, "crashes at every start: it reads no other mesh while the archive exists"),
+        cell(Pointer, Error, "takes the pointer for the mesh and crashes with `ValueError` at every start"),
+        cell(Empty, Error, "crashes with `EOFError` at every start until the file is deleted by hand"),
     ]),
     row(Kind::Geometry, At::Single(ScriptedRanges), Tools, &[cell(Syntax, Warning, NOT_READ)]),
     anywhere(Kind::Geometry, Use, &[
@@ -96,38 +93,38 @@ const ROWS: &[Row] = &[
     ]),
     row(Kind::MacroJson, Generated, Never, &[cell(Syntax, Info, "never reads this file")]),
     anywhere(Kind::MacroJson, Start, &[
-        cell(Absent, Error, "takes it as missing: no macros, and targets are looked for in the folder of the system; without one it \
-            stops at start with a FileNotFoundError"),
-        cell(Refused, Error, "logs a line and takes it as missing: the base has no macros"),
-        cell(Syntax, Error, "logs a line and treats the file as absent: the base has no macros"),
-        cell(Needless, Info, "takes it as missing, as it may be: no slider needs macros"),
+        cell(Absent, Error, "finds no macros and looks for the targets in the system's folder; crashes at start with \
+            `FileNotFoundError` if that folder does not exist"),
+        cell(Refused, Error, "treats it as missing with only a log line: the base has no macros"),
+        cell(Syntax, Error, "treats it as missing with only a log line: the base has no macros"),
+        cell(Needless, Info, "treats it as missing, without effect: no slider needs macros"),
     ]),
     row(Kind::ModellingJson, Generated, Start, &[
-        cell(Refused, Error, "logs a line and takes it as missing: its sliders are gone"),
-        cell(Syntax, Error, "logs a line and treats the file as absent: the sliders of the user's targets are gone"),
+        cell(Refused, Error, "treats it as missing with only a log line: its sliders disappear"),
+        cell(Syntax, Error, "treats it as missing with only a log line: the sliders of the user's targets disappear"),
     ]),
     anywhere(Kind::ModellingJson, Start, &[
-        cell(Refused, Error, "logs a line and takes it as missing: its sliders are gone"),
-        cell(Syntax, Error, "logs a line and treats the file as absent: the base has no sliders"),
+        cell(Refused, Error, "treats it as missing with only a log line: its sliders disappear"),
+        cell(Syntax, Error, "treats it as missing with only a log line: the base has no sliders"),
     ]),
     row(Kind::TargetCategories, Generated, Start,
-        &[cell(Refused, Error, "stops at start with a TypeError"), cell(Syntax, Error, "stops at start (TypeError)")]),
+        &[cell(Refused, Error, TYPE_ERROR), cell(Syntax, Error, TYPE_ERROR)]),
     anywhere(Kind::TargetCategories, Start, &[
-        cell(Refused, Error, "logs a line and takes it as missing: no slider can be reached"),
-        cell(Syntax, Error, "logs a line and treats the file as absent: no slider can be reached in the window"),
+        cell(Refused, Error, "treats it as missing with only a log line: no slider can be reached"),
+        cell(Syntax, Error, "treats it as missing with only a log line: no slider can be reached"),
     ]),
     row(Kind::Target, Generated, Start, &[
-        cell(Dangling, Error, "stops at start with a FileNotFoundError while it looks for user targets"),
-        cell(Empty, Warning, "loads it; nothing moves"),
+        cell(Dangling, Error, "crashes at start with `FileNotFoundError` while it looks for user targets"),
+        cell(Empty, Warning, "loads the target, which moves nothing"),
     ]),
     anywhere(Kind::Target, Start, &[
-        cell(Dangling, Info, "leaves it out when it packs the targets of the folder"),
-        cell(Empty, Warning, "loads it; nothing moves"),
+        cell(Dangling, Info, "skips it when it packs the targets of the folder"),
+        cell(Empty, Warning, "loads the target, which moves nothing"),
     ]),
     // There is no gzip in it at all.
     anywhere(Kind::PackedTarget, Never, &[nothing(Pointer)]),
     anywhere(Kind::TargetArchive, Start,
-        &[cell(Pointer, Error, "stops at every start with a ValueError: a pointer is no archive")]),
+        &[cell(Pointer, Error, "crashes with `ValueError` at every start: a pointer is not an archive")]),
     row(Kind::TargetIcon, Generated, Start, &[
         cell(Closed, Error, NO_USER_ICON),
         level(Pointer, Warning),
@@ -144,19 +141,19 @@ const ROWS: &[Row] = &[
     row(Kind::Json, At::Single(Poses), Start,
         &[cell(Refused, Error, NO_POSES), cell(Syntax, Error, NO_POSES)]),
     row(Kind::Json, At::Single(Version), Use,
-        &[cell(Refused, Error, "does not start"), cell(Syntax, Error, "does not start (exit code 20)")]),
+        &[cell(Refused, Error, "exits at start with code 20"), cell(Syntax, Error, "exits at start with code 20")]),
     row(Kind::Json, At::Single(Shaders), Use,
-        &[cell(Refused, Error, "does not start"), cell(Syntax, Error, "does not start (exit code 21)")]),
+        &[cell(Refused, Error, "exits at start with code 21"), cell(Syntax, Error, "exits at start with code 21")]),
     row(Kind::Json, At::Single(BesideBase), Start, &[]),
-    row(Kind::Json, At::Single(SelectionFilter), Use, &[cell(Syntax, Warning, "goes on with an empty filter")]),
+    row(Kind::Json, At::Single(SelectionFilter), Use, &[cell(Syntax, Warning, "uses an empty filter instead")]),
     anywhere(Kind::Json, Use, &[]),
     anywhere(Kind::Clothes, Scan, &[DROPS, NO_ATTACHMENT]),
     anywhere(Kind::Material, Use, &[DROPS, cell(Empty, Warning, "shows the default white material")]),
-    anywhere(Kind::Model, Scan, &[DROPS, cell(Empty, Warning, "loads a model without a setting")]),
+    anywhere(Kind::Model, Scan, &[DROPS, cell(Empty, Warning, "loads a model without any settings")]),
     anywhere(Kind::Motion, Use, &[
-        cell(Empty, Error, "stops with an IndexError when the pose is used"),
-        cell(MarkedWord, Error, "refuses the file: it must begin with HIERARCHY"),
-        cell(MarkedComment, Error, "refuses the file: it must begin with HIERARCHY"),
+        cell(Empty, Error, "crashes with `IndexError` when the pose is used"),
+        cell(MarkedWord, Error, "refuses the file: it must begin with `HIERARCHY`"),
+        cell(MarkedComment, Error, "refuses the file: it must begin with `HIERARCHY`"),
     ]),
     anywhere(Kind::MotionMeta, Scan, &[DROPS, cell(Empty, Warning, "names the pose after its file")]),
     anywhere(Kind::AssetMesh, Use, &[NO_ATTACHMENT]),
@@ -167,9 +164,9 @@ const ROWS: &[Row] = &[
 ];
 
 const AT_MOMENT: &[(Moment, Cell)] = &[
-    (Start, cell(NotUtf8, Error, "stops at start with a UnicodeDecodeError")),
-    (Scan, cell(NotUtf8, Error, "stops at start with a UnicodeDecodeError while it scans the assets")),
-    (Scan, cell(Refused, Error, "stops at start with an AttributeError while it scans the assets")),
+    (Start, cell(NotUtf8, Error, "crashes at start with `UnicodeDecodeError`")),
+    (Scan, cell(NotUtf8, Error, "crashes at start with `UnicodeDecodeError` while scanning the assets")),
+    (Scan, cell(Refused, Error, "crashes at start with `AttributeError` while scanning the assets")),
     (Tools, cell(NotUtf8, Warning, TOOLS)),
     (Tools, cell(Refused, Warning, TOOLS)),
 ];
@@ -177,13 +174,13 @@ const AT_MOMENT: &[(Moment, Cell)] = &[
 const IN_GENERAL: &[Cell] = &[
     level(Closed, Error),
     level(Pointer, Error),
-    cell(Refused, Warning, "takes it as missing, if it reads it at all"),
-    cell(MarkedRow, Error, "takes the first line for a row and stops at start with a ValueError"),
-    cell(MarkedWord, Warning, "does not recognise the first word and loses its line"),
-    cell(MarkedComment, Info, "loses the first line, which is a comment"),
-    cell(NotUtf8, Error, "stops with a UnicodeDecodeError when the file is used"),
-    cell(Syntax, Warning, "treats the file as absent, if it reads it at all"),
-    cell(Special, Warning, "reads it and calculates with it"),
+    cell(Refused, Warning, "treats it as missing, if it reads it at all"),
+    cell(MarkedRow, Error, "takes the first line for a row and crashes at start with `ValueError`"),
+    cell(MarkedWord, Warning, "does not recognise the first word and ignores its line"),
+    cell(MarkedComment, Info, "ignores the first line, which is only a comment"),
+    cell(NotUtf8, Error, "crashes with `UnicodeDecodeError` when the file is used"),
+    cell(Syntax, Warning, "treats it as missing, if it reads it at all"),
+    cell(Special, Warning, "accepts it and calculates with it"),
     level(TooDeep, Error),
     cell(Packed, Info, "never opens it"),
 ];
@@ -191,15 +188,16 @@ const IN_GENERAL: &[Cell] = &[
 #[rustfmt::skip]
 const UNFOUND: &[(&[ReferenceKind], Consequence)] = &[
     (&[MacroTarget], Consequence::new(Error,
-        "does not find the target: stops with an AttributeError as soon as the combination has weight, at start if the \
-         default character uses it")),
+        "does not find the target and crashes with `AttributeError` as soon as the combination has weight, at start if \
+         the default character uses it")),
     (&[Incr, Decr], Consequence::new(Error,
-        "does not find the target: stops with an AttributeError when its slider moves, at start if the start model sets it")),
-    (&[Icon], Consequence::new(Warning, "shows a button without a picture")),
-    (&[WeightsFile], Consequence::new(Error, "refuses the skeleton")),
+        "does not find the target and crashes with `AttributeError` when its slider moves, or at start if the start \
+         model sets it")),
+    (&[Icon], Consequence::new(Warning, "shows the button without a picture")),
+    (&[WeightsFile], Consequence::new(Error, "refuses the skeleton and logs a line")),
     (&[PoseSkeleton], Consequence::new(Error, NO_POSE_SKELETON)),
-    (&[Model], Consequence::new(Error, "stops at start with a TypeError")),
-    (&[Texture], Consequence::new(Warning, "goes without the texture, without a message")),
+    (&[Model], Consequence::new(Error, TYPE_ERROR)),
+    (&[Texture], Consequence::new(Warning, "silently goes without the texture")),
 ];
 
 /// Whether the scripts that align joint cubes open this `geometry.json`: they know one base mesh.
@@ -211,20 +209,22 @@ pub(in crate::rules) fn is_opened_by_scripts(rel: &str) -> bool {
 pub(in crate::rules) fn ignored_override(view: &View<'_>, base: &Base<'_>, name: &str, has_system: bool) -> String {
     let folder = system_folder(view, base);
     let instead = match (has_system, folder) {
-        (true, _) => "logs a line and takes the system's file instead",
-        (false, SystemFolder::Unknown) => "logs a line and takes the system's file instead, if there is one",
-        (false, _) => "logs a line and goes on without such a file",
+        (true, _) => "ignores the override with only a log line, and uses the system's file",
+        (false, SystemFolder::Unknown) => {
+            "ignores the override with only a log line, and uses the system's file if it exists"
+        }
+        (false, _) => "ignores the override with only a log line, and goes on without such a file",
     };
     match (name, folder) {
         ("macro.json", SystemFolder::Absent) => format!(
-            "{instead}, then stops (FileNotFoundError): it looks for the targets in `target/{}` of the system",
+            "{instead}; then crashes with `FileNotFoundError`: it looks for the targets in the system's `target/{}`",
             base.name
         ),
         ("macro.json", _) => format!(
-            "{instead}, and looks for all targets of the base in the system's folder: stops with an AttributeError where one is \
-             missing there"
+            "{instead}; looks for all targets of the base in the system's folder, and crashes with `AttributeError` \
+             if one is missing there"
         ),
-        ("target_cat.json", _) if !has_system => format!("{instead}: no slider can be reached"),
+        ("target_cat.json", _) if !has_system => format!("{instead}; no slider can be reached"),
         _ => instead.to_owned(),
     }
 }

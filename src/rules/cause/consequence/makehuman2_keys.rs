@@ -22,35 +22,35 @@ const fn row(kind: Kind, meant: &'static str, level: Level, effect: &'static str
 }
 
 const NO_HINT: &str = "ignores the key; nothing else is lost";
-const NO_PARTNER: &str = "ignores the key: the slider has no partner, and symmetry leaves the other side as it is";
-const ONE_SIDED: &str = "ignores the key: no slider has two sides";
+const NO_PARTNER: &str = "ignores the key: the slider has no left/right counterpart, so symmetry changes one side only";
+const ONE_SIDED: &str = "ignores the key: the sliders have only one side";
 const RANDOM_STOPS: &str =
-    "ignores the key: no slider has two sides, and the random character view stops with a KeyError";
+    "ignores the key and crashes with `KeyError` when it makes a random character; the sliders have only one side";
 
 #[rustfmt::skip]
 static ROWS: [Row; 22] = [
-    row(ModellingJson, "group", Warning, "ignores the key and shows the slider nowhere"),
+    row(ModellingJson, "group", Warning, "ignores the key and never shows the slider"),
     row(ModellingJson, "macro_influence", Warning,
         "ignores the key: all macros vanish from the figure as soon as the slider is opened"),
     row(ModellingJson, "barycentric_diffuse", Warning, "ignores the key: the skin keeps its colour"),
-    row(ModellingJson, "default", Warning, "ignores the key: the slider is reset to 0"),
-    row(ModellingJson, "measure", Warning, "ignores the key: nothing is measured"),
-    row(ModellingJson, "display", Warning, "ignores the key: the value is not shown as a text"),
+    row(ModellingJson, "default", Warning, "ignores the key: a reset sets the slider to 0"),
+    row(ModellingJson, "measure", Warning, "ignores the key and measures nothing"),
+    row(ModellingJson, "display", Warning, "ignores the key and does not show the value as a text"),
     row(ModellingJson, "rsym", Warning, NO_PARTNER),
     row(ModellingJson, "lsym", Warning, NO_PARTNER),
     row(ModellingJson, "lsym` or `rsym", Warning, NO_PARTNER),
     row(ModellingJson, "icon", Warning, "ignores the key: the button has no picture of its own"),
-    row(ModellingJson, "name", Warning, "ignores the key: the slider is called by its key"),
+    row(ModellingJson, "name", Warning, "ignores the key: the window shows the key of the slider as its name"),
     row(ModellingJson, "tip", Info, NO_HINT),
-    row(TargetCategories, "items", Warning, "ignores the key: the headline is empty, and its sliders are shown nowhere"),
-    row(TargetCategories, "group", Warning, "ignores the key: the sliders of the category are shown nowhere"),
-    row(BaseJson, "equipment", Warning, "ignores the key and offers clothes only"),
+    row(TargetCategories, "items", Warning, "ignores the key: the category is empty, and its sliders are never shown"),
+    row(TargetCategories, "group", Warning, "ignores the key: the sliders of the category are never shown"),
+    row(BaseJson, "equipment", Warning, "ignores the key and offers only clothes"),
     row(BaseJson, "pose-skeleton", Error, NO_POSE_SKELETON),
-    row(BaseJson, "mhm", Warning, "ignores the key: the default material is shown, and no target is applied at start"),
+    row(BaseJson, "mhm", Warning, "ignores the key: it shows the default material and applies no target at start"),
     row(BaseJson, "modifier-presets", Warning, "ignores the key: the sliders start at 0"),
     row(BaseJson, "measure", Warning, "ignores the key and shows no sizes"),
     row(BaseJson, "head-pattern", Warning, "ignores the key: loading a head loads the whole character"),
-    row(BaseJson, "random", Warning, "ignores the key: a random character has neither groups nor rules"),
+    row(BaseJson, "random", Warning, "ignores the key: random characters use no groups and no rules"),
     row(BaseJson, "numverts", Info, NO_HINT),
 ];
 

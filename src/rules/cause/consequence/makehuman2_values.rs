@@ -42,10 +42,9 @@ const fn row(kind: Kind, keyword: &'static str, found: Test, level: Level, effec
     Row { kind, keyword, found, consequence: Consequence::new(level, effect) }
 }
 
-const SKIPPED: &str = "skips the combination without a word";
-const IGNORED_BONE: &str = "ignores the entry: no bone has such a name";
-const OF_DEFAULT: Consequence =
-    Consequence::new(Level::Info, "never reads the references of the skeleton that the others refer to");
+const SKIPPED: &str = "silently skips the combination";
+const IGNORED_BONE: &str = "ignores the entry: no bone has this name";
+const OF_DEFAULT: Consequence = Consequence::new(Level::Info, "never reads the references of the default skeleton");
 
 use Kind::{BaseJson, Geometry, MacroJson, ModellingJson, Skeleton, TargetCategories, Weights};
 use Level::{Error, Warning};
@@ -53,58 +52,60 @@ use Level::{Error, Warning};
 #[rustfmt::skip]
 static ROWS: [Row; 45] = [
     row(Geometry, "", ANY, Warning, NOT_READ),
-    row(MacroJson, "/type", ANY, Error, "stops at start with a TypeError"),
-    row(MacroJson, "/allOf/", ANY, Error, "stops at start with a KeyError"),
-    row(MacroJson, "/$defs/component/required", ANY, Error, "stops at start with a KeyError"),
-    row(MacroJson, "/$defs/macrodef/required", ANY, Error, "stops at start with a KeyError"),
+    row(MacroJson, "/type", ANY, Error, "crashes at start with `TypeError`"),
+    row(MacroJson, "/allOf/", ANY, Error, "crashes at start with `KeyError`"),
+    row(MacroJson, "/$defs/component/required", ANY, Error, "crashes at start with `KeyError`"),
+    row(MacroJson, "/$defs/macrodef/required", ANY, Error, "crashes at start with `KeyError`"),
     row(MacroJson, "/$defs/macrodef/properties/comp/type", TEXT, Warning,
-        "takes the text letter by letter: the macro definition does nothing, without a word"),
+        "reads the text letter by letter: the macrodef silently does nothing"),
     row(MacroJson, "/$defs/target/required", ANY, Warning, SKIPPED),
-    row(MacroJson, "/$defs/target/properties/name/type", LIST, Error, "stops at start with a TypeError"),
-    row(MacroJson, "/$defs/target/properties/name/type", ANY, Warning, "skips the combination without a word"),
-    row(MacroJson, "/$defs/target/properties/t/type", ANY, Error, "stops at start with a TypeError"),
+    row(MacroJson, "/$defs/target/properties/name/type", LIST, Error, "crashes at start with `TypeError`"),
+    row(MacroJson, "/$defs/target/properties/name/type", ANY, Warning, SKIPPED),
+    row(MacroJson, "/$defs/target/properties/t/type", ANY, Error, "crashes at start with `TypeError`"),
     row(ModellingJson, "/$defs/entry/type", TEXT_OR_LIST, Warning,
-        "takes it for an entry without keys: the slider is gone, without a word"),
-    row(ModellingJson, "/$defs/entry/type", ANY, Error, "stops at start with a TypeError"),
+        "silently treats it as an entry without keys: the slider disappears"),
+    row(ModellingJson, "/$defs/entry/type", ANY, Error, "crashes at start with `TypeError`"),
     row(ModellingJson, "/$defs/entry/properties/macro_influence/items/type", NUMBER, Level::Info,
-        "nothing: it only asks whether the list is empty"),
-    row(ModellingJson, "/$defs/entry/properties/macro_influence", ANY, Error, "stops at start with a TypeError"),
+        "ignores the value: it only checks whether the list is empty"),
+    row(ModellingJson, "/$defs/entry/properties/macro_influence", ANY, Error, "crashes at start with `TypeError`"),
     row(ModellingJson, "/$defs/entry/properties/default/type", TEXT, Error,
-        "repeats the text 100 times at the next reset, and stops later with a TypeError"),
-    row(ModellingJson, "/$defs/entry/properties/tip/type", NULL, Level::Info, "nothing: it shows the general hint"),
-    row(ModellingJson, "/$defs/entry/properties/name/type", NULL, Level::Info, "nothing worse: the slider has no text"),
-    row(ModellingJson, "/$defs/display/required", ANY, Error, "stops at start with a KeyError"),
-    row(ModellingJson, "/$defs/display/properties/slot/type", ANY, Error, "stops at start with a TypeError"),
-    row(TargetCategories, "/type", ANY, Error, "stops at start with a TypeError"),
+        "repeats the text 100 times at the next reset, and later crashes with `TypeError`"),
+    row(ModellingJson, "/$defs/entry/properties/tip/type", NULL, Level::Info, "shows the general hint instead"),
+    row(ModellingJson, "/$defs/entry/properties/name/type", NULL, Level::Info, "shows the slider without a text"),
+    row(ModellingJson, "/$defs/display/required", ANY, Error, "crashes at start with `KeyError`"),
+    row(ModellingJson, "/$defs/display/properties/slot/type", ANY, Error, "crashes at start with `TypeError`"),
+    row(TargetCategories, "/type", ANY, Error, "crashes at start with `TypeError`"),
     row(TargetCategories, "/$defs/category/then/required", ANY, Error,
-        "looks for `default` in place of the group; in the first category it stops with a KeyError"),
-    row(TargetCategories, "/$defs/item/required", ANY, Error, "stops with a KeyError when the tree is built"),
-    row(BaseJson, "/properties/numverts/type", ANY, Warning, "does not read the number; its mesh tools do"),
-    row(BaseJson, "/properties/modifier-presets/type", ANY, Error, "stops at start with a TypeError"),
-    row(BaseJson, "/$defs/preset/oneOf/1/pattern", ANY, Error, "stops at start with a ValueError"),
-    row(BaseJson, "/$defs/measure/properties/", LIST, Error, "stops with a TypeError when it shows the sizes"),
-    row(BaseJson, "/$defs/measure/properties/", ANY, Warning, "shows nothing for it, without a word"),
-    row(BaseJson, "/$defs/random/properties/gender/type", ANY, Warning, "does without the choice, without a word"),
-    row(BaseJson, "/$defs/random/properties/ideal/type", ANY, Warning, "does without the choice, without a word"),
+        "uses `default` as the group; crashes with `KeyError` if it is the first category"),
+    row(TargetCategories, "/$defs/item/required", ANY, Error,
+        "crashes with `KeyError` when it builds the tree of categories"),
+    row(BaseJson, "/properties/numverts/type", ANY, Warning, "does not read the number, but its mesh tools do"),
+    row(BaseJson, "/properties/modifier-presets/type", ANY, Error, "crashes at start with `TypeError`"),
+    row(BaseJson, "/$defs/preset/oneOf/1/pattern", ANY, Error, "crashes at start with `ValueError`"),
+    row(BaseJson, "/$defs/measure/properties/", LIST, Error, "crashes with `TypeError` when it shows the sizes"),
+    row(BaseJson, "/$defs/measure/properties/", ANY, Warning, "silently shows nothing for it"),
+    row(BaseJson, "/$defs/random/properties/gender/type", ANY, Warning, "silently drops the choice"),
+    row(BaseJson, "/$defs/random/properties/ideal/type", ANY, Warning, "silently drops the choice"),
     row(BaseJson, "/$defs/random/properties/groups/additionalProperties/type", ANY, Warning,
-        "takes anything but 0, empty and null for true"),
-    row(Skeleton, "/type", LIST, Error, "refuses the skeleton with a line in its log"),
-    row(Skeleton, "/$defs/bone/type", TEXT, Error, "refuses the skeleton with a line in its log"),
-    row(Skeleton, "/properties/planes/type", ANY, Error, "stops with a TypeError at the first bone that names a plane"),
-    row(Skeleton, "/type", ANY, Error, "stops at start, while it scans the assets"),
+        "treats any value except 0, null and empty ones as true"),
+    row(Skeleton, "/type", LIST, Error, "refuses the skeleton and logs a line"),
+    row(Skeleton, "/$defs/bone/type", TEXT, Error, "refuses the skeleton and logs a line"),
+    row(Skeleton, "/properties/planes/type", ANY, Error,
+        "crashes with `TypeError` at the first bone that names a plane"),
+    row(Skeleton, "/type", ANY, Error, "crashes at start while scanning the assets"),
     row(Skeleton, "/properties/joints/additionalProperties/items", TRUTH, Warning,
-        "counts `true` as vertex 1 and `false` as vertex 0, without a word"),
-    row(Skeleton, "/properties/name/type", ANY, Error, "stops at start, while it scans the assets (TypeError)"),
-    row(Skeleton, "/properties/tags/type", TEXT, Warning, "makes a tag of every letter"),
-    row(Skeleton, "/properties/tags/type", OBJECT, Level::Info, "takes the keys of the object for tags"),
+        "silently reads `true` as vertex 1 and `false` as vertex 0"),
+    row(Skeleton, "/properties/name/type", ANY, Error, "crashes at start with `TypeError` while scanning the assets"),
+    row(Skeleton, "/properties/tags/type", TEXT, Warning, "turns every letter into a tag"),
+    row(Skeleton, "/properties/tags/type", OBJECT, Level::Info, "uses the keys of the object as tags"),
     row(Skeleton, "/$defs/bone/properties/reference/items", ANY, Warning, IGNORED_BONE),
     row(Skeleton, "/$defs/bone/properties/weights_reference/items", ANY, Warning, IGNORED_BONE),
     row(Skeleton, "/properties/tags/type", NULL, Error,
-        "stops at start, while it scans the assets (TypeError)"),
+        "crashes at start with `TypeError` while scanning the assets"),
     row(Weights, "/required", ANY, Error, NO_WEIGHTS_LOADED),
     row(Weights, "/type", EMPTY, Error, NO_WEIGHTS_LOADED),
     row(Weights, "/type", LIST, Error, NO_WEIGHTS_LOADED),
-    row(Weights, "/properties/weights/type", LIST, Error, "stops with an AttributeError when it loads the weights"),
+    row(Weights, "/properties/weights/type", LIST, Error, "crashes with `AttributeError` while loading the weights"),
 ];
 
 /// Whether the value is, or is in, a list of bones of the default skeleton.
@@ -122,7 +123,7 @@ fn is_for_poses(view: &View<'_>, file: &FileFacts) -> bool {
 /// What a value of a file comes to, where it is not what `json-schema` says in general.
 pub(super) fn of_value(view: &View<'_>, file: &FileFacts, fault: &SchemaFault) -> Option<Consequence> {
     if is_note(file.kind, fault) {
-        return Some(Consequence::new(Level::Info, "nothing: it takes the note for an entry that no window shows"));
+        return Some(Consequence::new(Level::Info, "treats the note as an entry that no window shows"));
     }
     if file.kind == Geometry && !is_opened_by_scripts(&file.rel) {
         return Some(Consequence::new(Level::Info, NEVER_OPENED));
@@ -132,7 +133,7 @@ pub(super) fn of_value(view: &View<'_>, file: &FileFacts, fault: &SchemaFault) -
         return Some(OF_DEFAULT);
     }
     if kind == MacroJson && fault.keyword.starts_with("/$defs/target/required") && is_lost(file, fault) {
-        return Some(Consequence::new(Error, "never applies the macrodef: no combination of it has a file"));
+        return Some(Consequence::new(Error, "never applies the macrodef: none of its combinations has a file"));
     }
     let fits = |row: &&Row| row.kind == kind && fault.keyword.starts_with(row.keyword) && (row.found)(fault.found());
     ROWS.iter().find(fits).map(|row| row.consequence)
@@ -142,7 +143,7 @@ pub(super) fn of_value(view: &View<'_>, file: &FileFacts, fault: &SchemaFault) -
 pub(super) fn of_special(file: &FileFacts) -> Option<Consequence> {
     let Content::Modelling(model) = &*file.content else { return None };
     let is_reset_to_one = model.sliders.iter().any(|slider| slider.default.is_some_and(|default| !default.is_finite()));
-    let effect = "resets the slider to no number, and stops with a ValueError at every text on sizes after that";
+    let effect = "resets the slider to a value that is not finite; then every text on sizes crashes with `ValueError`";
     is_reset_to_one.then(|| Consequence::new(Error, effect))
 }
 
