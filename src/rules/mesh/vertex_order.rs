@@ -27,7 +27,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(ForeignMesh { file, sign: ForeignSign::Order { strayed, of }, .. }) = base.foreign_mesh else { return };
     let Some((rig, _)) = base.pose_rig() else { return };
-    let message = format!("the vertices are in a different order: {strayed} of {of} joints have no vertex in their cube");
+    let message =
+        format!("the vertices are in a different order: {strayed} of {of} joints have no vertex in their cube");
     let mut evidence = Evidence::counted(strayed);
     evidence.of = Some(of as u64);
     let finding = RULE.at(file, Place::File, message).confidence(Confidence::Medium).evidence(evidence);
