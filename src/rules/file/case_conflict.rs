@@ -12,7 +12,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
         docs: "Linux keeps `Nose.target` and `nose.target` apart; Windows and macOS do not. If the repository is \
             checked out or unpacked there, the later file replaces the earlier one, and what refers to the earlier \
             one gets the wrong content.\n\nOnly names in the same folder are compared. Rename one of them, and \
-            update what refers to it.",
+            update the references to it.",
         ..RuleInfo::new("file-case-conflict", Level::Warning, "two names in one folder that differ only in case")
     },
     check: Check::Repository(run),

@@ -57,8 +57,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         }
         let what = if on_disk == target { "file" } else { "folder" };
         if in_form {
-            let help =
-                format!("give the {what} a name without accents, here and on disk, or copy its name from the disk");
+            let help = format!("name the {what} without accents here and on disk, or copy its name from the disk");
             out.push(finding.help(help));
             continue;
         }

@@ -24,8 +24,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(GzipFault::Bomb { packed, unpacked }) = file.gzip_fault else { return };
     let message = format!("{packed} bytes unpack to {unpacked} bytes or more");
-    let finding =
-        RULE.at(file, Place::File, message).help("do not open it; remove it unless you know where it comes from");
+    let help = "do not open it; remove it unless you know where it comes from";
+    let finding = RULE.at(file, Place::File, message).help(help);
     // An application without gzip never opens it; people may.
     let is_opened = moment(view, &file.rel) != Moment::Never;
     let application = view.application();

@@ -17,7 +17,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
             it is deleted. An empty JSON counts as missing, even if it contains `{}`, `[]`, `\"\"`, `0`, `false` or \
             `null`. (Overrides in `contarget/` are reported by `overlay-broken-override`.) A target without a row \
             loads and moves nothing; if a macro uses it, `macro-empty-target` reports it instead.\n\nRestore the \
-            content, or remove the file and what refers to it.",
+            content, or remove the file and all references to it.",
         ..RuleInfo::new("file-empty", Level::Warning, "an empty file that needs content")
     },
     check: Check::File(run),

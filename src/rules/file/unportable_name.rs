@@ -17,7 +17,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
             characters and names that are not valid Unicode cannot be written in JSON or in an asset's text. A name \
             with separate accent marks looks like the name with whole letters, but is a different one: macOS writes \
             the first and keyboards the second, so references to the file may not find it.\n\nRename the file with \
-            plain letters, and update what refers to it.",
+            plain letters, and update the references to it.",
         ..RuleInfo::new("file-unportable-name", Level::Warning, "a name that not every system supports")
     },
     check: Check::Repository(run),

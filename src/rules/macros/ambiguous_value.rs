@@ -27,7 +27,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Makehuman2(run),
 };
 
-const HELP: &str = "remove the `-` from the value, in the component and in the names that contain it";
+const HELP: &str = "remove every `-` from the value, in the component and in the names that contain it";
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };

@@ -21,7 +21,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let targets = user_scan::targets(base);
     for (file, other) in user_scan::pairs_at_top(&targets) {
-        let message = format!("`{}` and `{other}` are a pair that is not in a subfolder", file.stem());
+        let message = format!("`{}` and `{other}` form a pair but are not in a subfolder", file.stem());
         let help = "move both into a subfolder, such as `shape/`";
         out.push(RULE.at(file, Place::File, message).parts([file.stem(), other.as_str()]).help(help));
     }

@@ -12,7 +12,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
         breaks: &[(
             Application::Makehuman2,
-            "cannot load the targets and crashes with `AttributeError`: at start if the start model uses one, \
+            "cannot load the targets and crashes with `AttributeError`: at start if the default character uses one, \
                 otherwise as soon as one gets weight",
         )],
         docs: "MakeHuman 2 loads all targets of a base, for macros and sliders, from one folder: `contarget/<base>` \

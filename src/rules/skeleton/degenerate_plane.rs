@@ -27,8 +27,11 @@ pub(in crate::rules) static RULE: Rule = Rule {
     check: Check::Numeric(run),
 };
 
-const NOISE: Case =
-    &[(Application::Makehuman2, Level::Warning, "rolls the bones by rounding errors, differently for each character")];
+const NOISE: Case = &[(
+    Application::Makehuman2,
+    Level::Warning,
+    "takes the roll of these bones from rounding errors, so it differs between characters",
+)];
 
 /// Sine of the angle between the edges below which rounding of joints decides the normal.
 const NOISE_SINE: f64 = 1e-4;
