@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, counted};
 use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
 use crate::repo::{FileFacts, ReferenceKind, View};
@@ -80,21 +80,34 @@ fn category(file: &FileFacts) -> (&str, &str) {
 }
 
 fn advice(view: &View<'_>, first: &FileFacts, others: &[&FileFacts]) -> String {
-    let mut references = others.iter().flat_map(|other| view.references().to_file(other));
-    match references.find(|reference| reference.found().is_some()) {
+    let references = || others.iter().flat_map(|other| view.references().to_file(other));
+    let mut found = references().filter(|reference| reference.found().is_some());
+    match (found.next(), found.count()) {
         // With another target the slider would have another name in saved models.
-        Some(reference) if matches!(reference.kind, ReferenceKind::Incr | ReferenceKind::Decr) => format!(
+        (Some(reference), _) if matches!(reference.kind, ReferenceKind::Incr | ReferenceKind::Decr) => format!(
             "keep both files if `{}` in {} is meant to have the same shape, because saved models find a slider by the \
              name of its target; otherwise give it its own shape",
             reference.owner,
             reference.from.file_name()
         ),
-        Some(reference) => format!(
-            "use `{}` for `{}` in {}, and remove the other file",
+        (Some(reference), 0) => format!(
+            "use `{}` for `{}` in {}, then remove `{}`",
             first.file_name(),
             reference.owner,
+            reference.from.file_name(),
+            last_part(&reference.rel)
+        ),
+        (Some(reference), more) => format!(
+            "use `{}` for `{}` and {} in {}, then remove the files that nothing uses any more",
+            first.file_name(),
+            reference.owner,
+            counted(more, "other reference"),
             reference.from.file_name()
         ),
-        None => "use one file in all references, and remove the others".to_owned(),
+        (None, _) => "use one file in all references, and remove the others".to_owned(),
     }
+}
+
+fn last_part(path: &str) -> &str {
+    path.rsplit('/').next().unwrap_or(path)
 }

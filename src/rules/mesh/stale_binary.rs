@@ -63,7 +63,11 @@ fn finding(at: &FileFacts, archive: &FileFacts, text: &UnreadMesh<'_>, told: &To
     let (case, help, other): (Case, _, _) = match text.lies {
         Lies::Beside => (&[], "delete base.mhbin, or rebuild it from base.obj with compile_meshes.py", text.file),
         Lies::Above => (ABOVE, "pack the user's base.obj with compile_meshes.py as well", archive),
-        Lies::Below => (BELOW, "delete base.mhbin to use the system's mesh", text.file),
+        Lies::Below => (
+            BELOW,
+            "leave it if this mesh is intended; otherwise move base.mhbin out of the folder to use the system's mesh",
+            text.file,
+        ),
     };
     let message = format!("base.mhbin differs from base.obj: {}", what.join("; "));
     let finding = RULE.at(at, Place::File, message).case(case).help(help);

@@ -29,6 +29,9 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (target, file, facts) in targets(body).filter(|(target, ..)| target.is_unused) {
         let Some(mut finding) = unreadable_fields::finding(&RULE, file, facts) else { continue };
         finding.message.push_str(", and MakeHuman 2 parses this file at start although nothing uses it");
-        out.push(weigh(target, finding).help("fix the row, or move the file out of the target folder"));
+        out.push(weigh(target, finding).help(
+            "fix the row, or move the file out of the target folder; \
+                 after a crash also delete compressedtargets.npz",
+        ));
     }
 }

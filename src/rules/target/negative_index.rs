@@ -33,7 +33,10 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         };
         let finding = RULE
             .at(file, first_row(&facts.negative), message)
-            .help("correct the index (vertices are counted from 0), or remove the row")
+            .help(
+                "correct the index (vertices are counted from 0), or remove the row; \
+                 after a crash also delete compressedtargets.npz",
+            )
             .evidence(facts.negative.evidence(facts.rows));
         out.push(weigh(target, finding));
     }

@@ -80,6 +80,11 @@ fn differs(text: &FileFacts, content: u64) -> bool {
     whole.is_some_and(|facts| facts.content != content)
 }
 
+const REBUILD: &str = "delete the archive; MakeHuman 2 rebuilds it at the next start";
+/// To delete the only copy of a target would be worse than the fault.
+const REBUILD_LATER: &str = "restore the `.target` files that are still needed, then delete the archive; MakeHuman 2 \
+    rebuilds it without the targets that have no text file";
+
 fn finding(file: &FileFacts, archive: &Archive, stale: &Stale<'_>) -> Option<Finding> {
     let groups = [
         (&stale.differing, "with numbers that differ from the text file", DIFFERING),
@@ -95,7 +100,7 @@ fn finding(file: &FileFacts, archive: &Archive, stale: &Stale<'_>) -> Option<Fin
     Some(
         RULE.at(file, Place::File, message)
             .case(case)
-            .help("delete the archive; MakeHuman 2 rebuilds it at the next start")
+            .help(if stale.without_text.is_empty() { REBUILD } else { REBUILD_LATER })
             .evidence(Evidence::of_cases(names).out_of(archive.members.len() + stale.without_member.len())),
     )
 }
