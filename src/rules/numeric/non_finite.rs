@@ -26,9 +26,10 @@ pub(in crate::rules) static RULE: Rule = Rule {
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(space) = &measures.space else { return };
     if let Some(seen) = untold(body, space, space.non_finite.as_ref()) {
+        let vertex = body.vertex(seen.element);
         let message = match seen.count {
-            1 => format!("the position of vertex {} is not finite", seen.element),
-            count => format!("the positions of {count} vertices are not finite, first vertex {}", seen.element),
+            1 => format!("the position of {vertex} is not finite"),
+            count => format!("the positions of {count} vertices are not finite, first {vertex}"),
         };
         out.push(
             at_setting(&RULE, body, seen, &message)

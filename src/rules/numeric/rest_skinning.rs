@@ -1,5 +1,6 @@
 //! Skinning with all bones at rest must give the mesh back.
 
+use super::super::units::length;
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Element, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::measures::Measures;
@@ -43,14 +44,10 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
     if known.next().is_some() {
         return;
     }
-    let how = if moved.is_nan() {
-        "is not a number".to_owned()
-    } else {
-        format!("moves by {:.3} cm ({moved:.4})", 10.0 * moved)
-    };
+    let how = if moved.is_nan() { "is not a number".to_owned() } else { format!("moves by {}", length(moved)) };
     let place = Place::Element(Element { kind: "vertex", index: u64::from(vertex) });
     out.push(
-        RULE.at(skeleton, place, format!("with all bones at rest, vertex {vertex} {how} after skinning"))
+        RULE.at(skeleton, place, format!("with all bones at rest, {} {how} after skinning", body.vertex(vertex)))
             .key("rest")
             .help("correct the rotation planes of the bones that move this vertex")
             .evidence(Evidence::counted(1).with_worst(moved, format!("vertex {vertex}"))),

@@ -31,9 +31,10 @@ const OUTDATED: Case = &[(
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (target, file, facts) in targets(body) {
         let Some((_, index)) = facts.non_finite.first.first() else { continue };
+        let vertex = body.vertex(*index);
         let message = match facts.non_finite.count {
-            1 => format!("the displacement of vertex {index} is not finite"),
-            count => format!("{count} displacements are not finite, first that of vertex {index}"),
+            1 => format!("the displacement of {vertex} is not finite"),
+            count => format!("{count} displacements are not finite, first that of {vertex}"),
         };
         let is_outdated = target.is_outdated();
         let shown = shown_by(body, file)

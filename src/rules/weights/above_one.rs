@@ -36,9 +36,9 @@ const BY_ITSELF: &str = "divides the only weight of the vertex by itself, which 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for Tallied { own, weights, tally, bone, vertex, weight, place } in tallied(body, |facts| &facts.above_one) {
         let message = match tally.count {
-            1 => format!("bone `{bone}` has weight {weight} for vertex {vertex}, more than 1"),
+            1 => format!("bone `{bone}` has weight {weight} for {vertex}, more than 1"),
             count => {
-                format!("{count} weights are larger than 1, first {weight} for vertex {vertex} in bone `{bone}`")
+                format!("{count} weights are larger than 1, first {weight} for {vertex} in bone `{bone}`")
             }
         };
         let evidence = worst(tally.evidence(weights.facts.pairs), tally);

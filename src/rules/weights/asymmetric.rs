@@ -49,9 +49,10 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
         count => format!("{count} vertices differ"),
     };
     let message = format!(
-        "{pairs} weighted asymmetrically, worst `{}` and `{}`: {differing}, vertex {vertex} by {difference:.3}",
+        "{pairs} weighted asymmetrically, worst `{}` and `{}`: {differing}, {} by {difference:.3}",
         name(worst.left),
-        name(worst.right)
+        name(worst.right),
+        body.vertex(vertex)
     );
     let vertices = |count: usize| if count == 1 { "1 vertex".to_owned() } else { format!("{count} vertices") };
     let evidence = Evidence::of_cases(

@@ -32,9 +32,9 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         of_body.filter(|one| !is_told(one.own.file) && !has_unusable_entries(one.weights))
     {
         let message = match tally.count {
-            1 => format!("bone `{bone}` has weight {weight} for vertex {vertex}, too small to be kept"),
+            1 => format!("bone `{bone}` has weight {weight} for {vertex}, too small to be kept"),
             count => format!(
-                "{count} of {} weights are too small to be kept, first {weight} for vertex {vertex} in bone `{bone}`",
+                "{count} of {} weights are too small to be kept, first {weight} for {vertex} in bone `{bone}`",
                 weights.facts.pairs
             ),
         };

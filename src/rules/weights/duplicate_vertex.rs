@@ -33,8 +33,8 @@ pub(in crate::rules) static RULE: Rule = Rule {
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for Tallied { own, weights, tally, bone, vertex, place, .. } in tallied(body, |facts| &facts.duplicate) {
         let message = match tally.count {
-            1 => format!("bone `{bone}` lists vertex {vertex} twice"),
-            count => format!("{count} entries repeat a vertex of their bone, first vertex {vertex} in bone `{bone}`"),
+            1 => format!("bone `{bone}` lists {vertex} twice"),
+            count => format!("{count} entries repeat a vertex of their bone, first {vertex} in bone `{bone}`"),
         };
         let finding =
             RULE.at(own.file, place, message).help("replace the entries with one that has the sum of their weights");

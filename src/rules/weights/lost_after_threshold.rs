@@ -1,5 +1,6 @@
 //! What the loader drops is too little to be seen.
 
+use super::super::units::length;
 use super::super::{Check, Rule, RuleCx};
 use super::loss::{DISTANCE, ID, noticeable_loss};
 use crate::diag::{Application, Element, Evidence, Finding, Level, Place, RuleInfo};
@@ -27,11 +28,11 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(loss) = noticeable_loss(body, cx) else { return };
     let (losing, vertex) = (loss.vertices.len(), loss.vertex);
     let message = format!(
-        "{} to the threshold 0.0001, most vertex {vertex}: {:.2} %, which pulls it {:.3} cm ({:.4}) towards the origin",
+        "{} to the threshold 0.0001, most {}: {:.2} %, which pulls it {} towards the origin",
         if losing == 1 { "1 vertex loses weight".to_owned() } else { format!("{losing} vertices lose weight") },
+        body.vertex(vertex),
         loss.share * 100.0,
-        loss.pull * 10.0,
-        loss.pull
+        length(loss.pull)
     );
     let vertices = body.mesh.map_or(0, |(_, mesh)| mesh.positions.len());
     let evidence = Evidence::counted(losing).out_of(vertices);

@@ -35,6 +35,11 @@ fn readable_own<'b, 'v>(body: &'b Body<'v>) -> impl Iterator<Item = (&'b BodyWei
     readable(body).filter(|(own, _)| own.name.is_some())
 }
 
+/// A vertex of weights in words, with its place where it is one of the body.
+fn vertex_of(body: &Body<'_>, own: &BodyWeights<'_>, vertex: i64) -> String {
+    if own.name.is_some() { body.vertex(vertex) } else { format!("vertex {vertex}") }
+}
+
 /// A finding on what moves with the weights, of some that are loaded and move nothing.
 fn weigh(own: &BodyWeights<'_>, finding: Finding) -> Finding {
     if own.used == WeightsUse::Loaded { finding.case(NEVER_APPLIED) } else { finding }
@@ -54,7 +59,8 @@ struct Tallied<'b, 'v> {
     weights: &'v Weights,
     tally: &'v PairTally,
     bone: &'v str,
-    vertex: i64,
+    /// The first vertex, in words.
+    vertex: String,
     weight: f32,
     place: Place,
 }
@@ -68,7 +74,7 @@ fn tallied<'b, 'v>(
         let tally = tally(&weights.facts);
         let (bone, position, vertex, weight) = tally.first.first()?;
         let place = Place::pointer(["weights", bone, &position.to_string()]);
-        Some(Tallied { own, weights, tally, bone, vertex: *vertex, weight: *weight, place })
+        Some(Tallied { own, weights, tally, bone, vertex: vertex_of(body, own, *vertex), weight: *weight, place })
     })
 }
 

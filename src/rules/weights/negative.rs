@@ -34,8 +34,8 @@ const BY_NEGATIVE: &str = "divides the weight by the negative sum of its vertex,
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for Tallied { own, weights, tally, bone, vertex, weight, place } in tallied(body, |facts| &facts.negative) {
         let message = match tally.count {
-            1 => format!("bone `{bone}` has the negative weight {weight} for vertex {vertex}"),
-            count => format!("{count} weights are negative, first {weight} for vertex {vertex} in bone `{bone}`"),
+            1 => format!("bone `{bone}` has the negative weight {weight} for {vertex}"),
+            count => format!("{count} weights are negative, first {weight} for {vertex} in bone `{bone}`"),
         };
         let evidence = worst(tally.evidence(weights.facts.pairs), tally);
         let finding =

@@ -29,9 +29,9 @@ pub(in crate::rules) static RULE: Rule = Rule {
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for Tallied { own, weights, tally, bone, vertex, weight, place } in tallied(body, |facts| &facts.non_finite) {
         let message = match tally.count {
-            1 => format!("bone `{bone}` has weight {weight} for vertex {vertex}"),
+            1 => format!("bone `{bone}` has weight {weight} for {vertex}"),
             count => {
-                format!("{count} weights are not finite, first {weight} for vertex {vertex} in bone `{bone}`")
+                format!("{count} weights are not finite, first {weight} for {vertex} in bone `{bone}`")
             }
         };
         let evidence = tally.evidence(weights.facts.pairs);

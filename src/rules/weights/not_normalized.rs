@@ -39,13 +39,11 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (own, weights) in readable_own(body).filter(|(_, weights)| !is_explained(weights)) {
         let (sums, vertices) = (&weights.facts.sum, weights.facts.vertices);
         let Some((vertex, sum)) = sums.worst else { continue };
+        let at = body.vertex(vertex);
         let message = if sums.off == 1 {
-            format!("the weights of vertex {vertex} add up to {sum}, not 1")
+            format!("the weights of {at} add up to {sum}, not 1")
         } else {
-            format!(
-                "the weights of {} of {vertices} vertices do not add up to 1, worst vertex {vertex} with {sum:.3}",
-                sums.off
-            )
+            format!("the weights of {} of {vertices} vertices do not add up to 1, worst {at} with {sum:.3}", sums.off)
         };
         let (least, most) = sums.range;
         let [far, farther] = sums.far_off;

@@ -30,9 +30,10 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
     let have = if weights.over.len() == 1 { "has" } else { "have" };
     let message = format!(
         "{} of {vertices} vertices {have} weights of more than {ENGINE_INFLUENCES} bones (up to {}); with only \
-         {ENGINE_INFLUENCES}, vertex {vertex} loses {:.1} % of its weight",
+         {ENGINE_INFLUENCES}, {} loses {:.1} % of its weight",
         weights.over.len(),
         weights.most,
+        body.vertex(vertex),
         share * 100.0
     );
     let place = Place::Element(Element { kind: "vertex", index: u64::from(vertex) });

@@ -39,9 +39,9 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             None => String::new(),
         };
         let message = match tally.count {
-            1 => format!("bone `{bone}` has a weight for vertex {vertex}, which does not exist{size}"),
+            1 => format!("bone `{bone}` has a weight for {vertex}, which does not exist{size}"),
             count => {
-                format!("{count} entries name vertices that do not exist, first vertex {vertex} in bone `{bone}`{size}")
+                format!("{count} entries name vertices that do not exist, first {vertex} in bone `{bone}`{size}")
             }
         };
         let mut finding = RULE
