@@ -48,7 +48,7 @@ mod tests {
 
     #[test]
     fn a_page_holds_the_gravest_of_too_many() {
-        let level = |at: usize| if at % 1000 == 0 { Level::Error } else { Level::Info };
+        let level = |at: usize| if at.is_multiple_of(1000) { Level::Error } else { Level::Info };
         let finding = |at| Finding::new(&RuleInfo::new("a-rule", level(at), ""), format!("{at:5}"), Place::File, "");
         let findings: Vec<Finding> = (0..MOST + 1001).map(finding).collect();
         let (shown, left) = for_page(&findings);

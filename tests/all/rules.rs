@@ -112,9 +112,11 @@ fn weights_are_checked_as_makehuman_1_reads_them() {
     let expected = [
         "clothes/hat/hat.mhw:1:76: warning[weights-above-one] bone `root` has weight 1.25 for vertex 1, more than 1",
         "clothes/hat/hat.mhw:1:104: error[weights-negative] bone `tip` has the negative weight -0.25 for vertex 1",
-        "rigs/default_weights.mhw:1:76: warning[weights-above-one] bone `root` has weight 1.25 for vertex 1, more than 1",
+        "rigs/default_weights.mhw:1:76: warning[weights-above-one] bone `root` has weight 1.25 for vertex 1 (`body`, near \
+         `root`), more than 1",
         "rigs/default_weights.mhw:1:96: warning[weights-unknown-bone] bone `tip` does not exist in the skeleton",
-        "rigs/default_weights.mhw:1:104: error[weights-negative] bone `tip` has the negative weight -0.25 for vertex 1",
+        "rigs/default_weights.mhw:1:104: error[weights-negative] bone `tip` has the negative weight -0.25 for vertex 1 \
+         (`body`, near `root`)",
         "rigs/old.mhw: warning[weights-unbound] no skeleton of base `hm08` uses these weights",
     ];
     assert_eq!(concise(&outcome), expected);

@@ -10,7 +10,7 @@ use super::titles;
 use crate::diag::{Application, Change, Evidence, Finding, Fix, FixKind, Level, Place, RuleInfo};
 use crate::formats::macro_json::{Link, Macrodef, without_suffix};
 use crate::repo::FileFacts;
-use crate::repo::makehuman2::{Base, View};
+use crate::repo::makehuman2::{Base, TargetFolder, View};
 
 pub(in crate::rules) static RULE: Rule = Rule {
     info: RuleInfo {
@@ -101,7 +101,7 @@ fn own_target<'a>(base: &Base<'_>, macrodef: &Macrodef, link: &'a Link) -> Optio
 
 /// Targets that nothing uses, by what their names spell.
 fn unused_targets<'s>(view: &View<'_>, base: &Base<'s>) -> Spellings<'s, &'s FileFacts> {
-    let all = base.targets.iter().flat_map(|targets| targets.targets());
+    let all = base.targets.iter().flat_map(TargetFolder::targets);
     let unused = all.filter(|file| view.references.to_file(file).next().is_none());
     Spellings::of(unused.map(|file| (file.stem(), file)))
 }

@@ -20,7 +20,7 @@ pub(in crate::rules) static RULE: Rule = Rule {
             silently drops the negative side, and the pattern of the slider is `incr` alone: presets, symmetry and \
             saved models that use `<decr>|<ending>` do not find it. If it is the left counterpart of another slider, \
             the random character view looks for it under that pattern and crashes with `KeyError` (an error).\n\nAdd \
-            the pair, or correct the names. If `target-opposites` is missing, or none of its pairs fits, no slider \
+            the pair, or correct the names. If `target-opposites` is missing, or none of its pairs matches, no slider \
             has two sides, and `base.json` has one finding for all of them.",
         ..RuleInfo::new("modelling-opposites", Level::Warning, "`target-opposites` does not cover a pair of targets")
     },
