@@ -85,7 +85,7 @@ check "$(dirname "$mhlint")" target/packaging/action/data ''
 expect "damaged data give exit code 1" grep -qx 'exit-code=1' "$action/out"
 expect "the fault is annotated" says '::error '
 expect "the annotation names the file" says 'file=target/packaging/action/data/data/target/figure/macro.json'
-expect "the log has the readable report" says 'help: name a value for every step'
+expect "the log has the readable report" says 'help: add a value for every step'
 expect "nothing in the report can speak to the runner" says '::stop-commands::'
 expect "the summary names the rule" grep -q macro-steps-length "$action/summary"
 expect "SARIF holds the rule" grep -q '"macro-steps-length"' "$action/temp/mhlint.sarif"

@@ -68,7 +68,7 @@ echo "$output" | sed 's/^/    /'
 expect "the damaged commit is refused" ended_with 1
 expect "nothing was committed" [ "$(git rev-parse HEAD)" = "$before" ]
 for words in 'data/target/figure/macro.json' 'error[macro-steps-length]' 'component `age` has 4 values but 5 steps' \
-    'MakeHuman 2: stops with an IndexError' 'help: name a value for every step' 'Failed: 1 error'; do
+    'MakeHuman 2: crashes with `IndexError`' 'help: add a value for every step' 'Failed: 1 error'; do
     expect "the refusal names fault, consequence and remedy" says "$words"
 done
 git restore --staged --worktree .
@@ -123,7 +123,7 @@ git checkout --quiet -- $oval
 run pre-commit run --all-files
 expect "with nothing staged an old fault is refused" ended_with 1
 expect "with nothing staged the old fault is named" says 'error[macro-steps-length]'
-expect "with nothing staged the hook says what it reports" says 'nothing is staged: the whole report'
+expect "with nothing staged the hook says what it reports" says 'nothing is staged; reporting all findings'
 echo "hook: all files in $took"
 run pre-commit run --from-ref HEAD~1 --to-ref HEAD
 expect "between two commits everything is reported" says 'error[macro-steps-length]'
