@@ -101,7 +101,8 @@ def read(folder, schema):
     assert sorted(page((folder / "report.html").read_bytes())) == rules, "HTML"
     lines = re.findall(r"^.*?: (error|warning|info)\[([a-z0-9-]+)\] ", text["concise"], re.M)
     assert sorted((rule, level) for level, rule in lines) == rules, "concise"
-    heads = re.findall(r"^  (error|warning|info)\[([a-z0-9-]+)\] ", text["human"], re.M)
+    # Blocks, and a line for each info.
+    heads = re.findall(r"^  (?:\S.*?: )?(error|warning|info)\[([a-z0-9-]+)\] ", text["human"], re.M)
     assert sorted((rule, level) for level, rule in heads) == rules, "human"
     bullets = re.findall(r"^- \*\*(error|warning|info)\*\* ", text["markdown"], re.M)
     assert sorted(bullets) == sorted(level for _, level in rules), "Markdown"
