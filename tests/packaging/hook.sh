@@ -68,7 +68,7 @@ echo "$output" | sed 's/^/    /'
 expect "the damaged commit is refused" ended_with 1
 expect "nothing was committed" [ "$(git rev-parse HEAD)" = "$before" ]
 for words in 'data/target/figure/macro.json' 'error[macro-steps-length]' 'component `age` has 4 values but 5 steps' \
-    'MakeHuman 2: crashes with `IndexError`' 'help: add a value for every step' 'Failed: 1 error'; do
+    'MakeHuman 2: crashes with `IndexError`' 'help: add a value for every step' 'Failed: 1 new error'; do
     expect "the refusal names fault, consequence and remedy" says "$words"
 done
 git restore --staged --worktree .
