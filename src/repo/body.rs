@@ -195,6 +195,19 @@ impl<'v> Body<'v> {
         place.map_or_else(|| format!("vertex {vertex}"), |place| format!("vertex {vertex} ({place})"))
     }
 
+    /// Leaves out vertices that no face uses; how many of the others are in which group. Without a whole mesh none are
+    /// left.
+    pub(crate) fn keep_used(&self, vertices: &mut Vec<u32>) -> BTreeMap<&'v str, usize> {
+        match self.whole_mesh() {
+            // Most weights reach every vertex: then the mesh is not walked.
+            Some(mesh) if !vertices.is_empty() => self.landmarks(mesh).keep_used(mesh, vertices),
+            _ => {
+                vertices.clear();
+                BTreeMap::new()
+            }
+        }
+    }
+
     fn landmarks(&self, mesh: &Mesh) -> &Landmarks {
         self.landmarks.get_or_init(|| Landmarks::of(mesh, self.default_rig().and_then(Rig::skeleton)))
     }

@@ -28,6 +28,21 @@ impl Landmarks {
         mesh.groups.get(home as usize).map(|group| group.name.as_str())
     }
 
+    /// Leaves out vertices without a face, which nobody sees; how many of the others are in which group.
+    pub(super) fn keep_used<'m>(&self, mesh: &'m Mesh, vertices: &mut Vec<u32>) -> BTreeMap<&'m str, usize> {
+        let mut counts = vec![0_usize; mesh.groups.len()];
+        vertices.retain(|vertex| {
+            let home = self.homes.get(*vertex as usize).copied().flatten();
+            let count = home.and_then(|home| counts.get_mut(home as usize));
+            count.map(|count| *count += 1).is_some()
+        });
+        let mut groups: BTreeMap<&str, usize> = BTreeMap::new();
+        for (group, count) in mesh.groups.iter().zip(counts).filter(|(_, count)| *count > 0) {
+            *groups.entry(&group.name).or_default() += count;
+        }
+        groups
+    }
+
     /// Name of the bone nearest to a vertex.
     fn bone(&self, mesh: &Mesh, vertex: u32) -> Option<&str> {
         let at = *mesh.positions.get(vertex as usize)?;

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use super::{count, printable};
-use crate::diag::{Confidence, Evidence, Finding, Fix, FixKind, IgnoredFiles, Location, NewParts};
+use crate::diag::{Confidence, Evidence, Finding, Fix, FixKind, IgnoredFiles, Location, NewParts, Worst};
 
 /// Related places that a text names; formats with room for more have their own bound.
 pub(super) const RELATED: usize = 5;
@@ -41,9 +41,8 @@ pub(super) fn lines(finding: &Finding) -> Vec<Line> {
 
 /// The evidence in words, without a worst case that the message names.
 pub(super) fn evidence_of(finding: &Finding) -> Option<String> {
-    let mut evidence = finding.evidence.clone()?;
-    evidence.worst = evidence.worst.filter(|worst| !names(&finding.message, &worst.place));
-    evidence_line(&evidence)
+    let evidence = finding.evidence.as_ref()?;
+    evidence_line(evidence, evidence.worst.as_ref().filter(|worst| !names(&finding.message, &worst.place)))
 }
 
 /// Whether a text names a place: `vertex 17`, not only `vertex 170`.
@@ -153,11 +152,11 @@ pub(super) fn colons(location: &Location) -> String {
 }
 
 /// `108 of 216: a, b, c and 105 more; worst 0.5 at vertex 7`. Nothing for a single case: the message says it.
-fn evidence_line(evidence: &Evidence) -> Option<String> {
-    if evidence.count < 2 && evidence.worst.is_none() {
+fn evidence_line(evidence: &Evidence, worst: Option<&Worst>) -> Option<String> {
+    if evidence.count < 2 && worst.is_none() {
         return None;
     }
-    let worst = evidence.worst.as_ref().map(|worst| format!("worst {} at {}", number(worst.value), worst.place));
+    let worst = worst.map(|worst| format!("worst {} at {}", number(worst.value), worst.place));
     if evidence.count < 2 && evidence.examples.is_empty() && evidence.of.is_none() {
         return worst;
     }
@@ -193,11 +192,11 @@ mod tests {
     #[test]
     fn groups_of_elements_are_not_taken_for_elements() {
         let named = Evidence::of_groups(["a-*", "b-*"], 108).out_of(216);
-        assert_eq!(evidence_line(&named).as_deref(), Some("108 of 216: a-*, b-*"));
+        assert_eq!(evidence_line(&named, named.worst.as_ref()).as_deref(), Some("108 of 216: a-*, b-*"));
         let cut = Evidence::of_groups(["a"; 7], 99);
-        assert_eq!(evidence_line(&cut).as_deref(), Some("99: a, a, a, a, a and 2 more"));
+        assert_eq!(evidence_line(&cut, cut.worst.as_ref()).as_deref(), Some("99: a, a, a, a, a and 2 more"));
         let single = Evidence::counted(1).with_worst(0.5, "vertex 3");
-        assert_eq!(evidence_line(&single).as_deref(), Some("worst 0.5 at vertex 3"));
+        assert_eq!(evidence_line(&single, single.worst.as_ref()).as_deref(), Some("worst 0.5 at vertex 3"));
     }
 
     #[test]

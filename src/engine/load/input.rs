@@ -8,7 +8,7 @@ use super::super::error::{Error, PathFault};
 use super::roots::roots_of;
 use crate::diag::Application;
 use crate::discover::{Layout, is_read_though_hidden};
-use crate::source::{Tree, folder_of, is_below, slashed};
+use crate::source::{self, Tree, folder_of, is_below, slashed};
 
 /// A tree to look for data roots in.
 pub(in crate::engine) struct Input {
@@ -93,7 +93,7 @@ fn open_above(path: &Path, place: &Path, here: &str, applications: &[Application
     let levels = place.strip_prefix(&root).ok()?.components().count();
     let written = label_above(path, here, levels);
     // What lies above a link is not above what it leads to.
-    let leads_there = std::fs::canonicalize(named_or_here(&written)).is_ok_and(|real| real == root);
+    let leads_there = source::canonical(Path::new(&written)).is_some_and(|real| real == root);
     let root_label = if leads_there { written } else { label_of_real(&root) };
     let below = slashed(place.strip_prefix(&root).ok()?);
     let narrow = if root_label.is_empty() { below } else { format!("{root_label}/{below}") };
@@ -108,13 +108,9 @@ fn root_above(place: &str, layout: &Layout) -> Option<PathBuf> {
     roots_of(&shallow, |_| true).contains_key("").then_some(root)
 }
 
-fn named_or_here(label: &str) -> &Path {
-    Path::new(if label.is_empty() { "." } else { label })
-}
-
 /// What is printed for a folder that no written path names: its path below the working directory, else all of it.
 fn label_of_real(folder: &Path) -> String {
-    let here = std::fs::canonicalize(".").ok();
+    let here = source::canonical(Path::new(""));
     slashed(here.and_then(|here| folder.strip_prefix(here).ok()).unwrap_or(folder))
 }
 

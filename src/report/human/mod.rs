@@ -7,7 +7,8 @@ mod block;
 mod pick;
 mod statistics;
 
-use std::collections::BTreeSet;
+use std::cmp::Reverse;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Write};
 
 use super::files::by_file;
@@ -41,19 +42,36 @@ fn write_findings(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> io
     let is_block = |finding: &&Finding| view.full || finding.level > Level::Info;
     let (blocks, infos): (Vec<&Finding>, Vec<&Finding>) = picked.shown.iter().copied().partition(is_block);
     let mut explained = BTreeSet::new();
+    let tallies = tallies(&outcome.findings, view);
     for file in by_file(&blocks) {
-        write_heading(&file, outcome, view, out)?;
+        write_heading(&file, &tallies, view, out)?;
         write_file(&file, &picked, &mut explained, view, out)?;
     }
     write_infos(&infos, &blocks, &picked, view, out)
 }
 
-fn write_heading(file: &[&Finding], outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> io::Result<()> {
+fn write_heading(
+    file: &[&Finding],
+    tallies: &BTreeMap<&str, Tally>,
+    view: &View<'_>,
+    out: &mut dyn Write,
+) -> io::Result<()> {
     let path = file.first().map_or("", |first| first.path.as_str());
-    let stands_here = |finding: &&Finding| finding.path == path && (view.full || finding.level > Level::Info);
-    let all: Vec<&Finding> = outcome.findings.iter().filter(stands_here).collect();
+    let words = tallies.get(path).map(tally).unwrap_or_default();
     let paint = Paint { color: view.color };
-    writeln!(out, "{}{}", paint.bold(&phrase::path(path)), paint.dim(&tally(&all)))
+    writeln!(out, "{}{}", paint.bold(&phrase::path(path)), paint.dim(&words))
+}
+
+/// Numbers of findings, by level.
+type Tally = BTreeMap<Reverse<Level>, usize>;
+
+/// What stands below the headings of the files, shown or left out.
+fn tallies<'f>(findings: &'f [Finding], view: &View<'_>) -> BTreeMap<&'f str, Tally> {
+    let mut tallies: BTreeMap<&str, Tally> = BTreeMap::new();
+    for finding in findings.iter().filter(|finding| view.full || finding.level > Level::Info) {
+        *tallies.entry(&finding.path).or_default().entry(Reverse(finding.level)).or_default() += 1;
+    }
+    tallies
 }
 
 /// What was said of a file already and is not said again.
@@ -122,15 +140,12 @@ fn write_infos(
 }
 
 /// `: 2 errors, 1 warning` behind the name of a file with more than one finding.
-fn tally(findings: &[&Finding]) -> String {
-    if findings.len() < 2 {
+fn tally(numbers: &Tally) -> String {
+    if numbers.values().sum::<usize>() < 2 {
         return String::new();
     }
-    let parts = [Level::Error, Level::Warning, Level::Info].map(|level| {
-        let number = findings.iter().filter(|finding| finding.level == level).count();
-        (number > 0).then(|| count(number, level.word()))
-    });
-    format!(": {}", parts.into_iter().flatten().collect::<Vec<_>>().join(", "))
+    let parts: Vec<String> = numbers.iter().map(|(Reverse(level), number)| count(*number, level.word())).collect();
+    format!(": {}", parts.join(", "))
 }
 
 fn write_notes(notes: &[Note], view: &View<'_>, out: &mut dyn Write) -> io::Result<()> {

@@ -95,7 +95,7 @@ fn advice(view: &View<'_>, first: &FileFacts, others: &[&FileFacts]) -> String {
             first.file_name(),
             reference.owner,
             reference.from.file_name(),
-            last_part(&reference.rel)
+            reference.found().map_or("", FileFacts::file_name)
         ),
         (Some(reference), more) => format!(
             "use `{}` for `{}` and {} in {}, then remove the files that nothing uses any more",
@@ -106,8 +106,4 @@ fn advice(view: &View<'_>, first: &FileFacts, others: &[&FileFacts]) -> String {
         ),
         (None, _) => "use one file in all references, and remove the others".to_owned(),
     }
-}
-
-fn last_part(path: &str) -> &str {
-    path.rsplit('/').next().unwrap_or(path)
 }

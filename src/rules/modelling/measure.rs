@@ -1,6 +1,7 @@
 //! The vertices of a measuring line must exist, and a line around something must close.
 
 use super::super::cause::schema::is_sound;
+use super::super::units::centimetres;
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, pointer};
 use crate::eval::measure::{chain_length, closing_gap};
@@ -92,7 +93,7 @@ fn open_line(bound: &BoundSlider<'_>, line: &[i64], positions: &[[f32; 3]]) -> O
         return None;
     }
     // Shown as the program shows lengths: a unit is 10 cm.
-    let (gap_cm, length_cm) = (10.0 * gap, 10.0 * length);
+    let (gap_cm, length_cm) = (centimetres(gap), centimetres(length));
     let message =
         format!("does not close: its ends are {gap_cm:.2} cm apart ({gap:.3}), its length is {length_cm:.1} cm");
     let effect = "shows a length without the missing piece";

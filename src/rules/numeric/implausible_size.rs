@@ -1,5 +1,6 @@
 //! A body is as large as something that walks on two legs.
 
+use super::super::units::centimetres;
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Confidence, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::obj::{Mesh, joined};
@@ -33,7 +34,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if extent > SMALLEST && extent < LARGEST {
         return;
     }
-    let (length, help) = (10.0 * extent, if extent < LARGEST { "10" } else { "0.1" });
+    let (length, help) = (centimetres(extent), if extent < LARGEST { "10" } else { "0.1" });
     let message = format!("the visible mesh measures {length:.1} cm ({extent:.3}) in its largest dimension");
     out.push(
         RULE.at(file, Place::File, message)

@@ -1,5 +1,6 @@
 //! A bone that has no length at some setting.
 
+use super::super::units::centimetres;
 use super::super::{Check, Rule, RuleCx};
 use super::{at_setting, untold};
 use crate::diag::{Application, Evidence, Finding, Level, RuleInfo};
@@ -28,7 +29,7 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
     let Some(space) = &measures.space else { return };
     let Some(seen) = untold(body, space, space.short_bone.as_ref()) else { return };
     let length = 1.0 / seen.value;
-    let message = format!("bone `{}` has no length ({:.5} cm)", seen.name, 10.0 * length);
+    let message = format!("bone `{}` has no length ({:.5} cm)", seen.name, centimetres(length));
     out.push(
         at_setting(&RULE, body, seen, &message)
             .parts(&seen.all)

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::super::units::length;
+use super::super::units::{centimetres, length};
 use super::super::{Check, Rule, RuleCx};
 use super::shown::shown_by;
 use super::{decoded, targets};
@@ -49,7 +49,7 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let shown = || shown_by(body, file).map(|setting| format!("; seen with {setting}")).unwrap_or_default();
         match oversize(lengths, size, ratio) {
             Some(Oversize::BeyondMesh) => {
-                let mesh = 10.0 * size;
+                let mesh = centimetres(size);
                 let message =
                     format!("{}, more than the whole base mesh ({mesh:.1} cm){}", moves(body, &largest), shown());
                 out.push(finding(file, facts, &largest, message));

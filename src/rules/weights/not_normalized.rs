@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use super::super::units::centimetres;
 use super::super::{Check, Rule, RuleCx};
 use super::{readable_own, unusable_entries};
 use crate::diag::{Application, Change, Evidence, Finding, Fix, FixKind, Level, Place, Rewrite, RuleInfo};
@@ -57,7 +58,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             FAR_SUMS[0], FAR_SUMS[1]
         );
         if let Some(distance) = body.mesh.and_then(|(_, mesh)| shift(mesh, vertex, sum)) {
-            let centimetres = distance * 10.0;
+            let centimetres = centimetres(distance);
             let _ = write!(
                 help,
                 "; a program that does not normalise moves vertex {vertex} by {centimetres:.1} cm ({distance:.2})"

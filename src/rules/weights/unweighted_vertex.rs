@@ -1,13 +1,9 @@
 //! Every vertex should have a weight.
 
-use std::cell::OnceCell;
-use std::collections::BTreeMap;
-
 use super::super::{Check, Rule, RuleCx};
 use super::{has_unusable_entries, is_empty, readable_own, weigh};
 use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::mhw::Weights;
-use crate::formats::obj::Mesh;
 use crate::repo::{Body, FileFacts};
 
 const USUAL: &str = "assigns the vertex to the root bone: it stays behind when the body is posed";
@@ -38,8 +34,6 @@ const WITHOUT_ANY: Case = &[
 const ALL_ON_ROOT: &str = "assigns the whole mesh to the root bone: no other bone moves anything";
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    // Walks the mesh once, not for each of many files, and only where some vertex has no weight.
-    let homes = OnceCell::new();
     let mut room = MOST_NAMED;
     // Entries that cannot be used may be the missing ones.
     for (own, weights) in readable_own(body).filter(|(_, weights)| !has_unusable_entries(weights)) {
@@ -47,12 +41,8 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             out.push(weigh(own, without_any(own.file, weights)));
             continue;
         }
-        let Some(mesh) = body.whole_mesh() else { continue };
         let mut vertices = weights.facts.unweighted();
-        if vertices.is_empty() {
-            continue;
-        }
-        let groups = homes.get_or_init(|| Homes::of(mesh)).keep_used(&mut vertices);
+        let groups = body.keep_used(&mut vertices);
         let Some(first) = vertices.first() else { continue };
         let named: Vec<String> =
             groups.iter().take(GROUPS_NAMED).map(|(group, count)| format!("{count} in `{group}`")).collect();
@@ -96,32 +86,3 @@ fn without_any(file: &FileFacts, weights: &Weights) -> Finding {
 const GROUPS_NAMED: usize = 4;
 /// Vertices that the findings of a body name: files times vertices have no end. Further findings count theirs.
 const MOST_NAMED: usize = 1 << 20;
-
-/// Groups that the vertices of a mesh count for. Vertices without a face, which nobody sees, count for none.
-struct Homes<'m> {
-    /// Names of the groups.
-    names: Vec<&'m str>,
-    /// Number of the group of each vertex.
-    of: Vec<Option<u32>>,
-}
-
-impl<'m> Homes<'m> {
-    fn of(mesh: &'m Mesh) -> Self {
-        Self { names: mesh.groups.iter().map(|group| group.name.as_str()).collect(), of: mesh.homes() }
-    }
-
-    /// Leaves out vertices without a face; how many of the others are in which group.
-    fn keep_used(&self, vertices: &mut Vec<u32>) -> BTreeMap<&'m str, usize> {
-        let mut counts = vec![0_usize; self.names.len()];
-        vertices.retain(|vertex| {
-            let home = self.of.get(*vertex as usize).copied().flatten();
-            let count = home.and_then(|home| counts.get_mut(home as usize));
-            count.map(|count| *count += 1).is_some()
-        });
-        let mut groups: BTreeMap<&str, usize> = BTreeMap::new();
-        for (name, count) in self.names.iter().zip(counts).filter(|(_, count)| *count > 0) {
-            *groups.entry(name).or_default() += count;
-        }
-        groups
-    }
-}
