@@ -235,9 +235,14 @@ impl Config {
         self.bases.is_empty() || self.bases.iter().any(|base| base == name)
     }
 
+    /// Whether the file excludes anything.
+    pub(crate) fn has_exclude(&self) -> bool {
+        self.file.as_ref().is_some_and(|file| !file.exclude.is_empty())
+    }
+
     /// Whether nothing is to be reported for a printed path.
     pub fn excludes(&self, path: &str) -> bool {
-        let Some(file) = self.file.as_ref().filter(|file| !file.exclude.is_empty()) else { return false };
+        let Some(file) = self.file.as_ref().filter(|_| self.has_exclude()) else { return false };
         let Some(rel) = file.folder.relative(path) else { return false };
         file.exclude.fits(&rel)
     }

@@ -50,7 +50,9 @@ fn elsewhere<'g, 't>(
     let (plain, wild): (Vec<_>, Vec<_>) = idle.iter().map(|(_, glob)| *glob).partition(|glob| glob.is_plain());
     let plain: BTreeSet<&str> = plain.into_iter().map(|glob| glob.text.as_str()).collect();
     let anywhere = |glob: &'g PathGlob| Some((&glob.text, PathGlob::new(&format!("**/{}", glob.text), 0..0).ok()?));
-    let wild: Vec<(&String, PathGlob)> = wild.into_iter().filter_map(anywhere).collect();
+    // One that starts so already has been tried on every path.
+    let wild = wild.into_iter().filter(|glob| !glob.text.starts_with("**/"));
+    let wild: Vec<(&String, PathGlob)> = wild.filter_map(anywhere).collect();
     let mut found = BTreeSet::new();
     let waiting = if idle.is_empty() { None } else { Some(trees) };
     for rel in waiting.into_iter().flatten().flat_map(paths).filter_map(|path| file.relative(&path)) {

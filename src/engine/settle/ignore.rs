@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::answered::Answered;
 use super::idle::{is_for_listed, reached};
 use super::named::NamedRules;
 use super::scope::Scope;
@@ -18,6 +19,8 @@ pub(in crate::engine) struct Ignores<'c> {
     today: Date,
     /// Where each `[[ignore]]` holds.
     globs: Globs,
+    /// Whether one of them hides a rule at a path.
+    ignored: Answered<bool>,
     /// For each `[[ignore]]` whether it hid something.
     hits: Vec<bool>,
     /// Comments of the files that were reported on.
@@ -38,6 +41,7 @@ impl<'c> Ignores<'c> {
             today: Date::today(),
             hits: vec![false; globs.iter().count()],
             globs,
+            ignored: Answered::default(),
             inline: Vec::new(),
             used: BTreeSet::new(),
             assets: BTreeMap::new(),
@@ -46,8 +50,10 @@ impl<'c> Ignores<'c> {
     }
 
     /// Whether a rule is ignored for a file or folder, whose facts are `file`. The ignores count as used.
-    pub(in crate::engine) fn hides(&mut self, rule: &str, path: &str, file: Option<&FileFacts>) -> bool {
-        let mut hidden = self.is_ignored(rule, path);
+    pub(in crate::engine) fn hides(&mut self, rule: &'static str, path: &str, file: Option<&FileFacts>) -> bool {
+        let answered = std::mem::take(&mut self.ignored);
+        let mut hidden = !self.globs.is_empty() && answered.of(path, rule, || self.is_ignored(rule, path));
+        self.ignored = answered;
         let comments = file.into_iter().flat_map(|file| &file.ignores);
         for comment in comments.filter(|comment| !comment.reason.is_empty()) {
             if self.named.of(&comment.rule).contains(&rule) {
@@ -60,7 +66,7 @@ impl<'c> Ignores<'c> {
 
     fn is_ignored(&mut self, rule: &str, path: &str) -> bool {
         let Some(file) = &self.config.file else { return false };
-        let Some(rel) = file.relative(path).filter(|_| !file.ignores.is_empty()) else { return false };
+        let Some(rel) = file.relative(path) else { return false };
         let mut hidden = false;
         for number in self.globs.fitting(&rel) {
             let (Some(ignore), Some(hit)) = (file.ignores.get(number), self.hits.get_mut(number)) else { continue };

@@ -2,6 +2,7 @@
 //!
 //! Imports no other wing of the engine; what it needs of a run is handed to it.
 
+mod answered;
 mod baseline;
 mod compare;
 mod identify;

@@ -1,5 +1,6 @@
 //! What a run looks at: the PATHs, without what the configuration excludes.
 
+use super::answered::Answered;
 use crate::config::Config;
 use crate::source::{Folder, Outer, is_below};
 
@@ -10,18 +11,21 @@ pub(in crate::engine) struct Scope<'c> {
     paths: Vec<Outer>,
     /// Those of them that are excluded: who names a path wants to hear of it.
     named: Vec<String>,
+    /// Whether a path is excluded.
+    excluded: Answered<bool>,
 }
 
 impl<'c> Scope<'c> {
     /// The scope of a run on `paths`, as printed.
     pub(in crate::engine) fn new(paths: Vec<String>, config: &'c Config) -> Self {
         let named = paths.iter().filter(|path| config.excludes(path)).cloned().collect();
-        Self { config, paths: paths.iter().map(|path| Outer::of(path)).collect(), named }
+        Self { config, paths: paths.iter().map(|path| Outer::of(path)).collect(), named, excluded: Answered::default() }
     }
 
     /// Whether nothing is to be reported for a printed path.
     pub(in crate::engine) fn excludes(&self, path: &str) -> bool {
-        self.config.excludes(path) && !self.named.iter().any(|named| is_below(path, named))
+        let is_excluded = || self.config.excludes(path) && !self.named.iter().any(|named| is_below(path, named));
+        self.config.has_exclude() && self.excluded.of(path, "", is_excluded)
     }
 
     /// Whether the run looks at everything at or below `rel`, a path relative to `folder`.

@@ -5,6 +5,7 @@
 
 use std::collections::BTreeMap;
 
+use super::answered::Answered;
 use crate::config::{Config, ConfigFile, Globs, Selector};
 use crate::diag::{Level, nearest};
 use crate::engine::catalogue::{is_upkeep, listed, named};
@@ -17,6 +18,8 @@ pub(in crate::engine) struct Selection<'c> {
     rules: BTreeMap<&'static str, Said>,
     /// Globs of `[[path]]`.
     blocks: Globs,
+    /// What the blocks say for a path.
+    here: Answered<Option<Say>>,
     file: Option<&'c ConfigFile>,
     no_eval: bool,
 }
@@ -71,6 +74,7 @@ impl<'c> Selection<'c> {
         Ok(Self {
             rules: RULES.iter().map(|rule| (rule.info.id, said(rule.info.id))).collect(),
             blocks: file.iter().flat_map(|file| &file.blocks).map(|block| block.glob.clone()).collect(),
+            here: Answered::default(),
             file,
             no_eval: config.no_eval,
         })
@@ -89,12 +93,13 @@ impl<'c> Selection<'c> {
     }
 
     /// What becomes of a finding of a rule; `rel` is its path relative to the configuration file.
-    pub(in crate::engine) fn verdict(&self, rule: &str, level: Level, rel: Option<&str>) -> Verdict {
+    pub(in crate::engine) fn verdict(&self, rule: &'static str, level: Level, rel: Option<&str>) -> Verdict {
         if cannot_be_ignored(rule) {
             return Verdict::At(level);
         }
         let general = self.for_all_paths(rule);
-        let here = rel.and_then(|rel| self.for_path(rule, rel));
+        let here = rel.filter(|_| !self.blocks.is_empty());
+        let here = here.and_then(|rel| self.here.of(rel, rule, || self.for_path(rule, rel)));
         let set = match (&here, &general) {
             (Some(Say::On(set)), _) => *set,
             (_, Say::On(set)) => *set,
