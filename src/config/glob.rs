@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use globset::{GlobBuilder, GlobMatcher};
+use globset::{Glob, GlobBuilder, GlobMatcher};
 
 use crate::source::is_below;
 
@@ -116,6 +116,11 @@ impl PathGlob {
     /// Whether it is a path without anything that means something in a glob.
     pub(crate) const fn is_plain(&self) -> bool {
         self.glob.is_none()
+    }
+
+    /// The glob, if it has wildcards.
+    pub(super) fn wild(&self) -> Option<&Glob> {
+        self.glob.as_ref().map(GlobMatcher::glob).filter(|_| self.is_wild())
     }
 
     /// The folders in front of the first wildcard: everything that fits lies there.

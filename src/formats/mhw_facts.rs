@@ -60,8 +60,8 @@ pub struct WeightsFacts {
 /// Facts on the sums of the vertices.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct SumFacts {
-    /// Vertices whose sum is not exactly 0, or that have a faulty entry. All others ([`WeightsFacts::unweighted`]) may be
-    /// far more than the file has entries.
+    /// Vertices whose sum is not exactly 0, or that have a faulty entry. All others may be far more than
+    /// the file has entries.
     pub reached: Vec<u32>,
     /// Vertices whose sum is not 1, without those that are unweighted or have a faulty entry.
     pub off: u64,
@@ -133,14 +133,6 @@ impl WeightsFacts {
         self.negative_alone = if self.negative.count > 0 { negative_alone(bones) } else { 0 };
         self.lost = lost.into_iter().collect();
         self.sum = SumFacts::of(&sums);
-    }
-
-    /// Vertices of the mesh whose sum is exactly 0: not mentioned, or with zeros only. Put together when asked for: kept
-    /// for each of many files they would be files times vertices.
-    pub fn unweighted(&self) -> Vec<u32> {
-        let mut reached = self.sum.reached.iter().copied().peekable();
-        let all = 0..u32::try_from(self.vertices).unwrap_or(u32::MAX);
-        all.filter(|vertex| reached.next_if_eq(vertex).is_none()).collect()
     }
 
     fn count_malformed(&mut self, bone: &BoneWeights, name: &Arc<str>) {
@@ -304,8 +296,8 @@ mod tests {
     fn sums_have_a_distribution() {
         let text = r#"{"weights": {"a": [[0, 1], [1, 0.75], [2, 0.995], [3, 0.99995], [5, 0]], "b": [[1, 0.5]]}}"#;
         let facts = weights(text, 6).facts;
-        assert_eq!(facts.unweighted(), [4, 5]);
         let sum = facts.sum;
+        assert_eq!(sum.reached, [0, 1, 2, 3]);
         assert_eq!((sum.off, sum.far_off, sum.worst), (2, [1, 1], Some((1, 1.25))));
         assert_eq!((sum.vertices, sum.range), (vec![1, 2], (0.995, 1.25)));
     }

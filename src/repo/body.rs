@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Display;
 use std::sync::OnceLock;
 
-use super::landmarks::Landmarks;
+use super::landmarks::{Landmarks, Unreached};
 use super::{FileFacts, Layers, Reference, ReferenceKind, View, Worn, parent};
 use crate::formats::macro_json::MacroFile;
 use crate::formats::mhskel::Skeleton;
@@ -45,7 +45,7 @@ pub(crate) struct Body<'v> {
     /// Numbers of the targets by printed path.
     by_path: BTreeMap<&'v str, usize>,
     /// Made when a place is asked for.
-    landmarks: OnceLock<Landmarks>,
+    landmarks: OnceLock<Landmarks<'v>>,
 }
 
 /// A setting at which a target is applied fully.
@@ -190,26 +190,23 @@ impl<'v> Body<'v> {
 
     /// A vertex with its place on the body: ``vertex 17960 (`helper-tights`, near `pelvis.L`)``.
     pub(crate) fn vertex(&self, vertex: impl TryInto<u32> + Display + Copy) -> String {
-        let in_words = |vertex| self.whole_mesh().and_then(|mesh| self.landmarks(mesh).place(mesh, vertex));
+        let in_words = |vertex| self.whole_mesh().and_then(|mesh| self.landmarks(mesh).place(vertex));
         let place = vertex.try_into().ok().and_then(in_words);
         place.map_or_else(|| format!("vertex {vertex}"), |place| format!("vertex {vertex} ({place})"))
     }
 
-    /// Leaves out vertices that no face uses; how many of the others are in which group. Without a whole mesh none are
-    /// left.
-    pub(crate) fn keep_used(&self, vertices: &mut Vec<u32>) -> BTreeMap<&'v str, usize> {
-        match self.whole_mesh() {
-            // Most weights reach every vertex: then the mesh is not walked.
-            Some(mesh) if !vertices.is_empty() => self.landmarks(mesh).keep_used(mesh, vertices),
-            _ => {
-                vertices.clear();
-                BTreeMap::new()
-            }
-        }
+    /// Vertices that a face uses, without those in `reached`, which are in order. None without a whole mesh, or if all are
+    /// reached.
+    pub(crate) fn unreached<'b>(&'b self, reached: &'b [u32]) -> Option<Unreached<'b>> {
+        // Most weights reach every vertex: then the mesh is not walked.
+        let mesh = self.whole_mesh().filter(|mesh| reached.len() < mesh.positions.len())?;
+        let unreached = self.landmarks(mesh).unreached(reached, |group| self.shows(group));
+        (unreached.count > 0).then_some(unreached)
     }
 
-    fn landmarks(&self, mesh: &Mesh) -> &Landmarks {
-        self.landmarks.get_or_init(|| Landmarks::of(mesh, self.default_rig().and_then(Rig::skeleton)))
+    fn landmarks(&self, mesh: &'v Mesh) -> &Landmarks<'v> {
+        let skeleton = || self.default_rig().and_then(Rig::skeleton);
+        self.landmarks.get_or_init(|| Landmarks::of(mesh, skeleton(), |group| self.shows(group)))
     }
 
     /// Whether a group of the mesh is shown; where that is said nowhere, all of them are.
@@ -228,7 +225,10 @@ impl<'v> Body<'v> {
     }
 
     /// The folder that a target belongs to.
-    pub(crate) fn folder_of(&self, file: &'v FileFacts) -> &'v str {
+    pub(crate) fn folder_of<'f>(&self, file: &'f FileFacts) -> &'f str
+    where
+        'v: 'f,
+    {
         self.target(&file.path).map_or_else(|| parent(&file.rel), |target| target.folder)
     }
 

@@ -9,59 +9,106 @@ type Point = [f32; 3];
 
 /// What the vertices of a mesh are told by.
 #[derive(Debug)]
-pub(super) struct Landmarks {
+pub(super) struct Landmarks<'m> {
+    mesh: &'m Mesh,
     /// Number of the group of each vertex.
     homes: Vec<Option<u32>>,
+    /// How many vertices that a face uses are in each group.
+    used: BTreeMap<&'m str, usize>,
+    /// How many of them are in groups that are shown.
+    shown: usize,
     /// Bones from head to tail.
-    bones: Vec<(String, [Point; 2])>,
+    bones: Vec<(&'m str, [Point; 2])>,
 }
 
-impl Landmarks {
-    /// For one mesh, which is asked with; walks it once.
-    pub(super) fn of(mesh: &Mesh, skeleton: Option<&Skeleton>) -> Self {
-        Self { homes: mesh.homes(), bones: skeleton.map_or_else(Vec::new, |skeleton| bones(mesh, skeleton)) }
+/// Vertices that a face uses and a file does not reach. Costs what is reached: files times vertices have no end.
+#[derive(Debug)]
+pub(crate) struct Unreached<'b> {
+    landmarks: &'b Landmarks<'b>,
+    /// In order.
+    reached: &'b [u32],
+    /// How many are reached in each group.
+    taken: BTreeMap<&'b str, usize>,
+    /// How many there are.
+    pub count: usize,
+    /// Whether some of them are in a group that is shown.
+    pub is_shown: bool,
+}
+
+impl<'m> Landmarks<'m> {
+    /// Walks the mesh once.
+    pub(super) fn of(mesh: &'m Mesh, skeleton: Option<&'m Skeleton>, is_shown: impl Fn(&str) -> bool) -> Self {
+        let homes = mesh.homes();
+        let bones = skeleton.map_or_else(Vec::new, |skeleton| bones(mesh, skeleton));
+        let mut landmarks = Self { mesh, homes, used: BTreeMap::new(), shown: 0, bones };
+        landmarks.used = landmarks.tally(0..u32::try_from(landmarks.homes.len()).unwrap_or(u32::MAX));
+        landmarks.shown = count(&landmarks.used, is_shown);
+        landmarks
     }
 
     /// Name of the group of a vertex; `None` if no face uses it.
-    pub(super) fn group<'m>(&self, mesh: &'m Mesh, vertex: u32) -> Option<&'m str> {
+    pub(super) fn group(&self, vertex: u32) -> Option<&'m str> {
         let home = self.homes.get(vertex as usize).copied().flatten()?;
-        mesh.groups.get(home as usize).map(|group| group.name.as_str())
+        self.mesh.groups.get(home as usize).map(|group| group.name.as_str())
     }
 
-    /// Leaves out vertices without a face, which nobody sees; how many of the others are in which group.
-    pub(super) fn keep_used<'m>(&self, mesh: &'m Mesh, vertices: &mut Vec<u32>) -> BTreeMap<&'m str, usize> {
-        let mut counts = vec![0_usize; mesh.groups.len()];
-        vertices.retain(|vertex| {
-            let home = self.homes.get(*vertex as usize).copied().flatten();
-            let count = home.and_then(|home| counts.get_mut(home as usize));
-            count.map(|count| *count += 1).is_some()
-        });
-        let mut groups: BTreeMap<&str, usize> = BTreeMap::new();
-        for (group, count) in mesh.groups.iter().zip(counts).filter(|(_, count)| *count > 0) {
-            *groups.entry(&group.name).or_default() += count;
+    fn tally(&self, vertices: impl IntoIterator<Item = u32>) -> BTreeMap<&'m str, usize> {
+        let mut tally = BTreeMap::new();
+        for group in vertices.into_iter().filter_map(|vertex| self.group(vertex)) {
+            *tally.entry(group).or_default() += 1;
         }
-        groups
+        tally
+    }
+
+    /// Vertices that a face uses, without those in `reached`, which are in order.
+    pub(super) fn unreached<'b>(&'b self, reached: &'b [u32], is_shown: impl Fn(&str) -> bool) -> Unreached<'b> {
+        let taken = self.tally(reached.iter().copied());
+        let missing = count(&self.used, |_| true).saturating_sub(count(&taken, |_| true));
+        let is_shown = count(&taken, is_shown) < self.shown;
+        Unreached { landmarks: self, reached, taken, count: missing, is_shown }
     }
 
     /// Name of the bone nearest to a vertex.
-    fn bone(&self, mesh: &Mesh, vertex: u32) -> Option<&str> {
-        let at = *mesh.positions.get(vertex as usize)?;
+    fn bone(&self, vertex: u32) -> Option<&'m str> {
+        let at = *self.mesh.positions.get(vertex as usize)?;
         let distance = |[head, tail]: &[Point; 2]| from_segment(at, *head, *tail);
         let nearest = self.bones.iter().min_by(|(_, a), (_, b)| distance(a).total_cmp(&distance(b)));
-        nearest.map(|(name, _)| name.as_str())
+        nearest.map(|(name, _)| *name)
     }
 
     /// `` `helper-tights`, near `pelvis.L` ``, as far as it is known.
-    pub(super) fn place(&self, mesh: &Mesh, vertex: u32) -> Option<String> {
-        let bone = self.bone(mesh, vertex).map(|bone| format!("near `{bone}`"));
-        let parts: Vec<String> =
-            self.group(mesh, vertex).map(|group| format!("`{group}`")).into_iter().chain(bone).collect();
+    pub(super) fn place(&self, vertex: u32) -> Option<String> {
+        let bone = self.bone(vertex).map(|bone| format!("near `{bone}`"));
+        let parts: Vec<String> = self.group(vertex).map(|group| format!("`{group}`")).into_iter().chain(bone).collect();
         (!parts.is_empty()).then(|| parts.join(", "))
     }
 }
 
+impl<'b> Unreached<'b> {
+    /// The vertices, in order.
+    pub(crate) fn vertices(&self) -> impl Iterator<Item = u32> {
+        let mut reached = self.reached.iter().copied().peekable();
+        let used = (0..).zip(&self.landmarks.homes).filter_map(|(vertex, home)| home.map(|_| vertex));
+        used.filter(move |vertex| {
+            while reached.next_if(|other| other < vertex).is_some() {}
+            reached.peek() != Some(vertex)
+        })
+    }
+
+    /// How many are in each group, by name.
+    pub(crate) fn groups(&self) -> impl Iterator<Item = (&'b str, usize)> {
+        let left = |(group, used): (&&'b str, &usize)| (*group, used - self.taken.get(group).copied().unwrap_or(0));
+        self.landmarks.used.iter().map(left).filter(|(_, count)| *count > 0)
+    }
+}
+
+/// How many vertices are in the groups that are wanted.
+fn count(groups: &BTreeMap<&str, usize>, is_wanted: impl Fn(&str) -> bool) -> usize {
+    groups.iter().filter(|(group, _)| is_wanted(group)).map(|(_, count)| count).sum()
+}
+
 /// The bones whose ends can be told: a joint is the mean of its vertices.
-fn bones(mesh: &Mesh, skeleton: &Skeleton) -> Vec<(String, [Point; 2])> {
+fn bones<'m>(mesh: &Mesh, skeleton: &'m Skeleton) -> Vec<(&'m str, [Point; 2])> {
     let joints = skeleton.joints.iter().filter_map(|joint| {
         let vertices = joint.vertices.as_deref().filter(|vertices| !vertices.is_empty())?;
         let at = |vertex: &i64| usize::try_from(*vertex).ok().and_then(|vertex| mesh.positions.get(vertex)).copied();
@@ -70,7 +117,7 @@ fn bones(mesh: &Mesh, skeleton: &Skeleton) -> Vec<(String, [Point; 2])> {
     let joints: BTreeMap<&str, Point> = joints.collect();
     let end = |joint: &Option<String>| joints.get(joint.as_deref()?).copied();
     let ends = skeleton.bones.iter().filter_map(|bone| Some((bone, [end(&bone.head)?, end(&bone.tail)?])));
-    ends.map(|(bone, ends)| (bone.name.clone(), ends)).collect()
+    ends.map(|(bone, ends)| (bone.name.as_str(), ends)).collect()
 }
 
 fn mean(points: &[Point]) -> Point {
@@ -104,10 +151,28 @@ mod tests {
             "lower": {"head": "b", "tail": "c", "parent": "upper"},
             "lost": {"head": "c", "tail": "d", "parent": "lower"}}}"#;
         let skeleton = mhskel::read(&json::parse(text).unwrap());
-        let landmarks = Landmarks::of(&mesh, Some(&skeleton));
-        let told = [3, 4, 5, 99].map(|vertex| landmarks.place(&mesh, vertex));
+        let landmarks = Landmarks::of(&mesh, Some(&skeleton), |_| true);
+        let told = [3, 4, 5, 99].map(|vertex| landmarks.place(vertex));
         let expected = [Some("`arm`, near `upper`"), Some("`hand`, near `lower`"), Some("near `lower`"), None];
         assert_eq!(told, expected.map(|text| text.map(str::to_owned)));
-        assert_eq!(Landmarks::of(&mesh, None).place(&mesh, 5), None);
+        assert_eq!(Landmarks::of(&mesh, None, |_| true).place(5), None);
+    }
+
+    #[test]
+    fn vertices_that_are_not_reached_are_counted_in_their_groups() {
+        let mesh = obj::parse(b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 9 9 9\nv 0 1 0\nv 0 0 1\ng b\nf 1 2 3\ng a\nf 3 5 6\n");
+        let is_shown = |group: &str| group == "a";
+        let landmarks = Landmarks::of(&mesh, None, is_shown);
+        let told = |reached: &[u32]| {
+            let unreached = landmarks.unreached(reached, is_shown);
+            let groups: Vec<(String, usize)> =
+                unreached.groups().map(|(group, count)| (group.to_owned(), count)).collect();
+            assert_eq!(unreached.count, unreached.vertices().count());
+            (unreached.vertices().collect::<Vec<u32>>(), groups, unreached.is_shown)
+        };
+        let group = |name: &str, count| (name.to_owned(), count);
+        assert_eq!(told(&[]), (vec![0, 1, 2, 4, 5], vec![group("a", 2), group("b", 3)], true));
+        assert_eq!(told(&[1, 3, 4, 5, 77]), (vec![0, 2], vec![group("b", 2)], false));
+        assert_eq!(told(&[0, 1, 2, 4, 5]), (vec![], vec![], false));
     }
 }

@@ -49,16 +49,17 @@ fn elsewhere<'g, 't>(
 ) -> BTreeSet<&'g str> {
     let (plain, wild): (Vec<_>, Vec<_>) = idle.iter().map(|(_, glob)| *glob).partition(|glob| glob.is_plain());
     let plain: BTreeSet<&str> = plain.into_iter().map(|glob| glob.text.as_str()).collect();
-    let anywhere = |glob: &'g PathGlob| Some((&glob.text, PathGlob::new(&format!("**/{}", glob.text), 0..0).ok()?));
     // One that starts so already has been tried on every path.
     let wild = wild.into_iter().filter(|glob| !glob.text.starts_with("**/"));
-    let wild: Vec<(&String, PathGlob)> = wild.filter_map(anywhere).collect();
+    let anywhere = |glob: &'g PathGlob| Some((&glob.text, PathGlob::new(&format!("**/{}", glob.text), 0..0).ok()?));
+    let (texts, wild): (Vec<&String>, Vec<PathGlob>) = wild.filter_map(anywhere).unzip();
+    let wild: Globs = wild.into_iter().collect();
     let mut found = BTreeSet::new();
     let waiting = if idle.is_empty() { None } else { Some(trees) };
     for rel in waiting.into_iter().flatten().flat_map(paths).filter_map(|path| file.relative(&path)) {
         let starts = std::iter::once(0).chain(rel.match_indices('/').map(|(slash, _)| slash + 1));
         found.extend(starts.filter_map(|start| plain.get(rel.get(start..)?).copied()));
-        found.extend(wild.iter().filter(|(_, glob)| glob.fits(&rel)).map(|(text, _)| text.as_str()));
+        found.extend(wild.fitting(&rel).into_iter().filter_map(|number| Some(texts.get(number)?.as_str())));
     }
     found
 }

@@ -2,6 +2,7 @@
 //! findings of their own, and which files are meant is clear.
 
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
 use crate::formats::macro_json::MacroFile;
 use crate::repo::parent;
@@ -12,9 +13,11 @@ pub(crate) struct MacroFolders(BTreeSet<String>);
 
 impl MacroFolders {
     pub(super) fn of(file: &MacroFile) -> Self {
-        let folders: BTreeSet<&str> =
-            file.macrodefs.iter().filter_map(|macrodef| macrodef.effective_folder.as_deref()).collect();
-        Self(folders.into_iter().map(compared).filter(|folder| !folder.is_empty()).collect())
+        let mut folders: Vec<&Arc<str>> =
+            file.macrodefs.iter().filter_map(|macrodef| macrodef.effective_folder.as_ref()).collect();
+        // Those who inherit a folder share it. It may be long, so it is not compared for each of them.
+        folders.dedup_by(|one, other| Arc::ptr_eq(one, other));
+        Self(folders.into_iter().map(|folder| compared(folder)).filter(|folder| !folder.is_empty()).collect())
     }
 
     /// Whether a target lies in one of them, or below.

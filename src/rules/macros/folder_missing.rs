@@ -2,7 +2,7 @@
 
 use super::super::cause::schema::is_sound;
 use super::super::{Check, Rule, RuleCx, did_you_mean};
-use super::links::{MacroLink, links};
+use super::links::{MacroLink, links, own_links};
 use super::lost_folder::{holds_files, is_lost};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
@@ -28,7 +28,7 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
     let Some((file, macros)) = base.macro_file() else { return };
     let all = links(view, base);
     for macrodef in &macros.macrodefs {
-        let own: Vec<&MacroLink<'_>> = all.iter().filter(|link| link.macrodef.index == macrodef.index).collect();
+        let own = own_links(&all, macrodef);
         let index = macrodef.index.to_string();
         if own.is_empty() || !is_sound(file, &format!("/macrodef/{index}/folder")) {
             continue;
@@ -45,7 +45,7 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
                 };
                 RULE.at(file, place, message)
                     .effect("finds no target and crashes with `AttributeError` as soon as a combination has weight")
-                    .help(folder_of_files(base, &own).unwrap_or_else(|| nearest_folder(base, folder, cx)))
+                    .help(folder_of_files(base, own).unwrap_or_else(|| nearest_folder(base, folder, cx)))
             }
             (Some(_), _) => continue,
             (None, Some(folder)) => {
@@ -71,7 +71,7 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
 }
 
 /// The folder that holds all files of a definition, as help.
-fn folder_of_files(base: &Base<'_>, own: &[&MacroLink<'_>]) -> Option<String> {
+fn folder_of_files(base: &Base<'_>, own: &[MacroLink<'_>]) -> Option<String> {
     let targets = base.targets?;
     let first = own.first()?.reference.text;
     let mut folders = targets

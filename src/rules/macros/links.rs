@@ -58,6 +58,13 @@ pub(super) fn has_suffix(text: &str) -> bool {
     text.is_empty() || text.ends_with(".target") || text.ends_with(".gz")
 }
 
+/// The links of one definition among all [`links`].
+pub(super) fn own_links<'l, 's>(all: &'l [MacroLink<'s>], macrodef: &Macrodef) -> &'l [MacroLink<'s>] {
+    let start = all.partition_point(|link| link.macrodef.index < macrodef.index);
+    let count = all.get(start..).unwrap_or_default().partition_point(|link| link.macrodef.index == macrodef.index);
+    all.get(start..start + count).unwrap_or_default()
+}
+
 /// Targets in macro folders that could be read and that nothing names, rightly or wrongly written.
 pub(super) fn unreferenced<'s>(
     view: &'s View<'_>,

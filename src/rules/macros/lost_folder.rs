@@ -1,6 +1,6 @@
 //! Macro definitions whose folder is not given, or holds none of their targets.
 
-use super::links::MacroLink;
+use super::links::{MacroLink, own_links};
 use crate::formats::macro_json::Macrodef;
 use crate::repo::makehuman2::{Base, TargetFolder};
 
@@ -8,9 +8,9 @@ use crate::repo::makehuman2::{Base, TargetFolder};
 pub(super) fn is_lost(base: &Base<'_>, macrodef: &Macrodef, all: &[MacroLink<'_>]) -> bool {
     let (Some(folder), Some(_)) = (&macrodef.effective_folder, &macrodef.folder) else { return true };
     let Some(targets) = base.targets else { return false };
-    let own = || all.iter().filter(|link| link.macrodef.index == macrodef.index);
+    let own = own_links(all, macrodef);
     // A single name that is missing may be a slip of its own; all of several are not.
-    own().all(MacroLink::is_missing) && (own().nth(1).is_some() || !holds_files(targets, folder))
+    own.iter().all(MacroLink::is_missing) && (own.len() > 1 || !holds_files(targets, folder))
 }
 
 /// Whether there is any file in the folder of a definition.

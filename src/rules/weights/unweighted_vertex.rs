@@ -2,9 +2,9 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::{has_unusable_entries, is_empty, readable_own, weigh};
-use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Case, Cases, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::mhw::Weights;
-use crate::repo::{Body, FileFacts};
+use crate::repo::{Body, FileFacts, Unreached};
 
 const USUAL: &str = "assigns the vertex to the root bone: it stays behind when the body is posed";
 
@@ -41,31 +41,34 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             out.push(weigh(own, without_any(own.file, weights)));
             continue;
         }
-        let mut vertices = weights.facts.unweighted();
-        let groups = body.keep_used(&mut vertices);
-        let Some(first) = vertices.first() else { continue };
-        let named: Vec<String> =
-            groups.iter().take(GROUPS_NAMED).map(|(group, count)| format!("{count} in `{group}`")).collect();
-        let named = named.join(", ");
-        let message = match vertices.len() {
-            1 => {
-                let group = groups.keys().next().map(|group| format!(" (in `{group}`)")).unwrap_or_default();
-                format!("vertex {first} has no weight{group}")
-            }
-            count => format!("{count} of {} vertices have no weight ({named})", weights.facts.vertices),
-        };
-        let finding = RULE
-            .at(own.file, Place::pointer(["weights"]), message)
-            .help("paint the vertices for the bones that should move them");
-        let left = room.checked_sub(vertices.len());
+        let Some(unreached) = body.unreached(&weights.facts.sum.reached) else { continue };
+        let left = room.checked_sub(unreached.count);
         room = left.unwrap_or(room);
-        let finding = match left {
-            Some(_) => finding.evidence(Evidence::of_cases(&vertices).out_of(weights.facts.vertices)),
-            None => finding.evidence(Evidence::of_unnamed(&vertices).out_of(weights.facts.vertices)),
-        };
-        let is_seen = groups.keys().any(|group| body.shows(group));
-        out.push(weigh(own, if is_seen { finding } else { finding.at_most(Level::Info) }));
+        let finding = RULE
+            .at(own.file, Place::pointer(["weights"]), message(weights, &unreached))
+            .help("paint the vertices for the bones that should move them")
+            .evidence(evidence(weights, &unreached, left.is_some()));
+        out.push(weigh(own, if unreached.is_shown { finding } else { finding.at_most(Level::Info) }));
     }
+}
+
+fn message(weights: &Weights, unreached: &Unreached<'_>) -> String {
+    let mut groups = unreached.groups();
+    if let (1, Some(vertex), Some((group, _))) = (unreached.count, unreached.vertices().next(), groups.next()) {
+        return format!("vertex {vertex} has no weight (in `{group}`)");
+    }
+    let named: Vec<String> =
+        unreached.groups().take(GROUPS_NAMED).map(|(group, count)| format!("{count} in `{group}`")).collect();
+    let named = named.join(", ");
+    format!("{} of {} vertices have no weight ({named})", unreached.count, weights.facts.vertices)
+}
+
+fn evidence(weights: &Weights, unreached: &Unreached<'_>, are_named: bool) -> Cases {
+    if are_named {
+        return Evidence::of_cases(unreached.vertices()).out_of(weights.facts.vertices);
+    }
+    let examples = Evidence::of_unnamed(unreached.vertices().take(EXAMPLES));
+    Evidence { count: unreached.count as u64, ..examples }.out_of(weights.facts.vertices).into()
 }
 
 /// A file without a single entry, which needs no mesh to be told.
