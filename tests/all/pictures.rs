@@ -154,8 +154,8 @@ fn a_maintainer_writes_a_baseline_and_tests_the_gate() {
     check("maintainer-baseline", &screen.svg());
 
     fs::write(repository.path().join("mhlint.toml"), "baseline = \"mhlint-baseline.json\"\n").unwrap();
-    let head = repository.path().join("data/target/figure/head");
-    fs::rename(head.join("head-oval.target"), head.join("oval.target")).unwrap();
+    let torso = repository.path().join("data/target/figure/torso");
+    fs::rename(torso.join("belly-trans-in.target"), torso.join("belly-in.target")).unwrap();
     let mut screen = Screen::new("maintainer", repository.path());
     screen.run("mhlint data/", 1);
     check("maintainer-gate", &screen.svg());

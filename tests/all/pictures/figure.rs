@@ -21,7 +21,7 @@ type Point = [f64; 3];
 
 /// A drawn mesh: its faces as polygons, and the box around them.
 pub(super) struct Drawing {
-    faces: Vec<(Vec<Point>, u8)>,
+    faces: Vec<(Vec<Point>, f64)>,
 }
 
 impl Drawing {
@@ -30,13 +30,13 @@ impl Drawing {
         let points: Vec<Point> = lines(obj, "v").map(|line| turned(numbers(line).try_into().unwrap())).collect();
         let body = obj.split_once("\ng body\n").unwrap().1;
         let body = body.split_once("\ng ").map_or(body, |(body, _)| body);
-        let mut faces: Vec<(Vec<Point>, u8)> = Vec::new();
+        let mut faces: Vec<(Vec<Point>, f64)> = Vec::new();
         for line in lines(body, "f") {
             let face: Vec<Point> = line.split(' ').skip(1).map(|corner| points[vertex(corner)]).collect();
             let normal = normal(&face);
             if normal[2] > 0.0 {
                 let light = dot(normal, LIGHT).max(0.0);
-                faces.push((face, (85.0 + 160.0 * light).round() as u8));
+                faces.push((face, 85.0 + 160.0 * light));
             }
         }
         faces.sort_by(|one, other| depth(&one.0).total_cmp(&depth(&other.0)));
@@ -52,7 +52,7 @@ impl Drawing {
                 continue;
             }
             let corners: Vec<String> = corners.map(|[x, y]| format!("{x:.1},{y:.1}")).collect();
-            let color = format!("#{grey:02x}{grey:02x}{grey:02x}");
+            let color = format!("rgb({grey:.0},{grey:.0},{grey:.0})");
             writeln!(svg, r#"<polygon points="{}" fill="{color}" stroke="{color}"/>"#, corners.join(" ")).unwrap();
         }
         svg
