@@ -24,6 +24,8 @@ mod hostile;
 mod ignores;
 mod listing;
 mod overlay;
+#[cfg(unix)]
+mod pictures;
 mod reports;
 mod rules;
 mod scratch;
