@@ -222,7 +222,11 @@ pub fn losses(
         }
     }
     let mut found = Vec::new();
-    for (macrodef, (dimensions, (_, start))) in macrodefs.iter().zip(worst).enumerate() {
+    for (macrodef, (dimensions, (lost, start))) in macrodefs.iter().zip(worst).enumerate() {
+        // Nothing to climb along, and nothing lost anywhere.
+        if dimensions.is_empty() && lost <= 0.0 {
+            continue;
+        }
         let climbing = cost.saturating_mul(1 + CLIMBS * POSITIONS as usize * dimensions.len());
         if !budget.take(climbing) {
             continue;
