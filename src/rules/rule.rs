@@ -43,6 +43,13 @@ pub(crate) struct RuleCx<'a> {
     pub(crate) suggestions: Suggestions,
 }
 
+impl Check {
+    /// A rule that checks so.
+    pub(crate) const fn rule(self, info: RuleInfo) -> Rule {
+        Rule { info, check: self }
+    }
+}
+
 impl Rule {
     /// A finding of this rule at `place` of `file`.
     pub(crate) fn at(&self, file: &FileFacts, place: Place, message: impl Into<String>) -> Finding {

@@ -6,30 +6,27 @@ use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::npz::{Archive, ArchiveFault, Member, NpyFault};
 use crate::repo::{FileFacts, View};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "crashes at every start until the archive is deleted by hand")],
-        docs: "`compressedtargets.npz` is the archive of all targets of a folder: a zip of arrays with the fields \
-            `index` and `vector`. If it exists, MakeHuman 2 loads all of it at start.\n\nMakeHuman 2 leaves an \
-            archive of 0 bytes if it could not parse a target while writing it. Fixing the target does not help: the \
-            program crashes with `EOFError` at the empty archive. It also crashes if the file is not a zip, if an \
-            array lacks the two fields, and if an array contains Python objects: those would have to be unpickled, \
-            which can run any code. `mhlint` reads only the header of such an array.\n\nDelete the archive; \
-            MakeHuman 2 rebuilds it. It does not belong in version control.\n\n`base.mhbin` is a base mesh packed by \
-            `compile_meshes.py`: `header`, `grpNames`, `coord`, `uvs`, `overflow`, `groupinfo`, `vertsperface` and \
-            `faceverts`. If it exists, MakeHuman 2 loads it instead of `base.obj`. A file that is not a zip crashes \
-            it with `ValueError` (fops_binary.py:153), one of 0 bytes with `EOFError` (`file-empty`), and members \
-            that do not fit together with `IndexError`. One that lacks a member is rejected. At a position that is \
-            not a copy of any vertex the surface tears (a warning). All else is up to the rules for meshes. Delete \
-            the archive, or rebuild it.",
-        ..RuleInfo::new(
-            "archive-malformed",
-            Level::Error,
-            "an archive of targets or of the base mesh that cannot be loaded",
-        )
-    },
-    check: Check::File(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "crashes at every start until the archive is deleted by hand")],
+    docs: "`compressedtargets.npz` is the archive of all targets of a folder: a zip of arrays with the fields \
+        `index` and `vector`. If it exists, MakeHuman 2 loads all of it at start.\n\nMakeHuman 2 leaves an \
+        archive of 0 bytes if it could not parse a target while writing it. Fixing the target does not help: the \
+        program crashes with `EOFError` at the empty archive. It also crashes if the file is not a zip, if an \
+        array lacks the two fields, and if an array contains Python objects: those would have to be unpickled, \
+        which can run any code. `mhlint` reads only the header of such an array.\n\nDelete the archive; \
+        MakeHuman 2 rebuilds it. It does not belong in version control.\n\n`base.mhbin` is a base mesh packed by \
+        `compile_meshes.py`: `header`, `grpNames`, `coord`, `uvs`, `overflow`, `groupinfo`, `vertsperface` and \
+        `faceverts`. If it exists, MakeHuman 2 loads it instead of `base.obj`. A file that is not a zip crashes \
+        it with `ValueError` (fops_binary.py:153), one of 0 bytes with `EOFError` (`file-empty`), and members \
+        that do not fit together with `IndexError`. One that lacks a member is rejected. At a position that is \
+        not a copy of any vertex the surface tears (a warning). All else is up to the rules for meshes. Delete \
+        the archive, or rebuild it.",
+    ..RuleInfo::new(
+        "archive-malformed",
+        Level::Error,
+        "an archive of targets or of the base mesh that cannot be loaded",
+    )
+});
 
 const EMPTY: Case = &[(
     Application::Makehuman2,

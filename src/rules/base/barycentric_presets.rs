@@ -8,18 +8,15 @@ use crate::repo::makehuman2::{Base, Pattern, View};
 /// Rounding of decimals like 0.33 + 0.33 + 0.34 in double precision is far below this.
 const TOLERANCE: f64 = 1e-6;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "starts with a mixture that the triangle slider cannot produce")],
-        docs: "The three values of a triangle slider are shares and must sum to 1.\n\nMakeHuman 2 does not correct \
-            presets: with 0.33 three times, one hundredth of the shape is missing. The next reset sets 0.33, 0.33 \
-            and 0.34 and so changes the character. Presets count only without a start model (`mhm`), because loading \
-            one resets them; with a start model nothing is reported.\n\nChange the presets so that they sum to 1, \
-            such as 0.33, 0.33 and 0.34.",
-        ..RuleInfo::new("base-barycentric-presets", Level::Warning, "the presets of a triangle slider do not sum to 1")
-    },
-    check: Check::Makehuman2(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "starts with a mixture that the triangle slider cannot produce")],
+    docs: "The three values of a triangle slider are shares and must sum to 1.\n\nMakeHuman 2 does not correct \
+        presets: with 0.33 three times, one hundredth of the shape is missing. The next reset sets 0.33, 0.33 \
+        and 0.34 and so changes the character. Presets count only without a start model (`mhm`), because loading \
+        one resets them; with a start model nothing is reported.\n\nChange the presets so that they sum to 1, \
+        such as 0.33, 0.33 and 0.34.",
+    ..RuleInfo::new("base-barycentric-presets", Level::Warning, "the presets of a triangle slider do not sum to 1")
+});
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, settings)) = base.settings().filter(|_| has_sliders(base)) else { return };

@@ -16,18 +16,15 @@ const JOINTS: &str = "joint-ranges";
 /// What the OBJ puts before the name of a joint.
 const PREFIX: &str = "joint-";
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "moves the wrong vertices, or none, when its scripts align joint cubes")],
-        docs: "`geometry.json` repeats which vertices of the OBJ belong to a part (`geometry-ranges`) and to a joint \
-            cube (`joint-ranges`, named like the group without `joint-`). A range here differs from its \
-            group.\n\nMakeHuman 2 itself never reads the file, but its scripts that align joint cubes move exactly \
-            these vertices of the base `hm08`. No program opens the file of any other base; all its faults are one \
-            finding.\n\nCorrect the name or the range, or remove the file.",
-        ..RuleInfo::new("base-geometry-range", Level::Info, "a range in `geometry.json` differs from the mesh")
-    },
-    check: Check::Makehuman2(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "moves the wrong vertices, or none, when its scripts align joint cubes")],
+    docs: "`geometry.json` repeats which vertices of the OBJ belong to a part (`geometry-ranges`) and to a joint \
+        cube (`joint-ranges`, named like the group without `joint-`). A range here differs from its \
+        group.\n\nMakeHuman 2 itself never reads the file, but its scripts that align joint cubes move exactly \
+        these vertices of the base `hm08`. No program opens the file of any other base; all its faults are one \
+        finding.\n\nCorrect the name or the range, or remove the file.",
+    ..RuleInfo::new("base-geometry-range", Level::Info, "a range in `geometry.json` differs from the mesh")
+});
 
 fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(file) = view.layers.first_existing(&format!("base/{}/geometry.json", base.name)) else { return };

@@ -4,17 +4,14 @@ use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "evaluates the condition but moves the slider every time")],
-        docs: "A condition in `random.rules` keeps a slider from being moved only if its value is exactly `False`, \
-            as a comparison or `not` returns. A number is never `False`, not even 0, and neither is a string. With \
-            such a condition MakeHuman 2 moves the slider whatever the other slider is set to.\n\nWrite a \
-            comparison, such as `x < 0.5`.",
-        ..RuleInfo::new("base-rule-without-effect", Level::Warning, "a condition in `random.rules` is never `False`")
-    },
-    check: Check::Makehuman2(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "evaluates the condition but moves the slider every time")],
+    docs: "A condition in `random.rules` keeps a slider from being moved only if its value is exactly `False`, \
+        as a comparison or `not` returns. A number is never `False`, not even 0, and neither is a string. With \
+        such a condition MakeHuman 2 moves the slider whatever the other slider is set to.\n\nWrite a \
+        comparison, such as `x < 0.5`.",
+    ..RuleInfo::new("base-rule-without-effect", Level::Warning, "a condition in `random.rules` is never `False`")
+});
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, settings)) = base.settings() else { return };

@@ -12,20 +12,17 @@ use crate::formats::base_json::{BaseJson, Random};
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, View};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "ignores the name; the setting has no effect")],
-        docs: "`modifier-presets` and `measure` name sliders by their pattern. `random.gender`, `random.ideal` and \
-            `random.rules` name them by their key. `random.groups` and `head-pattern` name groups of \
-            sliders.\n\nMakeHuman 2 ignores a name that does not exist, mostly without a message; a rule of the \
-            randomizer on an unknown slider always resets its own slider to 0. Errors are those that crash it: an \
-            `age` whose slider has no `display`, a random group with two `|`, and a category that is selected before \
-            one of its own groups. Groups of user targets are not checked, and `none` turns a measure \
-            off.\n\nCorrect the name, or remove it.",
-        ..RuleInfo::new("base-unknown-preset", Level::Warning, "a name in `base.json` that does not exist")
-    },
-    check: Check::Makehuman2(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "ignores the name; the setting has no effect")],
+    docs: "`modifier-presets` and `measure` name sliders by their pattern. `random.gender`, `random.ideal` and \
+        `random.rules` name them by their key. `random.groups` and `head-pattern` name groups of \
+        sliders.\n\nMakeHuman 2 ignores a name that does not exist, mostly without a message; a rule of the \
+        randomizer on an unknown slider always resets its own slider to 0. Errors are those that crash it: an \
+        `age` whose slider has no `display`, a random group with two `|`, and a category that is selected before \
+        one of its own groups. Groups of user targets are not checked, and `none` turns a measure \
+        off.\n\nCorrect the name, or remove it.",
+    ..RuleInfo::new("base-unknown-preset", Level::Warning, "a name in `base.json` that does not exist")
+});
 
 fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, settings)) = base.settings().filter(|_| has_sliders(base)) else { return };

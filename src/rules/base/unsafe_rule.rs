@@ -5,24 +5,21 @@ use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::formats::expression::FaultKind;
 use crate::repo::makehuman2::{Base, View};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        cannot_be_ignored: true,
-        breaks: &[(
-            Application::Makehuman2,
-            "runs it as Python code with the rights of the user when it makes a random character",
-        )],
-        docs: "MakeHuman 2 passes the conditions in `random.rules` to Python's `eval`, with the other slider as `x`. \
-            That can run any program, read and delete files, or never end.\n\nSafe are numbers, `x`, arithmetic, \
-            comparisons, `and`, `or`, `not`, conditional expressions, `round`, `str`, quoted strings and `+` between \
-            them, and powers with a fixed small exponent. Everything else is reported. So is what Python refuses, \
-            because the random character view then crashes, and a division by `x`, which can be 0, unless a \
-            condition before it excludes that. This finding cannot be ignored.\n\nRewrite the condition as a \
-            comparison, such as `0.2 < x < 0.75`.",
-        ..RuleInfo::new("base-unsafe-rule", Level::Error, "`random.rules` contains more than harmless arithmetic")
-    },
-    check: Check::Makehuman2(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    cannot_be_ignored: true,
+    breaks: &[(
+        Application::Makehuman2,
+        "runs it as Python code with the rights of the user when it makes a random character",
+    )],
+    docs: "MakeHuman 2 passes the conditions in `random.rules` to Python's `eval`, with the other slider as `x`. \
+        That can run any program, read and delete files, or never end.\n\nSafe are numbers, `x`, arithmetic, \
+        comparisons, `and`, `or`, `not`, conditional expressions, `round`, `str`, quoted strings and `+` between \
+        them, and powers with a fixed small exponent. Everything else is reported. So is what Python refuses, \
+        because the random character view then crashes, and a division by `x`, which can be 0, unless a \
+        condition before it excludes that. This finding cannot be ignored.\n\nRewrite the condition as a \
+        comparison, such as `0.2 < x < 0.75`.",
+    ..RuleInfo::new("base-unsafe-rule", Level::Error, "`random.rules` contains more than harmless arithmetic")
+});
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, settings)) = base.settings() else { return };

@@ -4,18 +4,15 @@ use super::FIX_FIRST;
 use crate::diag::{Evidence, Finding, Level, Place, RuleInfo, Upkeep};
 use crate::rules::{Check, Rule, RuleCx};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        docs: "The baseline contains findings that no longer occur: they are fixed. If they came back, the baseline \
-            would hide them.\n\nRun again with `--write-baseline`. It removes these entries and keeps those that \
-            this run could not check (with another PATH, `--only` and the like). If no entry at all occurs, the \
-            baseline probably belongs to another repository.\n\nIf there are errors, fix them first. A file that \
-            cannot be read hides the findings in it and in what it names, and all of them would be new once the file \
-            is restored.",
-        ..RuleInfo::new("baseline-stale", Level::Info, "baseline entries that no longer occur")
-    },
-    check: Check::Upkeep(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Upkeep(run).rule(RuleInfo {
+    docs: "The baseline contains findings that no longer occur: they are fixed. If they came back, the baseline \
+        would hide them.\n\nRun again with `--write-baseline`. It removes these entries and keeps those that \
+        this run could not check (with another PATH, `--only` and the like). If no entry at all occurs, the \
+        baseline probably belongs to another repository.\n\nIf there are errors, fix them first. A file that \
+        cannot be read hides the findings in it and in what it names, and all of them would be new once the file \
+        is restored.",
+    ..RuleInfo::new("baseline-stale", Level::Info, "baseline entries that no longer occur")
+});
 
 fn run(upkeep: &Upkeep, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(baseline) = upkeep.baseline.as_ref().filter(|baseline| !baseline.stale.is_empty()) else { return };

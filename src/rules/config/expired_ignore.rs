@@ -4,15 +4,12 @@ use super::{called, on};
 use crate::diag::{Finding, IgnoreState, Level, RuleInfo, Upkeep};
 use crate::rules::{Check, Rule, RuleCx};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        docs: "The last day of an `[[ignore]]`, `until`, is over. The entry no longer applies, so the finding is \
-            reported again. Days are in UTC, and the entry still applies on the day itself.\n\nFix the finding and \
-            remove the entry, or set a later date.",
-        ..RuleInfo::new("config-expired-ignore", Level::Warning, "an `[[ignore]]` whose last day is over")
-    },
-    check: Check::Upkeep(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Upkeep(run).rule(RuleInfo {
+    docs: "The last day of an `[[ignore]]`, `until`, is over. The entry no longer applies, so the finding is \
+        reported again. Days are in UTC, and the entry still applies on the day itself.\n\nFix the finding and \
+        remove the entry, or set a later date.",
+    ..RuleInfo::new("config-expired-ignore", Level::Warning, "an `[[ignore]]` whose last day is over")
+});
 
 fn run(upkeep: &Upkeep, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for ignore in &upkeep.ignores {

@@ -4,16 +4,13 @@ use super::{called, on};
 use crate::diag::{Finding, IgnoreState, Level, RuleInfo, Upkeep};
 use crate::rules::{Check, Rule, RuleCx};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        docs: "An `[[ignore]]` or ignore comment without a reason has no effect: the finding is still reported. \
-            Whoever reads it years later must be able to see whether it still holds.\n\nWrite the reason: `reason = \
-            \"…\"` in the `[[ignore]]` of mhlint.toml, or after the rule in the comment: `# mhlint: ignore RULE \
-            reason`.",
-        ..RuleInfo::new("config-missing-reason", Level::Warning, "an `[[ignore]]` or ignore comment without a reason")
-    },
-    check: Check::Upkeep(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Upkeep(run).rule(RuleInfo {
+    docs: "An `[[ignore]]` or ignore comment without a reason has no effect: the finding is still reported. \
+        Whoever reads it years later must be able to see whether it still holds.\n\nWrite the reason: `reason = \
+        \"…\"` in the `[[ignore]]` of mhlint.toml, or after the rule in the comment: `# mhlint: ignore RULE \
+        reason`.",
+    ..RuleInfo::new("config-missing-reason", Level::Warning, "an `[[ignore]]` or ignore comment without a reason")
+});
 
 fn run(upkeep: &Upkeep, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for ignore in upkeep.ignores.iter().filter(|ignore| ignore.state == IgnoreState::NoReason) {

@@ -4,16 +4,13 @@ use super::{called, on};
 use crate::diag::{Finding, IgnoreState, Level, RuleInfo, Upkeep};
 use crate::rules::{Check, Rule, RuleCx, did_you_mean};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        docs: "A setting of mhlint.toml, or a comment `# mhlint: ignore RULE reason`, names a rule that does not \
-            exist. It has no effect. Rule names never change, so the name is misspelt or belongs to a newer \
-            version.\n\nWrite the name of a rule; `mhlint rules` lists them. A glob such as `macro-*` must match at \
-            least one.",
-        ..RuleInfo::new("config-unknown-rule", Level::Warning, "a setting or ignore for a rule that does not exist")
-    },
-    check: Check::Upkeep(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Upkeep(run).rule(RuleInfo {
+    docs: "A setting of mhlint.toml, or a comment `# mhlint: ignore RULE reason`, names a rule that does not \
+        exist. It has no effect. Rule names never change, so the name is misspelt or belongs to a newer \
+        version.\n\nWrite the name of a rule; `mhlint rules` lists them. A glob such as `macro-*` must match at \
+        least one.",
+    ..RuleInfo::new("config-unknown-rule", Level::Warning, "a setting or ignore for a rule that does not exist")
+});
 
 fn run(upkeep: &Upkeep, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for unknown in &upkeep.unknown {

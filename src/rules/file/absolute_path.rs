@@ -5,17 +5,14 @@ use super::named::causes;
 use crate::diag::{Application, Finding, Level, RuleInfo};
 use crate::repo::{Resolution, View};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "does not find the file on other computers")],
-        docs: "The name begins with `/`, `\\` or a drive letter, so it only fits one computer. On any other, the \
-            file is missing.\n\nWrite the path relative to its folder: targets and icons to the target folder, \
-            weights and skeletons to `rigs/<base>/`, models to `base/<base>/`, textures to the folder of their \
-            material.",
-        ..RuleInfo::new("file-absolute-path", Level::Error, "a reference with an absolute path or a drive letter")
-    },
-    check: Check::Repository(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "does not find the file on other computers")],
+    docs: "The name begins with `/`, `\\` or a drive letter, so it only fits one computer. On any other, the \
+        file is missing.\n\nWrite the path relative to its folder: targets and icons to the target folder, \
+        weights and skeletons to `rigs/<base>/`, models to `base/<base>/`, textures to the folder of their \
+        material.",
+    ..RuleInfo::new("file-absolute-path", Level::Error, "a reference with an absolute path or a drive letter")
+});
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let is_absolute = |resolution| matches!(resolution, Resolution::Absolute);

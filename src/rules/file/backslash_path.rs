@@ -7,18 +7,15 @@ use super::named::{causes, written};
 use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Place, RuleInfo};
 use crate::repo::{Reference, Resolution, View};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        fix: FixKind::Safe,
-        breaks: &[(Application::Makehuman2, "finds the file only on Windows, and never in compressedtargets.npz")],
-        docs: "The path separates folders with `\\`. Windows accepts that, but on Linux and macOS the backslash is \
-            part of the name, and the file is not found. The keys of `compressedtargets.npz` use `/` \
-            everywhere.\n\nThe consequence is that of a missing file, such as a crash when the slider moves or a \
-            rejected skeleton. A file that does not exist with `/` either is not found on any system.\n\nWrite `/`.",
-        ..RuleInfo::new("file-backslash-path", Level::Warning, "a backslash in the path of a file")
-    },
-    check: Check::Repository(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
+    fix: FixKind::Safe,
+    breaks: &[(Application::Makehuman2, "finds the file only on Windows, and never in compressedtargets.npz")],
+    docs: "The path separates folders with `\\`. Windows accepts that, but on Linux and macOS the backslash is \
+        part of the name, and the file is not found. The keys of `compressedtargets.npz` use `/` \
+        everywhere.\n\nThe consequence is that of a missing file, such as a crash when the slider moves or a \
+        rejected skeleton. A file that does not exist with `/` either is not found on any system.\n\nWrite `/`.",
+    ..RuleInfo::new("file-backslash-path", Level::Warning, "a backslash in the path of a file")
+});
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let key = |exists: bool| if exists { "found" } else { "missing" };

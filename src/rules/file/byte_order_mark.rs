@@ -8,20 +8,17 @@ use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Place, Rewr
 use crate::discover::Kind;
 use crate::repo::{FileFacts, View};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        fix: FixKind::Safe,
-        breaks: &[(Application::Makehuman2, "rejects the file, or loses its first line")],
-        docs: "The file begins with a byte order mark: three invisible bytes (EF BB BF) that some editors write \
-            before the text. MakeHuman 2 does not remove them.\n\nPython's JSON reader rejects such a file, so it \
-            counts as missing. In a target the mark becomes part of the first word: if the first line has four \
-            words, even in a comment, MakeHuman 2 crashes at start. In other text formats the first word is not \
-            recognised and its line is lost; if that is a comment, nothing else happens, and the finding is an \
-            info.\n\nSave the file as UTF-8 without a byte order mark.",
-        ..RuleInfo::new("file-byte-order-mark", Level::Error, "a byte order mark at the beginning of a text file")
-    },
-    check: Check::File(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
+    fix: FixKind::Safe,
+    breaks: &[(Application::Makehuman2, "rejects the file, or loses its first line")],
+    docs: "The file begins with a byte order mark: three invisible bytes (EF BB BF) that some editors write \
+        before the text. MakeHuman 2 does not remove them.\n\nPython's JSON reader rejects such a file, so it \
+        counts as missing. In a target the mark becomes part of the first word: if the first line has four \
+        words, even in a comment, MakeHuman 2 crashes at start. In other text formats the first word is not \
+        recognised and its line is lost; if that is a comment, nothing else happens, and the finding is an \
+        info.\n\nSave the file as UTF-8 without a byte order mark.",
+    ..RuleInfo::new("file-byte-order-mark", Level::Error, "a byte order mark at the beginning of a text file")
+});
 
 /// Fields of a line that a target's reader takes for data.
 const ROW_FIELDS: usize = 4;

@@ -6,17 +6,14 @@ use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::repo::View;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "finds only one of them on Windows and macOS, where they cannot coexist")],
-        docs: "Linux keeps `Nose.target` and `nose.target` apart; Windows and macOS do not. If the repository is \
-            checked out or unpacked there, the later file replaces the earlier one, and what refers to the earlier \
-            one gets the wrong content.\n\nOnly names in the same folder are compared. Rename one of them, and \
-            update the references to it.",
-        ..RuleInfo::new("file-case-conflict", Level::Warning, "two names in one folder that differ only in case")
-    },
-    check: Check::Repository(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "finds only one of them on Windows and macOS, where they cannot coexist")],
+    docs: "Linux keeps `Nose.target` and `nose.target` apart; Windows and macOS do not. If the repository is \
+        checked out or unpacked there, the later file replaces the earlier one, and what refers to the earlier \
+        one gets the wrong content.\n\nOnly names in the same folder are compared. Rename one of them, and \
+        update the references to it.",
+    ..RuleInfo::new("file-case-conflict", Level::Warning, "two names in one folder that differ only in case")
+});
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers().checked;

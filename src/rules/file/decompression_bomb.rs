@@ -6,20 +6,17 @@ use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::repo::{FileFacts, View};
 use crate::source::GzipFault;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        cannot_be_ignored: true,
-        breaks: &[(Application::Makehuman2, "unpacks the file without a limit until memory runs out")],
-        docs: "A small packed file can unpack to gigabytes of zeros. Loaders unpack it without asking, and the \
-            computer runs out of memory.\n\nPacked assets shrink three to ten times. `mhlint` stops beyond 512 MiB, \
-            or beyond 200 times the packed size once 16 MiB are passed. For `.npz`, `.mhbin` and `.zip` it adds up \
-            the sizes stated in the archive; arrays in the first two shrink less, so their limit is 32 times the \
-            packed size once 64 KiB are passed.\n\nThis finding cannot be ignored. Do not open the file; ask where \
-            it comes from.",
-        ..RuleInfo::new("file-decompression-bomb", Level::Error, "a packed file that unpacks to an unreasonable size")
-    },
-    check: Check::File(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
+    cannot_be_ignored: true,
+    breaks: &[(Application::Makehuman2, "unpacks the file without a limit until memory runs out")],
+    docs: "A small packed file can unpack to gigabytes of zeros. Loaders unpack it without asking, and the \
+        computer runs out of memory.\n\nPacked assets shrink three to ten times. `mhlint` stops beyond 512 MiB, \
+        or beyond 200 times the packed size once 16 MiB are passed. For `.npz`, `.mhbin` and `.zip` it adds up \
+        the sizes stated in the archive; arrays in the first two shrink less, so their limit is 32 times the \
+        packed size once 64 KiB are passed.\n\nThis finding cannot be ignored. Do not open the file; ask where \
+        it comes from.",
+    ..RuleInfo::new("file-decompression-bomb", Level::Error, "a packed file that unpacks to an unreasonable size")
+});
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(GzipFault::Bomb { packed, unpacked }) = file.gzip_fault else { return };

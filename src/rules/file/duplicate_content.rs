@@ -7,18 +7,15 @@ use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleIn
 use crate::discover::Kind;
 use crate::repo::{FileFacts, ReferenceKind, View};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "loads the same content more than once")],
-        docs: "Several targets have the same displacements, or several pictures or meshes the same bytes. That does \
-            no harm, but takes space, and a change to one is easily forgotten in the others.\n\nTargets are compared \
-            by their numbers, not their comments. Targets that move nothing and files below 200 bytes are left out. \
-            Only files of the same base mesh and category are compared, because others cannot be shared.\n\nUse one \
-            of the files in all references, and remove the others.",
-        ..RuleInfo::new("file-duplicate-content", Level::Info, "several files with the same content")
-    },
-    check: Check::Repository(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "loads the same content more than once")],
+    docs: "Several targets have the same displacements, or several pictures or meshes the same bytes. That does \
+        no harm, but takes space, and a change to one is easily forgotten in the others.\n\nTargets are compared \
+        by their numbers, not their comments. Targets that move nothing and files below 200 bytes are left out. \
+        Only files of the same base mesh and category are compared, because others cannot be shared.\n\nUse one \
+        of the files in all references, and remove the others.",
+    ..RuleInfo::new("file-duplicate-content", Level::Info, "several files with the same content")
+});
 
 /// Smaller files (a dot of an icon, a target of a few rows) are equal by chance.
 const SMALLEST: u64 = 200;

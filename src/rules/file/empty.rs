@@ -8,20 +8,17 @@ use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
 use crate::repo::{FileFacts, Reference, ReferenceKind, View};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "loads nothing from it, or crashes")],
-        docs: "The file has no bytes, or only whitespace and comments. Often a download or an export was \
-            interrupted.\n\nAn empty `.mhskel`, `.mhpose` or `.mhbin` crashes MakeHuman 2 when it scans the assets, \
-            an empty `base.mhbin` when it loads the base, and an empty `compressedtargets.npz` at every start until \
-            it is deleted. An empty JSON counts as missing, even if it contains `{}`, `[]`, `\"\"`, `0`, `false` or \
-            `null`. (Overrides in `contarget/` are reported by `overlay-broken-override`.) A target without a row \
-            loads and moves nothing; if a macro uses it, `macro-empty-target` reports it instead.\n\nRestore the \
-            content, or remove the file and all references to it.",
-        ..RuleInfo::new("file-empty", Level::Warning, "an empty file that needs content")
-    },
-    check: Check::File(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "loads nothing from it, or crashes")],
+    docs: "The file has no bytes, or only whitespace and comments. Often a download or an export was \
+        interrupted.\n\nAn empty `.mhskel`, `.mhpose` or `.mhbin` crashes MakeHuman 2 when it scans the assets, \
+        an empty `base.mhbin` when it loads the base, and an empty `compressedtargets.npz` at every start until \
+        it is deleted. An empty JSON counts as missing, even if it contains `{}`, `[]`, `\"\"`, `0`, `false` or \
+        `null`. (Overrides in `contarget/` are reported by `overlay-broken-override`.) A target without a row \
+        loads and moves nothing; if a macro uses it, `macro-empty-target` reports it instead.\n\nRestore the \
+        content, or remove the file and all references to it.",
+    ..RuleInfo::new("file-empty", Level::Warning, "an empty file that needs content")
+});
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(what) = emptiness(file).or_else(|| counts_as_missing(view, file)) else { return };

@@ -6,24 +6,21 @@ use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::repo::{FileFacts, View};
 use crate::source::GzipFault;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[
-            (Application::Makehuman2, "never reads packed targets"),
-            (Application::Mpfb, "fails with an exception when it unpacks the target"),
-        ],
-        docs: "A `.gz` file ends with a checksum. If a broken download or a full disk cut it off, a transfer in text \
-            mode changed it, or something follows its end, its content is lost or no longer certain.\n\nMPFB fails \
-            with an exception. MakeHuman 2 reads only plain targets and never opens a packed one; in its data folder \
-            the finding is an info.\n\nPack the file again from its source.",
-        ..RuleInfo::new(
-            "file-gzip-corrupt",
-            Level::Error,
-            "a packed file that is truncated, damaged or followed by garbage",
-        )
-    },
-    check: Check::File(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
+    breaks: &[
+        (Application::Makehuman2, "never reads packed targets"),
+        (Application::Mpfb, "fails with an exception when it unpacks the target"),
+    ],
+    docs: "A `.gz` file ends with a checksum. If a broken download or a full disk cut it off, a transfer in text \
+        mode changed it, or something follows its end, its content is lost or no longer certain.\n\nMPFB fails \
+        with an exception. MakeHuman 2 reads only plain targets and never opens a packed one; in its data folder \
+        the finding is an info.\n\nPack the file again from its source.",
+    ..RuleInfo::new(
+        "file-gzip-corrupt",
+        Level::Error,
+        "a packed file that is truncated, damaged or followed by garbage",
+    )
+});
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let message = match &file.gzip_fault {

@@ -6,24 +6,18 @@ use crate::diag::{Application, Finding, Level, RuleInfo};
 use crate::discover::Kind;
 use crate::repo::View;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "cannot open it, so its content is missing or the program crashes at start",
-        )],
-        docs: "A file has the name of a folder that an application looks into, or a folder has the name of a file \
-            that it opens.\n\nMakeHuman 2 crashes at start where it lists or fills such a folder, and treats a JSON \
-            that is a folder as missing. If the user's `target/<base>` is a file, it rejects the base mesh (\"File \
-            exists instead of folder\").\n\nRemove or rename it.",
-        ..RuleInfo::new(
-            "file-in-place-of-folder",
-            Level::Error,
-            "a file instead of a folder, or a folder instead of a file",
-        )
-    },
-    check: Check::Repository(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "cannot open it, so its content is missing or the program crashes at start")],
+    docs: "A file has the name of a folder that an application looks into, or a folder has the name of a file \
+        that it opens.\n\nMakeHuman 2 crashes at start where it lists or fills such a folder, and treats a JSON \
+        that is a folder as missing. If the user's `target/<base>` is a file, it rejects the base mesh (\"File \
+        exists instead of folder\").\n\nRemove or rename it.",
+    ..RuleInfo::new(
+        "file-in-place-of-folder",
+        Level::Error,
+        "a file instead of a folder, or a folder instead of a file",
+    )
+});
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers().checked;

@@ -9,21 +9,18 @@ use crate::discover::Kind;
 use crate::repo::{FileFacts, View, parent};
 use crate::source::is_below;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "reads the pointer instead of the content: JSON is rejected, targets move nothing, pictures are not shown",
-        )],
-        docs: "Git LFS keeps large files elsewhere and leaves a small text in their place, the pointer, until the \
-            content is fetched. Without it the asset is missing, although a file of its name exists.\n\nOne finding \
-            counts the pointers of a data root, folder by folder. It is an error if some of the files must be parsed \
-            (JSON, targets, meshes, weights, skeletons), and a warning for pictures and the rest. Nothing else is \
-            reported for these files.\n\nRun `git lfs pull`, or switch on LFS for the checkout of a CI job.",
-        ..RuleInfo::new("file-lfs-pointer", Level::Warning, "a Git LFS pointer instead of the content")
-    },
-    check: Check::Repository(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
+    breaks: &[(
+        Application::Makehuman2,
+        "reads the pointer instead of the content: JSON is rejected, targets move nothing, pictures are not shown",
+    )],
+    docs: "Git LFS keeps large files elsewhere and leaves a small text in their place, the pointer, until the \
+        content is fetched. Without it the asset is missing, although a file of its name exists.\n\nOne finding \
+        counts the pointers of a data root, folder by folder. It is an error if some of the files must be parsed \
+        (JSON, targets, meshes, weights, skeletons), and a warning for pictures and the rest. Nothing else is \
+        reported for these files.\n\nRun `git lfs pull`, or switch on LFS for the checkout of a CI job.",
+    ..RuleInfo::new("file-lfs-pointer", Level::Warning, "a Git LFS pointer instead of the content")
+});
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers().checked;

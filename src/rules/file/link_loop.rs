@@ -5,21 +5,14 @@ use crate::diag::{Application, Case, Finding, Level, RuleInfo};
 use crate::repo::View;
 use crate::source::{WalkFault, WalkFaultKind};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "lists the same files over and over, or fails to open the link")],
-        docs: "A symbolic link points to a folder above it, or to a link that points back. A program that lists the \
-            folder finds the same files under longer and longer names until the system stops it.\n\nIn its target \
-            folders MakeHuman 2 follows no links to folders, so such a link has no effect there (an info). `mhlint` \
-            does not follow the loop either.\n\nRemove the link.",
-        ..RuleInfo::new(
-            "file-link-loop",
-            Level::Error,
-            "a symbolic link that leads back to itself or a folder above it",
-        )
-    },
-    check: Check::Repository(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "lists the same files over and over, or fails to open the link")],
+    docs: "A symbolic link points to a folder above it, or to a link that points back. A program that lists the \
+        folder finds the same files under longer and longer names until the system stops it.\n\nIn its target \
+        folders MakeHuman 2 follows no links to folders, so such a link has no effect there (an info). `mhlint` \
+        does not follow the loop either.\n\nRemove the link.",
+    ..RuleInfo::new("file-link-loop", Level::Error, "a symbolic link that leads back to itself or a folder above it")
+});
 
 /// Targets are looked for without following links to folders.
 const NOT_FOLLOWED: Case =

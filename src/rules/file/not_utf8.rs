@@ -9,19 +9,16 @@ use crate::discover::Kind;
 use crate::repo::{FileFacts, View};
 use crate::source::Guess;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "crashes with `UnicodeDecodeError`")],
-        docs: "MakeHuman 2 reads JSON, targets, meshes and BVH as strict UTF-8. One letter in Latin-1 or a Windows \
-            code page, even in a comment, or a file saved as UTF-16 crashes it with `UnicodeDecodeError`: at start \
-            for everything that is loaded or scanned then, otherwise when the asset is used.\n\nThe loaders of \
-            clothes, materials and models drop invalid bytes. But the asset scan at start reads `.mhclo`, `.proxy`, \
-            `.mhm` and `.meta` strictly and crashes as well. Only materials and files that the scan does not reach \
-            merely lose the letters.\n\nOpen the file in an editor, and save it as UTF-8 without a byte order mark.",
-        ..RuleInfo::new("file-not-utf8", Level::Error, "a text file that is not UTF-8")
-    },
-    check: Check::File(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "crashes with `UnicodeDecodeError`")],
+    docs: "MakeHuman 2 reads JSON, targets, meshes and BVH as strict UTF-8. One letter in Latin-1 or a Windows \
+        code page, even in a comment, or a file saved as UTF-16 crashes it with `UnicodeDecodeError`: at start \
+        for everything that is loaded or scanned then, otherwise when the asset is used.\n\nThe loaders of \
+        clothes, materials and models drop invalid bytes. But the asset scan at start reads `.mhclo`, `.proxy`, \
+        `.mhm` and `.meta` strictly and crashes as well. Only materials and files that the scan does not reach \
+        merely lose the letters.\n\nOpen the file in an editor, and save it as UTF-8 without a byte order mark.",
+    ..RuleInfo::new("file-not-utf8", Level::Error, "a text file that is not UTF-8")
+});
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(at) = file.encoding.invalid_utf8_at.filter(|_| file.kind.is_text() && !is_unmet(view, file)) else {

@@ -6,36 +6,29 @@ use crate::discover::Kind;
 use crate::repo::{FileFacts, View};
 use crate::source::ReadFault;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "loads it slowly and uses a lot of memory")],
-        options: &[
-            OptionInfo {
-                name: "json",
-                default: 8.0,
-                docs: "largest JSON, skeleton or weights file in MB (1,000,000 bytes)",
-            },
-            OptionInfo {
-                name: "target",
-                default: 4.0,
-                docs: "largest target in MB; all 19158 vertices of hm08 need 0.6",
-            },
-            OptionInfo { name: "mesh", default: 32.0, docs: "largest mesh (.obj, base.mhbin) in MB; hm08 has 2" },
-            OptionInfo {
-                name: "picture",
-                default: 32.0,
-                docs: "largest picture in MB; 4096 by 4096 pixels need up to 64 unpacked",
-            },
-            OptionInfo { name: "other", default: 256.0, docs: "largest file of any other kind in MB" },
-        ],
-        docs: "The file is much larger than usual for its kind. Often a picture was saved without compression, a \
-            mesh was exported with subdivision, or something was added to the repository by accident. All users \
-            download and load it.\n\nThe limits are options of this rule, one for each kind, in MB. A file of more \
-            than 512 MiB is not read, so nothing else is reported for it.",
-        ..RuleInfo::new("file-too-large", Level::Warning, "a file that is unusually large for its kind")
-    },
-    check: Check::File(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "loads it slowly and uses a lot of memory")],
+    options: &[
+        OptionInfo {
+            name: "json",
+            default: 8.0,
+            docs: "largest JSON, skeleton or weights file in MB (1,000,000 bytes)",
+        },
+        OptionInfo { name: "target", default: 4.0, docs: "largest target in MB; all 19158 vertices of hm08 need 0.6" },
+        OptionInfo { name: "mesh", default: 32.0, docs: "largest mesh (.obj, base.mhbin) in MB; hm08 has 2" },
+        OptionInfo {
+            name: "picture",
+            default: 32.0,
+            docs: "largest picture in MB; 4096 by 4096 pixels need up to 64 unpacked",
+        },
+        OptionInfo { name: "other", default: 256.0, docs: "largest file of any other kind in MB" },
+    ],
+    docs: "The file is much larger than usual for its kind. Often a picture was saved without compression, a \
+        mesh was exported with subdivision, or something was added to the repository by accident. All users \
+        download and load it.\n\nThe limits are options of this rule, one for each kind, in MB. A file of more \
+        than 512 MiB is not read, so nothing else is reported for it.",
+    ..RuleInfo::new("file-too-large", Level::Warning, "a file that is unusually large for its kind")
+});
 
 /// Bytes in a MB.
 const MB: f64 = 1e6;

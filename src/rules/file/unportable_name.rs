@@ -6,22 +6,19 @@ use crate::diag::{Application, Finding, Level, RuleInfo};
 use crate::repo::{Resolution, View};
 use crate::source::is_below;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "does not find it on Windows, where it cannot be unpacked or checked out; elsewhere its name may change",
-        )],
-        docs: "Windows reserves the names `CON`, `PRN`, `AUX`, `NUL`, `COM1` to `COM9` and `LPT1` to `LPT9`, with \
-            any extension, and the characters `< > : \" | ? * \\`. It removes a dot or space at the end.\n\nControl \
-            characters and names that are not valid Unicode cannot be written in JSON or in an asset's text. A name \
-            with separate accent marks looks like the name with whole letters, but is a different one: macOS writes \
-            the first and keyboards the second, so references to the file may not find it.\n\nRename the file with \
-            plain letters, and update the references to it.",
-        ..RuleInfo::new("file-unportable-name", Level::Warning, "a name that not every system supports")
-    },
-    check: Check::Repository(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
+    breaks: &[(
+        Application::Makehuman2,
+        "does not find it on Windows, where it cannot be unpacked or checked out; elsewhere its name may change",
+    )],
+    docs: "Windows reserves the names `CON`, `PRN`, `AUX`, `NUL`, `COM1` to `COM9` and `LPT1` to `LPT9`, with \
+        any extension, and the characters `< > : \" | ? * \\`. It removes a dot or space at the end.\n\nControl \
+        characters and names that are not valid Unicode cannot be written in JSON or in an asset's text. A name \
+        with separate accent marks looks like the name with whole letters, but is a different one: macOS writes \
+        the first and keyboards the second, so references to the file may not find it.\n\nRename the file with \
+        plain letters, and update the references to it.",
+    ..RuleInfo::new("file-unportable-name", Level::Warning, "a name that not every system supports")
+});
 
 const RESERVED: [&str; 4] = ["con", "prn", "aux", "nul"];
 const RESERVED_WITH_NUMBER: [&str; 2] = ["com", "lpt"];

@@ -9,19 +9,16 @@ use crate::discover::{Kind, Layout, extension};
 use crate::repo::makehuman2::{Base, View};
 use crate::repo::{FileFacts, Reference, ReferenceKind, Resolution};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "never opens it")],
-        docs: "Nothing in the repository refers to the file, and no loader opens a file with its name. It does no \
-            harm, but is often the sign of a mistake: an icon whose slider has a different name, a target packed as \
-            `.target.gz` (MakeHuman 2 reads only plain targets), an extension in capitals, a backup copy.\n\nThe \
-            rule checks the icons of targets and the folders `target`, `contarget`, `rigs` and `base` of each base \
-            mesh. Notes and licences are left out. Targets and weights have their own rules.\n\nRename the file, \
-            refer to it, or remove it.",
-        ..RuleInfo::new("file-unreferenced", Level::Info, "a file that nothing refers to and no loader opens")
-    },
-    check: Check::Makehuman2(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "never opens it")],
+    docs: "Nothing in the repository refers to the file, and no loader opens a file with its name. It does no \
+        harm, but is often the sign of a mistake: an icon whose slider has a different name, a target packed as \
+        `.target.gz` (MakeHuman 2 reads only plain targets), an extension in capitals, a backup copy.\n\nThe \
+        rule checks the icons of targets and the folders `target`, `contarget`, `rigs` and `base` of each base \
+        mesh. Notes and licences are left out. Targets and weights have their own rules.\n\nRename the file, \
+        refer to it, or remove it.",
+    ..RuleInfo::new("file-unreferenced", Level::Info, "a file that nothing refers to and no loader opens")
+});
 
 /// Folders with one for each base mesh in them of which it is known what the loaders open.
 const FOLDERS: [&str; 4] = ["target", "contarget", "rigs", "base"];

@@ -8,17 +8,14 @@ use crate::diag::{Application, Finding, Level, Place, RuleInfo, steps, structura
 use crate::json::Duplicate;
 use crate::repo::{FileFacts, View};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "silently keeps only the last value")],
-        docs: "JSON allows the same key twice in one object, but Python keeps only the last value. Whatever stood \
-            under the key before is lost: a slider, a bone, a macro component.\n\nMostly an entry was copied and its \
-            key not changed. Give one of the two another key, or remove the wrong one. If both values are equal \
-            nothing is lost, and the finding is an info.",
-        ..RuleInfo::new("json-duplicate-key", Level::Warning, "a key that appears more than once in an object")
-    },
-    check: Check::File(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "silently keeps only the last value")],
+    docs: "JSON allows the same key twice in one object, but Python keeps only the last value. Whatever stood \
+        under the key before is lost: a slider, a bone, a macro component.\n\nMostly an entry was copied and its \
+        key not changed. Give one of the two another key, or remove the wrong one. If both values are equal \
+        nothing is lost, and the finding is an info.",
+    ..RuleInfo::new("json-duplicate-key", Level::Warning, "a key that appears more than once in an object")
+});
 
 fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let mut by_member: BTreeMap<&str, Vec<&Duplicate>> = BTreeMap::new();

@@ -12,21 +12,18 @@ use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleIn
 use crate::json::{SchemaFault, UnknownKey};
 use crate::repo::{FileFacts, View};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "does not check the value and crashes where it uses it, mostly with `TypeError` or `KeyError` at start",
-        )],
-        docs: "Each format has a JSON Schema that says which keys an object needs and what their values are. `mhlint \
-            schema NAME` prints it, and editors can use it for completion and checks.\n\nMakeHuman 2 checks almost \
-            nothing when it reads a JSON. A string instead of a number, or a missing key, crashes it wherever the \
-            value is used first, often at start. In a few places it silently skips the entry instead; that is a \
-            warning.\n\nWrite the value as the schema requires.",
-        ..RuleInfo::new("json-schema", Level::Error, "a value that does not match the schema of its format")
-    },
-    check: Check::File(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
+    breaks: &[(
+        Application::Makehuman2,
+        "does not check the value and crashes where it uses it, mostly with `TypeError` or `KeyError` at start",
+    )],
+    docs: "Each format has a JSON Schema that says which keys an object needs and what their values are. `mhlint \
+        schema NAME` prints it, and editors can use it for completion and checks.\n\nMakeHuman 2 checks almost \
+        nothing when it reads a JSON. A string instead of a number, or a missing key, crashes it wherever the \
+        value is used first, often at start. In a few places it silently skips the entry instead; that is a \
+        warning.\n\nWrite the value as the schema requires.",
+    ..RuleInfo::new("json-schema", Level::Error, "a value that does not match the schema of its format")
+});
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if is_ignored_override(file) || counts_as_missing(file) {

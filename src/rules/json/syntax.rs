@@ -10,22 +10,19 @@ use crate::formats::json_file::JsonFault;
 use crate::json::{SyntaxFault, SyntaxKind};
 use crate::repo::{FileFacts, View};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "treats the file as missing, or crashes at start if it is an asset")],
-        docs: "The file is not valid JSON. JSON is strict: keys and strings in double quotes, a comma between two \
-            members and none after the last, no comments, no text after the end.\n\nPython, in which all \
-            applications are written, is just as strict, except that it reads `NaN`, `Infinity` and `-Infinity` as \
-            numbers. JSON does not have these, and other tools refuse them. Such a file loads, so that is a \
-            warning.\n\nWhat a fault costs depends on the file. MakeHuman 2 treats a broken macro.json, \
-            modelling.json or target_cat.json as missing, with only a line in its log. It does not load a base whose \
-            base.json is broken. A broken skeleton or pose crashes it at start, because it reads all assets then. \
-            Broken overrides in `contarget/` are reported by `overlay-broken-override`.\n\nFix the text at the place \
-            shown; the cause may be just before it.",
-        ..RuleInfo::new("json-syntax", Level::Error, "a file that is not valid JSON")
-    },
-    check: Check::File(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "treats the file as missing, or crashes at start if it is an asset")],
+    docs: "The file is not valid JSON. JSON is strict: keys and strings in double quotes, a comma between two \
+        members and none after the last, no comments, no text after the end.\n\nPython, in which all \
+        applications are written, is just as strict, except that it reads `NaN`, `Infinity` and `-Infinity` as \
+        numbers. JSON does not have these, and other tools refuse them. Such a file loads, so that is a \
+        warning.\n\nWhat a fault costs depends on the file. MakeHuman 2 treats a broken macro.json, \
+        modelling.json or target_cat.json as missing, with only a line in its log. It does not load a base whose \
+        base.json is broken. A broken skeleton or pose crashes it at start, because it reads all assets then. \
+        Broken overrides in `contarget/` are reported by `overlay-broken-override`.\n\nFix the text at the place \
+        shown; the cause may be just before it.",
+    ..RuleInfo::new("json-syntax", Level::Error, "a file that is not valid JSON")
+});
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if is_ignored_override(file) {

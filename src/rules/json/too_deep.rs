@@ -8,20 +8,17 @@ use crate::formats::json_file::JsonFault;
 use crate::json::SyntaxKind;
 use crate::repo::{FileFacts, View};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "crashes with `RecursionError` if the nesting exceeds Python's limit of about 1000 levels",
-        )],
-        docs: "The file is nested deeper than 990 levels. No MakeHuman format needs more than ten: the file is \
-            damaged, or made to crash its readers.\n\n`mhlint` stops reading there, so nothing else is reported for \
-            the file. Python's reader gives up at about 1000 levels with an exception that crashes MakeHuman \
-            2.\n\nReplace the file.",
-        ..RuleInfo::new("json-too-deep", Level::Error, "a JSON that is nested too deeply")
-    },
-    check: Check::File(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
+    breaks: &[(
+        Application::Makehuman2,
+        "crashes with `RecursionError` if the nesting exceeds Python's limit of about 1000 levels",
+    )],
+    docs: "The file is nested deeper than 990 levels. No MakeHuman format needs more than ten: the file is \
+        damaged, or made to crash its readers.\n\n`mhlint` stops reading there, so nothing else is reported for \
+        the file. Python's reader gives up at about 1000 levels with an exception that crashes MakeHuman \
+        2.\n\nReplace the file.",
+    ..RuleInfo::new("json-too-deep", Level::Error, "a JSON that is nested too deeply")
+});
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Content::Broken(JsonFault::Syntax(fault)) = &*file.content else { return };

@@ -7,22 +7,19 @@ use crate::diag::{Application, Confidence, Evidence, Finding, Level, Place, Rule
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, View};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "applies the target of a different value to this combination")],
-        docs: "`t` spells a different value of a component than `name`, and an unused file in the same folder spells \
-            the right one. The entry was probably copied and not finished. Combinations may share a target, so `t` \
-            need not spell all values of the name; a `t` that only leaves values out is not reported.\n\nMakeHuman 2 \
-            applies the file that `t` names: the combination has the shape of another value.\n\nName the file that \
-            fits in `t`.",
-        ..RuleInfo::new(
-            "macro-alias-suspect",
-            Level::Warning,
-            "`t` spells a different value than `name`, and a file that fits better is unused",
-        )
-    },
-    check: Check::Makehuman2(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "applies the target of a different value to this combination")],
+    docs: "`t` spells a different value of a component than `name`, and an unused file in the same folder spells \
+        the right one. The entry was probably copied and not finished. Combinations may share a target, so `t` \
+        need not spell all values of the name; a `t` that only leaves values out is not reported.\n\nMakeHuman 2 \
+        applies the file that `t` names: the combination has the shape of another value.\n\nName the file that \
+        fits in `t`.",
+    ..RuleInfo::new(
+        "macro-alias-suspect",
+        Level::Warning,
+        "`t` spells a different value than `name`, and a file that fits better is unused",
+    )
+});
 
 fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, _)) = base.macro_file() else { return };

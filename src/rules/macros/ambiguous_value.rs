@@ -7,25 +7,19 @@ use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 use std::collections::BTreeSet;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "applies the target of an ambiguous name to every combination with that name",
-        )],
-        docs: "The name of a combination is its values joined by `-`. A value that contains a dash makes the names \
-            hard to read, and two combinations can have the same name: `a` + `b-c` and `a-b` + `c`.\n\nMakeHuman 2 \
-            only compares whole names. While every listed name has one meaning, nothing goes wrong (an info). The \
-            target of a name with two meanings is applied to both combinations (a warning).\n\nUse another character \
-            inside values.",
-        ..RuleInfo::new(
-            "macro-ambiguous-value",
-            Level::Warning,
-            "a value contains a dash, or two combinations have the same name",
-        )
-    },
-    check: Check::Makehuman2(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "applies the target of an ambiguous name to every combination with that name")],
+    docs: "The name of a combination is its values joined by `-`. A value that contains a dash makes the names \
+        hard to read, and two combinations can have the same name: `a` + `b-c` and `a-b` + `c`.\n\nMakeHuman 2 \
+        only compares whole names. While every listed name has one meaning, nothing goes wrong (an info). The \
+        target of a name with two meanings is applied to both combinations (a warning).\n\nUse another character \
+        inside values.",
+    ..RuleInfo::new(
+        "macro-ambiguous-value",
+        Level::Warning,
+        "a value contains a dash, or two combinations have the same name",
+    )
+});
 
 const HELP: &str = "remove every `-` from the value, in the component and in the names that contain it";
 

@@ -7,26 +7,23 @@ use super::component::{sound_components, weigh};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, BoundSlider, Pattern, View};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "crashes with `TypeError` if an entry of `sum` leads to a plain slider; in another order, values get the \
-             weights of other corners",
-        )],
-        docs: "`sum` of a component and `barycentric` of its triangle slider do not list the same corners in the same \
-            order. `sum` assigns the corners to the values of the component.\n\nMakeHuman 2 finds the slider by the \
-            name of an entry in `sum`, but takes the weight by the position of the entry. In another order, the \
-            values silently get the weights of other corners (a warning). An entry that leads to a plain slider has \
-            no weights, and MakeHuman 2 crashes (an error).\n\nList the corners in the same order in both files.",
-        ..RuleInfo::new(
-            "macro-barycentric-mismatch",
-            Level::Error,
-            "`sum` of a component and `barycentric` of its slider differ",
-        )
-    },
-    check: Check::Makehuman2(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(
+        Application::Makehuman2,
+        "crashes with `TypeError` if an entry of `sum` leads to a plain slider; in another order, values get the \
+         weights of other corners",
+    )],
+    docs: "`sum` of a component and `barycentric` of its triangle slider do not list the same corners in the same \
+        order. `sum` assigns the corners to the values of the component.\n\nMakeHuman 2 finds the slider by the \
+        name of an entry in `sum`, but takes the weight by the position of the entry. In another order, the \
+        values silently get the weights of other corners (a warning). An entry that leads to a plain slider has \
+        no weights, and MakeHuman 2 crashes (an error).\n\nList the corners in the same order in both files.",
+    ..RuleInfo::new(
+        "macro-barycentric-mismatch",
+        Level::Error,
+        "`sum` of a component and `barycentric` of its slider differ",
+    )
+});
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };

@@ -6,18 +6,15 @@ use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Place, Rule
 use crate::repo::makehuman2::{Base, View};
 use std::collections::BTreeMap;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        fix: FixKind::Unsafe,
-        breaks: &[(Application::Makehuman2, "uses the last entry; the target of an earlier one is never applied")],
-        docs: "A macrodef lists the same combination more than once. The entries of all macrodefs form one table from \
-            names to files.\n\nMakeHuman 2 silently uses the last entry of a name. If the entries name different \
-            files, the earlier file is loaded but never used (an error). If the entries are equal, nothing goes \
-            wrong (an info).\n\nKeep one of the entries.",
-        ..RuleInfo::new("macro-duplicate-combination", Level::Error, "a macrodef lists a combination more than once")
-    },
-    check: Check::Makehuman2(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    fix: FixKind::Unsafe,
+    breaks: &[(Application::Makehuman2, "uses the last entry; the target of an earlier one is never applied")],
+    docs: "A macrodef lists the same combination more than once. The entries of all macrodefs form one table from \
+        names to files.\n\nMakeHuman 2 silently uses the last entry of a name. If the entries name different \
+        files, the earlier file is loaded but never used (an error). If the entries are equal, nothing goes \
+        wrong (an info).\n\nKeep one of the entries.",
+    ..RuleInfo::new("macro-duplicate-combination", Level::Error, "a macrodef lists a combination more than once")
+});
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };

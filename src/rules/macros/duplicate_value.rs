@@ -6,20 +6,17 @@ use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 use std::collections::BTreeSet;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "uses the same combinations at both slider positions, so that one of the two shapes can never be reached",
-        )],
-        docs: "A component has the same value twice. Combinations are told apart only by the names of their \
-            values.\n\nMakeHuman 2 does not check this. Two slider positions with the same value use the same \
-            targets, and a shape that was meant for one of them can never be reached. Nothing crashes, so this is a \
-            warning.\n\nGive each value its own name; several names may still use the same file.",
-        ..RuleInfo::new("macro-duplicate-value", Level::Warning, "a component has a value twice")
-    },
-    check: Check::Makehuman2(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(
+        Application::Makehuman2,
+        "uses the same combinations at both slider positions, so that one of the two shapes can never be reached",
+    )],
+    docs: "A component has the same value twice. Combinations are told apart only by the names of their \
+        values.\n\nMakeHuman 2 does not check this. Two slider positions with the same value use the same \
+        targets, and a shape that was meant for one of them can never be reached. Nothing crashes, so this is a \
+        warning.\n\nGive each value its own name; several names may still use the same file.",
+    ..RuleInfo::new("macro-duplicate-value", Level::Warning, "a component has a value twice")
+});
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };

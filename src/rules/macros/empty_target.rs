@@ -9,19 +9,16 @@ use crate::repo::makehuman2::{Base, View};
 use crate::repo::{FileFacts, Reference, ReferenceKind};
 use std::collections::BTreeMap;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        fix: FixKind::Unsafe,
-        breaks: &[(Application::Makehuman2, "loads and applies a target that moves nothing")],
-        docs: "A combination uses a target without rows, or with zeros only. It does the same as `null`, which shows \
-            that the combination is meant to change nothing.\n\nMakeHuman 2 loads and applies the file without a \
-            message. If a shape is expected here, this is the wrong file. A slider that uses the same file does \
-            nothing either, and needs the file (a warning).\n\nWrite `null` and remove the file, or save the \
-            intended shape in it.",
-        ..RuleInfo::new("macro-empty-target", Level::Info, "a combination uses a target that moves nothing")
-    },
-    check: Check::Makehuman2(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    fix: FixKind::Unsafe,
+    breaks: &[(Application::Makehuman2, "loads and applies a target that moves nothing")],
+    docs: "A combination uses a target without rows, or with zeros only. It does the same as `null`, which shows \
+        that the combination is meant to change nothing.\n\nMakeHuman 2 loads and applies the file without a \
+        message. If a shape is expected here, this is the wrong file. A slider that uses the same file does \
+        nothing either, and needs the file (a warning).\n\nWrite `null` and remove the file, or save the \
+        intended shape in it.",
+    ..RuleInfo::new("macro-empty-target", Level::Info, "a combination uses a target that moves nothing")
+});
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, _)) = base.macro_file() else { return };

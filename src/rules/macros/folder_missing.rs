@@ -7,22 +7,19 @@ use super::lost_folder::{holds_files, is_lost};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "uses the folder of the previous macrodef, or crashes at start in the first one; a missing target crashes \
-             it with `AttributeError` as soon as its combination has weight",
-        )],
-        docs: "A macrodef has no `folder`, or one without its targets. `folder` is the folder of the targets, below \
-            the target folder of the base mesh.\n\nWithout `folder`, MakeHuman 2 uses the folder of the previous \
-            macrodef; in the first macrodef, it crashes at start with `UnboundLocalError`. If all targets happen to \
-            be in the previous folder, it works (an info). If the folder does not exist, every target of the \
-            macrodef is missing.\n\nWrite the name of the folder.",
-        ..RuleInfo::new("macro-folder-missing", Level::Error, "`folder` of a macrodef is missing, or does not exist")
-    },
-    check: Check::Makehuman2(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(
+        Application::Makehuman2,
+        "uses the folder of the previous macrodef, or crashes at start in the first one; a missing target crashes \
+         it with `AttributeError` as soon as its combination has weight",
+    )],
+    docs: "A macrodef has no `folder`, or one without its targets. `folder` is the folder of the targets, below \
+        the target folder of the base mesh.\n\nWithout `folder`, MakeHuman 2 uses the folder of the previous \
+        macrodef; in the first macrodef, it crashes at start with `UnboundLocalError`. If all targets happen to \
+        be in the previous folder, it works (an info). If the folder does not exist, every target of the \
+        macrodef is missing.\n\nWrite the name of the folder.",
+    ..RuleInfo::new("macro-folder-missing", Level::Error, "`folder` of a macrodef is missing, or does not exist")
+});
 
 fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };

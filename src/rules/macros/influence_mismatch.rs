@@ -11,25 +11,22 @@ use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, BoundSlider, Pattern, View};
 use std::collections::{BTreeMap, BTreeSet};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "is not affected: it evaluates all macrodefs and only checks whether the list is empty",
-        )],
-        docs: "`macro_influence` of a macro slider should list the macrodefs that read the slider, counted from 0, \
-            but lists others.\n\nMakeHuman 2 always evaluates all macrodefs and only checks whether the list is \
-            empty. A wrong list is therefore harmless, but it misleads readers and other programs (an info). A macro \
-            slider that no component of `macro.json` reads moves nothing (a warning).\n\nList the macrodefs whose \
-            components read the pattern of the slider.",
-        ..RuleInfo::new(
-            "macro-influence-mismatch",
-            Level::Info,
-            "`macro_influence` differs from the macrodefs that read the slider",
-        )
-    },
-    check: Check::Makehuman2(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(
+        Application::Makehuman2,
+        "is not affected: it evaluates all macrodefs and only checks whether the list is empty",
+    )],
+    docs: "`macro_influence` of a macro slider should list the macrodefs that read the slider, counted from 0, \
+        but lists others.\n\nMakeHuman 2 always evaluates all macrodefs and only checks whether the list is \
+        empty. A wrong list is therefore harmless, but it misleads readers and other programs (an info). A macro \
+        slider that no component of `macro.json` reads moves nothing (a warning).\n\nList the macrodefs whose \
+        components read the pattern of the slider.",
+    ..RuleInfo::new(
+        "macro-influence-mismatch",
+        Level::Info,
+        "`macro_influence` differs from the macrodefs that read the slider",
+    )
+});
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };

@@ -5,22 +5,19 @@ use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleIn
 use crate::repo::makehuman2::{Base, BoundSlider, View};
 use std::collections::BTreeMap;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "ignores the index; with no valid index left, opening the slider hides all macro shapes until another \
-             macro slider moves",
-        )],
-        docs: "`macro_influence` lists an index without a macrodef. It should list the macrodefs that a macro slider \
-            takes part in, counted from 0.\n\nMakeHuman 2 ignores such an index. It selects nothing with the other \
-            indices either: it only checks whether any is left. A wrong index beside others is therefore harmless \
-            (an info). If none is left, opening the slider hides all macro shapes until another macro slider moves \
-            (a warning). A negative index is kept, and means nothing.\n\nCorrect the index.",
-        ..RuleInfo::new("macro-influence-range", Level::Warning, "`macro_influence` lists an index without a macrodef")
-    },
-    check: Check::Makehuman2(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(
+        Application::Makehuman2,
+        "ignores the index; with no valid index left, opening the slider hides all macro shapes until another \
+         macro slider moves",
+    )],
+    docs: "`macro_influence` lists an index without a macrodef. It should list the macrodefs that a macro slider \
+        takes part in, counted from 0.\n\nMakeHuman 2 ignores such an index. It selects nothing with the other \
+        indices either: it only checks whether any is left. A wrong index beside others is therefore harmless \
+        (an info). If none is left, opening the slider hides all macro shapes until another macro slider moves \
+        (a warning). A negative index is kept, and means nothing.\n\nCorrect the index.",
+    ..RuleInfo::new("macro-influence-range", Level::Warning, "`macro_influence` lists an index without a macrodef")
+});
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((_, macros)) = base.macro_file() else { return };

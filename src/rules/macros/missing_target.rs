@@ -7,21 +7,18 @@ use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, View};
 use std::collections::{BTreeMap, BTreeSet};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "logs a line and crashes with `AttributeError` as soon as the combination has weight, at start \
-             if the default character uses it",
-        )],
-        docs: "A combination names a target that does not exist. `t` is a file in the `folder` of the macrodef, \
-            without `.target`, in the target folder of the `macro.json` in use.\n\nMakeHuman 2 does not skip a \
-            missing file: it keeps an empty placeholder and crashes as soon as the combination has \
-            weight.\n\nCorrect the name, add the file, or write `null` where nothing should change.",
-        ..RuleInfo::new("macro-missing-target", Level::Error, "a combination names a target that does not exist")
-    },
-    check: Check::Makehuman2(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(
+        Application::Makehuman2,
+        "logs a line and crashes with `AttributeError` as soon as the combination has weight, at start \
+         if the default character uses it",
+    )],
+    docs: "A combination names a target that does not exist. `t` is a file in the `folder` of the macrodef, \
+        without `.target`, in the target folder of the `macro.json` in use.\n\nMakeHuman 2 does not skip a \
+        missing file: it keeps an empty placeholder and crashes as soon as the combination has \
+        weight.\n\nCorrect the name, add the file, or write `null` where nothing should change.",
+    ..RuleInfo::new("macro-missing-target", Level::Error, "a combination names a target that does not exist")
+});
 
 fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, _)) = base.macro_file() else { return };

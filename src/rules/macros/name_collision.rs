@@ -10,19 +10,16 @@ use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, View};
 use std::collections::BTreeMap;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "uses the file of the last macrodef for both, and applies it twice")],
-        docs: "Two macrodefs list or generate the same name. The entries of all macrodefs form one table from names \
-            to files, and every macrodef looks up the names it generates in it.\n\nIf both macrodefs list the name \
-            with different files, MakeHuman 2 uses the file of the last one for both and applies it twice (an \
-            error). If both name the same file, or one of them only generates the name, that file is applied twice, \
-            so the morph is doubled (a warning). Values with the same name in several components, such as `none`, \
-            easily lead to this.\n\nRename a value in one of the components.",
-        ..RuleInfo::new("macro-name-collision", Level::Error, "two macrodefs list or generate the same name")
-    },
-    check: Check::Makehuman2(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "uses the file of the last macrodef for both, and applies it twice")],
+    docs: "Two macrodefs list or generate the same name. The entries of all macrodefs form one table from names \
+        to files, and every macrodef looks up the names it generates in it.\n\nIf both macrodefs list the name \
+        with different files, MakeHuman 2 uses the file of the last one for both and applies it twice (an \
+        error). If both name the same file, or one of them only generates the name, that file is applied twice, \
+        so the morph is doubled (a warning). Values with the same name in several components, such as `none`, \
+        easily lead to this.\n\nRename a value in one of the components.",
+    ..RuleInfo::new("macro-name-collision", Level::Error, "two macrodefs list or generate the same name")
+});
 
 /// A definition with what it lists (last entry wins) and generates.
 struct Table<'a> {

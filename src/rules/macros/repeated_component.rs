@@ -5,19 +5,16 @@ use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 use std::collections::BTreeSet;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "generates names such as `female-female`, which no entry has, and applies nothing of the macrodef",
-        )],
-        docs: "`comp` names a component more than once. The names of a macrodef have one value for each entry of \
-            `comp`.\n\nMakeHuman 2 then generates names that repeat the value of the component. None of them is \
-            listed, so the macrodef applies nothing.\n\nRemove the repetition, or name the intended component.",
-        ..RuleInfo::new("macro-repeated-component", Level::Error, "a component occurs more than once in `comp`")
-    },
-    check: Check::Makehuman2(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(
+        Application::Makehuman2,
+        "generates names such as `female-female`, which no entry has, and applies nothing of the macrodef",
+    )],
+    docs: "`comp` names a component more than once. The names of a macrodef have one value for each entry of \
+        `comp`.\n\nMakeHuman 2 then generates names that repeat the value of the component. None of them is \
+        listed, so the macrodef applies nothing.\n\nRemove the repetition, or name the intended component.",
+    ..RuleInfo::new("macro-repeated-component", Level::Error, "a component occurs more than once in `comp`")
+});
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };

@@ -7,18 +7,15 @@ use crate::json::UnknownKey;
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, View};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "crashes with `KeyError` without either; ignores `sum` if it has both")],
-        docs: "A component has both `steps` and `sum`, or neither. `steps` divides one plain slider; `sum` names the \
-            three corners of a triangle slider.\n\nIf both are present, MakeHuman 2 ignores `sum` and takes \
-            `pattern` as the pattern of one slider (a warning). If no slider has that pattern, it drops the \
-            component, and its macrodefs never apply (an error). With neither, it crashes at start with `KeyError` \
-            (an error).\n\nKeep the one that fits the slider.",
-        ..RuleInfo::new("macro-steps-and-sum", Level::Error, "a component has both `steps` and `sum`, or neither")
-    },
-    check: Check::Makehuman2(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "crashes with `KeyError` without either; ignores `sum` if it has both")],
+    docs: "A component has both `steps` and `sum`, or neither. `steps` divides one plain slider; `sum` names the \
+        three corners of a triangle slider.\n\nIf both are present, MakeHuman 2 ignores `sum` and takes \
+        `pattern` as the pattern of one slider (a warning). If no slider has that pattern, it drops the \
+        component, and its macrodefs never apply (an error). With neither, it crashes at start with `KeyError` \
+        (an error).\n\nKeep the one that fits the slider.",
+    ..RuleInfo::new("macro-steps-and-sum", Level::Error, "a component has both `steps` and `sum`, or neither")
+});
 
 /// What a key of the component was meant to be, if it is nearly one of the two.
 fn misspelt(file: &FileFacts, component: &str) -> Option<String> {

@@ -5,21 +5,15 @@ use super::component::{is_dead, sound_components, weigh};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "crashes with `IndexError` when the slider reaches a step without a value",
-        )],
-        docs: "`steps` and `values` of a component differ in length. Each value needs a slider position of its own: \
-            the entry of `steps` at the same place.\n\nMakeHuman 2 does not compare the lengths. With fewer values \
-            than steps, it crashes as soon as the slider reaches the interval without a value (an error). With more \
-            values than steps, the surplus values and their targets are never used (a warning). With fewer than two \
-            steps, it applies nothing of the macrodef (an error).\n\nGive every value exactly one step.",
-        ..RuleInfo::new("macro-steps-length", Level::Error, "`steps` and `values` of a component differ in length")
-    },
-    check: Check::Makehuman2(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "crashes with `IndexError` when the slider reaches a step without a value")],
+    docs: "`steps` and `values` of a component differ in length. Each value needs a slider position of its own: \
+        the entry of `steps` at the same place.\n\nMakeHuman 2 does not compare the lengths. With fewer values \
+        than steps, it crashes as soon as the slider reaches the interval without a value (an error). With more \
+        values than steps, the surplus values and their targets are never used (a warning). With fewer than two \
+        steps, it applies nothing of the macrodef (an error).\n\nGive every value exactly one step.",
+    ..RuleInfo::new("macro-steps-length", Level::Error, "`steps` and `values` of a component differ in length")
+});
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };

@@ -6,27 +6,24 @@ use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::formats::macro_json::Component;
 use crate::repo::makehuman2::{Base, View};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "drops every combination between the steps, so that the shape of the macrodef disappears there",
-        )],
-        docs: "A macrodef blends so many values at once that no combination has enough weight. Between two steps of a \
-            slider, two values are active; inside a triangle, three. The components multiply: seven sliders between \
-            their steps make 128 combinations with the weight 1/128 each.\n\nMakeHuman 2 applies a combination only \
-            if its weight is above 0.01, and does not give the lost weight to the others. If no combination is above \
-            that limit when every slider is equally far from its active values, the shape of the macrodef disappears \
-            between the steps. (More than three values of a triangle slider crash MakeHuman 2; see \
-            `macro-sum-arity`.)\n\nSplit the macrodef into several with fewer components each.",
-        ..RuleInfo::new(
-            "macro-too-many-active",
-            Level::Warning,
-            "a macrodef blends so many values at once that no combination has enough weight",
-        )
-    },
-    check: Check::Makehuman2(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(
+        Application::Makehuman2,
+        "drops every combination between the steps, so that the shape of the macrodef disappears there",
+    )],
+    docs: "A macrodef blends so many values at once that no combination has enough weight. Between two steps of a \
+        slider, two values are active; inside a triangle, three. The components multiply: seven sliders between \
+        their steps make 128 combinations with the weight 1/128 each.\n\nMakeHuman 2 applies a combination only \
+        if its weight is above 0.01, and does not give the lost weight to the others. If no combination is above \
+        that limit when every slider is equally far from its active values, the shape of the macrodef disappears \
+        between the steps. (More than three values of a triangle slider crash MakeHuman 2; see \
+        `macro-sum-arity`.)\n\nSplit the macrodef into several with fewer components each.",
+    ..RuleInfo::new(
+        "macro-too-many-active",
+        Level::Warning,
+        "a macrodef blends so many values at once that no combination has enough weight",
+    )
+});
 
 /// A combination counts only above this weight (formats/makehuman2.md §3.3).
 const SMALLEST_WEIGHT: f64 = 0.01;

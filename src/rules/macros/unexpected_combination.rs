@@ -13,25 +13,22 @@ use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, View};
 use std::collections::{BTreeMap, BTreeSet};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "never uses the entry: its target is loaded but never applied, and the intended combination has none",
-        )],
-        docs: "A macrodef lists a name that its components cannot generate. A name has one value of each component, \
-            in the order of `comp`, joined by `-`.\n\nMakeHuman 2 looks up only the names that it generates. It \
-            never finds an entry with a misspelt value, with too many or too few parts, or with its values in \
-            another order. A name that only another macrodef generates works, because all macrodefs share one table, \
-            but it belongs in the other macrodef (an info).\n\nWrite the name that the help suggests.",
-        ..RuleInfo::new(
-            "macro-unexpected-combination",
-            Level::Error,
-            "a macrodef lists a name that its components cannot generate",
-        )
-    },
-    check: Check::Makehuman2(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(
+        Application::Makehuman2,
+        "never uses the entry: its target is loaded but never applied, and the intended combination has none",
+    )],
+    docs: "A macrodef lists a name that its components cannot generate. A name has one value of each component, \
+        in the order of `comp`, joined by `-`.\n\nMakeHuman 2 looks up only the names that it generates. It \
+        never finds an entry with a misspelt value, with too many or too few parts, or with its values in \
+        another order. A name that only another macrodef generates works, because all macrodefs share one table, \
+        but it belongs in the other macrodef (an info).\n\nWrite the name that the help suggests.",
+    ..RuleInfo::new(
+        "macro-unexpected-combination",
+        Level::Error,
+        "a macrodef lists a name that its components cannot generate",
+    )
+});
 
 fn run(_: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };

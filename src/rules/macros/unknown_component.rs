@@ -8,20 +8,17 @@ use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, View};
 use std::collections::{BTreeMap, BTreeSet};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "skips the component; the names of the macrodef are then too short, and none of its targets is applied",
-        )],
-        docs: "`comp` names a component that is not defined. It lists the components of a macrodef by their keys in \
-            `components`.\n\nMakeHuman 2 silently skips an unknown name. The names that it generates then lack that \
-            part: usually none of them is listed, sometimes the wrong target is applied.\n\nCorrect the name, or \
-            define the component.",
-        ..RuleInfo::new("macro-unknown-component", Level::Error, "`comp` names a component that is not defined")
-    },
-    check: Check::Makehuman2(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(
+        Application::Makehuman2,
+        "skips the component; the names of the macrodef are then too short, and none of its targets is applied",
+    )],
+    docs: "`comp` names a component that is not defined. It lists the components of a macrodef by their keys in \
+        `components`.\n\nMakeHuman 2 silently skips an unknown name. The names that it generates then lack that \
+        part: usually none of them is listed, sometimes the wrong target is applied.\n\nCorrect the name, or \
+        define the component.",
+    ..RuleInfo::new("macro-unknown-component", Level::Error, "`comp` names a component that is not defined")
+});
 
 fn run(_: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };

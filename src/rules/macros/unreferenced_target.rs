@@ -11,17 +11,14 @@ use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, View};
 use std::collections::BTreeSet;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "loads the file at start but never applies it")],
-        docs: "A target in the folder of a macrodef is unused. It has an effect only if an entry names it in `t`, or \
-            a slider uses it.\n\nMakeHuman 2 loads the file at start but never applies it. Often a similar \
-            combination should name it: its entry was forgotten, or copied without changing `t`.\n\nName the file in \
-            `t` of its combination, or remove it.",
-        ..RuleInfo::new("macro-unreferenced-target", Level::Warning, "a target in a macro folder is unused")
-    },
-    check: Check::Makehuman2(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "loads the file at start but never applies it")],
+    docs: "A target in the folder of a macrodef is unused. It has an effect only if an entry names it in `t`, or \
+        a slider uses it.\n\nMakeHuman 2 loads the file at start but never applies it. Often a similar \
+        combination should name it: its entry was forgotten, or copied without changing `t`.\n\nName the file in \
+        `t` of its combination, or remove it.",
+    ..RuleInfo::new("macro-unreferenced-target", Level::Warning, "a target in a macro folder is unused")
+});
 
 fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((macro_file, macros)) = base.macro_file() else { return };

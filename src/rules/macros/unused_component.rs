@@ -10,17 +10,14 @@ use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, View};
 use std::collections::BTreeSet;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "never evaluates the component")],
-        docs: "No macrodef lists the component in `comp`. Perhaps a macrodef was removed and its component was \
-            forgotten, or a `comp` lacks it.\n\nMakeHuman 2 ignores such a component. If there is no macrodef at all \
-            but sliders drive macros, all those sliders do nothing (an error).\n\nRemove the component, or add it to \
-            the `comp` where it belongs.",
-        ..RuleInfo::new("macro-unused-component", Level::Info, "a component is not used by any macrodef")
-    },
-    check: Check::Makehuman2(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "never evaluates the component")],
+    docs: "No macrodef lists the component in `comp`. Perhaps a macrodef was removed and its component was \
+        forgotten, or a `comp` lacks it.\n\nMakeHuman 2 ignores such a component. If there is no macrodef at all \
+        but sliders drive macros, all those sliders do nothing (an error).\n\nRemove the component, or add it to \
+        the `comp` where it belongs.",
+    ..RuleInfo::new("macro-unused-component", Level::Info, "a component is not used by any macrodef")
+});
 
 fn run(_: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };

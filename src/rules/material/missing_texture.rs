@@ -7,28 +7,25 @@ use super::advice::{Advice, file_name};
 use crate::diag::{Application, Case, Evidence, Finding, Level, RuleInfo};
 use crate::repo::{Layer, Reference, ReferenceKind, Resolution, View, parent};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "silently drops the keyword and goes without this texture")],
-        docs: "A material names a picture that does not exist, in `diffuseTexture`, `normalmapTexture`, \
-            `aomapTexture`, `metallicRoughnessTexture` or `emissiveTexture`. MakeHuman 2 does not know other keywords, \
-            such as `specularmapTexture`. A name is one word: it ends at the first blank.\n\n\
-            MakeHuman 2 silently drops a keyword whose picture it does not find: the surface shows the colour of the \
-            material instead, and exports have no texture either. If a keyword has several lines, the last one with a \
-            picture wins.\n\n\
-            It looks for a picture in the folder of the material; if that ends in `materials`, in the folder above it; \
-            then next to the material without the first folder of the name; and finally in the folder of all assets of \
-            this kind, such as `clothes/<base>/`, of the system and of the user (`skins/<base>/` for the material of a \
-            body).\n\n\
-            Materials of skins, of base meshes and below the folders of assets are checked. The folder \
-            `clothes/<base>/materials/` is for assets without their own material. A topology uses the skin instead of \
-            its own material.\n\n\
-            Correct the name, add the picture, or remove the line. A folder that does not exist is one finding for all \
-            pictures in it.",
-        ..RuleInfo::new("material-missing-texture", Level::Warning, "a material names a texture that does not exist")
-    },
-    check: Check::Repository(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "silently drops the keyword and goes without this texture")],
+    docs: "A material names a picture that does not exist, in `diffuseTexture`, `normalmapTexture`, \
+        `aomapTexture`, `metallicRoughnessTexture` or `emissiveTexture`. MakeHuman 2 does not know other keywords, \
+        such as `specularmapTexture`. A name is one word: it ends at the first blank.\n\n\
+        MakeHuman 2 silently drops a keyword whose picture it does not find: the surface shows the colour of the \
+        material instead, and exports have no texture either. If a keyword has several lines, the last one with a \
+        picture wins.\n\n\
+        It looks for a picture in the folder of the material; if that ends in `materials`, in the folder above it; \
+        then next to the material without the first folder of the name; and finally in the folder of all assets of \
+        this kind, such as `clothes/<base>/`, of the system and of the user (`skins/<base>/` for the material of a \
+        body).\n\n\
+        Materials of skins, of base meshes and below the folders of assets are checked. The folder \
+        `clothes/<base>/materials/` is for assets without their own material. A topology uses the skin instead of \
+        its own material.\n\n\
+        Correct the name, add the picture, or remove the line. A folder that does not exist is one finding for all \
+        pictures in it.",
+    ..RuleInfo::new("material-missing-texture", Level::Warning, "a material names a texture that does not exist")
+});
 
 const KEPT: Case =
     &[(Application::Makehuman2, Level::Warning, "silently drops the line and keeps the texture of a line above")];

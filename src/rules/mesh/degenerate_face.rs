@@ -5,22 +5,19 @@ use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::obj::{Mesh, Repeating};
 use crate::repo::Body;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "creates a triangle without area; if another corner was meant, the surface has a hole",
-        )],
-        docs: "A face uses the same vertex twice.\n\n\
-            MakeHuman 2 cuts each face into triangles from its first corner and says nothing if one of them has no \
-            area: that triangle is invisible but is exported like the others. A face with four corners of which two \
-            are the same vertex is a triangle, so the surface up to the intended corner is missing. In a group that is \
-            not shown, this is reported as info.\n\n\
-            Write the intended corner, or make the face a triangle.",
-        ..RuleInfo::new("mesh-degenerate-face", Level::Warning, "a face uses a vertex twice")
-    },
-    check: Check::Body(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[(
+        Application::Makehuman2,
+        "creates a triangle without area; if another corner was meant, the surface has a hole",
+    )],
+    docs: "A face uses the same vertex twice.\n\n\
+        MakeHuman 2 cuts each face into triangles from its first corner and says nothing if one of them has no \
+        area: that triangle is invisible but is exported like the others. A face with four corners of which two \
+        are the same vertex is a triangle, so the surface up to the intended corner is missing. In a group that is \
+        not shown, this is reported as info.\n\n\
+        Write the intended corner, or make the face a triangle.",
+    ..RuleInfo::new("mesh-degenerate-face", Level::Warning, "a face uses a vertex twice")
+});
 
 const HIDDEN: Case = &[(Application::Makehuman2, Level::Info, "never shows the face: its group is not visible")];
 

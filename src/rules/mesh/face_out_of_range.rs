@@ -7,22 +7,19 @@ use crate::discover::Kind;
 use crate::formats::obj::Mesh;
 use crate::repo::{FileFacts, View};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "crashes with `IndexError` while loading the base mesh")],
-        docs: "A face uses the number of a vertex or texture coordinate that does not exist. The numbers start at \
-            1.\n\n\
-            MakeHuman 2 crashes on numbers beyond the last one. It also crashes on 0 and on negative numbers, although \
-            the OBJ format allows negative numbers for counting backwards.\n\n\
-            Usually lines are missing in the file. Export the mesh again, with absolute numbers.",
-        ..RuleInfo::new(
-            "mesh-face-out-of-range",
-            Level::Error,
-            "a face uses a vertex or texture coordinate that does not exist",
-        )
-    },
-    check: Check::File(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "crashes with `IndexError` while loading the base mesh")],
+    docs: "A face uses the number of a vertex or texture coordinate that does not exist. The numbers start at \
+        1.\n\n\
+        MakeHuman 2 crashes on numbers beyond the last one. It also crashes on 0 and on negative numbers, although \
+        the OBJ format allows negative numbers for counting backwards.\n\n\
+        Usually lines are missing in the file. Export the mesh again, with absolute numbers.",
+    ..RuleInfo::new(
+        "mesh-face-out-of-range",
+        Level::Error,
+        "a face uses a vertex or texture coordinate that does not exist",
+    )
+});
 
 const BELOW_ONE: Case =
     &[(Application::Makehuman2, Level::Error, "crashes with `OverflowError` while loading the base mesh")];

@@ -6,17 +6,14 @@ use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
 use crate::repo::{FileFacts, View};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "crashes with `UnicodeEncodeError` while loading the base mesh")],
-        docs: "The name of a face group contains a letter beyond ASCII.\n\n\
-            MakeHuman 2 stores group names as ASCII text and crashes on any other letter. Groups without faces are \
-            dropped before that and do no harm.\n\n\
-            Rename the group, here and in `visible groups` of `base.json`.",
-        ..RuleInfo::new("mesh-group-name", Level::Error, "a group name is not ASCII")
-    },
-    check: Check::File(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "crashes with `UnicodeEncodeError` while loading the base mesh")],
+    docs: "The name of a face group contains a letter beyond ASCII.\n\n\
+        MakeHuman 2 stores group names as ASCII text and crashes on any other letter. Groups without faces are \
+        dropped before that and do no harm.\n\n\
+        Rename the group, here and in `visible groups` of `base.json`.",
+    ..RuleInfo::new("mesh-group-name", Level::Error, "a group name is not ASCII")
+});
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     // An archive has them packed, and unpacking does not mind.

@@ -7,22 +7,19 @@ use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::obj::Mesh;
 use crate::repo::{FileFacts, View};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "shows nothing and a height of 0 cm; the glTF export crashes with `ValueError`",
-        )],
-        docs: "A mesh without a line `f …` has vertices but no surface.\n\n\
-            MakeHuman 2 loads it without a message, shows nothing, and computes every height as 0. The glTF export \
-            crashes with `ValueError` because there is nothing to write. A file that also has no line `v …`, such as a \
-            web page saved in place of the mesh, crashes MakeHuman 2 at start. For faces in groups that are not shown, \
-            see `base-unknown-equipment`.\n\n\
-            Export the mesh again, with its faces.",
-        ..RuleInfo::new("mesh-no-faces", Level::Error, "a mesh has no faces")
-    },
-    check: Check::File(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
+    breaks: &[(
+        Application::Makehuman2,
+        "shows nothing and a height of 0 cm; the glTF export crashes with `ValueError`",
+    )],
+    docs: "A mesh without a line `f …` has vertices but no surface.\n\n\
+        MakeHuman 2 loads it without a message, shows nothing, and computes every height as 0. The glTF export \
+        crashes with `ValueError` because there is nothing to write. A file that also has no line `v …`, such as a \
+        web page saved in place of the mesh, crashes MakeHuman 2 at start. For faces in groups that are not shown, \
+        see `base-unknown-equipment`.\n\n\
+        Export the mesh again, with its faces.",
+    ..RuleInfo::new("mesh-no-faces", Level::Error, "a mesh has no faces")
+});
 
 const NO_MESH: Case =
     &[(Application::Makehuman2, Level::Error, "crashes at start with `IndexError` while loading the base mesh")];

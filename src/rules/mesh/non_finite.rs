@@ -5,21 +5,18 @@ use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Element, Finding, Level, Place, RuleInfo};
 use crate::repo::{FileFacts, View};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "loses everything computed from the vertex: normals, joints, the height of the body",
-        )],
-        docs: "The position of a vertex is `nan` or infinite.\n\n\
-            Python reads `nan` and `inf` as numbers, so MakeHuman 2 loads the mesh. Everything computed from the \
-            vertex is lost: the normals around it, joints and fitted assets that use it, and the height of the \
-            body.\n\n\
-            Give the vertex a finite position.",
-        ..RuleInfo::new("mesh-non-finite", Level::Error, "the position of a vertex is not finite")
-    },
-    check: Check::File(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
+    breaks: &[(
+        Application::Makehuman2,
+        "loses everything computed from the vertex: normals, joints, the height of the body",
+    )],
+    docs: "The position of a vertex is `nan` or infinite.\n\n\
+        Python reads `nan` and `inf` as numbers, so MakeHuman 2 loads the mesh. Everything computed from the \
+        vertex is lost: the normals around it, joints and fitted assets that use it, and the height of the \
+        body.\n\n\
+        Give the vertex a finite position.",
+    ..RuleInfo::new("mesh-non-finite", Level::Error, "the position of a vertex is not finite")
+});
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(mesh) = file.mesh() else { return };

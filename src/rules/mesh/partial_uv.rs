@@ -5,17 +5,14 @@ use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::{FileFacts, View};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "crashes with `IndexError` while loading the base mesh")],
-        docs: "Some faces of a group have texture coordinates and others do not.\n\n\
-            MakeHuman 2 keeps the texture coordinates of a group in a list beside its faces. All faces of a group must \
-            have them, or none; in a mixed group it reads beyond the end of the list and crashes.\n\n\
-            Unwrap the remaining faces, or move them into a group of their own.",
-        ..RuleInfo::new("mesh-partial-uv", Level::Error, "a group has faces with and without texture coordinates")
-    },
-    check: Check::File(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "crashes with `IndexError` while loading the base mesh")],
+    docs: "Some faces of a group have texture coordinates and others do not.\n\n\
+        MakeHuman 2 keeps the texture coordinates of a group in a list beside its faces. All faces of a group must \
+        have them, or none; in a mixed group it reads beyond the end of the list and crashes.\n\n\
+        Unwrap the remaining faces, or move them into a group of their own.",
+    ..RuleInfo::new("mesh-partial-uv", Level::Error, "a group has faces with and without texture coordinates")
+});
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(mesh) = file.mesh() else { return };

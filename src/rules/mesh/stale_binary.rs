@@ -8,25 +8,22 @@ use crate::formats::obj::Mesh;
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, Lies, UnreadMesh, View};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "loads the mesh from the archive and ignores the OBJ, whichever is newer")],
-        docs: "`base.mhbin` differs from the `base.obj` it should have been packed from.\n\n\
-            MakeHuman 2 looks for the user's base.mhbin, then the system's, and only then for a base.obj; a base.mhbin \
-            beside a chosen OBJ is loaded instead. It does not compare dates: a newly exported OBJ silently has no \
-            effect until the archive is deleted or rebuilt.\n\n\
-            There is one finding per archive, listing what differs: the number of vertices, moved vertices and the \
-            farthest of them, faces, groups, texture coordinates. The order of faces does not count, nor does a \
-            distance below 0.001 cm (0.0001). All other rules check the mesh in the archive; a fault of an ignored OBJ \
-            is reported as info.\n\n\
-            A user's OBJ is also ignored if the system has an archive. A user's archive over the system's OBJ may be \
-            intended and is reported as info. If the archive has another number of vertices than everything else \
-            expects, see `base-vertex-count`.\n\n\
-            Delete the archive, or rebuild it with `compile_meshes.py`.",
-        ..RuleInfo::new("mesh-stale-binary", Level::Warning, "a packed base mesh differs from its OBJ")
-    },
-    check: Check::Makehuman2(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "loads the mesh from the archive and ignores the OBJ, whichever is newer")],
+    docs: "`base.mhbin` differs from the `base.obj` it should have been packed from.\n\n\
+        MakeHuman 2 looks for the user's base.mhbin, then the system's, and only then for a base.obj; a base.mhbin \
+        beside a chosen OBJ is loaded instead. It does not compare dates: a newly exported OBJ silently has no \
+        effect until the archive is deleted or rebuilt.\n\n\
+        There is one finding per archive, listing what differs: the number of vertices, moved vertices and the \
+        farthest of them, faces, groups, texture coordinates. The order of faces does not count, nor does a \
+        distance below 0.001 cm (0.0001). All other rules check the mesh in the archive; a fault of an ignored OBJ \
+        is reported as info.\n\n\
+        A user's OBJ is also ignored if the system has an archive. A user's archive over the system's OBJ may be \
+        intended and is reported as info. If the archive has another number of vertices than everything else \
+        expects, see `base-vertex-count`.\n\n\
+        Delete the archive, or rebuild it with `compile_meshes.py`.",
+    ..RuleInfo::new("mesh-stale-binary", Level::Warning, "a packed base mesh differs from its OBJ")
+});
 
 const ABOVE: Case =
     &[(Application::Makehuman2, Level::Warning, "loads the system's base.mhbin and ignores the user's base.obj")];

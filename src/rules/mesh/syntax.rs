@@ -6,19 +6,16 @@ use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::obj::Mesh;
 use crate::repo::{FileFacts, View};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "crashes with `ValueError` or `IndexError` while loading the base mesh")],
-        docs: "A line `v x y z`, `vt u v` or `f a b c …` cannot be read. A face corner is `vertex`, `vertex/uv`, \
-            `vertex//normal` or `vertex/uv/normal` in whole numbers, and a face that is drawn has at least three \
-            corners. Fewer corners are harmless in hidden groups. Lines other than these and `g name` are ignored.\n\n\
-            MakeHuman 2 reads the numbers without checking them and crashes on the first one that is missing or not a \
-            number.\n\n\
-            Export the mesh again, or fix the line.",
-        ..RuleInfo::new("mesh-syntax", Level::Error, "a line of a mesh cannot be read")
-    },
-    check: Check::File(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "crashes with `ValueError` or `IndexError` while loading the base mesh")],
+    docs: "A line `v x y z`, `vt u v` or `f a b c …` cannot be read. A face corner is `vertex`, `vertex/uv`, \
+        `vertex//normal` or `vertex/uv/normal` in whole numbers, and a face that is drawn has at least three \
+        corners. Fewer corners are harmless in hidden groups. Lines other than these and `g name` are ignored.\n\n\
+        MakeHuman 2 reads the numbers without checking them and crashes on the first one that is missing or not a \
+        number.\n\n\
+        Export the mesh again, or fix the line.",
+    ..RuleInfo::new("mesh-syntax", Level::Error, "a line of a mesh cannot be read")
+});
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(mesh) = file.mesh() else { return };

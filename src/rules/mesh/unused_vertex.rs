@@ -5,18 +5,15 @@ use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::formats::obj::Mesh;
 use crate::repo::{FileFacts, View};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "keeps and counts the vertex but never shows it")],
-        docs: "A vertex belongs to no face.\n\n\
-            MakeHuman 2 keeps such vertices; they can be moved, weighted and used by joints and clothes like any \
-            others. Programs that drop them on import number all later vertices differently, so that targets, weights \
-            and clothes no longer fit.\n\n\
-            Keep them if something refers to them. Do not add new ones: removing one later renumbers the mesh.",
-        ..RuleInfo::new("mesh-unused-vertex", Level::Info, "no face uses a vertex")
-    },
-    check: Check::File(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "keeps and counts the vertex but never shows it")],
+    docs: "A vertex belongs to no face.\n\n\
+        MakeHuman 2 keeps such vertices; they can be moved, weighted and used by joints and clothes like any \
+        others. Programs that drop them on import number all later vertices differently, so that targets, weights \
+        and clothes no longer fit.\n\n\
+        Keep them if something refers to them. Do not add new ones: removing one later renumbers the mesh.",
+    ..RuleInfo::new("mesh-unused-vertex", Level::Info, "no face uses a vertex")
+});
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     // Behind an archive it is told of that one.

@@ -10,23 +10,20 @@ const MIXES_OTHERS: &str = "mixes the skin colour without the corners that have 
 /// Corners of the triangle slider; also parts of a colour.
 const THREE: usize = 3;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "crashes with `IndexError` at start")],
-        docs: "A triangle slider does not have exactly three patterns or three colours. `barycentric` has one pattern \
-            for each corner; `barycentric_diffuse` gives each corner a skin colour of three numbers.\n\nWith any \
-            other number of patterns, MakeHuman 2 crashes at start. If a colour does not have three numbers, for \
-            example a fourth one for transparency, every move of the triangle crashes it with `ValueError`. A \
-            missing colour is left out of the mix, and surplus ones are never used (warnings).\n\nWrite exactly \
-            three of each.",
-        ..RuleInfo::new(
-            "modelling-barycentric-arity",
-            Level::Error,
-            "`barycentric` does not have exactly three patterns or colours",
-        )
-    },
-    check: Check::Makehuman2(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "crashes with `IndexError` at start")],
+    docs: "A triangle slider does not have exactly three patterns or three colours. `barycentric` has one pattern \
+        for each corner; `barycentric_diffuse` gives each corner a skin colour of three numbers.\n\nWith any \
+        other number of patterns, MakeHuman 2 crashes at start. If a colour does not have three numbers, for \
+        example a fourth one for transparency, every move of the triangle crashes it with `ValueError`. A \
+        missing colour is left out of the mix, and surplus ones are never used (warnings).\n\nWrite exactly \
+        three of each.",
+    ..RuleInfo::new(
+        "modelling-barycentric-arity",
+        Level::Error,
+        "`barycentric` does not have exactly three patterns or colours",
+    )
+});
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for bound in &base.sliders {

@@ -5,20 +5,14 @@ use super::groups;
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "crashes with `AttributeError` when the slider moves to its positive side",
-        )],
-        docs: "A slider has `decr`, its negative side, but no `incr`, its positive side.\n\nMakeHuman 2 still shows \
-            both sides. The positive side has no target, so moving the slider there crashes with `AttributeError`. \
-            The slider also has no pattern: it is never saved, and no model can set it.\n\nAdd `incr`, or rename \
-            `decr` to `incr` to get a slider with one side.",
-        ..RuleInfo::new("modelling-decr-only", Level::Error, "a slider has `decr` but no `incr`")
-    },
-    check: Check::Makehuman2(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "crashes with `AttributeError` when the slider moves to its positive side")],
+    docs: "A slider has `decr`, its negative side, but no `incr`, its positive side.\n\nMakeHuman 2 still shows \
+        both sides. The positive side has no target, so moving the slider there crashes with `AttributeError`. \
+        The slider also has no pattern: it is never saved, and no model can set it.\n\nAdd `incr`, or rename \
+        `decr` to `incr` to get a slider with one side.",
+    ..RuleInfo::new("modelling-decr-only", Level::Error, "a slider has `decr` but no `incr`")
+});
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for bound in groups::hand_made(base) {

@@ -5,20 +5,17 @@ use super::groups;
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "sets the slider beyond its end at every reset: a macro disappears or is exaggerated",
-        )],
-        docs: "`default` lies beyond the ends of the slider. It is the value after a reset, from 0 to 1 (from -1 for \
-            a slider with two targets). Loading a model resets all sliders first.\n\nMakeHuman 2 does not limit the \
-            value. Above 1, a macro applies nothing; below 0, its first value is exaggerated; a target is applied \
-            with that factor. A value such as 50 is usually meant as a percentage.\n\nWrite a number from 0 to 1.",
-        ..RuleInfo::new("modelling-default-range", Level::Warning, "`default` is outside 0 to 1")
-    },
-    check: Check::Makehuman2(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(
+        Application::Makehuman2,
+        "sets the slider beyond its end at every reset: a macro disappears or is exaggerated",
+    )],
+    docs: "`default` lies beyond the ends of the slider. It is the value after a reset, from 0 to 1 (from -1 for \
+        a slider with two targets). Loading a model resets all sliders first.\n\nMakeHuman 2 does not limit the \
+        value. Above 1, a macro applies nothing; below 0, its first value is exaggerated; a target is applied \
+        with that factor. A value such as 50 is usually meant as a percentage.\n\nWrite a number from 0 to 1.",
+    ..RuleInfo::new("modelling-default-range", Level::Warning, "`default` is outside 0 to 1")
+});
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for bound in groups::hand_made(base) {

@@ -7,21 +7,18 @@ use super::with_patterns;
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, BoundSlider, View};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "saves and loads only the last of the sliders; the values of the others are lost",
-        )],
-        docs: "Two entries have the same pattern. The pattern is the name of a slider in saved models, presets, \
-            symmetry and macros: the texts of `barycentric`, or `macro`, or `<decr>|<ending>` for a pair of targets, \
-            or `incr`.\n\nMakeHuman 2 shows a slider for each entry, but knows only the last by the pattern. The \
-            value of another one is silently lost when the model is saved.\n\nRemove one of the entries, or give it \
-            its own targets.",
-        ..RuleInfo::new("modelling-duplicate-pattern", Level::Error, "two entries have the same pattern")
-    },
-    check: Check::Makehuman2(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(
+        Application::Makehuman2,
+        "saves and loads only the last of the sliders; the values of the others are lost",
+    )],
+    docs: "Two entries have the same pattern. The pattern is the name of a slider in saved models, presets, \
+        symmetry and macros: the texts of `barycentric`, or `macro`, or `<decr>|<ending>` for a pair of targets, \
+        or `incr`.\n\nMakeHuman 2 shows a slider for each entry, but knows only the last by the pattern. The \
+        value of another one is silently lost when the model is saved.\n\nRemove one of the entries, or give it \
+        its own targets.",
+    ..RuleInfo::new("modelling-duplicate-pattern", Level::Error, "two entries have the same pattern")
+});
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let mut by_pattern: BTreeMap<&str, Vec<&BoundSlider<'_>>> = BTreeMap::new();

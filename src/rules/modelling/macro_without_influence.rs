@@ -7,21 +7,18 @@ use crate::diag::{Application, Confidence, Finding, Level, Place, RuleInfo, poin
 use crate::formats::macro_json::MacroFile;
 use crate::repo::makehuman2::{Base, BoundSlider, Pattern, View};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "hides all macro shapes when the slider is opened, until another macro slider moves",
-        )],
-        docs: "A macro slider has no `macro_influence`, or an empty one. It lists the macrodefs that the slider takes \
-            part in, counted from 0.\n\nMakeHuman 2 always evaluates all macrodefs; it only checks whether the list \
-            is empty. It treats a macro slider without the list, or with an empty one, as an ordinary slider: \
-            opening it shows the mesh without macros, so the character falls back to the neutral base.\n\nList the \
-            macrodefs that use the slider.",
-        ..RuleInfo::new("modelling-macro-without-influence", Level::Warning, "a macro slider has no `macro_influence`")
-    },
-    check: Check::Makehuman2(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(
+        Application::Makehuman2,
+        "hides all macro shapes when the slider is opened, until another macro slider moves",
+    )],
+    docs: "A macro slider has no `macro_influence`, or an empty one. It lists the macrodefs that the slider takes \
+        part in, counted from 0.\n\nMakeHuman 2 always evaluates all macrodefs; it only checks whether the list \
+        is empty. It treats a macro slider without the list, or with an empty one, as an ordinary slider: \
+        opening it shows the mesh without macros, so the character falls back to the neutral base.\n\nList the \
+        macrodefs that use the slider.",
+    ..RuleInfo::new("modelling-macro-without-influence", Level::Warning, "a macro slider has no `macro_influence`")
+});
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let is_judged = |macros: &MacroFile| !macros.macrodefs.is_empty() && !macros.is_too_large;

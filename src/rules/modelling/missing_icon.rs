@@ -6,20 +6,17 @@ use crate::diag::{Application, Evidence, Finding, Level, RuleInfo};
 use crate::repo::ReferenceKind;
 use crate::repo::makehuman2::{Base, View};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "shows a button of zero size, which cannot be clicked, instead of the picture",
-        )],
-        docs: "`icon` names a picture that does not exist. It is looked for in the folder `icons` of the target \
-            folder in use.\n\nMakeHuman 2 does not check whether it exists: the slider then has a button without \
-            size, which cannot be clicked. An entry without `icon` has a neutral picture, so no key is better than a \
-            wrong one.\n\nCorrect the name, add the picture, or remove the key.",
-        ..RuleInfo::new("modelling-missing-icon", Level::Warning, "`icon` names a picture that does not exist")
-    },
-    check: Check::Makehuman2(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(
+        Application::Makehuman2,
+        "shows a button of zero size, which cannot be clicked, instead of the picture",
+    )],
+    docs: "`icon` names a picture that does not exist. It is looked for in the folder `icons` of the target \
+        folder in use.\n\nMakeHuman 2 does not check whether it exists: the slider then has a button without \
+        size, which cannot be clicked. An entry without `icon` has a neutral picture, so no key is better than a \
+        wrong one.\n\nCorrect the name, add the picture, or remove the key.",
+    ..RuleInfo::new("modelling-missing-icon", Level::Warning, "`icon` names a picture that does not exist")
+});
 
 fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     // The sliders of another base are one fault (`modelling-missing-target`).

@@ -10,23 +10,20 @@ use crate::diag::{Application, Evidence, Finding, Level, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 use crate::repo::{FileFacts, Reference, ReferenceKind};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "crashes with `AttributeError` when the slider moves, or at start if the start model sets it",
-        )],
-        docs: "`incr` or `decr` names a target that does not exist. Both are paths below the target folder, with `/` \
-            and without `.target`.\n\nMakeHuman 2 writes a line to its log and keeps an empty placeholder. The \
-            slider looks normal, but crashes MakeHuman 2 as soon as it moves, or at start if the start model moves \
-            it.\n\nThe `macro.json` in use decides which target folder is read. Entries with the key `user`, \
-            whatever its value, are read from the user's target folder. That key is for the file that MakeHuman 2 \
-            writes for user targets; a slider of the system that has it loses its target. A target that is only in \
-            `compressedtargets.npz` counts as existing.\n\nCorrect the path, add the target, or remove the entry.",
-        ..RuleInfo::new("modelling-missing-target", Level::Error, "`incr` or `decr` names a target that does not exist")
-    },
-    check: Check::Makehuman2(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(
+        Application::Makehuman2,
+        "crashes with `AttributeError` when the slider moves, or at start if the start model sets it",
+    )],
+    docs: "`incr` or `decr` names a target that does not exist. Both are paths below the target folder, with `/` \
+        and without `.target`.\n\nMakeHuman 2 writes a line to its log and keeps an empty placeholder. The \
+        slider looks normal, but crashes MakeHuman 2 as soon as it moves, or at start if the start model moves \
+        it.\n\nThe `macro.json` in use decides which target folder is read. Entries with the key `user`, \
+        whatever its value, are read from the user's target folder. That key is for the file that MakeHuman 2 \
+        writes for user targets; a slider of the system that has it loses its target. A target that is only in \
+        `compressedtargets.npz` counts as existing.\n\nCorrect the path, add the target, or remove the entry.",
+    ..RuleInfo::new("modelling-missing-target", Level::Error, "`incr` or `decr` names a target that does not exist")
+});
 
 fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let is_target = |kind| matches!(kind, ReferenceKind::Incr | ReferenceKind::Decr);

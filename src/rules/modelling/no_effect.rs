@@ -11,23 +11,20 @@ use crate::formats::modelling::EFFECTS;
 use crate::repo::makehuman2::{Base, BoundSlider, Pattern, View};
 use crate::repo::{Reference, ReferenceKind, Resolution};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "shows a slider that does nothing and is never saved")],
-        docs: "An entry has neither `incr`, `decr`, `macro` nor `barycentric`, or has targets beside a macro.\n\nWith \
-            none of the keys, MakeHuman 2 shows a slider without a pattern: it moves nothing, is never saved, and no \
-            model can set it. If a misspelt key was meant to give a component its slider, the macrodefs of that \
-            component never apply (an error). Beside `macro` or `barycentric`, `incr` and `decr` have no effect: \
-            their targets are loaded but never applied.\n\nAdd one of the keys, or remove the entry; give the \
-            targets beside a macro their own entry.",
-        ..RuleInfo::new(
-            "modelling-no-effect",
-            Level::Warning,
-            "an entry has neither `incr`, `decr`, `macro` nor `barycentric`",
-        )
-    },
-    check: Check::Makehuman2(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "shows a slider that does nothing and is never saved")],
+    docs: "An entry has neither `incr`, `decr`, `macro` nor `barycentric`, or has targets beside a macro.\n\nWith \
+        none of the keys, MakeHuman 2 shows a slider without a pattern: it moves nothing, is never saved, and no \
+        model can set it. If a misspelt key was meant to give a component its slider, the macrodefs of that \
+        component never apply (an error). Beside `macro` or `barycentric`, `incr` and `decr` have no effect: \
+        their targets are loaded but never applied.\n\nAdd one of the keys, or remove the entry; give the \
+        targets beside a macro their own entry.",
+    ..RuleInfo::new(
+        "modelling-no-effect",
+        Level::Warning,
+        "an entry has neither `incr`, `decr`, `macro` nor `barycentric`",
+    )
+});
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let loaded = loaded(view, base);

@@ -6,19 +6,16 @@ use crate::diag::{Application, Case, Finding, Level, Place, RuleInfo};
 use crate::formats::modelling::Slider;
 use crate::repo::makehuman2::{Base, BoundSlider, View};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "mirrors the slider in one direction only, or to the wrong side")],
-        docs: "The left/right counterpart of a slider does not point back. A left slider names its counterpart with \
-            `rsym`, a right slider with `lsym`; if an entry has both, only `rsym` is read.\n\nIf the counterpart \
-            does not point back, changes are mirrored in one direction only. If the sides are swapped, \"make \
-            symmetric\" copies the wrong way. A counterpart that is a macro or a corner of a triangle has no targets \
-            to mirror: with symmetry on, MakeHuman 2 crashes with `AttributeError` as soon as the slider moves (an \
-            error).\n\nLet both sliders name each other: `rsym` in the left one, `lsym` in the right one.",
-        ..RuleInfo::new("modelling-one-sided-symmetry", Level::Warning, "a left/right counterpart does not point back")
-    },
-    check: Check::Makehuman2(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "mirrors the slider in one direction only, or to the wrong side")],
+    docs: "The left/right counterpart of a slider does not point back. A left slider names its counterpart with \
+        `rsym`, a right slider with `lsym`; if an entry has both, only `rsym` is read.\n\nIf the counterpart \
+        does not point back, changes are mirrored in one direction only. If the sides are swapped, \"make \
+        symmetric\" copies the wrong way. A counterpart that is a macro or a corner of a triangle has no targets \
+        to mirror: with symmetry on, MakeHuman 2 crashes with `AttributeError` as soon as the slider moves (an \
+        error).\n\nLet both sliders name each other: `rsym` in the left one, `lsym` in the right one.",
+    ..RuleInfo::new("modelling-one-sided-symmetry", Level::Warning, "a left/right counterpart does not point back")
+});
 
 const COUNTERPART: &str = "name the left/right counterpart";
 

@@ -9,23 +9,20 @@ use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, BoundSlider, Pattern, View};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "shows a slider with its increasing side only; the other target cannot be reached",
-        )],
-        docs: "An entry has `decr` and `incr`, but `target-opposites` of `base.json` has no pair of endings for them. \
-            A slider has two sides only if the two file names end in such a pair, each after a `-`.\n\nMakeHuman 2 \
-            silently drops the negative side, and the pattern of the slider is `incr` alone: presets, symmetry and \
-            saved models that use `<decr>|<ending>` do not find it. If it is the left counterpart of another slider, \
-            the random character view looks for it under that pattern and crashes with `KeyError` (an error).\n\nAdd \
-            the pair, or correct the names. If `target-opposites` is missing, or none of its pairs matches, no slider \
-            has two sides, and `base.json` has one finding for all of them.",
-        ..RuleInfo::new("modelling-opposites", Level::Warning, "`target-opposites` does not cover a pair of targets")
-    },
-    check: Check::Makehuman2(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(
+        Application::Makehuman2,
+        "shows a slider with its increasing side only; the other target cannot be reached",
+    )],
+    docs: "An entry has `decr` and `incr`, but `target-opposites` of `base.json` has no pair of endings for them. \
+        A slider has two sides only if the two file names end in such a pair, each after a `-`.\n\nMakeHuman 2 \
+        silently drops the negative side, and the pattern of the slider is `incr` alone: presets, symmetry and \
+        saved models that use `<decr>|<ending>` do not find it. If it is the left counterpart of another slider, \
+        the random character view looks for it under that pattern and crashes with `KeyError` (an error).\n\nAdd \
+        the pair, or correct the names. If `target-opposites` is missing, or none of its pairs matches, no slider \
+        has two sides, and `base.json` has one finding for all of them.",
+    ..RuleInfo::new("modelling-opposites", Level::Warning, "`target-opposites` does not cover a pair of targets")
+});
 
 /// Who makes a random character looks the partner up by its pattern.
 const HAS_PARTNERS: Case = &[(

@@ -9,18 +9,15 @@ use super::groups::{self, Groups, Renamed};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, BoundSlider, View};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "never shows the slider; only saved models can set it")],
-        docs: "No item of `target_cat.json` shows the slider. It is shown under the item whose `group|cat` equals its \
-            `group`, letter by letter.\n\nMakeHuman 2 silently hides a slider whose group no item has, or that has \
-            no group. Without any `target_cat.json` it shows no slider (an error, as when the file cannot be read). \
-            A group with two `|` also crashes the random character view with `ValueError`, even if the slider is \
-            shown (an error).\n\nCorrect the group, or add an item for it.",
-        ..RuleInfo::new("modelling-unknown-group", Level::Warning, "`group` of a slider is not in `target_cat.json`")
-    },
-    check: Check::Makehuman2(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "never shows the slider; only saved models can set it")],
+    docs: "No item of `target_cat.json` shows the slider. It is shown under the item whose `group|cat` equals its \
+        `group`, letter by letter.\n\nMakeHuman 2 silently hides a slider whose group no item has, or that has \
+        no group. Without any `target_cat.json` it shows no slider (an error, as when the file cannot be read). \
+        A group with two `|` also crashes the random character view with `ValueError`, even if the slider is \
+        shown (an error).\n\nCorrect the group, or add an item for it.",
+    ..RuleInfo::new("modelling-unknown-group", Level::Warning, "`group` of a slider is not in `target_cat.json`")
+});
 
 fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     two_bars(base, out);

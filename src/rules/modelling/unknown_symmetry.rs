@@ -5,18 +5,15 @@ use super::{advice, with_patterns};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "skips the slider when it makes a character symmetric or random")],
-        docs: "`rsym` of a left slider, or `lsym` of a right one, names an unknown pattern. It must be the pattern of \
-            the counterpart, not its key: its `incr`, or `<decr>|<ending of incr>` for a slider with two \
-            sides.\n\nMakeHuman 2 reports it only on the console. \"Make symmetric\" skips the slider. With an \
-            unknown `rsym`, the slider is never randomised (a warning); with an unknown `lsym`, the random character \
-            view crashes with `KeyError` (an error).\n\nWrite the pattern of the counterpart.",
-        ..RuleInfo::new("modelling-unknown-symmetry", Level::Error, "`lsym` or `rsym` names an unknown pattern")
-    },
-    check: Check::Makehuman2(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "skips the slider when it makes a character symmetric or random")],
+    docs: "`rsym` of a left slider, or `lsym` of a right one, names an unknown pattern. It must be the pattern of \
+        the counterpart, not its key: its `incr`, or `<decr>|<ending of incr>` for a slider with two \
+        sides.\n\nMakeHuman 2 reports it only on the console. \"Make symmetric\" skips the slider. With an \
+        unknown `rsym`, the slider is never randomised (a warning); with an unknown `lsym`, the random character \
+        view crashes with `KeyError` (an error).\n\nWrite the pattern of the counterpart.",
+    ..RuleInfo::new("modelling-unknown-symmetry", Level::Error, "`lsym` or `rsym` names an unknown pattern")
+});
 
 fn run(_: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for bound in with_patterns(base).unwrap_or_default() {

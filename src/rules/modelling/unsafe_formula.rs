@@ -5,26 +5,23 @@ use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::formats::expression::{Fault, FaultKind};
 use crate::repo::makehuman2::{Base, BoundSlider, View};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        cannot_be_ignored: true,
-        breaks: &[(
-            Application::Makehuman2,
-            "runs it as Python code with all rights of the user as soon as its window opens",
-        )],
-        docs: "`display.formula` or `display.text` is more than harmless arithmetic. MakeHuman 2 passes the formula \
-            to Python's `eval` and the result to the text with `str.format`, at every start and whenever a slider \
-            moves. That can run any program, read and delete files, or never end.\n\nSafe are numbers, `val` (the \
-            slider, 0 to 1), arithmetic, comparisons, `and`, `or`, `not`, conditional expressions, `round`, `str`, \
-            quoted strings and `+` between them, and powers with a fixed small exponent. In `text`, `{}` and `{0}` \
-            are safe, with or without a format.\n\nEverything else is reported: names, attributes, elements, other \
-            calls. So is what Python rejects, because MakeHuman 2 then crashes before its window is open, and a \
-            division by `val`, which crashes it when the slider is at 0. This finding cannot be ignored.\n\nRewrite \
-            the formula with what is safe.",
-        ..RuleInfo::new("modelling-unsafe-formula", Level::Error, "`display.formula` is more than harmless arithmetic")
-    },
-    check: Check::Makehuman2(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    cannot_be_ignored: true,
+    breaks: &[(
+        Application::Makehuman2,
+        "runs it as Python code with all rights of the user as soon as its window opens",
+    )],
+    docs: "`display.formula` or `display.text` is more than harmless arithmetic. MakeHuman 2 passes the formula \
+        to Python's `eval` and the result to the text with `str.format`, at every start and whenever a slider \
+        moves. That can run any program, read and delete files, or never end.\n\nSafe are numbers, `val` (the \
+        slider, 0 to 1), arithmetic, comparisons, `and`, `or`, `not`, conditional expressions, `round`, `str`, \
+        quoted strings and `+` between them, and powers with a fixed small exponent. In `text`, `{}` and `{0}` \
+        are safe, with or without a format.\n\nEverything else is reported: names, attributes, elements, other \
+        calls. So is what Python rejects, because MakeHuman 2 then crashes before its window is open, and a \
+        division by `val`, which crashes it when the slider is at 0. This finding cannot be ignored.\n\nRewrite \
+        the formula with what is safe.",
+    ..RuleInfo::new("modelling-unsafe-formula", Level::Error, "`display.formula` is more than harmless arithmetic")
+});
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for bound in &base.sliders {

@@ -4,19 +4,16 @@ use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View, user_scan};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "crashes with `UnboundLocalError` whenever it scans the user targets, for example at start",
-        )],
-        docs: "Two user targets named `…-incr` and `…-decr` are directly in `target/<base>/`.\n\nMakeHuman 2 makes \
-            one slider of such a pair, but crashes if it is not in a subfolder. A single target outside a subfolder \
-            works, and so does a pair in a subfolder.\n\nMove both files into a subfolder.",
-        ..RuleInfo::new("modelling-user-pair-at-top", Level::Error, "a pair of user targets is not in a subfolder")
-    },
-    check: Check::Makehuman2(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(
+        Application::Makehuman2,
+        "crashes with `UnboundLocalError` whenever it scans the user targets, for example at start",
+    )],
+    docs: "Two user targets named `…-incr` and `…-decr` are directly in `target/<base>/`.\n\nMakeHuman 2 makes \
+        one slider of such a pair, but crashes if it is not in a subfolder. A single target outside a subfolder \
+        works, and so does a pair in a subfolder.\n\nMove both files into a subfolder.",
+    ..RuleInfo::new("modelling-user-pair-at-top", Level::Error, "a pair of user targets is not in a subfolder")
+});
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let targets = user_scan::targets(base);

@@ -6,19 +6,16 @@ use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::repo::Body;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "snaps from one shape to another at this position of the slider")],
-        docs: "The shape jumps where a slider passes a step: the weight of a target changes by more than 0.02 between \
-            0.000001 below and above the step, with the other sliders at their defaults.\n\n\
-            MakeHuman 2 blends between two steps, so the shape normally follows the slider smoothly. Its own cut-offs \
-            at the steps cause jumps of up to 0.01, which nobody sees.\n\n\
-            Usually two steps are so close that there is nothing between them. Move them apart. For equal steps see \
-            `macro-steps-order`.",
-        ..RuleInfo::new("numeric-discontinuity", Level::Warning, "the shape jumps where a slider passes a step")
-    },
-    check: Check::Numeric(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "snaps from one shape to another at this position of the slider")],
+    docs: "The shape jumps where a slider passes a step: the weight of a target changes by more than 0.02 between \
+        0.000001 below and above the step, with the other sliders at their defaults.\n\n\
+        MakeHuman 2 blends between two steps, so the shape normally follows the slider smoothly. Its own cut-offs \
+        at the steps cause jumps of up to 0.01, which nobody sees.\n\n\
+        Usually two steps are so close that there is nothing between them. Move them apart. For equal steps see \
+        `macro-steps-order`.",
+    ..RuleInfo::new("numeric-discontinuity", Level::Warning, "the shape jumps where a slider passes a step")
+});
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = body.macros else { return };

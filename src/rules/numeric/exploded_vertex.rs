@@ -6,27 +6,24 @@ use crate::diag::{Application, Confidence, Evidence, Finding, Level, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::repo::Body;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "tears the vertex out of the figure, together with its faces, joints and clothes",
-        )],
-        docs: "At some slider setting a vertex lies outside the box around the default character by more than 0.6 \
-            times the diagonal of that box. The tallest character of MakeHuman's own base stays within 0.41 \
-            diagonals.\n\n\
-            Usually targets that are sound by themselves add up at an extreme setting. The finding is reported at the \
-            target that moves the vertex most. A single displacement larger than the whole mesh, or out of proportion \
-            to its target, is `target-oversized-delta` instead.\n\n\
-            Check the target for a missing decimal point or a wrong unit.",
-        ..RuleInfo::new(
-            "numeric-exploded-vertex",
-            Level::Warning,
-            "a vertex lies far outside the figure at some slider setting",
-        )
-    },
-    check: Check::Numeric(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
+    breaks: &[(
+        Application::Makehuman2,
+        "tears the vertex out of the figure, together with its faces, joints and clothes",
+    )],
+    docs: "At some slider setting a vertex lies outside the box around the default character by more than 0.6 \
+        times the diagonal of that box. The tallest character of MakeHuman's own base stays within 0.41 \
+        diagonals.\n\n\
+        Usually targets that are sound by themselves add up at an extreme setting. The finding is reported at the \
+        target that moves the vertex most. A single displacement larger than the whole mesh, or out of proportion \
+        to its target, is `target-oversized-delta` instead.\n\n\
+        Check the target for a missing decimal point or a wrong unit.",
+    ..RuleInfo::new(
+        "numeric-exploded-vertex",
+        Level::Warning,
+        "a vertex lies far outside the figure at some slider setting",
+    )
+});
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(space) = &measures.space else { return };

@@ -6,24 +6,18 @@ use crate::diag::{Application, Confidence, Evidence, Finding, Level, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::repo::Body;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "rotates the limb around a point outside it as soon as the figure is posed",
-        )],
-        docs: "At some slider setting a joint moves away from the skin around it.\n\n\
-            A joint is compared with the sixteen vertices of visible skin nearest to it on the default character. Its \
-            reach is its distance from the middle of that skin plus the radius of that skin. The distance may grow by \
-            three times this reach; in MakeHuman's own base toes and spine come to 2.2 at extremes of age and \
-            weight.\n\n\
-            Usually a target moves a joint cube but not the skin, or the skin but not the cube. The finding is \
-            reported at the target that moves the joint most at that setting. Move the joint cube and the skin \
-            together.",
-        ..RuleInfo::new("numeric-joint-drift", Level::Warning, "a joint leaves its limb at some slider setting")
-    },
-    check: Check::Numeric(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "rotates the limb around a point outside it as soon as the figure is posed")],
+    docs: "At some slider setting a joint moves away from the skin around it.\n\n\
+        A joint is compared with the sixteen vertices of visible skin nearest to it on the default character. Its \
+        reach is its distance from the middle of that skin plus the radius of that skin. The distance may grow by \
+        three times this reach; in MakeHuman's own base toes and spine come to 2.2 at extremes of age and \
+        weight.\n\n\
+        Usually a target moves a joint cube but not the skin, or the skin but not the cube. The finding is \
+        reported at the target that moves the joint most at that setting. Move the joint cube and the skin \
+        together.",
+    ..RuleInfo::new("numeric-joint-drift", Level::Warning, "a joint leaves its limb at some slider setting")
+});
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(space) = &measures.space else { return };

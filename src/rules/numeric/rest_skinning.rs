@@ -8,24 +8,21 @@ use crate::eval::skeleton::PARALLEL_SINE;
 use crate::eval::survey::SHORTEST_BONE;
 use crate::repo::Body;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "deforms the figure as soon as pose mode is entered, before any pose is loaded",
-        )],
-        docs: "With every bone at rest, skinning must leave each vertex where it is. Here a vertex of the default \
-            character moves by more than 0.001 cm (0.0001), or is not a number afterwards. What the cut-off of small \
-            weights takes from a vertex does not count here; it has a rule of its own.\n\n\
-            The rest matrices are wrong. Usually a bone lies along the world's z axis and its rotation plane has the \
-            same direction, so that it has no sideways axis. Or the mesh is so far from the origin, or in such small \
-            units, that 32-bit floats are not precise enough.\n\n\
-            Check the rotation planes of the bones that move the vertex. Bones without length and planes whose joints \
-            are in line are reported separately.",
-        ..RuleInfo::new("numeric-rest-skinning", Level::Error, "skinning in the rest pose changes the mesh")
-    },
-    check: Check::Numeric(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
+    breaks: &[(
+        Application::Makehuman2,
+        "deforms the figure as soon as pose mode is entered, before any pose is loaded",
+    )],
+    docs: "With every bone at rest, skinning must leave each vertex where it is. Here a vertex of the default \
+        character moves by more than 0.001 cm (0.0001), or is not a number afterwards. What the cut-off of small \
+        weights takes from a vertex does not count here; it has a rule of its own.\n\n\
+        The rest matrices are wrong. Usually a bone lies along the world's z axis and its rotation plane has the \
+        same direction, so that it has no sideways axis. Or the mesh is so far from the origin, or in such small \
+        units, that 32-bit floats are not precise enough.\n\n\
+        Check the rotation planes of the bones that move the vertex. Bones without length and planes whose joints \
+        are in line are reported separately.",
+    ..RuleInfo::new("numeric-rest-skinning", Level::Error, "skinning in the rest pose changes the mesh")
+});
 
 /// How far a vertex may move, decimetres: float32 holds 1e-6 at the size of a figure, a chain of matrices loses
 /// a little of it.

@@ -7,28 +7,25 @@ use crate::eval::measures::Measures;
 use crate::eval::settings::SliderSetting;
 use crate::repo::Body;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "applies that much less of the shape between the steps; no other combination makes up for it",
-        )],
-        docs: "A macrodef loses much of its weight because MakeHuman 2 drops small factors.\n\n\
-            MakeHuman 2 multiplies the weights of all components of a macrodef and drops every combination whose \
-            product is 0.01 or less. It does not give the dropped weight to the others, so that part of the shape is \
-            missing between the steps. At worst, with each component between two steps, two components lose 2 %, three \
-            4 %, four 8 %, five 17 % and six 36 %.\n\n\
-            There is one finding per `macro.json`: the macrodef that loses most, at the worst setting found. Nothing \
-            needs to be done; splitting a macrodef with many components reduces the loss.",
-        options: &[OptionInfo { name: "percent", default: 5.0, docs: "how much weight may be lost, in per cent" }],
-        ..RuleInfo::new(
-            "numeric-threshold-loss",
-            Level::Info,
-            "a macrodef loses much weight to the cut-off of small factors",
-        )
-    },
-    check: Check::Numeric(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
+    breaks: &[(
+        Application::Makehuman2,
+        "applies that much less of the shape between the steps; no other combination makes up for it",
+    )],
+    docs: "A macrodef loses much of its weight because MakeHuman 2 drops small factors.\n\n\
+        MakeHuman 2 multiplies the weights of all components of a macrodef and drops every combination whose \
+        product is 0.01 or less. It does not give the dropped weight to the others, so that part of the shape is \
+        missing between the steps. At worst, with each component between two steps, two components lose 2 %, three \
+        4 %, four 8 %, five 17 % and six 36 %.\n\n\
+        There is one finding per `macro.json`: the macrodef that loses most, at the worst setting found. Nothing \
+        needs to be done; splitting a macrodef with many components reduces the loss.",
+    options: &[OptionInfo { name: "percent", default: 5.0, docs: "how much weight may be lost, in per cent" }],
+    ..RuleInfo::new(
+        "numeric-threshold-loss",
+        Level::Info,
+        "a macrodef loses much weight to the cut-off of small factors",
+    )
+});
 
 fn run(body: &Body<'_>, measures: &Measures, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = body.macros else { return };

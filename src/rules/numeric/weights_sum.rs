@@ -7,24 +7,21 @@ use crate::eval::measures::Measures;
 use crate::formats::macro_json::Component;
 use crate::repo::Body;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "applies the shapes of the macrodef too weakly or too strongly; it does not normalise the weights",
-        )],
-        docs: "The weights of a component do not add up to 1. A deviation of up to 0.0025 comes from MakeHuman 2's own \
-            cut-offs and is not reported.\n\n\
-            MakeHuman 2 blends between the values of a component, multiplies the weights of all components, and \
-            normalises nothing. If a component uses only two corners of a triangle slider, the weight of the third \
-            corner is lost: after a reset (0.33, 0.33 and 0.34) two corners hold two thirds, and with the slider in \
-            the third corner the macrodef applies nothing.\n\n\
-            Give the component a value for each corner; the combinations of the third one may be `null`. Steps that do \
-            not run from 0 to 1 and lists of unequal length also cause wrong sums; they have rules of their own.",
-        ..RuleInfo::new("numeric-weights-sum", Level::Warning, "the weights of a component do not add up to 1")
-    },
-    check: Check::Numeric(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
+    breaks: &[(
+        Application::Makehuman2,
+        "applies the shapes of the macrodef too weakly or too strongly; it does not normalise the weights",
+    )],
+    docs: "The weights of a component do not add up to 1. A deviation of up to 0.0025 comes from MakeHuman 2's own \
+        cut-offs and is not reported.\n\n\
+        MakeHuman 2 blends between the values of a component, multiplies the weights of all components, and \
+        normalises nothing. If a component uses only two corners of a triangle slider, the weight of the third \
+        corner is lost: after a reset (0.33, 0.33 and 0.34) two corners hold two thirds, and with the slider in \
+        the third corner the macrodef applies nothing.\n\n\
+        Give the component a value for each corner; the combinations of the third one may be `null`. Steps that do \
+        not run from 0 to 1 and lists of unequal length also cause wrong sums; they have rules of their own.",
+    ..RuleInfo::new("numeric-weights-sum", Level::Warning, "the weights of a component do not add up to 1")
+});
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = body.macros else { return };

@@ -7,23 +7,20 @@ use crate::diag::{Application, Evidence, Finding, Level, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::repo::Body;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "divides by zero: the rest matrix is not a number, and in pose mode the skin of the bone disappears",
-        )],
-        docs: "At some slider setting the head and the tail of a bone meet at one point: they are closer than 0.001 cm \
-            (0.0001). The bones of MakeHuman's own base keep at least 0.26 cm at every setting.\n\n\
-            Joints are the mean positions of their vertices on the morphed mesh, and MakeHuman 2 recomputes them after \
-            every change. A target that moves one joint cube onto another removes the bone between them. The finding \
-            is reported at that target.\n\n\
-            Move the joint cubes together with the limb. For a bone without length on the default character see \
-            `skeleton-zero-length-bone`.",
-        ..RuleInfo::new("numeric-zero-length-bone", Level::Error, "a bone has no length at some slider setting")
-    },
-    check: Check::Numeric(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
+    breaks: &[(
+        Application::Makehuman2,
+        "divides by zero: the rest matrix is not a number, and in pose mode the skin of the bone disappears",
+    )],
+    docs: "At some slider setting the head and the tail of a bone meet at one point: they are closer than 0.001 cm \
+        (0.0001). The bones of MakeHuman's own base keep at least 0.26 cm at every setting.\n\n\
+        Joints are the mean positions of their vertices on the morphed mesh, and MakeHuman 2 recomputes them after \
+        every change. A target that moves one joint cube onto another removes the bone between them. The finding \
+        is reported at that target.\n\n\
+        Move the joint cubes together with the limb. For a bone without length on the default character see \
+        `skeleton-zero-length-bone`.",
+    ..RuleInfo::new("numeric-zero-length-bone", Level::Error, "a bone has no length at some slider setting")
+});
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(space) = &measures.space else { return };

@@ -6,24 +6,21 @@ use super::super::{Check, Rule, RuleCx, counted};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::repo::View;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "never reads it or the targets beside it: it only looks in the folder of the base mesh",
-        )],
-        docs: "`contarget` and `target` have one folder for each base mesh. It contains macro.json, modelling.json, \
-            target_cat.json and the folders of targets.\n\nIf these are in `contarget` or `target` itself, MakeHuman \
-            2 finds none of them, and the base has no sliders.\n\nMove everything into a folder with the name of the \
-            base mesh.",
-        ..RuleInfo::new(
-            "overlay-base-folder-missing",
-            Level::Error,
-            "sliders and targets outside the folder of a base mesh",
-        )
-    },
-    check: Check::Repository(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
+    breaks: &[(
+        Application::Makehuman2,
+        "never reads it or the targets beside it: it only looks in the folder of the base mesh",
+    )],
+    docs: "`contarget` and `target` have one folder for each base mesh. It contains macro.json, modelling.json, \
+        target_cat.json and the folders of targets.\n\nIf these are in `contarget` or `target` itself, MakeHuman \
+        2 finds none of them, and the base has no sliders.\n\nMove everything into a folder with the name of the \
+        base mesh.",
+    ..RuleInfo::new(
+        "overlay-base-folder-missing",
+        Level::Error,
+        "sliders and targets outside the folder of a base mesh",
+    )
+});
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers().checked;

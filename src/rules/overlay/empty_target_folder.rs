@@ -5,27 +5,24 @@ use super::{has_broken_override, has_misnamed_override};
 use crate::diag::{Application, Finding, Level, RuleInfo};
 use crate::repo::makehuman2::{Base, TargetFolder, View};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "writes an empty archive at the first start, and crashes with `EOFError` at every later start",
-        )],
-        docs: "The folder that the targets of a base come from contains no target. It is `contarget/<base>` if a \
-            macro.json there is accepted, otherwise `target/<base>` of the system.\n\nMakeHuman 2 packs all targets \
-            of the folder into `compressedtargets.npz` if that does not exist. It creates the file first and then \
-            fills it. Without any `.target` in the folder or below, a file of 0 bytes remains, and MakeHuman 2 \
-            crashes with `EOFError` (target.py:648) from the second start on, until somebody deletes it. Without any \
-            modelling.json it skips this step.\n\nA folder is reported only if nothing refers to targets in it; \
-            otherwise the names that lead to nothing are reported.\n\nAdd any `.target` file to the folder.",
-        ..RuleInfo::new(
-            "overlay-empty-target-folder",
-            Level::Error,
-            "the folder that the targets of a base come from contains no target",
-        )
-    },
-    check: Check::Makehuman2(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(
+        Application::Makehuman2,
+        "writes an empty archive at the first start, and crashes with `EOFError` at every later start",
+    )],
+    docs: "The folder that the targets of a base come from contains no target. It is `contarget/<base>` if a \
+        macro.json there is accepted, otherwise `target/<base>` of the system.\n\nMakeHuman 2 packs all targets \
+        of the folder into `compressedtargets.npz` if that does not exist. It creates the file first and then \
+        fills it. Without any `.target` in the folder or below, a file of 0 bytes remains, and MakeHuman 2 \
+        crashes with `EOFError` (target.py:648) from the second start on, until somebody deletes it. Without any \
+        modelling.json it skips this step.\n\nA folder is reported only if nothing refers to targets in it; \
+        otherwise the names that lead to nothing are reported.\n\nAdd any `.target` file to the folder.",
+    ..RuleInfo::new(
+        "overlay-empty-target-folder",
+        Level::Error,
+        "the folder that the targets of a base come from contains no target",
+    )
+});
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if has_broken_override(base) || has_misnamed_override(view, base) {

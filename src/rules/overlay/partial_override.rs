@@ -9,21 +9,18 @@ use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, View};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "combines the override with system files that were not made for it")],
-        docs: "The files of a base in `contarget/<base>/` belong together. But MakeHuman 2 chooses each JSON \
-            separately, and takes targets and icons from the folder whose macro.json it uses.\n\nWithout macro.json, \
-            the override's sliders load the system's targets, and targets beside them are never read. If the system \
-            does not have the base, MakeHuman 2 crashes at start, because it tries to write an archive into a folder \
-            that does not exist. Such a base needs a macro.json even without macros: `{\"components\": {}, \
-            \"macrodef\": []}`.\n\nWithout modelling.json, the system's sliders look for their targets in contarget. \
-            Targets in contarget without any of the three files are never read. If all names resolve in spite of the \
-            gap, nothing is wrong today, and the finding is an info.\n\nAdd the missing files.",
-        ..RuleInfo::new("overlay-partial-override", Level::Warning, "an override without the other files it needs")
-    },
-    check: Check::Makehuman2(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "combines the override with system files that were not made for it")],
+    docs: "The files of a base in `contarget/<base>/` belong together. But MakeHuman 2 chooses each JSON \
+        separately, and takes targets and icons from the folder whose macro.json it uses.\n\nWithout macro.json, \
+        the override's sliders load the system's targets, and targets beside them are never read. If the system \
+        does not have the base, MakeHuman 2 crashes at start, because it tries to write an archive into a folder \
+        that does not exist. Such a base needs a macro.json even without macros: `{\"components\": {}, \
+        \"macrodef\": []}`.\n\nWithout modelling.json, the system's sliders look for their targets in contarget. \
+        Targets in contarget without any of the three files are never read. If all names resolve in spite of the \
+        gap, nothing is wrong today, and the finding is an info.\n\nAdd the missing files.",
+    ..RuleInfo::new("overlay-partial-override", Level::Warning, "an override without the other files it needs")
+});
 
 /// A gap: how bad, what is wrong, what MakeHuman 2 does, what to do.
 type Gap = (Level, String, &'static str, &'static str);

@@ -5,19 +5,16 @@ use super::{Override, SystemFolder, is_complete, overrides, system_folder};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "reads the file in contarget instead of the system's")],
-        docs: "macro.json, modelling.json and target_cat.json in `contarget/<base>/` replace the system's files of \
-            the same names completely; nothing is merged. With macro.json the targets change as well: none of the \
-            system's can be reached. That is what overrides are for; the finding lists what is no longer reachable. \
-            An override with gaps has a finding for the gap instead.\n\nMakeHuman 2 never reads a macro.json in the \
-            user's `target/<base>/`. Move it to `contarget/<base>/` together with the targets it names. It also \
-            never reads a `contarget` folder in the system's data.",
-        ..RuleInfo::new("overlay-shadowed", Level::Info, "a file that is replaced or never read")
-    },
-    check: Check::Makehuman2(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "reads the file in contarget instead of the system's")],
+    docs: "macro.json, modelling.json and target_cat.json in `contarget/<base>/` replace the system's files of \
+        the same names completely; nothing is merged. With macro.json the targets change as well: none of the \
+        system's can be reached. That is what overrides are for; the finding lists what is no longer reachable. \
+        An override with gaps has a finding for the gap instead.\n\nMakeHuman 2 never reads a macro.json in the \
+        user's `target/<base>/`. Move it to `contarget/<base>/` together with the targets it names. It also \
+        never reads a `contarget` folder in the system's data.",
+    ..RuleInfo::new("overlay-shadowed", Level::Info, "a file that is replaced or never read")
+});
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let all = overrides(base);

@@ -8,28 +8,25 @@ use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleIn
 use crate::repo::makehuman2::{Base, View};
 use crate::repo::{Reference, ReferenceKind};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "cannot load the targets and crashes with `AttributeError`: at start if the default character uses one, \
-                otherwise as soon as one gets weight",
-        )],
-        docs: "MakeHuman 2 loads all targets of a base, for macros and sliders, from one folder: `contarget/<base>` \
-            if a macro.json there is in use, otherwise `target/<base>` of the system. Single files do not fall back \
-            to the other folder. But sliders and macros can still come from the other layer, because each JSON is \
-            chosen separately; then they name targets that are not in the folder in use.\n\nSo an override of \
-            macro.json needs every target that a slider or combination in use names. Copy the missing ones beside \
-            it, remove them from the JSON, or give up the override of macro.json. An override of modelling.json \
-            alone uses the system's targets: with targets of its own it needs a macro.json beside it.",
-        ..RuleInfo::new(
-            "overlay-targets-not-in-layer",
-            Level::Error,
-            "targets that exist only in the folder that is not in use",
-        )
-    },
-    check: Check::Makehuman2(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(
+        Application::Makehuman2,
+        "cannot load the targets and crashes with `AttributeError`: at start if the default character uses one, \
+            otherwise as soon as one gets weight",
+    )],
+    docs: "MakeHuman 2 loads all targets of a base, for macros and sliders, from one folder: `contarget/<base>` \
+        if a macro.json there is in use, otherwise `target/<base>` of the system. Single files do not fall back \
+        to the other folder. But sliders and macros can still come from the other layer, because each JSON is \
+        chosen separately; then they name targets that are not in the folder in use.\n\nSo an override of \
+        macro.json needs every target that a slider or combination in use names. Copy the missing ones beside \
+        it, remove them from the JSON, or give up the override of macro.json. An override of modelling.json \
+        alone uses the system's targets: with targets of its own it needs a macro.json beside it.",
+    ..RuleInfo::new(
+        "overlay-targets-not-in-layer",
+        Level::Error,
+        "targets that exist only in the folder that is not in use",
+    )
+});
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     // A macro.json that is refused is the cause, and `overlay-broken-override` says so; without any folder

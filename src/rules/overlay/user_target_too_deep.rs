@@ -7,17 +7,14 @@ use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 use crate::repo::{FileFacts, Resolution};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "packs the targets into its archive, but shows no slider for them")],
-        docs: "MakeHuman 2 makes sliders from the user's targets in `target/<base>/` and in the folders directly \
-            below it, but not deeper. Files further down are still read and packed at every start, and a malformed \
-            one still crashes it, but they get no slider. Neither do targets in the folder `icons`, which is for \
-            pictures.\n\nMove the files up: one folder below `target/<base>/` is one group of sliders.",
-        ..RuleInfo::new("overlay-user-target-too-deep", Level::Warning, "user targets too deep to become sliders")
-    },
-    check: Check::Makehuman2(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "packs the targets into its archive, but shows no slider for them")],
+    docs: "MakeHuman 2 makes sliders from the user's targets in `target/<base>/` and in the folders directly \
+        below it, but not deeper. Files further down are still read and packed at every start, and a malformed \
+        one still crashes it, but they get no slider. Neither do targets in the folder `icons`, which is for \
+        pictures.\n\nMove the files up: one folder below `target/<base>/` is one group of sliders.",
+    ..RuleInfo::new("overlay-user-target-too-deep", Level::Warning, "user targets too deep to become sliders")
+});
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(folder) = base.user_targets else { return };

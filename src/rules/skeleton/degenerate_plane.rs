@@ -10,22 +10,19 @@ use crate::eval::skeleton::PARALLEL_SINE;
 use crate::formats::mhskel::Plane;
 use crate::repo::Body;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "gets no normal: in pose mode all vertices of these bones and of the bones below them disappear",
-        )],
-        docs: "On the default character the three joints of a `rotation_plane` are in line, or two of them are at the \
-            same place.\n\n\
-            The plane determines the roll of its bones. Without an area it has no normal, and the rest matrices of the \
-            bones are not numbers; MakeHuman 2 does not report it. If the joints are in line except for rounding (sine \
-            of the angle below 0.0001, or 0.006°), there is a normal, but it is noise: a warning.\n\n\
-            Choose three joints that form a triangle, such as shoulder, elbow and wrist of a bent arm.",
-        ..RuleInfo::new("skeleton-degenerate-plane", Level::Error, "the joints of a rotation plane are in line")
-    },
-    check: Check::Numeric(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
+    breaks: &[(
+        Application::Makehuman2,
+        "gets no normal: in pose mode all vertices of these bones and of the bones below them disappear",
+    )],
+    docs: "On the default character the three joints of a `rotation_plane` are in line, or two of them are at the \
+        same place.\n\n\
+        The plane determines the roll of its bones. Without an area it has no normal, and the rest matrices of the \
+        bones are not numbers; MakeHuman 2 does not report it. If the joints are in line except for rounding (sine \
+        of the angle below 0.0001, or 0.006°), there is a normal, but it is noise: a warning.\n\n\
+        Choose three joints that form a triangle, such as shoulder, elbow and wrist of a bent arm.",
+    ..RuleInfo::new("skeleton-degenerate-plane", Level::Error, "the joints of a rotation plane are in line")
+});
 
 const NOISE: Case = &[(
     Application::Makehuman2,

@@ -5,22 +5,19 @@ use super::rigs;
 use crate::diag::{Application, Case, Finding, Level, Place, RuleInfo};
 use crate::repo::Body;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "drops the joint, then crashes with `KeyError` at the first bone that needs it",
-        )],
-        docs: "A joint lists no vertices, or is not a list. A joint is the mean position of the vertices that it \
-            lists.\n\n\
-            MakeHuman 2 drops such joints without a message, and then crashes with `KeyError` at the first bone that \
-            names one: for the default skeleton while loading the base mesh, for others when they are chosen. If no \
-            bone needs the joint, this is reported as info.\n\n\
-            List the vertices of the joint, usually the eight corners of its cube in the base mesh.",
-        ..RuleInfo::new("skeleton-empty-joint", Level::Error, "a joint lists no vertices")
-    },
-    check: Check::Body(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[(
+        Application::Makehuman2,
+        "drops the joint, then crashes with `KeyError` at the first bone that needs it",
+    )],
+    docs: "A joint lists no vertices, or is not a list. A joint is the mean position of the vertices that it \
+        lists.\n\n\
+        MakeHuman 2 drops such joints without a message, and then crashes with `KeyError` at the first bone that \
+        names one: for the default skeleton while loading the base mesh, for others when they are chosen. If no \
+        bone needs the joint, this is reported as info.\n\n\
+        List the vertices of the joint, usually the eight corners of its cube in the base mesh.",
+    ..RuleInfo::new("skeleton-empty-joint", Level::Error, "a joint lists no vertices")
+});
 
 const NOT_NEEDED: Case = &[(Application::Makehuman2, Level::Info, "silently drops the joint; no bone needs it")];
 

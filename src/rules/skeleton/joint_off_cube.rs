@@ -10,23 +10,20 @@ use crate::formats::mhskel::Joint;
 use crate::formats::obj::Mesh;
 use crate::repo::{Body, FileFacts};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "places the joint off its cube, and moves it with the wrong vertices")],
-        docs: "A joint lists only part of its cube together with other vertices. The base mesh marks joints with small \
-            cubes, groups whose names begin with `joint-`; a joint lists the vertices of its cube and lies at their \
-            mean.\n\n\
-            Reported are joints that list half of a cube or more, but not all of it, together with vertices outside \
-            it, and no complete cube. Joints that list each other's cubes are reported, too. Two opposite corners, \
-            single vertices and the mean of several complete cubes are fine.\n\n\
-            MakeHuman 2 silently takes the mean of all listed vertices. The joint is off its place, and even more so \
-            if a slider moves the other vertices elsewhere.\n\n\
-            Usually the numbers were counted from 1, as in the OBJ file, or one of them is mistyped. List the vertices \
-            of the cube, counted from 0.",
-        ..RuleInfo::new("skeleton-joint-off-cube", Level::Warning, "a joint lists part of its cube and other vertices")
-    },
-    check: Check::Body(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "places the joint off its cube, and moves it with the wrong vertices")],
+    docs: "A joint lists only part of its cube together with other vertices. The base mesh marks joints with small \
+        cubes, groups whose names begin with `joint-`; a joint lists the vertices of its cube and lies at their \
+        mean.\n\n\
+        Reported are joints that list half of a cube or more, but not all of it, together with vertices outside \
+        it, and no complete cube. Joints that list each other's cubes are reported, too. Two opposite corners, \
+        single vertices and the mean of several complete cubes are fine.\n\n\
+        MakeHuman 2 silently takes the mean of all listed vertices. The joint is off its place, and even more so \
+        if a slider moves the other vertices elsewhere.\n\n\
+        Usually the numbers were counted from 1, as in the OBJ file, or one of them is mistyped. List the vertices \
+        of the cube, counted from 0.",
+    ..RuleInfo::new("skeleton-joint-off-cube", Level::Warning, "a joint lists part of its cube and other vertices")
+});
 
 /// A joint, the name of the cube that it means, how many of its vertices it lists, and how many that cube has.
 type OffCube<'a> = (&'a Joint, &'a str, usize, usize);

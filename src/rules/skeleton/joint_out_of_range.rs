@@ -7,24 +7,21 @@ use super::{Rig, rigs};
 use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::Body;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "crashes with `IndexError` when it computes the position of the joint")],
-        docs: "A joint lists a vertex that the base mesh does not have. Joints list vertex numbers of the base mesh, \
-            counted from 0.\n\n\
-            MakeHuman 2 crashes with `IndexError` on numbers beyond the last vertex, and on numbers with a decimal \
-            point (`12.0`).\n\n\
-            When it loads a mesh, it adds duplicates of vertices along UV seams. A number in that range, and a \
-            negative number (counted from the end), is accepted and means a vertex that nobody intended: a warning.\n\n\
-            Usually the skeleton was made for another base mesh.",
-        ..RuleInfo::new(
-            "skeleton-joint-out-of-range",
-            Level::Error,
-            "a joint lists a vertex that the base mesh does not have",
-        )
-    },
-    check: Check::Body(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "crashes with `IndexError` when it computes the position of the joint")],
+    docs: "A joint lists a vertex that the base mesh does not have. Joints list vertex numbers of the base mesh, \
+        counted from 0.\n\n\
+        MakeHuman 2 crashes with `IndexError` on numbers beyond the last vertex, and on numbers with a decimal \
+        point (`12.0`).\n\n\
+        When it loads a mesh, it adds duplicates of vertices along UV seams. A number in that range, and a \
+        negative number (counted from the end), is accepted and means a vertex that nobody intended: a warning.\n\n\
+        Usually the skeleton was made for another base mesh.",
+    ..RuleInfo::new(
+        "skeleton-joint-out-of-range",
+        Level::Error,
+        "a joint lists a vertex that the base mesh does not have",
+    )
+});
 
 const STOPS: Case = &[(Application::Makehuman2, Level::Error, "crashes with `IndexError`")];
 const SEAM: Case = &[(Application::Makehuman2, Level::Warning, "uses the position of a UV-seam duplicate")];

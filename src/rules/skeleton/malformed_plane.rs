@@ -8,21 +8,18 @@ use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::mhskel::Plane;
 use crate::repo::Body;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "crashes with `TypeError` or `KeyError` when it computes the bones that use the plane",
-        )],
-        docs: "A plane is not a list of three joint names. Only the first three count.\n\n\
-            MakeHuman 2 refuses a skeleton if a bone uses the plane `[null, null, null]` (old exporters wrote it for \
-            \"no plane\"). It crashes if there are fewer than three joints, if one of them is not a name, or if the \
-            plane is not a list. A plane that no bone uses is never read and is reported as info.\n\n\
-            Name three joints that are not in line, or remove the plane and the `rotation_plane` of its bones.",
-        ..RuleInfo::new("skeleton-malformed-plane", Level::Error, "a plane is not a list of three joints")
-    },
-    check: Check::Body(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[(
+        Application::Makehuman2,
+        "crashes with `TypeError` or `KeyError` when it computes the bones that use the plane",
+    )],
+    docs: "A plane is not a list of three joint names. Only the first three count.\n\n\
+        MakeHuman 2 refuses a skeleton if a bone uses the plane `[null, null, null]` (old exporters wrote it for \
+        \"no plane\"). It crashes if there are fewer than three joints, if one of them is not a name, or if the \
+        plane is not a list. A plane that no bone uses is never read and is reported as info.\n\n\
+        Name three joints that are not in line, or remove the plane and the `rotation_plane` of its bones.",
+    ..RuleInfo::new("skeleton-malformed-plane", Level::Error, "a plane is not a list of three joints")
+});
 
 const EXCEPTION: Case = &[(Application::Makehuman2, Level::Error, "crashes")];
 const TYPE_ERROR: Case = &[(Application::Makehuman2, Level::Error, "crashes with `TypeError`")];

@@ -5,22 +5,19 @@ use super::{Rig, rigs};
 use crate::diag::{Application, Finding, Level, RuleInfo};
 use crate::repo::{Body, Reference, Resolution};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "refuses the skeleton and logs a line")],
-        docs: "The weights file of a skeleton does not exist where MakeHuman 2 looks for it.\n\n\
-            MakeHuman 2 looks for `weights_file` (`default_weights.mhw` if the key is missing) in `rigs/<base>/` of \
-            the user's data, then of the system's, and never beside the skeleton. If the file does not exist there, it \
-            refuses the whole skeleton.\n\n\
-            Correct the name, or move the file. A skeleton in a sub-folder has to name the sub-folder: `sub/file.mhw`.",
-        ..RuleInfo::new(
-            "skeleton-missing-weights",
-            Level::Error,
-            "the weights file of a skeleton is not where MakeHuman 2 looks for it",
-        )
-    },
-    check: Check::Body(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "refuses the skeleton and logs a line")],
+    docs: "The weights file of a skeleton does not exist where MakeHuman 2 looks for it.\n\n\
+        MakeHuman 2 looks for `weights_file` (`default_weights.mhw` if the key is missing) in `rigs/<base>/` of \
+        the user's data, then of the system's, and never beside the skeleton. If the file does not exist there, it \
+        refuses the whole skeleton.\n\n\
+        Correct the name, or move the file. A skeleton in a sub-folder has to name the sub-folder: `sub/file.mhw`.",
+    ..RuleInfo::new(
+        "skeleton-missing-weights",
+        Level::Error,
+        "the weights file of a skeleton is not where MakeHuman 2 looks for it",
+    )
+});
 
 fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for rig in rigs(body) {

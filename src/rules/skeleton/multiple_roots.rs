@@ -6,17 +6,14 @@ use super::rigs;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::Body;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "refuses the skeleton and logs a line")],
-        docs: "More than one bone of a skeleton has no parent.\n\n\
-            MakeHuman 2 needs exactly one root and refuses the whole skeleton if there is a second one, even if only \
-            `parent` was forgotten. MakeHuman 1 accepts several roots.\n\n\
-            Give every bone but one a parent; an unattached bone can hang on the root.",
-        ..RuleInfo::new("skeleton-multiple-roots", Level::Error, "more than one bone of a skeleton has no parent")
-    },
-    check: Check::Body(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "refuses the skeleton and logs a line")],
+    docs: "More than one bone of a skeleton has no parent.\n\n\
+        MakeHuman 2 needs exactly one root and refuses the whole skeleton if there is a second one, even if only \
+        `parent` was forgotten. MakeHuman 1 accepts several roots.\n\n\
+        Give every bone but one a parent; an unattached bone can hang on the root.",
+    ..RuleInfo::new("skeleton-multiple-roots", Level::Error, "more than one bone of a skeleton has no parent")
+});
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for rig in rigs(body) {

@@ -9,20 +9,17 @@ use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::side;
 use crate::repo::Body;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "loads and poses the bone like any other; only tools that mirror by name miss the counterpart",
-        )],
-        docs: "A bone of one side has no counterpart on the other. Left and right bones are recognised by their names: \
-            `hand.L` and `hand.R`, `hand_l` and `hand_r`, `l-hand` and `r-hand`.\n\n\
-            The bone works in MakeHuman 2. Tools that mirror poses by these names leave it out.\n\n\
-            Usually the counterpart is misspelt or was forgotten. Correct its name, or add it.",
-        ..RuleInfo::new("skeleton-name-asymmetry", Level::Info, "a bone has no left/right counterpart")
-    },
-    check: Check::Body(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[(
+        Application::Makehuman2,
+        "loads and poses the bone like any other; only tools that mirror by name miss the counterpart",
+    )],
+    docs: "A bone of one side has no counterpart on the other. Left and right bones are recognised by their names: \
+        `hand.L` and `hand.R`, `hand_l` and `hand_r`, `l-hand` and `r-hand`.\n\n\
+        The bone works in MakeHuman 2. Tools that mirror poses by these names leave it out.\n\n\
+        Usually the counterpart is misspelt or was forgotten. Correct its name, or add it.",
+    ..RuleInfo::new("skeleton-name-asymmetry", Level::Info, "a bone has no left/right counterpart")
+});
 
 fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for rig in rigs(body) {

@@ -7,20 +7,17 @@ use super::{Rig, rigs};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::repo::Body;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "lists only one of the skeletons; the others cannot be chosen")],
-        docs: "Two skeletons of a base have the same `name`. This is the name under which MakeHuman 2 lists them, so \
-            it often happens when a skeleton was copied to make another one.\n\n\
-            MakeHuman 2 lists only the first one that its scan finds: the user's before the system's, and within a \
-            folder whichever the file system returns first. The others are lost without a message.\n\n\
-            A file in the user's data with the same path as one in the system's data replaces it and does not clash. \
-            Skeletons without `name` are listed by their file names.\n\n\
-            Give each skeleton a name of its own.",
-        ..RuleInfo::new("skeleton-name-clash", Level::Error, "two skeletons of a base have the same name")
-    },
-    check: Check::Body(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "lists only one of the skeletons; the others cannot be chosen")],
+    docs: "Two skeletons of a base have the same `name`. This is the name under which MakeHuman 2 lists them, so \
+        it often happens when a skeleton was copied to make another one.\n\n\
+        MakeHuman 2 lists only the first one that its scan finds: the user's before the system's, and within a \
+        folder whichever the file system returns first. The others are lost without a message.\n\n\
+        A file in the user's data with the same path as one in the system's data replaces it and does not clash. \
+        Skeletons without `name` are listed by their file names.\n\n\
+        Give each skeleton a name of its own.",
+    ..RuleInfo::new("skeleton-name-clash", Level::Error, "two skeletons of a base have the same name")
+});
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let mut by_name: BTreeMap<&str, Vec<Rig<'_>>> = BTreeMap::new();

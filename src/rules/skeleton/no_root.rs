@@ -7,18 +7,15 @@ use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::mhskel::Section;
 use crate::repo::Body;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "refuses the skeleton and logs a line")],
-        docs: "No bone of a skeleton is the root: a bone whose `parent` is null or missing.\n\n\
-            MakeHuman 2 refuses a skeleton in which every bone has a parent (their parents then form a cycle), and one \
-            without bones.\n\n\
-            Set `parent` of the bone that carries all others to null. For a cycle of parents beside a root see \
-            `skeleton-cycle`; for parents that do not exist see `skeleton-unknown-parent`.",
-        ..RuleInfo::new("skeleton-no-root", Level::Error, "no bone of a skeleton is the root")
-    },
-    check: Check::Body(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "refuses the skeleton and logs a line")],
+    docs: "No bone of a skeleton is the root: a bone whose `parent` is null or missing.\n\n\
+        MakeHuman 2 refuses a skeleton in which every bone has a parent (their parents then form a cycle), and one \
+        without bones.\n\n\
+        Set `parent` of the bone that carries all others to null. For a cycle of parents beside a root see \
+        `skeleton-cycle`; for parents that do not exist see `skeleton-unknown-parent`.",
+    ..RuleInfo::new("skeleton-no-root", Level::Error, "no bone of a skeleton is the root")
+});
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for rig in rigs(body) {

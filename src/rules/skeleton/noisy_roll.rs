@@ -6,28 +6,25 @@ use crate::diag::{Application, Evidence, Finding, Level, OptionInfo, Place, Rule
 use crate::eval::measures::Measures;
 use crate::repo::Body;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "takes the roll from tiny differences, which may change with every morph")],
-        docs: "A bone is almost parallel to the normal of its plane. Without `rotation_plane` the normal points \
-            straight up (0, 1, 0), so this affects upright bones.\n\n\
-            MakeHuman 2 computes the roll from the part of the normal across the bone. If hardly any of it is left, \
-            the smallest change of a joint turns the bone around its own axis: poses and exported rigs differ between \
-            characters and between left and right.\n\n\
-            Give such bones a `rotation_plane` through three joints of their limb.",
-        options: &[OptionInfo {
-            name: "cosine",
-            default: 0.999,
-            docs: "cosine of the angle between bone and normal above which the roll counts as noise (0.999 is 2.6°)",
-        }],
-        ..RuleInfo::new(
-            "skeleton-noisy-roll",
-            Level::Info,
-            "bones are almost parallel to the normal that determines their roll",
-        )
-    },
-    check: Check::Numeric(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "takes the roll from tiny differences, which may change with every morph")],
+    docs: "A bone is almost parallel to the normal of its plane. Without `rotation_plane` the normal points \
+        straight up (0, 1, 0), so this affects upright bones.\n\n\
+        MakeHuman 2 computes the roll from the part of the normal across the bone. If hardly any of it is left, \
+        the smallest change of a joint turns the bone around its own axis: poses and exported rigs differ between \
+        characters and between left and right.\n\n\
+        Give such bones a `rotation_plane` through three joints of their limb.",
+    options: &[OptionInfo {
+        name: "cosine",
+        default: 0.999,
+        docs: "cosine of the angle between bone and normal above which the roll counts as noise (0.999 is 2.6°)",
+    }],
+    ..RuleInfo::new(
+        "skeleton-noisy-roll",
+        Level::Info,
+        "bones are almost parallel to the normal that determines their roll",
+    )
+});
 
 fn run(body: &Body<'_>, measures: &Measures, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let cosine = cx.option(&RULE, "cosine");

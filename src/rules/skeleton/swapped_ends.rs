@@ -8,19 +8,16 @@ use crate::eval::rig_measure::BoneMeasure;
 use crate::eval::vector::distance;
 use crate::repo::Body;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "rotates the bone around its far end: the limb tears off at the joint")],
-        docs: "`head` and `tail` of a bone are swapped. Reported is a bone whose tail is at the tail of its parent, \
-            while its head lies farther out and no child continues from its tail. A bone that lies along its parent \
-            and ends with it, such as a twist bone, is not reported.\n\n\
-            A bone rotates around its `head`. MakeHuman 2 says nothing and rotates such a bone around its far end; its \
-            roll is reversed as well.\n\n\
-            Swap `head` and `tail`.",
-        ..RuleInfo::new("skeleton-swapped-ends", Level::Warning, "head and tail of a bone are swapped")
-    },
-    check: Check::Numeric(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "rotates the bone around its far end: the limb tears off at the joint")],
+    docs: "`head` and `tail` of a bone are swapped. Reported is a bone whose tail is at the tail of its parent, \
+        while its head lies farther out and no child continues from its tail. A bone that lies along its parent \
+        and ends with it, such as a twist bone, is not reported.\n\n\
+        A bone rotates around its `head`. MakeHuman 2 says nothing and rotates such a bone around its far end; its \
+        roll is reversed as well.\n\n\
+        Swap `head` and `tail`.",
+    ..RuleInfo::new("skeleton-swapped-ends", Level::Warning, "head and tail of a bone are swapped")
+});
 
 /// Joints nearer than this are one, mesh units.
 const ONE_JOINT: f64 = 1e-3;

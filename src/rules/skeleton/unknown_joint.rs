@@ -8,21 +8,18 @@ use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::mhskel::Section;
 use crate::repo::Body;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "crashes with `KeyError` when the skeleton is chosen, for the default skeleton while loading the base mesh",
-        )],
-        docs: "A bone or its plane names a joint that does not exist. `head` and `tail` of a bone, and the three \
-            corners of its plane, are names from `joints` of the same file.\n\n\
-            MakeHuman 2 looks up joints without checking. It crashes while loading the base mesh for the skeleton that \
-            `base.json` names, and for others when the user chooses them.\n\n\
-            Correct the name, or add the joint. For a joint that is listed but empty see `skeleton-empty-joint`.",
-        ..RuleInfo::new("skeleton-unknown-joint", Level::Error, "a bone or its plane names a joint that does not exist")
-    },
-    check: Check::Body(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[(
+        Application::Makehuman2,
+        "crashes with `KeyError` when the skeleton is chosen, for the default skeleton while loading the base mesh",
+    )],
+    docs: "A bone or its plane names a joint that does not exist. `head` and `tail` of a bone, and the three \
+        corners of its plane, are names from `joints` of the same file.\n\n\
+        MakeHuman 2 looks up joints without checking. It crashes while loading the base mesh for the skeleton that \
+        `base.json` names, and for others when the user chooses them.\n\n\
+        Correct the name, or add the joint. For a joint that is listed but empty see `skeleton-empty-joint`.",
+    ..RuleInfo::new("skeleton-unknown-joint", Level::Error, "a bone or its plane names a joint that does not exist")
+});
 
 const STOPS: Case = &[(Application::Makehuman2, Level::Error, "crashes with `KeyError`")];
 

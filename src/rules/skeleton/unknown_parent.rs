@@ -6,17 +6,14 @@ use super::rigs;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::Body;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "refuses the skeleton and logs a line")],
-        docs: "A bone names a parent that does not exist. `parent` is the name of another bone of the same file; only \
-            the root has none.\n\n\
-            MakeHuman 2 refuses the whole skeleton.\n\n\
-            Correct the name, or add the missing bone. Names must match exactly, including capitals.",
-        ..RuleInfo::new("skeleton-unknown-parent", Level::Error, "a bone names a parent that does not exist")
-    },
-    check: Check::Body(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "refuses the skeleton and logs a line")],
+    docs: "A bone names a parent that does not exist. `parent` is the name of another bone of the same file; only \
+        the root has none.\n\n\
+        MakeHuman 2 refuses the whole skeleton.\n\n\
+        Correct the name, or add the missing bone. Names must match exactly, including capitals.",
+    ..RuleInfo::new("skeleton-unknown-parent", Level::Error, "a bone names a parent that does not exist")
+});
 
 fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for rig in rigs(body) {

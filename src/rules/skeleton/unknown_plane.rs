@@ -9,17 +9,14 @@ use crate::formats::mhskel::{Bone, RotationPlane, Section};
 use crate::json::UnknownKey;
 use crate::repo::Body;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "refuses the skeleton and logs a line")],
-        docs: "A bone names a plane that does not exist. `rotation_plane` names one of `planes`, whose normal \
-            determines the roll of the bone.\n\n\
-            MakeHuman 2 refuses the whole skeleton.\n\n\
-            Correct the name, add the plane, or remove the key: without `rotation_plane` the bone uses the vertical.",
-        ..RuleInfo::new("skeleton-unknown-plane", Level::Error, "a bone names a plane that does not exist")
-    },
-    check: Check::Body(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "refuses the skeleton and logs a line")],
+    docs: "A bone names a plane that does not exist. `rotation_plane` names one of `planes`, whose normal \
+        determines the roll of the bone.\n\n\
+        MakeHuman 2 refuses the whole skeleton.\n\n\
+        Correct the name, add the plane, or remove the key: without `rotation_plane` the bone uses the vertical.",
+    ..RuleInfo::new("skeleton-unknown-plane", Level::Error, "a bone names a plane that does not exist")
+});
 
 fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     // `planes` of another type has a finding of its own.

@@ -8,26 +8,23 @@ use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::mhskel::Bone;
 use crate::repo::Body;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "ignores these names; the bone gets weights and poses from its other references, if any",
-        )],
-        docs: "A bone refers to bones that the default skeleton does not have. `reference` and `weights_reference` \
-            list bones of the default skeleton (`pose-skeleton` of `base.json`) whose poses and weights a bone takes \
-            over.\n\n\
-            MakeHuman 2 ignores unknown names. It reads a string in place of the list letter by letter: `\"head\"` \
-            means the bones `h`, `e`, `a` and `d`. MakeHuman 1 accepts a single name.\n\n\
-            Correct the names, and write a single name as a list.",
-        ..RuleInfo::new(
-            "skeleton-unknown-reference",
-            Level::Warning,
-            "a bone refers to bones that the default skeleton does not have",
-        )
-    },
-    check: Check::Body(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[(
+        Application::Makehuman2,
+        "ignores these names; the bone gets weights and poses from its other references, if any",
+    )],
+    docs: "A bone refers to bones that the default skeleton does not have. `reference` and `weights_reference` \
+        list bones of the default skeleton (`pose-skeleton` of `base.json`) whose poses and weights a bone takes \
+        over.\n\n\
+        MakeHuman 2 ignores unknown names. It reads a string in place of the list letter by letter: `\"head\"` \
+        means the bones `h`, `e`, `a` and `d`. MakeHuman 1 accepts a single name.\n\n\
+        Correct the names, and write a single name as a list.",
+    ..RuleInfo::new(
+        "skeleton-unknown-reference",
+        Level::Warning,
+        "a bone refers to bones that the default skeleton does not have",
+    )
+});
 
 fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(default) = body.default_rig() else { return };

@@ -10,16 +10,13 @@ use crate::eval::side;
 use crate::formats::mhskel::Section;
 use crate::repo::Body;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "ignores the joint: nothing uses it")],
-        docs: "No bone (`head`, `tail`) and no plane names a joint, so the joint has no effect. It is either a \
-            left-over, or a bone that should use it names another one.\n\n\
-            Remove it, or use it.",
-        ..RuleInfo::new("skeleton-unused-joint", Level::Info, "no bone or plane uses a joint")
-    },
-    check: Check::Body(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "ignores the joint: nothing uses it")],
+    docs: "No bone (`head`, `tail`) and no plane names a joint, so the joint has no effect. It is either a \
+        left-over, or a bone that should use it names another one.\n\n\
+        Remove it, or use it.",
+    ..RuleInfo::new("skeleton-unused-joint", Level::Info, "no bone or plane uses a joint")
+});
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for rig in rigs(body).filter(|rig| rig.skeleton.bones_section == Section::Present) {

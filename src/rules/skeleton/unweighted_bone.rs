@@ -9,20 +9,17 @@ use crate::eval::measures::Measures;
 use crate::formats::mhskel::Bone;
 use crate::repo::{Body, Rig};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "exports the bone without vertices: it moves nothing")],
-        docs: "A bone gets no weights: no default bone has its name, and it has no references. Its limb stays with the \
-            nearest bone above.\n\n\
-            MakeHuman 2 exports a skeleton with the weights of the default skeleton (`pose-skeleton` of base.json). A \
-            bone takes those of the default bone with its name, or of the bones in `reference` and \
-            `weights_reference`. The skeleton's own weights file is loaded but not used.\n\n\
-            The root and bones with children are not reported; they may only hold others together.\n\n\
-            List the default bones in `reference`. A bone that is only a handle or a socket may stay without.",
-        ..RuleInfo::new("skeleton-unweighted-bone", Level::Warning, "a bone gets no weights through its references")
-    },
-    check: Check::Numeric(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "exports the bone without vertices: it moves nothing")],
+    docs: "A bone gets no weights: no default bone has its name, and it has no references. Its limb stays with the \
+        nearest bone above.\n\n\
+        MakeHuman 2 exports a skeleton with the weights of the default skeleton (`pose-skeleton` of base.json). A \
+        bone takes those of the default bone with its name, or of the bones in `reference` and \
+        `weights_reference`. The skeleton's own weights file is loaded but not used.\n\n\
+        The root and bones with children are not reported; they may only hold others together.\n\n\
+        List the default bones in `reference`. A bone that is only a handle or a socket may stay without.",
+    ..RuleInfo::new("skeleton-unweighted-bone", Level::Warning, "a bone gets no weights through its references")
+});
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(default) = body.default_rig().and_then(Rig::skeleton) else { return };

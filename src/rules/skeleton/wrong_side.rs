@@ -9,24 +9,21 @@ use crate::eval::rig_measure::BoneMeasure;
 use crate::eval::side::{self, Side};
 use crate::repo::Body;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "rotates the skin around joints of its left/right counterpart: the smallest bend throws it far off",
-        )],
-        docs: "A bone whose name says left or right (`hand.L`, `r-thigh`, `LeftFoot` …) has both joints on the \
-            opposite half of the body. Left is where x is above 0; joints within 1 cm (0.1) of the middle do not \
-            count.\n\n\
-            MakeHuman 2 uses the joints as they are and says nothing. The weights stay where the mesh is, so the skin \
-            of one side rotates around a joint of the opposite side, and poses mirrored by name move the wrong \
-            limb.\n\n\
-            Usually left and right are swapped in `joints`, or a bone names the joints of its counterpart. Swap them \
-            back.",
-        ..RuleInfo::new("skeleton-wrong-side", Level::Warning, "a bone is not on the side its name says")
-    },
-    check: Check::Numeric(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
+    breaks: &[(
+        Application::Makehuman2,
+        "rotates the skin around joints of its left/right counterpart: the smallest bend throws it far off",
+    )],
+    docs: "A bone whose name says left or right (`hand.L`, `r-thigh`, `LeftFoot` …) has both joints on the \
+        opposite half of the body. Left is where x is above 0; joints within 1 cm (0.1) of the middle do not \
+        count.\n\n\
+        MakeHuman 2 uses the joints as they are and says nothing. The weights stay where the mesh is, so the skin \
+        of one side rotates around a joint of the opposite side, and poses mirrored by name move the wrong \
+        limb.\n\n\
+        Usually left and right are swapped in `joints`, or a bone names the joints of its counterpart. Swap them \
+        back.",
+    ..RuleInfo::new("skeleton-wrong-side", Level::Warning, "a bone is not on the side its name says")
+});
 
 /// More bones than this are not all on the wrong side by mistake.
 const MIRRORED: usize = 3;

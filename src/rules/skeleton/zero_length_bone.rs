@@ -8,21 +8,18 @@ use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::repo::Body;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "silently divides by zero: in pose mode all vertices of the bone and of the bones below it disappear",
-        )],
-        docs: "Head and tail of a bone are at the same place on the default character.\n\n\
-            The direction of the bone and its rest matrix are then not numbers. Usually both ends name the same joint, \
-            or two joints list the same vertices.\n\n\
-            Give the bone two different joints. For a bone that has no length only at some slider setting see \
-            `numeric-zero-length-bone`.",
-        ..RuleInfo::new("skeleton-zero-length-bone", Level::Error, "head and tail of a bone coincide")
-    },
-    check: Check::Numeric(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
+    breaks: &[(
+        Application::Makehuman2,
+        "silently divides by zero: in pose mode all vertices of the bone and of the bones below it disappear",
+    )],
+    docs: "Head and tail of a bone are at the same place on the default character.\n\n\
+        The direction of the bone and its rest matrix are then not numbers. Usually both ends name the same joint, \
+        or two joints list the same vertices.\n\n\
+        Give the bone two different joints. For a bone that has no length only at some slider setting see \
+        `numeric-zero-length-bone`.",
+    ..RuleInfo::new("skeleton-zero-length-bone", Level::Error, "head and tail of a bone coincide")
+});
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for rig in measured(body, measures) {

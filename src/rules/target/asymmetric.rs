@@ -9,25 +9,22 @@ use crate::eval::side;
 use crate::eval::target_measure::TargetMeasure;
 use crate::repo::{Body, FileFacts};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "makes the figure asymmetric; symmetry cannot fix it")],
-        docs: "A target whose name has no side (no `l`, `r`, `left`, `right`) moves the left half of the body \
-            differently from the right.\n\n\
-            Targets whose names end as listed in `nonsym` under `random` of base.json are intended to be asymmetric \
-            and are not reported. If more than the given share of its vertices differs, a target gets a finding of its \
-            own. Targets with only a few such vertices are counted in one finding for the base mesh.\n\n\
-            If it is intended, add a side to the name, or add its ending to `nonsym`, which the randomizer reads as \
-            well. Otherwise make the target symmetric.",
-        options: &[OptionInfo {
-            name: "share",
-            default: 0.1,
-            docs: "share of the moved vertices (0 to 1) above which a target gets a finding of its own",
-        }],
-        ..RuleInfo::new("target-asymmetric", Level::Info, "a target without a side in its name is asymmetric")
-    },
-    check: Check::Numeric(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "makes the figure asymmetric; symmetry cannot fix it")],
+    docs: "A target whose name has no side (no `l`, `r`, `left`, `right`) moves the left half of the body \
+        differently from the right.\n\n\
+        Targets whose names end as listed in `nonsym` under `random` of base.json are intended to be asymmetric \
+        and are not reported. If more than the given share of its vertices differs, a target gets a finding of its \
+        own. Targets with only a few such vertices are counted in one finding for the base mesh.\n\n\
+        If it is intended, add a side to the name, or add its ending to `nonsym`, which the randomizer reads as \
+        well. Otherwise make the target symmetric.",
+    options: &[OptionInfo {
+        name: "share",
+        default: 0.1,
+        docs: "share of the moved vertices (0 to 1) above which a target gets a finding of its own",
+    }],
+    ..RuleInfo::new("target-asymmetric", Level::Info, "a target without a side in its name is asymmetric")
+});
 
 fn run(body: &Body<'_>, measures: &Measures, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(one_sided_endings) = body.one_sided_endings else { return };

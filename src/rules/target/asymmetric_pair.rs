@@ -7,19 +7,16 @@ use crate::diag::{Application, Case, Element, Evidence, Finding, Level, Place, R
 use crate::eval::measures::{Measures, PairMeasure};
 use crate::repo::Body;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "gives left and right different shapes for the same slider values")],
-        docs: "Two targets whose names differ only in `l` and `r` (`left` and `right`) are not mirror images of each \
-            other.\n\n\
-            mhlint finds from the base mesh which vertices mirror each other. Displacements may differ by 0.025 cm \
-            (0.0025) because of rounding. If only helper geometry differs, the body is right and only clothes and hair \
-            fitted to those helpers are asymmetric: info.\n\n\
-            Mirror one of the two targets and save it over the other.",
-        ..RuleInfo::new("target-asymmetric-pair", Level::Warning, "left and right targets are not mirror images")
-    },
-    check: Check::Numeric(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "gives left and right different shapes for the same slider values")],
+    docs: "Two targets whose names differ only in `l` and `r` (`left` and `right`) are not mirror images of each \
+        other.\n\n\
+        mhlint finds from the base mesh which vertices mirror each other. Displacements may differ by 0.025 cm \
+        (0.0025) because of rounding. If only helper geometry differs, the body is right and only clothes and hair \
+        fitted to those helpers are asymmetric: info.\n\n\
+        Mirror one of the two targets and save it over the other.",
+    ..RuleInfo::new("target-asymmetric-pair", Level::Warning, "left and right targets are not mirror images")
+});
 
 const ON_HELPERS: Case = &[(
     Application::Makehuman2,

@@ -7,26 +7,23 @@ use super::targets;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::{Body, FileFacts, Layer};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "ignores the header and moves the vertices that have these numbers in the mesh of the folder",
-        )],
-        docs: "The header `# basemesh NAME` names another base mesh than the folder the target is in.\n\n\
-            Vertex numbers have a meaning only together with their mesh. MakeHuman 2 ignores the header and applies \
-            the rows to the mesh of the folder; if the target was copied from another base, it moves the wrong \
-            vertices.\n\n\
-            Move the file to the folder of its mesh. If the target fits the mesh of this folder and only the header is \
-            old, correct the header.",
-        ..RuleInfo::new(
-            "target-basemesh-mismatch",
-            Level::Warning,
-            "a target is in the folder of another base mesh than its header names",
-        )
-    },
-    check: Check::Body(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[(
+        Application::Makehuman2,
+        "ignores the header and moves the vertices that have these numbers in the mesh of the folder",
+    )],
+    docs: "The header `# basemesh NAME` names another base mesh than the folder the target is in.\n\n\
+        Vertex numbers have a meaning only together with their mesh. MakeHuman 2 ignores the header and applies \
+        the rows to the mesh of the folder; if the target was copied from another base, it moves the wrong \
+        vertices.\n\n\
+        Move the file to the folder of its mesh. If the target fits the mesh of this folder and only the header is \
+        old, correct the header.",
+    ..RuleInfo::new(
+        "target-basemesh-mismatch",
+        Level::Warning,
+        "a target is in the folder of another base mesh than its header names",
+    )
+});
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     // What a folder is called says nothing where that of the base mesh is missing (`overlay-base-folder-missing`).

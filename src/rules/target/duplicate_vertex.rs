@@ -5,20 +5,17 @@ use super::{first_row, targets};
 use crate::diag::{Application, Case, Change, Finding, Fix, FixKind, Level, Rewrite, RuleInfo};
 use crate::repo::Body;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        fix: FixKind::Unsafe,
-        breaks: &[(Application::Makehuman2, "applies only the last row of the vertex, not the sum")],
-        docs: "A vertex has more than one row in a target.\n\n\
-            MakeHuman 2 passes all rows to NumPy at once, which keeps the last row of a vertex and drops the others. \
-            Other programs add them up, so the same file yields two different shapes. If the rows of a vertex are \
-            equal, MakeHuman 2 loses nothing: info.\n\n\
-            Keep one row per vertex: the last one if the shape in MakeHuman 2 is right, or the sum if the shape was \
-            made elsewhere.",
-        ..RuleInfo::new("target-duplicate-vertex", Level::Warning, "a vertex appears more than once in a target")
-    },
-    check: Check::Body(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    fix: FixKind::Unsafe,
+    breaks: &[(Application::Makehuman2, "applies only the last row of the vertex, not the sum")],
+    docs: "A vertex has more than one row in a target.\n\n\
+        MakeHuman 2 passes all rows to NumPy at once, which keeps the last row of a vertex and drops the others. \
+        Other programs add them up, so the same file yields two different shapes. If the rows of a vertex are \
+        equal, MakeHuman 2 loses nothing: info.\n\n\
+        Keep one row per vertex: the last one if the shape in MakeHuman 2 is right, or the sum if the shape was \
+        made elsewhere.",
+    ..RuleInfo::new("target-duplicate-vertex", Level::Warning, "a vertex appears more than once in a target")
+});
 
 const EQUAL: Case = &[(
     Application::Makehuman2,

@@ -5,19 +5,16 @@ use super::decoded;
 use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::{FileFacts, View};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "silently skips the line: the vertex does not move")],
-        docs: "A line of a target does not have exactly four fields. A row is `INDEX X Y Z`, separated by blanks.\n\n\
-            MakeHuman 2 silently skips every line without four fields, comments included. A remark behind a row (`12 \
-            .1 .2 .3 # nose`) makes five or more fields, and the row is lost; a missing number makes three.\n\n\
-            A line that does not begin with a number is reported as info if the target has rows. The markers of a \
-            merge conflict are one finding.\n\n\
-            Give the line four fields, put remarks on lines of their own that begin with `#`, or remove the line.",
-        ..RuleInfo::new("target-field-count", Level::Warning, "a line of a target does not have four fields")
-    },
-    check: Check::File(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "silently skips the line: the vertex does not move")],
+    docs: "A line of a target does not have exactly four fields. A row is `INDEX X Y Z`, separated by blanks.\n\n\
+        MakeHuman 2 silently skips every line without four fields, comments included. A remark behind a row (`12 \
+        .1 .2 .3 # nose`) makes five or more fields, and the row is lost; a missing number makes three.\n\n\
+        A line that does not begin with a number is reported as info if the target has rows. The markers of a \
+        merge conflict are one finding.\n\n\
+        Give the line four fields, put remarks on lines of their own that begin with `#`, or remove the line.",
+    ..RuleInfo::new("target-field-count", Level::Warning, "a line of a target does not have four fields")
+});
 
 const PROSE: Case = &[(Application::Makehuman2, Level::Info, "silently skips the line, which is not a row")];
 const BOTH_SIDES: Case = &[(

@@ -9,26 +9,23 @@ use crate::discover::Kind;
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, TargetFolder, View};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "creates a slider with one direction only; a lone `-decr` target grows where it should shrink",
-        )],
-        docs: "A target for one direction of a slider has no opposite: `-decr` without `-incr`, or another pair in \
-            `target-opposites` of base.json. Reported are targets in folders with complete pairs of the same kind, and \
-            opposites whose name does not make a pair: without the ending, with a misspelt one, or with other \
-            capitals.\n\n\
-            MakeHuman 2 makes the sliders of user targets from the file names: a pair becomes one slider with two \
-            directions, a single file a slider with one. A pair without a `-` before its endings gets one direction \
-            only. A pair with `incr` elsewhere in its name becomes two sliders, because every `incr` is replaced to \
-            find the opposite.\n\n\
-            Add the opposite, or remove the ending from the name. A target that modelling.json uses alone is not \
-            reported.",
-        ..RuleInfo::new("target-missing-opposite", Level::Warning, "a target for one direction has no opposite")
-    },
-    check: Check::Makehuman2(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(
+        Application::Makehuman2,
+        "creates a slider with one direction only; a lone `-decr` target grows where it should shrink",
+    )],
+    docs: "A target for one direction of a slider has no opposite: `-decr` without `-incr`, or another pair in \
+        `target-opposites` of base.json. Reported are targets in folders with complete pairs of the same kind, and \
+        opposites whose name does not make a pair: without the ending, with a misspelt one, or with other \
+        capitals.\n\n\
+        MakeHuman 2 makes the sliders of user targets from the file names: a pair becomes one slider with two \
+        directions, a single file a slider with one. A pair without a `-` before its endings gets one direction \
+        only. A pair with `incr` elsewhere in its name becomes two sliders, because every `incr` is replaced to \
+        find the opposite.\n\n\
+        Add the opposite, or remove the ending from the name. A target that modelling.json uses alone is not \
+        reported.",
+    ..RuleInfo::new("target-missing-opposite", Level::Warning, "a target for one direction has no opposite")
+});
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     out.extend(user_pairs::findings(&RULE, view, base));

@@ -9,21 +9,18 @@ use crate::eval::side;
 use crate::repo::makehuman2::{Base, View};
 use crate::repo::{FileFacts, Reference};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "offers a slider for one side only; symmetry leaves its counterpart unchanged",
-        )],
-        docs: "A target for the left (`l-…`, or `-l-` inside the name) has no counterpart for the right in the same \
-            folder, or the reverse.\n\n\
-            MakeHuman 2 reports nothing, but users notice: one ear can be changed and the other cannot, and making the \
-            figure symmetric has no effect on it.\n\n\
-            Mirror the target and save it under the name of its counterpart.",
-        ..RuleInfo::new("target-missing-side", Level::Warning, "a target has no left/right counterpart")
-    },
-    check: Check::Makehuman2(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(
+        Application::Makehuman2,
+        "offers a slider for one side only; symmetry leaves its counterpart unchanged",
+    )],
+    docs: "A target for the left (`l-…`, or `-l-` inside the name) has no counterpart for the right in the same \
+        folder, or the reverse.\n\n\
+        MakeHuman 2 reports nothing, but users notice: one ear can be changed and the other cannot, and making the \
+        figure symmetric has no effect on it.\n\n\
+        Mirror the target and save it under the name of its counterpart.",
+    ..RuleInfo::new("target-missing-side", Level::Warning, "a target has no left/right counterpart")
+});
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let unused: BTreeSet<&str> = view.unused(base).iter().map(|file| file.path.as_str()).collect();

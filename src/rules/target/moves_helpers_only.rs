@@ -5,19 +5,16 @@ use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::repo::Body;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "shows no change: helpers are hidden and only carry clothes and joints")],
-        docs: "The target moves helper geometry or joint cubes, but no vertex of the body (`visible groups` of \
-            base.json).\n\n\
-            This may be intended: a target for what clothes cover, or for the place of a joint. Otherwise the shape \
-            was made on the wrong part of the mesh, and the slider seems to do nothing. A joint that stays behind \
-            while its limb moves is `numeric-joint-drift`.\n\n\
-            If the body should change, make the shape on the visible mesh.",
-        ..RuleInfo::new("target-moves-helpers-only", Level::Info, "a target moves helpers but not the body")
-    },
-    check: Check::Numeric(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "shows no change: helpers are hidden and only carry clothes and joints")],
+    docs: "The target moves helper geometry or joint cubes, but no vertex of the body (`visible groups` of \
+        base.json).\n\n\
+        This may be intended: a target for what clothes cover, or for the place of a joint. Otherwise the shape \
+        was made on the wrong part of the mesh, and the slider seems to do nothing. A joint that stays behind \
+        while its limb moves is `numeric-joint-drift`.\n\n\
+        If the body should change, make the shape on the visible mesh.",
+    ..RuleInfo::new("target-moves-helpers-only", Level::Info, "a target moves helpers but not the body")
+});
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     // Where nothing moves the body, the groups are the fault, not the targets.

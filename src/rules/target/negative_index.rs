@@ -6,23 +6,20 @@ use super::{first_row, targets};
 use crate::diag::{Application, Finding, Level, RuleInfo};
 use crate::repo::Body;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "crashes at start with `OverflowError` and leaves an empty compressedtargets.npz that crashes every later \
-             start",
-        )],
-        docs: "A vertex index in a target is negative.\n\n\
-            MakeHuman 2 stores indices as unsigned 32-bit numbers. NumPy 2 refuses a negative one, which crashes the \
-            program at start, whether the target is used or not. NumPy 1 turns it into an index of about 4 thousand \
-            million, and the program crashes when the target is applied. While MakeHuman 2 uses a sound archive in \
-            place of the text, the text is not parsed: a warning.\n\n\
-            Write the index that the base mesh has, or remove the row.",
-        ..RuleInfo::new("target-negative-index", Level::Error, "a vertex index in a target is negative")
-    },
-    check: Check::Body(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[(
+        Application::Makehuman2,
+        "crashes at start with `OverflowError` and leaves an empty compressedtargets.npz that crashes every later \
+         start",
+    )],
+    docs: "A vertex index in a target is negative.\n\n\
+        MakeHuman 2 stores indices as unsigned 32-bit numbers. NumPy 2 refuses a negative one, which crashes the \
+        program at start, whether the target is used or not. NumPy 1 turns it into an index of about 4 thousand \
+        million, and the program crashes when the target is applied. While MakeHuman 2 uses a sound archive in \
+        place of the text, the text is not parsed: a warning.\n\n\
+        Write the index that the base mesh has, or remove the row.",
+    ..RuleInfo::new("target-negative-index", Level::Error, "a vertex index in a target is negative")
+});
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (target, file, facts) in targets(body) {

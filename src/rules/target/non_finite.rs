@@ -6,21 +6,18 @@ use super::{first_row, targets};
 use crate::diag::{Application, Case, Finding, Level, RuleInfo};
 use crate::repo::Body;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "loses the vertex when the target is applied, with all normals, joints and clothes that depend on it",
-        )],
-        docs: "A displacement is `nan`, infinite, or too large for a 32-bit float (beyond 3.4e38).\n\n\
-            Python accepts such numbers and MakeHuman 2 adds them to the mesh. The vertex is lost, and with it every \
-            face, joint and garment that depends on it. While an archive with other numbers is used in place of the \
-            text, this is a warning.\n\n\
-            Usually an export divided by zero. Write the right numbers, or remove the rows.",
-        ..RuleInfo::new("target-non-finite", Level::Error, "a displacement is not finite")
-    },
-    check: Check::Body(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[(
+        Application::Makehuman2,
+        "loses the vertex when the target is applied, with all normals, joints and clothes that depend on it",
+    )],
+    docs: "A displacement is `nan`, infinite, or too large for a 32-bit float (beyond 3.4e38).\n\n\
+        Python accepts such numbers and MakeHuman 2 adds them to the mesh. The vertex is lost, and with it every \
+        face, joint and garment that depends on it. While an archive with other numbers is used in place of the \
+        text, this is a warning.\n\n\
+        Usually an export divided by zero. Write the right numbers, or remove the rows.",
+    ..RuleInfo::new("target-non-finite", Level::Error, "a displacement is not finite")
+});
 
 const OUTDATED: Case = &[(
     Application::Makehuman2,

@@ -11,31 +11,24 @@ use crate::eval::proportion::{Lengths, MEDIAN_RATIO, Oversize, extent, oversize,
 use crate::formats::target::{Largest, TargetFacts};
 use crate::repo::{Body, FileFacts, ReferenceKind};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "tears the vertex out of the mesh when the target is applied")],
-        docs: "A displacement is out of proportion to the mesh or to the rest of its target.\n\n\
-            Reported are a vertex that moves farther than the size of the whole base mesh, and a vertex that stands \
-            out from its own target: many times the median of the target, several times as far as all but its longest \
-            rows, and a considerable part of the mesh. Also reported is a slider target that as a whole moves more \
-            than five times as far as each of the others in its folder, if there are at least four targets.\n\n\
-            A target that changes everything a lot, or grows steadily towards one place, is not reported. Without the \
-            base mesh (`--system`) nothing is checked.\n\n\
-            Usually a decimal point is missing (`119` for `.119`), or the shape was exported in other units; MakeHuman \
-            counts in decimetres. Check the row; if the shape is intended, raise `ratio`.",
-        options: &[OptionInfo {
-            name: "ratio",
-            default: MEDIAN_RATIO as f64,
-            docs: "how many times its target's median displacement a vertex may move",
-        }],
-        ..RuleInfo::new(
-            "target-oversized-delta",
-            Level::Warning,
-            "a displacement is out of proportion to mesh and target",
-        )
-    },
-    check: Check::Body(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "tears the vertex out of the mesh when the target is applied")],
+    docs: "A displacement is out of proportion to the mesh or to the rest of its target.\n\n\
+        Reported are a vertex that moves farther than the size of the whole base mesh, and a vertex that stands \
+        out from its own target: many times the median of the target, several times as far as all but its longest \
+        rows, and a considerable part of the mesh. Also reported is a slider target that as a whole moves more \
+        than five times as far as each of the others in its folder, if there are at least four targets.\n\n\
+        A target that changes everything a lot, or grows steadily towards one place, is not reported. Without the \
+        base mesh (`--system`) nothing is checked.\n\n\
+        Usually a decimal point is missing (`119` for `.119`), or the shape was exported in other units; MakeHuman \
+        counts in decimetres. Check the row; if the shape is intended, raise `ratio`.",
+    options: &[OptionInfo {
+        name: "ratio",
+        default: MEDIAN_RATIO as f64,
+        docs: "how many times its target's median displacement a vertex may move",
+    }],
+    ..RuleInfo::new("target-oversized-delta", Level::Warning, "a displacement is out of proportion to mesh and target")
+});
 
 fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(size) = body.mesh.and_then(|(_, mesh)| extent(&mesh.positions)) else { return };

@@ -8,28 +8,22 @@ use crate::eval::measures::Measures;
 use crate::eval::target_measure::TargetMeasure;
 use crate::repo::Body;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "puts the joint at the mean of the torn cube: the bone ends beside its limb",
-        )],
-        docs: "A target moves only some vertices of a joint cube, or moves them by different amounts. Differences of \
-            up to 0.02 cm (0.002) come from rounding and are not reported.\n\n\
-            A joint lies at the mean of its cube. If a brush caught part of a cube, the joint ends up somewhere in \
-            between. MakeHuman's own targets list all vertices of a cube with the same displacement.\n\n\
-            Cubes that the skeleton does not use are not checked. The rule only applies if the targets of the base \
-            usually keep their cubes rigid.\n\n\
-            Move all vertices of the cube by the same amount, or none.",
-        options: &[OptionInfo {
-            name: "share",
-            default: 0.05,
-            docs: "share of torn cubes (0 to 1) in all targets of a base above which nothing is reported",
-        }],
-        ..RuleInfo::new("target-splits-joint-cube", Level::Warning, "a target tears a joint cube")
-    },
-    check: Check::Numeric(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "puts the joint at the mean of the torn cube: the bone ends beside its limb")],
+    docs: "A target moves only some vertices of a joint cube, or moves them by different amounts. Differences of \
+        up to 0.02 cm (0.002) come from rounding and are not reported.\n\n\
+        A joint lies at the mean of its cube. If a brush caught part of a cube, the joint ends up somewhere in \
+        between. MakeHuman's own targets list all vertices of a cube with the same displacement.\n\n\
+        Cubes that the skeleton does not use are not checked. The rule only applies if the targets of the base \
+        usually keep their cubes rigid.\n\n\
+        Move all vertices of the cube by the same amount, or none.",
+    options: &[OptionInfo {
+        name: "share",
+        default: 0.05,
+        docs: "share of torn cubes (0 to 1) in all targets of a base above which nothing is reported",
+    }],
+    ..RuleInfo::new("target-splits-joint-cube", Level::Warning, "a target tears a joint cube")
+});
 
 fn run(body: &Body<'_>, measures: &Measures, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let torn: usize = measures.targets.iter().map(|target| target.torn.len()).sum();

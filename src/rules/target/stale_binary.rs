@@ -7,25 +7,22 @@ use crate::discover::Kind;
 use crate::formats::npz::Archive;
 use crate::repo::{FileFacts, Layer, View, parent};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "applies the numbers in the archive and ignores the text file, whichever is newer",
-        )],
-        docs: "`compressedtargets.npz` differs from the text files it was built from.\n\n\
-            MakeHuman 2 packs all targets of a folder into `compressedtargets.npz` if it does not exist, and from then \
-            on loads each target from there. It does not compare dates: an edited text file silently has no effect \
-            until the archive is deleted.\n\n\
-            There is one finding per archive: members with other numbers than their text file (error), members whose \
-            text file no longer exists (warning: the target exists only in the archive), and text files missing from \
-            the archive (info: they are read as text). Numbers are compared as 32-bit floats, as MakeHuman 2 stores \
-            them.\n\n\
-            Delete the archive; MakeHuman 2 rebuilds it. Do not keep it in version control.",
-        ..RuleInfo::new("target-stale-binary", Level::Error, "an archive of targets differs from the text files")
-    },
-    check: Check::Repository(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
+    breaks: &[(
+        Application::Makehuman2,
+        "applies the numbers in the archive and ignores the text file, whichever is newer",
+    )],
+    docs: "`compressedtargets.npz` differs from the text files it was built from.\n\n\
+        MakeHuman 2 packs all targets of a folder into `compressedtargets.npz` if it does not exist, and from then \
+        on loads each target from there. It does not compare dates: an edited text file silently has no effect \
+        until the archive is deleted.\n\n\
+        There is one finding per archive: members with other numbers than their text file (error), members whose \
+        text file no longer exists (warning: the target exists only in the archive), and text files missing from \
+        the archive (info: they are read as text). Numbers are compared as 32-bit floats, as MakeHuman 2 stores \
+        them.\n\n\
+        Delete the archive; MakeHuman 2 rebuilds it. Do not keep it in version control.",
+    ..RuleInfo::new("target-stale-binary", Level::Error, "an archive of targets differs from the text files")
+});
 
 /// The usual.
 const DIFFERING: Case = &[];

@@ -9,23 +9,20 @@ use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 use crate::repo::{FileFacts, Layer};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        told_apart: true,
-        breaks: &[(Application::Makehuman2, "packs it whenever it builds the archive, but never applies it")],
-        docs: "Neither modelling.json nor macro.json names the target, so nothing applies it. Often a slider was \
-            forgotten, or the file was renamed.\n\n\
-            MakeHuman 2 still parses the file when it builds its archive, and an error in it crashes the program \
-            (`target-breaks-start`).\n\n\
-            User targets need no entry: those in `target/<base>/` of the user and in the folders directly below become \
-            sliders automatically. Unused targets of macro folders are `macro-unreferenced-target`. A file that nearly \
-            fits a name without a file is reported with that name. Nothing is reported while modelling.json or \
-            macro.json is missing or broken.\n\n\
-            Add a slider to modelling.json, or remove the file.",
-        ..RuleInfo::new("target-unreferenced", Level::Warning, "no slider and no macro uses a target")
-    },
-    check: Check::Makehuman2(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    told_apart: true,
+    breaks: &[(Application::Makehuman2, "packs it whenever it builds the archive, but never applies it")],
+    docs: "Neither modelling.json nor macro.json names the target, so nothing applies it. Often a slider was \
+        forgotten, or the file was renamed.\n\n\
+        MakeHuman 2 still parses the file when it builds its archive, and an error in it crashes the program \
+        (`target-breaks-start`).\n\n\
+        User targets need no entry: those in `target/<base>/` of the user and in the folders directly below become \
+        sliders automatically. Unused targets of macro folders are `macro-unreferenced-target`. A file that nearly \
+        fits a name without a file is reported with that name. Nothing is reported while modelling.json or \
+        macro.json is missing or broken.\n\n\
+        Add a slider to modelling.json, or remove the file.",
+    ..RuleInfo::new("target-unreferenced", Level::Warning, "no slider and no macro uses a target")
+});
 
 fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(folder) = base.targets else { return };

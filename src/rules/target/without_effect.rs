@@ -5,18 +5,15 @@ use super::targets;
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::repo::{Body, ReferenceKind};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "loads it, but the slider changes nothing")],
-        docs: "Every row of the target is zero, or is undone by a later zero row for the same vertex.\n\n\
-            MakeHuman 2 loads the target, and moving its slider does nothing. Often the shape was exported before it \
-            was made, or compared with itself.\n\n\
-            Export it again, or remove the target and its slider. A file without rows is `file-empty`; a target of a \
-            macro is `macro-empty-target`.",
-        ..RuleInfo::new("target-without-effect", Level::Warning, "a target moves nothing")
-    },
-    check: Check::Body(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "loads it, but the slider changes nothing")],
+    docs: "Every row of the target is zero, or is undone by a later zero row for the same vertex.\n\n\
+        MakeHuman 2 loads the target, and moving its slider does nothing. Often the shape was exported before it \
+        was made, or compared with itself.\n\n\
+        Export it again, or remove the target and its slider. A file without rows is `file-empty`; a target of a \
+        macro is `macro-empty-target`.",
+    ..RuleInfo::new("target-without-effect", Level::Warning, "a target moves nothing")
+});
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (target, file, facts) in targets(body) {

@@ -8,20 +8,17 @@ use crate::diag::{Application, Change, EXAMPLES, Evidence, Finding, Fix, FixKind
 use crate::formats::target::TargetFacts;
 use crate::repo::{Body, FileFacts, Layer};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        fix: FixKind::Safe,
-        breaks: &[(Application::Makehuman2, "loads and adds the zeros, which only costs a little time and memory")],
-        docs: "Rows of a target have three zeros and move nothing. Exporters write them for vertices that were touched \
-            and put back, or whose movement was rounded away.\n\n\
-            A whole side without movement was usually lost by mistake; `target-asymmetric` and \
-            `target-asymmetric-pair` report that. A zero row for a vertex that another row moves is not reported here: \
-            as the last row it undoes the other, and `target-duplicate-vertex` reports it.\n\n\
-            The rows can be removed. All such rows of a target folder are one finding, at the first file.",
-        ..RuleInfo::new("target-zero-delta", Level::Info, "rows of a target that move nothing")
-    },
-    check: Check::Body(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    fix: FixKind::Safe,
+    breaks: &[(Application::Makehuman2, "loads and adds the zeros, which only costs a little time and memory")],
+    docs: "Rows of a target have three zeros and move nothing. Exporters write them for vertices that were touched \
+        and put back, or whose movement was rounded away.\n\n\
+        A whole side without movement was usually lost by mistake; `target-asymmetric` and \
+        `target-asymmetric-pair` report that. A zero row for a vertex that another row moves is not reported here: \
+        as the last row it undoes the other, and `target-duplicate-vertex` reports it.\n\n\
+        The rows can be removed. All such rows of a target folder are one finding, at the first file.",
+    ..RuleInfo::new("target-zero-delta", Level::Info, "rows of a target that move nothing")
+});
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layer = body.layers.checked;

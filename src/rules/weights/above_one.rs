@@ -8,23 +8,20 @@ use crate::repo::Body;
 const USUAL: &str = "divides the weights of the vertex by their sum: the vertex follows this bone more, and the others \
     less, than was painted";
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[
-            (Application::Makehuman2, USUAL),
-            (Application::Makehuman1, USUAL),
-            (Application::Mpfb, "reads the weight as 1"),
-        ],
-        docs: "A weight is larger than 1. It says how much of a vertex moves with a bone, from 0 to 1; a larger \
-            number is usually a percentage or a misplaced decimal point. Up to 1.0001 counts as 1.\n\n\
-            MakeHuman 2 divides all weights of a vertex by their sum: the mesh holds together, but the shares are not \
-            the painted ones. If the vertex has no other weight, its share becomes 1 as it should: an info. Other \
-            programs clamp the number or keep it.\n\n\
-            Write the share as a number from 0 to 1.",
-        ..RuleInfo::new("weights-above-one", Level::Warning, "a weight is larger than 1")
-    },
-    check: Check::Body(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[
+        (Application::Makehuman2, USUAL),
+        (Application::Makehuman1, USUAL),
+        (Application::Mpfb, "reads the weight as 1"),
+    ],
+    docs: "A weight is larger than 1. It says how much of a vertex moves with a bone, from 0 to 1; a larger \
+        number is usually a percentage or a misplaced decimal point. Up to 1.0001 counts as 1.\n\n\
+        MakeHuman 2 divides all weights of a vertex by their sum: the mesh holds together, but the shares are not \
+        the painted ones. If the vertex has no other weight, its share becomes 1 as it should: an info. Other \
+        programs clamp the number or keep it.\n\n\
+        Write the share as a number from 0 to 1.",
+    ..RuleInfo::new("weights-above-one", Level::Warning, "a weight is larger than 1")
+});
 
 const ALONE: Case = &[
     (Application::Makehuman2, Level::Info, BY_ITSELF),

@@ -9,19 +9,16 @@ use crate::eval::measures::Measures;
 use crate::formats::mhw::Weights;
 use crate::repo::Body;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "bends the left and right side differently in mirrored poses")],
-        docs: "Left and right bones of the same name (`.L` and `.R`, `_l` and `_r`, `Left` and `Right` …) have \
-            different weights for mirrored vertices.\n\n\
-            The base mesh shows which vertices mirror each other. Weights are compared as MakeHuman 2 holds them after \
-            loading: scaled to a sum of 1, with the entries of a vertex that a bone lists twice added up. A difference \
-            of up to 0.01 is not reported.\n\n\
-            Mirror the weights of one side. If the figure is asymmetric on purpose, leave them.",
-        ..RuleInfo::new("weights-asymmetric", Level::Info, "left and right bones have different weights")
-    },
-    check: Check::Numeric(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "bends the left and right side differently in mirrored poses")],
+    docs: "Left and right bones of the same name (`.L` and `.R`, `_l` and `_r`, `Left` and `Right` …) have \
+        different weights for mirrored vertices.\n\n\
+        The base mesh shows which vertices mirror each other. Weights are compared as MakeHuman 2 holds them after \
+        loading: scaled to a sum of 1, with the entries of a vertex that a bone lists twice added up. A difference \
+        of up to 0.01 is not reported.\n\n\
+        Mirror the weights of one side. If the figure is asymmetric on purpose, leave them.",
+    ..RuleInfo::new("weights-asymmetric", Level::Info, "left and right bones have different weights")
+});
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((weights, file)) = measures.weights.as_ref().zip(body.default_weights()) else { return };

@@ -8,20 +8,17 @@ use crate::repo::{Body, FileFacts};
 
 const USUAL: &str = "drops the entry: it keeps only weights above 0.0001";
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        fix: FixKind::Safe,
-        breaks: &[(Application::Makehuman2, USUAL), (Application::Makehuman1, USUAL)],
-        docs: "A weight is too small to have an effect.\n\n\
-            MakeHuman divides the weights of a vertex by their sum and keeps only those above 0.0001. Smaller ones, \
-            including zeros, only make the file larger; the other bones do not get their share. If so much is lost \
-            that it can be seen, see `weights-lost-after-threshold`.\n\n\
-            Remove the entries. The other bones of the vertex then get their share, at most 0.0001 for each; the fix \
-            also removes a bone that has no entries left.",
-        ..RuleInfo::new("weights-below-threshold", Level::Info, "a weight is too small to have an effect")
-    },
-    check: Check::Body(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    fix: FixKind::Safe,
+    breaks: &[(Application::Makehuman2, USUAL), (Application::Makehuman1, USUAL)],
+    docs: "A weight is too small to have an effect.\n\n\
+        MakeHuman divides the weights of a vertex by their sum and keeps only those above 0.0001. Smaller ones, \
+        including zeros, only make the file larger; the other bones do not get their share. If so much is lost \
+        that it can be seen, see `weights-lost-after-threshold`.\n\n\
+        Remove the entries. The other bones of the vertex then get their share, at most 0.0001 for each; the fix \
+        also removes a bone that has no entries left.",
+    ..RuleInfo::new("weights-below-threshold", Level::Info, "a weight is too small to have an effect")
+});
 
 fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     // Where the loss can be seen, the same entries are told by `weights-lost-after-threshold`.

@@ -5,30 +5,27 @@ use super::{Tallied, has_unusable_entries, tallied, weigh};
 use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Rewrite, RuleInfo};
 use crate::repo::Body;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        fix: FixKind::Safe,
-        breaks: &[
-            (
-                Application::Makehuman2,
-                "uses only one of the entries in pose mode: the missing share pulls the vertex towards the origin, \
-                 half way for two equal entries",
-            ),
-            (Application::Makehuman1, "adds the weights, which changes nothing"),
-            (Application::Mpfb, "adds the weights, up to 1"),
-        ],
-        levels: &[(Application::Makehuman1, Level::Info), (Application::Mpfb, Level::Info)],
-        docs: "A bone lists the same vertex more than once.\n\n\
-            MakeHuman 2 does not merge such entries: all of them count for the sum it divides by, but posing uses only \
-            one. The missing share pulls the vertex towards the origin. MakeHuman 1, and the transfer of weights to \
-            clothes in MakeHuman 2, add the entries.\n\n\
-            Replace the entries with one that has the sum of their weights. If the weights of the vertex do not add up \
-            to 1 then, the fix divides them by their sum, as the loader does; it does not if one of them is above 1, \
-            which has its own rule.",
-        ..RuleInfo::new("weights-duplicate-vertex", Level::Warning, "a bone lists a vertex more than once")
-    },
-    check: Check::Body(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    fix: FixKind::Safe,
+    breaks: &[
+        (
+            Application::Makehuman2,
+            "uses only one of the entries in pose mode: the missing share pulls the vertex towards the origin, \
+             half way for two equal entries",
+        ),
+        (Application::Makehuman1, "adds the weights, which changes nothing"),
+        (Application::Mpfb, "adds the weights, up to 1"),
+    ],
+    levels: &[(Application::Makehuman1, Level::Info), (Application::Mpfb, Level::Info)],
+    docs: "A bone lists the same vertex more than once.\n\n\
+        MakeHuman 2 does not merge such entries: all of them count for the sum it divides by, but posing uses only \
+        one. The missing share pulls the vertex towards the origin. MakeHuman 1, and the transfer of weights to \
+        clothes in MakeHuman 2, add the entries.\n\n\
+        Replace the entries with one that has the sum of their weights. If the weights of the vertex do not add up \
+        to 1 then, the fix divides them by their sum, as the loader does; it does not if one of them is above 1, \
+        which has its own rule.",
+    ..RuleInfo::new("weights-duplicate-vertex", Level::Warning, "a bone lists a vertex more than once")
+});
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for Tallied { own, weights, tally, bone, vertex, place, .. } in tallied(body, |facts| &facts.duplicate) {

@@ -5,21 +5,18 @@ use super::{is_empty, readable};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::Body;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[
-            (Application::Makehuman2, "treats the bone as if the file did not list it: it moves no vertex"),
-            (Application::Makehuman1, "gives the bone no weights: it moves no vertex"),
-            (Application::Mpfb, "creates no vertex group for the bone: it moves no vertex"),
-        ],
-        docs: "A bone has an empty list of weights.\n\n\
-            That means the same as a bone that the file does not list. It is harmless, even if the skeleton does not \
-            have the bone, but often somebody forgot to paint it.\n\n\
-            Remove the bone from the file, or paint its weights.",
-        ..RuleInfo::new("weights-empty-bone", Level::Info, "a bone has an empty list of weights")
-    },
-    check: Check::Body(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[
+        (Application::Makehuman2, "treats the bone as if the file did not list it: it moves no vertex"),
+        (Application::Makehuman1, "gives the bone no weights: it moves no vertex"),
+        (Application::Mpfb, "creates no vertex group for the bone: it moves no vertex"),
+    ],
+    docs: "A bone has an empty list of weights.\n\n\
+        That means the same as a bone that the file does not list. It is harmless, even if the skeleton does not \
+        have the bone, but often somebody forgot to paint it.\n\n\
+        Remove the bone from the file, or paint its weights.",
+    ..RuleInfo::new("weights-empty-bone", Level::Info, "a bone has an empty list of weights")
+});
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     // Where no bone has an entry, that is the fault (`weights-unweighted-vertex`).

@@ -6,23 +6,20 @@ use super::loss::{DISTANCE, ID, noticeable_loss};
 use crate::diag::{Application, Element, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::Body;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[
-            (Application::Makehuman2, "pulls the vertices towards the origin of the scene in pose mode"),
-            (Application::Makehuman1, "pulls the vertices towards the origin of the scene in every pose"),
-        ],
-        docs: "A vertex has so many tiny weights that dropping them visibly moves it.\n\n\
-            MakeHuman 2 divides the weights of a vertex by their sum and drops those that are not above 0.0001. No \
-            other bone gets their share: the rest adds up to less than 1 and pulls the vertex towards the origin, more \
-            the farther away it is. A pull of at least `distance` is a warning, a tenth of it an info. Less cannot be \
-            seen; such entries are reported as `weights-below-threshold`.\n\n\
-            Remove the tiny weights and normalise the rest.",
-        options: &[DISTANCE],
-        ..RuleInfo::new(ID, Level::Warning, "vertices lose visible weight to the threshold of the loader")
-    },
-    check: Check::Body(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[
+        (Application::Makehuman2, "pulls the vertices towards the origin of the scene in pose mode"),
+        (Application::Makehuman1, "pulls the vertices towards the origin of the scene in every pose"),
+    ],
+    docs: "A vertex has so many tiny weights that dropping them visibly moves it.\n\n\
+        MakeHuman 2 divides the weights of a vertex by their sum and drops those that are not above 0.0001. No \
+        other bone gets their share: the rest adds up to less than 1 and pulls the vertex towards the origin, more \
+        the farther away it is. A pull of at least `distance` is a warning, a tenth of it an info. Less cannot be \
+        seen; such entries are reported as `weights-below-threshold`.\n\n\
+        Remove the tiny weights and normalise the rest.",
+    options: &[DISTANCE],
+    ..RuleInfo::new(ID, Level::Warning, "vertices lose visible weight to the threshold of the loader")
+});
 
 fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(loss) = noticeable_loss(body, cx) else { return };

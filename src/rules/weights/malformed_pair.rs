@@ -5,28 +5,22 @@ use super::readable;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::Body;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[
-            (
-                Application::Makehuman2,
-                "crashes with `ValueError`, `TypeError` or `UFuncTypeError` while loading the weights",
-            ),
-            (
-                Application::Makehuman1,
-                "crashes with `IndexError`, `TypeError` or `ValueError` while loading the weights",
-            ),
-            (Application::Mpfb, "raises `TypeError` or `ValueError` while loading the weights"),
-        ],
-        docs: "An entry of a bone is not a pair `[vertex, weight]`. The vertex is a whole number without a decimal \
-            point, the weight a number.\n\n\
-            MakeHuman 2 builds a table of the entries and crashes if one has another length or type, such as \
-            `[12.0, 0.5]`.\n\n\
-            Correct the entry, or remove it.",
-        ..RuleInfo::new("weights-malformed-pair", Level::Error, "an entry of a bone is not a pair of vertex and weight")
-    },
-    check: Check::Body(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[
+        (
+            Application::Makehuman2,
+            "crashes with `ValueError`, `TypeError` or `UFuncTypeError` while loading the weights",
+        ),
+        (Application::Makehuman1, "crashes with `IndexError`, `TypeError` or `ValueError` while loading the weights"),
+        (Application::Mpfb, "raises `TypeError` or `ValueError` while loading the weights"),
+    ],
+    docs: "An entry of a bone is not a pair `[vertex, weight]`. The vertex is a whole number without a decimal \
+        point, the weight a number.\n\n\
+        MakeHuman 2 builds a table of the entries and crashes if one has another length or type, such as \
+        `[12.0, 0.5]`.\n\n\
+        Correct the entry, or remove it.",
+    ..RuleInfo::new("weights-malformed-pair", Level::Error, "an entry of a bone is not a pair of vertex and weight")
+});
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (own, weights) in readable(body) {

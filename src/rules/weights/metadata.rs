@@ -5,20 +5,17 @@ use super::readable;
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::repo::Body;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[
-            (Application::Makehuman2, "stores `name` and `version` without using them, and never reads `license`"),
-            (Application::Makehuman1, "stores these keys without using them"),
-            (Application::Mpfb, "never reads these keys"),
-        ],
-        docs: "`name`, `version` or `license` is missing. They have no effect on the shape; they tell people what the \
-            weights are for and whether they may be shared.\n\n\
-            Add them next to `weights`.",
-        ..RuleInfo::new("weights-metadata", Level::Info, "a weights file has no name, version or licence")
-    },
-    check: Check::Body(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[
+        (Application::Makehuman2, "stores `name` and `version` without using them, and never reads `license`"),
+        (Application::Makehuman1, "stores these keys without using them"),
+        (Application::Mpfb, "never reads these keys"),
+    ],
+    docs: "`name`, `version` or `license` is missing. They have no effect on the shape; they tell people what the \
+        weights are for and whether they may be shared.\n\n\
+        Add them next to `weights`.",
+    ..RuleInfo::new("weights-metadata", Level::Info, "a weights file has no name, version or licence")
+});
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (own, weights) in readable(body) {

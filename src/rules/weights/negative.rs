@@ -8,24 +8,21 @@ use crate::repo::Body;
 const USUAL: &str = "drops the weight and makes the others of the vertex too large, for -0.25 by a third; divides by \
     zero if the sum becomes 0";
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[
-            (Application::Makehuman2, USUAL),
-            (Application::Makehuman1, USUAL),
-            (Application::Mpfb, "reads the weight as 0"),
-        ],
-        levels: &[(Application::Mpfb, Level::Warning)],
-        docs: "A weight is negative. It says how much of a vertex moves with a bone, from 0 to 1.\n\n\
-            MakeHuman 2 adds the negative number to the sum of the vertex, divides by the sum, and drops what is below \
-            0. The rest adds up to more than 1, so the vertex shoots away from the body in every pose. Weights that \
-            cancel out cause a division by zero. If all weights of a vertex are negative, so is the sum, and the \
-            shares are right: an info.\n\n\
-            Remove the entry, or paint the weight again.",
-        ..RuleInfo::new("weights-negative", Level::Error, "a weight is negative")
-    },
-    check: Check::Body(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[
+        (Application::Makehuman2, USUAL),
+        (Application::Makehuman1, USUAL),
+        (Application::Mpfb, "reads the weight as 0"),
+    ],
+    levels: &[(Application::Mpfb, Level::Warning)],
+    docs: "A weight is negative. It says how much of a vertex moves with a bone, from 0 to 1.\n\n\
+        MakeHuman 2 adds the negative number to the sum of the vertex, divides by the sum, and drops what is below \
+        0. The rest adds up to more than 1, so the vertex shoots away from the body in every pose. Weights that \
+        cancel out cause a division by zero. If all weights of a vertex are negative, so is the sum, and the \
+        shares are right: an info.\n\n\
+        Remove the entry, or paint the weight again.",
+    ..RuleInfo::new("weights-negative", Level::Error, "a weight is negative")
+});
 
 const ALONE: Case =
     &[(Application::Makehuman2, Level::Info, BY_NEGATIVE), (Application::Makehuman1, Level::Info, BY_NEGATIVE)];

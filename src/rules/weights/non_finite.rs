@@ -8,23 +8,20 @@ use crate::repo::Body;
 const USUAL: &str =
     "drops all weights of the vertex and does not move it with the root bone: in pose mode it lies at the origin";
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[
-            (Application::Makehuman2, USUAL),
-            (Application::Makehuman1, USUAL),
-            (Application::Mpfb, "does not move the vertex if the weight is NaN; reads Infinity as 1"),
-        ],
-        levels: &[(Application::Mpfb, Level::Warning)],
-        docs: "A weight is NaN, infinite, or too large for a 32-bit float, which makes it infinite.\n\n\
-            Python's JSON reader accepts NaN and Infinity. MakeHuman 2 then divides by a sum that is not finite \
-            either and drops every entry of the vertex, without assigning it to the root bone as it does with other \
-            unweighted vertices. Entering pose mode pulls the vertex to the origin. Other readers refuse the file.\n\n\
-            Paint the weight of the vertex again.",
-        ..RuleInfo::new("weights-non-finite", Level::Error, "a weight is not finite")
-    },
-    check: Check::Body(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[
+        (Application::Makehuman2, USUAL),
+        (Application::Makehuman1, USUAL),
+        (Application::Mpfb, "does not move the vertex if the weight is NaN; reads Infinity as 1"),
+    ],
+    levels: &[(Application::Mpfb, Level::Warning)],
+    docs: "A weight is NaN, infinite, or too large for a 32-bit float, which makes it infinite.\n\n\
+        Python's JSON reader accepts NaN and Infinity. MakeHuman 2 then divides by a sum that is not finite \
+        either and drops every entry of the vertex, without assigning it to the root bone as it does with other \
+        unweighted vertices. Entering pose mode pulls the vertex to the origin. Other readers refuse the file.\n\n\
+        Paint the weight of the vertex again.",
+    ..RuleInfo::new("weights-non-finite", Level::Error, "a weight is not finite")
+});
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for Tallied { own, weights, tally, bone, vertex, weight, place } in tallied(body, |facts| &facts.non_finite) {

@@ -12,27 +12,24 @@ use crate::repo::Body;
 
 const USUAL: &str = "divides the weights of every vertex by their sum, so that the result is right";
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[
-            (Application::Makehuman2, USUAL),
-            (Application::Makehuman1, USUAL),
-            (Application::Mpfb, "lets Blender divide by the sum when the vertex moves, so that the result is right"),
-        ],
-        // Every line of the file changes for nothing that anybody sees today.
-        fix: FixKind::Unsafe,
-        docs: "The weights of a vertex over all bones do not add up to 1. A sum within 0.0001 of 1 counts as 1. \
-            Vertices without weights, and those with a negative, infinite, too large or repeated entry, have their own \
-            rules and are not counted here.\n\n\
-            MakeHuman 2 divides by the sum when it loads the file, so this is only an info. A program that reads the \
-            file without dividing pulls the vertex towards the origin (less than 1) or pushes it away (more) as soon \
-            as a skeleton is used.\n\n\
-            Normalise the weights in the tool that painted them. The fix writes the numbers that MakeHuman 2 gets when \
-            it divides, with as many digits as needed (seven to nine), and does not change other vertices.",
-        ..RuleInfo::new("weights-not-normalized", Level::Info, "the weights of a vertex do not add up to 1")
-    },
-    check: Check::Body(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[
+        (Application::Makehuman2, USUAL),
+        (Application::Makehuman1, USUAL),
+        (Application::Mpfb, "lets Blender divide by the sum when the vertex moves, so that the result is right"),
+    ],
+    // Every line of the file changes for nothing that anybody sees today.
+    fix: FixKind::Unsafe,
+    docs: "The weights of a vertex over all bones do not add up to 1. A sum within 0.0001 of 1 counts as 1. \
+        Vertices without weights, and those with a negative, infinite, too large or repeated entry, have their own \
+        rules and are not counted here.\n\n\
+        MakeHuman 2 divides by the sum when it loads the file, so this is only an info. A program that reads the \
+        file without dividing pulls the vertex towards the origin (less than 1) or pushes it away (more) as soon \
+        as a skeleton is used.\n\n\
+        Normalise the weights in the tool that painted them. The fix writes the numbers that MakeHuman 2 gets when \
+        it divides, with as many digits as needed (seven to nine), and does not change other vertices.",
+    ..RuleInfo::new("weights-not-normalized", Level::Info, "the weights of a vertex do not add up to 1")
+});
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     // An entry that cannot be used may be what one vertex lacks; of more vertices it is not the reason.

@@ -6,22 +6,19 @@ use crate::eval::measures::Measures;
 use crate::eval::rig_measure::ENGINE_INFLUENCES;
 use crate::repo::Body;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "uses all bones, but its glTF export keeps only the four largest weights: the exported surface bends \
-             differently",
-        )],
-        docs: "A vertex has weights of more than four bones.\n\n\
-            MakeHuman 2 itself has no limit. Its glTF export, like most engines, keeps the four largest weights of a \
-            vertex and scales them to a sum of 1. The finding counts these vertices and names the one that loses the \
-            largest share.\n\n\
-            Small lost shares are harmless; otherwise paint the vertices with fewer bones.",
-        ..RuleInfo::new("weights-too-many-influences", Level::Info, "a vertex has weights of more than four bones")
-    },
-    check: Check::Numeric(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
+    breaks: &[(
+        Application::Makehuman2,
+        "uses all bones, but its glTF export keeps only the four largest weights: the exported surface bends \
+         differently",
+    )],
+    docs: "A vertex has weights of more than four bones.\n\n\
+        MakeHuman 2 itself has no limit. Its glTF export, like most engines, keeps the four largest weights of a \
+        vertex and scales them to a sum of 1. The finding counts these vertices and names the one that loses the \
+        largest share.\n\n\
+        Small lost shares are harmless; otherwise paint the vertices with fewer bones.",
+    ..RuleInfo::new("weights-too-many-influences", Level::Info, "a vertex has weights of more than four bones")
+});
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((weights, file)) = measures.weights.as_ref().zip(body.default_weights()) else { return };

@@ -4,19 +4,16 @@ use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::repo::{Body, BodyWeights, WeightsUse};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(Application::Makehuman2, "never reads the file"), (Application::Makehuman1, "never reads the file")],
-        docs: "No skeleton names this weights file, so it has no effect. Often the name in the skeleton is misspelt or \
-            that of an older file.\n\n\
-            MakeHuman 2 reads a weights file in `rigs/<base>/` if a skeleton names it in `weights_file`; a skeleton \
-            without this key uses `default_weights.mhw`. MakeHuman 1 reads those in `rigs/`, and only with the \
-            key.\n\n\
-            Name the file in a skeleton, or remove it.",
-        ..RuleInfo::new("weights-unbound", Level::Warning, "no skeleton uses a weights file")
-    },
-    check: Check::Body(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "never reads the file"), (Application::Makehuman1, "never reads the file")],
+    docs: "No skeleton names this weights file, so it has no effect. Often the name in the skeleton is misspelt or \
+        that of an older file.\n\n\
+        MakeHuman 2 reads a weights file in `rigs/<base>/` if a skeleton names it in `weights_file`; a skeleton \
+        without this key uses `default_weights.mhw`. MakeHuman 1 reads those in `rigs/`, and only with the \
+        key.\n\n\
+        Name the file in a skeleton, or remove it.",
+    ..RuleInfo::new("weights-unbound", Level::Warning, "no skeleton uses a weights file")
+});
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for BodyWeights { file, name, .. } in body.own_weights().filter(|own| own.used == WeightsUse::Unread) {

@@ -7,27 +7,24 @@ use super::readable_own;
 use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::{Body, BodyWeights, FileFacts, Rig};
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[
-            (Application::Makehuman2, "crashes with `KeyError` when pose mode is entered"),
-            (
-                Application::Makehuman1,
-                "drops the weights of the bone with a warning, which pulls their vertices towards the origin",
-            ),
-            (Application::Mpfb, "silently drops the weights of the bone"),
-        ],
-        levels: &[(Application::Makehuman1, Level::Warning), (Application::Mpfb, Level::Warning)],
-        docs: "A weights file has weights for a bone that does not exist in the skeleton that names it in \
-            `weights_file`.\n\n\
-            MakeHuman 2 loads such weights, but crashes with `KeyError` as soon as the user enters pose mode. This is \
-            about the skeleton that `base.json` names in `pose-skeleton`. Weights that only other skeletons use are \
-            never applied; a bone that none of them has is then a warning. A bone with an empty list is harmless.\n\n\
-            Correct the name of the bone, here or in the skeleton.",
-        ..RuleInfo::new("weights-unknown-bone", Level::Error, "weights for a bone that the skeleton does not have")
-    },
-    check: Check::Body(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[
+        (Application::Makehuman2, "crashes with `KeyError` when pose mode is entered"),
+        (
+            Application::Makehuman1,
+            "drops the weights of the bone with a warning, which pulls their vertices towards the origin",
+        ),
+        (Application::Mpfb, "silently drops the weights of the bone"),
+    ],
+    levels: &[(Application::Makehuman1, Level::Warning), (Application::Mpfb, Level::Warning)],
+    docs: "A weights file has weights for a bone that does not exist in the skeleton that names it in \
+        `weights_file`.\n\n\
+        MakeHuman 2 loads such weights, but crashes with `KeyError` as soon as the user enters pose mode. This is \
+        about the skeleton that `base.json` names in `pose-skeleton`. Weights that only other skeletons use are \
+        never applied; a bone that none of them has is then a warning. A bone with an empty list is harmless.\n\n\
+        Correct the name of the bone, here or in the skeleton.",
+    ..RuleInfo::new("weights-unknown-bone", Level::Error, "weights for a bone that the skeleton does not have")
+});
 
 const NEVER_APPLIED: Case =
     &[(Application::Makehuman2, Level::Warning, "never applies these weights: another skeleton poses the base")];

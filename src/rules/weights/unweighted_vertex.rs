@@ -8,23 +8,20 @@ use crate::repo::{Body, FileFacts, Unreached};
 
 const USUAL: &str = "assigns the vertex to the root bone: it stays behind when the body is posed";
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[
-            (Application::Makehuman2, USUAL),
-            (Application::Makehuman1, USUAL),
-            (Application::Mpfb, "does not move the vertex: it stays behind when the body is posed"),
-        ],
-        docs: "A vertex of the base mesh has no weight, so it follows no bone. Vertices that no face uses are not \
-            counted.\n\n\
-            MakeHuman 2 assigns vertices without weights, or with only zeros, to the root bone. Part of a limb then \
-            stays at the hip when the limb moves. If only groups that are not visible are affected (helpers, joint \
-            cubes), it is an info: clothes fitted to a helper follow it.\n\n\
-            Paint the vertices for the bones that should move them.",
-        ..RuleInfo::new("weights-unweighted-vertex", Level::Warning, "a vertex has no weight")
-    },
-    check: Check::Body(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[
+        (Application::Makehuman2, USUAL),
+        (Application::Makehuman1, USUAL),
+        (Application::Mpfb, "does not move the vertex: it stays behind when the body is posed"),
+    ],
+    docs: "A vertex of the base mesh has no weight, so it follows no bone. Vertices that no face uses are not \
+        counted.\n\n\
+        MakeHuman 2 assigns vertices without weights, or with only zeros, to the root bone. Part of a limb then \
+        stays at the hip when the limb moves. If only groups that are not visible are affected (helpers, joint \
+        cubes), it is an info: clothes fitted to a helper follow it.\n\n\
+        Paint the vertices for the bones that should move them.",
+    ..RuleInfo::new("weights-unweighted-vertex", Level::Warning, "a vertex has no weight")
+});
 
 const WITHOUT_ANY: Case = &[
     (Application::Makehuman2, Level::Warning, ALL_ON_ROOT),

@@ -7,23 +7,20 @@ use crate::repo::Body;
 
 const USUAL: &str = "crashes with `IndexError` while loading the weights";
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[
-            (Application::Makehuman2, USUAL),
-            (Application::Makehuman1, USUAL),
-            (Application::Mpfb, "silently drops the entry"),
-        ],
-        levels: &[(Application::Mpfb, Level::Warning)],
-        docs: "A weights file has an entry for a vertex that the base mesh does not have. Vertices are counted from 0, \
-            without UV-seam duplicates.\n\n\
-            MakeHuman 2 crashes with `IndexError` while loading the base mesh if an index is too large, and with \
-            `OverflowError` if it is negative.\n\n\
-            Usually the weights were made for another mesh. Use the weights for this mesh.",
-        ..RuleInfo::new("weights-vertex-out-of-range", Level::Error, "weights for a vertex that the mesh does not have")
-    },
-    check: Check::Body(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[
+        (Application::Makehuman2, USUAL),
+        (Application::Makehuman1, USUAL),
+        (Application::Mpfb, "silently drops the entry"),
+    ],
+    levels: &[(Application::Mpfb, Level::Warning)],
+    docs: "A weights file has an entry for a vertex that the base mesh does not have. Vertices are counted from 0, \
+        without UV-seam duplicates.\n\n\
+        MakeHuman 2 crashes with `IndexError` while loading the base mesh if an index is too large, and with \
+        `OverflowError` if it is negative.\n\n\
+        Usually the weights were made for another mesh. Use the weights for this mesh.",
+    ..RuleInfo::new("weights-vertex-out-of-range", Level::Error, "weights for a vertex that the mesh does not have")
+});
 
 const NEGATIVE: Case =
     &[(Application::Makehuman2, Level::Error, "crashes with `OverflowError` while loading the weights")];

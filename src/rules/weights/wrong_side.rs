@@ -5,24 +5,21 @@ use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::repo::Body;
 
-pub(in crate::rules) static RULE: Rule = Rule {
-    info: RuleInfo {
-        breaks: &[(
-            Application::Makehuman2,
-            "rotates the skin of the left/right counterpart with the bone: the smallest bend throws it far off",
-        )],
-        docs: "A bone whose name says left or right (`hand.L`, `r-thigh`, `LeftFoot` …) and whose joints are on that \
-            side has at least nine tenths of its weights on the opposite half of the mesh. Left is where x is above \
-            0.\n\n\
-            MakeHuman 2 reports nothing: it rotates these vertices around a bone that is far away, so that the \
-            smallest bend throws them far off. Usually left and right were swapped when the weights were mirrored or \
-            exported. If the joints are on the wrong side as well, the skeleton is wrong: see \
-            `skeleton-wrong-side`.\n\n\
-            Swap the weights of the bone and its left/right counterpart.",
-        ..RuleInfo::new("weights-wrong-side", Level::Warning, "weights are on the opposite half of the mesh")
-    },
-    check: Check::Numeric(run),
-};
+pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
+    breaks: &[(
+        Application::Makehuman2,
+        "rotates the skin of the left/right counterpart with the bone: the smallest bend throws it far off",
+    )],
+    docs: "A bone whose name says left or right (`hand.L`, `r-thigh`, `LeftFoot` …) and whose joints are on that \
+        side has at least nine tenths of its weights on the opposite half of the mesh. Left is where x is above \
+        0.\n\n\
+        MakeHuman 2 reports nothing: it rotates these vertices around a bone that is far away, so that the \
+        smallest bend throws them far off. Usually left and right were swapped when the weights were mirrored or \
+        exported. If the joints are on the wrong side as well, the skeleton is wrong: see \
+        `skeleton-wrong-side`.\n\n\
+        Swap the weights of the bone and its left/right counterpart.",
+    ..RuleInfo::new("weights-wrong-side", Level::Warning, "weights are on the opposite half of the mesh")
+});
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((weights, file)) = measures.weights.as_ref().zip(body.default_weights()) else { return };
