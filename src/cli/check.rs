@@ -18,7 +18,7 @@ use super::step_summary;
 use super::terminal::Terminal;
 use super::workspace::placed;
 use crate::config::Config;
-use crate::diag::{Baseline, Outcome, TakenOver, Timed, Untouched, nearest};
+use crate::diag::{Baseline, Outcome, TakenOver, Timed, Untouched, grouped, nearest};
 use crate::engine::{Error, rule_infos};
 use crate::report::{self, Format, View};
 
@@ -212,11 +212,10 @@ fn tell(outcome: &Outcome, args: &CheckArgs, targets: &[Target], err: &mut dyn W
 
 /// Names the PATHs of which nothing was checked, and what could be given instead.
 fn tell_nothing(outcome: &Outcome, err: &mut dyn Write) -> Result<(), Failure> {
-    let mut by_reason: BTreeMap<String, Vec<String>> = BTreeMap::new();
-    for Untouched { path, what } in &outcome.nothing_in {
-        by_reason.entry(report::why_nothing(outcome, *what)).or_default().push(format!("`{path}`"));
-    }
-    for (why, paths) in by_reason {
+    let untouched = outcome.nothing_in.iter();
+    let by_reason =
+        untouched.map(|Untouched { path, what }| (report::why_nothing(outcome, *what), format!("`{path}`")));
+    for (why, paths) in grouped(by_reason) {
         let line = format!("nothing was checked in {}: {why}", paths.join(", "));
         writeln!(err, "mhlint: {}", report::printable(&line))?;
     }

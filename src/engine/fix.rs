@@ -9,7 +9,7 @@ use super::error::Error;
 use super::load::{Input, Side, sides};
 use super::run::lint_sides;
 use crate::config::Config;
-use crate::diag::{Change, Edit, Finding, Fix, FixKind, Note, Outcome, Rewrite, Step};
+use crate::diag::{Change, Edit, Finding, Fix, FixKind, Note, Outcome, Rewrite, Step, grouped};
 use crate::fix::{FileChange, Patch, Plan, apply, is_packed, pack, unpack};
 use crate::formats::{mhw_edit, target_edit};
 use crate::json::{self, Finder};
@@ -150,10 +150,7 @@ impl Work {
 
     /// Byte edits of all steps; nothing if one of them cannot be done.
     fn patches(&self, now: &Side, fix: &Fix, texts: &mut Texts) -> Option<Vec<(String, Patch)>> {
-        let mut changes: BTreeMap<&str, Vec<&Change>> = BTreeMap::new();
-        for step in self.steps(fix) {
-            changes.entry(&step.path).or_default().push(&step.change);
-        }
+        let changes = grouped(self.steps(fix).into_iter().map(|step| (step.path.as_str(), &step.change)));
         let patch = |(path, changes): (&str, Vec<&Change>)| {
             let (tree, rel) = now.find(path).filter(|(tree, rel)| !self.is_system(tree, rel))?;
             if changes.iter().any(|change| matches!(change, Change::Remove)) {

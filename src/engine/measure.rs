@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::caught::caught;
 use super::load::{Data, Loaded};
 use crate::config::Config;
-use crate::diag::{Application, FailedStep};
+use crate::diag::{Application, FailedStep, grouped};
 use crate::eval::measures::Measures;
 use crate::evaluate::{self, Rows, is_evaluated};
 use crate::formats::Content;
@@ -84,12 +84,8 @@ fn differing(now: &Data<'_>, before: &Data<'_>) -> BTreeSet<Option<String>> {
 
 /// What is evaluated but for targets, which are read in turn, by the base that it belongs to.
 fn contents<'d>(data: &'d Data<'_>) -> BTreeMap<Option<&'d str>, Vec<&'d Arc<Content>>> {
-    let mut contents: BTreeMap<_, Vec<_>> = BTreeMap::new();
     let files = data.all().flat_map(|root| root.layer.files.values());
-    for file in files.filter(|file| file.kind.format().is_read()) {
-        contents.entry(file.base()).or_default().push(&file.content);
-    }
-    contents
+    grouped(files.filter(|file| file.kind.format().is_read()).map(|file| (file.base(), &file.content)))
 }
 
 /// The targets of a base.

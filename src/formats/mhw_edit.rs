@@ -8,7 +8,7 @@ use std::ops::Range;
 
 use super::mhw_facts::{SUM_TOLERANCE, THRESHOLD};
 use super::stored;
-use crate::diag::Edit;
+use crate::diag::{Edit, grouped};
 use crate::json::{self, Member, Node, Value};
 
 /// Steps in which the rounding of a sum is given to the largest weight; one is nearly always enough.
@@ -131,11 +131,7 @@ impl<'d> Table<'d> {
     }
 
     fn by_vertex(&self) -> BTreeMap<i64, Vec<&Entry>> {
-        let mut by_vertex: BTreeMap<i64, Vec<&Entry>> = BTreeMap::new();
-        for entry in &self.entries {
-            by_vertex.entry(entry.vertex).or_default().push(entry);
-        }
-        by_vertex
+        grouped(self.entries.iter().map(|entry| (entry.vertex, entry)))
     }
 
     /// The file without some pairs; a bone that they empty goes as a whole, for an empty list says nothing.

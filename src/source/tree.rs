@@ -11,6 +11,7 @@ use xxhash_rust::xxh3::xxh3_64;
 use super::Limits;
 use super::listing::{Room, add_file, add_folders, folders_above, memory_entries};
 use super::walk::{self, Wanted};
+use crate::diag::grouped;
 
 /// Contents of files by path, where they are not those that lie there; `None`: there is no such file.
 pub(crate) type Contents<P> = BTreeMap<P, Option<Vec<u8>>>;
@@ -227,10 +228,8 @@ impl Tree {
     /// changed where they stand, too.
     #[must_use]
     pub fn with(&self, contents: &Contents<String>) -> Self {
-        let mut links: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
-        for entry in &self.entries {
-            entry.link_to.iter().for_each(|meant| links.entry(meant).or_default().push(&entry.path));
-        }
+        let links = self.entries.iter().filter_map(|entry| Some((entry.link_to.as_deref()?, entry.path.as_str())));
+        let links = grouped(links);
         let mut entries: BTreeMap<String, Entry> =
             self.entries.iter().map(|entry| (entry.path.clone(), entry.clone())).collect();
         let mut changed = self.changed.clone();

@@ -13,6 +13,7 @@ use xxhash_rust::xxh3::xxh3_64;
 use super::data::Loaded;
 use super::place::Place;
 use super::read;
+use crate::diag::grouped;
 use crate::discover::{Candidate, Kind};
 use crate::evaluate::Rows;
 use crate::formats::Needs;
@@ -119,12 +120,10 @@ fn add_own(sizes: &mut MeshSizes, files: &ByRel) {
 
 /// Pictures are compared by content only where their sizes are equal; others need no reading.
 fn hash_equal_sizes(place: &Place<'_>, files: &mut ByRel, limits: &Limits) {
-    let mut by_size: BTreeMap<u64, Vec<&Candidate<'_>>> = BTreeMap::new();
-    for candidate in place.files() {
-        if let Some(file) = files.get(&*candidate.rel).filter(|file| is_compared(file)) {
-            by_size.entry(file.size).or_default().push(candidate);
-        }
-    }
+    let by_size = grouped(place.files().filter_map(|candidate| {
+        let file = files.get(&*candidate.rel).filter(|file| is_compared(file))?;
+        Some((file.size, candidate))
+    }));
     let twins: Vec<_> = by_size.into_values().filter(|twins| twins.len() > 1).flatten().collect();
     let hash = |file: &Candidate<'_>| place.tree.read(file.entry, limits).ok().map(|bytes| xxh3_64(&bytes));
     let hashes: Vec<_> = twins.into_par_iter().map(|file| (file, hash(file))).collect();

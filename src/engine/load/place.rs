@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::diag::Application;
+use crate::diag::{Application, grouped};
 use crate::discover::{Binding, Candidate, Layout, candidates, loose_candidates};
 use crate::formats::Needs;
 use crate::source::{Entry, Tree};
@@ -40,10 +40,8 @@ impl<'t> Place<'t> {
         below: Vec<Candidate<'t>>,
         is_loose: bool,
     ) -> Self {
-        let mut bulk: BTreeMap<Option<String>, Vec<usize>> = BTreeMap::new();
-        for (number, file) in below.iter().enumerate().filter(|(_, file)| is_bulk(file)) {
-            bulk.entry(file.owner().map(str::to_owned)).or_default().push(number);
-        }
+        let bulk = below.iter().enumerate().filter(|(_, file)| is_bulk(file));
+        let bulk = grouped(bulk.map(|(number, file)| (file.owner().map(str::to_owned), number)));
         Self { tree, root: root.to_owned(), layouts: layouts.to_vec(), is_loose, below, bulk }
     }
 

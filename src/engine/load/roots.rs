@@ -8,7 +8,7 @@ use super::input::Input;
 use super::loose::loose;
 use super::place::Place;
 use crate::config::Config;
-use crate::diag::{Application, NotChecked, Note, Outcome, RootSummary, Unchecked};
+use crate::diag::{Application, NotChecked, Note, Outcome, RootSummary, Unchecked, grouped};
 use crate::discover::{Layout, find_roots, is_asset_anywhere};
 use crate::source::{EntryKind, Tree, WalkFaultKind, is_below};
 
@@ -23,11 +23,9 @@ pub(in crate::engine) struct Roots<'t> {
 /// The data roots in a tree of the applications of which `wanted` holds, by path.
 pub(super) fn roots_of(tree: &Tree, wanted: impl Fn(Application) -> bool) -> BTreeMap<String, Vec<&'static Layout>> {
     let files = tree.entries().iter().filter(|entry| entry.kind == EntryKind::File);
-    let mut roots: BTreeMap<String, Vec<_>> = BTreeMap::new();
-    for root in find_roots(files.map(|entry| entry.path.as_str())).into_iter().filter(|root| wanted(root.application)) {
-        roots.entry(root.path).or_default().push(Layout::of(root.application));
-    }
-    roots
+    let roots = find_roots(files.map(|entry| entry.path.as_str()));
+    let wanted = roots.into_iter().filter(|root| wanted(root.application));
+    grouped(wanted.map(|root| (root.path, Layout::of(root.application))))
 }
 
 /// The data roots in a tree of the applications that are checked.

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use super::compare::Claim;
-use crate::diag::{Baseline, Entry};
+use crate::diag::{Baseline, Entry, grouped};
 use crate::engine::error::{BaselineFault, Error};
 use crate::source::{Folder, Limits, ReadFault, read_file};
 
@@ -67,10 +67,7 @@ impl Baseline {
         roots: &BTreeSet<String>,
         is_there: impl Fn(&Entry) -> bool,
     ) -> Vec<&'e str> {
-        let mut alike: BTreeMap<&str, Vec<&Found>> = BTreeMap::new();
-        for found in found {
-            alike.entry(&found.entry.fingerprint).or_default().push(found);
-        }
+        let alike = grouped(found.iter().map(|found| (found.entry.fingerprint.as_str(), found)));
         let now: BTreeSet<_> = found.iter().map(|found| found.entry.subject()).collect();
         // Findings that have entries of their own, or that others moved to.
         let own = self.entries.iter().filter(|entry| now.contains(&entry.subject()));

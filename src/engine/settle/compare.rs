@@ -1,9 +1,8 @@
 //! Two sets of findings compared: what is new, worse, the same or gone.
 
 use std::cell::Cell;
-use std::collections::BTreeMap;
 
-use crate::diag::{Break, Finding, Level, NameIndex, Parts};
+use crate::diag::{Break, Finding, Level, NameIndex, Parts, grouped};
 
 /// A finding as it is compared.
 #[derive(Debug, Clone, Copy)]
@@ -53,10 +52,8 @@ pub(in crate::engine) struct Comparison {
 /// together. Together they speak for one, and one for them. One without parts stands for one.
 pub(in crate::engine) fn compare(before: &[Claim<'_>], now: &[Claim<'_>]) -> Comparison {
     let met = vec![Cell::new(false); before.len()];
-    let mut alike: BTreeMap<_, Vec<Known<'_>>> = BTreeMap::new();
-    for (claim, met) in before.iter().zip(&met) {
-        alike.entry(claim.subject()).or_default().push(Known { claim, met });
-    }
+    let known = before.iter().zip(&met);
+    let alike = grouped(known.map(|(claim, met)| (claim.subject(), Known { claim, met })));
     let now = now.iter().map(|claim| alike.get(&claim.subject()).map_or(Standing::New, |known| standing(claim, known)));
     Comparison { now: now.collect(), gone: (0..).zip(&met).filter(|(_, met)| !met.get()).map(|(at, _)| at).collect() }
 }

@@ -4,7 +4,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::{Base, BoundSlider, Pattern};
-use crate::diag::Sought;
+use crate::diag::{Sought, grouped};
 use crate::formats::modelling::Modelling;
 
 /// Names of missing targets that are compared with others: each pattern that is looked for is compared with all of them.
@@ -47,10 +47,9 @@ impl<'a> Intent<'a> {
         let is_short =
             |bound: &&BoundSlider<'_>| bound.slider.barycentric.is_some() && bound.slider.barycentric_len < 3;
         let short = sliders().filter(is_short).flat_map(|bound| bound.pattern.names());
-        let mut undeclared: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
-        for (number, bound) in base.sliders.iter().enumerate().filter(|(_, bound)| bound.is_undeclared_pair()) {
-            undeclared.entry(bound.slider.decr.as_deref().unwrap_or_default()).or_default().push(number);
-        }
+        let undeclared = base.sliders.iter().enumerate().filter(|(_, bound)| bound.is_undeclared_pair());
+        let undeclared =
+            grouped(undeclared.map(|(number, bound)| (bound.slider.decr.as_deref().unwrap_or_default(), number)));
         let lacking = sliders().filter(|slider| base.lacks_target(slider));
         let names = lacking.flat_map(|bound| [&bound.slider.decr, &bound.slider.incr]).flatten();
         let marked = || sliders().filter(|bound| base.is_marked_as_users(bound));

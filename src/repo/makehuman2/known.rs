@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Bound;
 
 use super::View;
+use crate::diag::grouped;
 use crate::repo::{Reference, ReferenceKind};
 
 /// What is known of a base's sliders by the names of their targets.
@@ -29,10 +30,7 @@ impl KnownNames {
                 by_slider.entry(other.owner).or_default().insert(other.kind, &file.path);
             }
         }
-        let mut by_targets: BTreeMap<BTreeMap<ReferenceKind, &str>, Vec<&str>> = BTreeMap::new();
-        for (slider, targets) in by_slider {
-            by_targets.entry(targets).or_default().push(slider);
-        }
+        let by_targets = grouped(by_slider.into_iter().map(|(slider, targets)| (targets, slider)));
         let doubles = by_targets.into_values().filter(|sliders| sliders.len() > 1).flatten().map(str::to_owned);
         Self { patterns, doubles: doubles.collect() }
     }

@@ -3,6 +3,7 @@
 
 use std::collections::BTreeMap;
 
+use crate::diag::grouped;
 use crate::formats::modelling::Slider;
 use crate::repo::FileFacts;
 
@@ -90,11 +91,8 @@ pub(crate) struct Opposites<'o>(BTreeMap<&'o str, Vec<(usize, &'o str)>>);
 impl<'o> Opposites<'o> {
     /// For pairs in file order.
     pub(crate) fn of(pairs: &'o [(String, String)]) -> Self {
-        let mut by_decr: BTreeMap<&str, Vec<(usize, &str)>> = BTreeMap::new();
-        for (place, (decr, incr)) in pairs.iter().enumerate() {
-            by_decr.entry(decr).or_default().push((place, incr));
-        }
-        Self(by_decr)
+        let pairs = pairs.iter().enumerate();
+        Self(grouped(pairs.map(|(place, (decr, incr))| (decr.as_str(), (place, incr.as_str())))))
     }
 
     /// The ending of `incr` in the first pair that both paths end in.

@@ -8,6 +8,7 @@ use super::known::KnownNames;
 use super::references::collect;
 use super::usage::Usage;
 use super::{Base, OWN, target_folder, textures, weights, worn};
+use crate::diag::grouped;
 use crate::discover::Kind;
 use crate::formats::base_json::BaseJson;
 use crate::repo::{Body, FileFacts, Layers, Reference, References, Target, Worn};
@@ -104,10 +105,8 @@ impl<'a> View<'a> {
 
     /// A body for every base, and one for the targets and weights that belong to none.
     pub(in crate::repo) fn bodies<'v>(&'v self, view: &'v crate::repo::View<'v>) -> Vec<Body<'v>> {
-        let mut files: BTreeMap<&str, Vec<&'v FileFacts>> = BTreeMap::new();
-        for file in view.files().filter(|file| is_of_body(file)) {
-            files.entry(file.base_in(OWN).unwrap_or_default()).or_default().push(file);
-        }
+        let files = view.files().filter(|file| is_of_body(file));
+        let mut files = grouped(files.map(|file| (file.base_in(OWN).unwrap_or_default(), file)));
         let body = |name: &'v str, files: Vec<&'v FileFacts>| {
             let (targets, weights): (Vec<_>, Vec<_>) = files.into_iter().partition(|file| file.kind == Kind::Target);
             let base = self.base(name);

@@ -1,10 +1,10 @@
 //! The catalogue of MPFB must name targets that exist.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx, counted};
 use super::neighbours::Neighbours;
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, pointer};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, grouped, pointer};
 use crate::formats::target_catalog::Section;
 use crate::repo::mpfb::{Catalog, View};
 use crate::repo::{Reference, Resolution, parent};
@@ -31,10 +31,8 @@ pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(catalog) = view.catalog.filter(|catalog| view.layers.is_checked(catalog.file)) else { return };
     let neighbours = Neighbours::of(view, &catalog);
-    let mut by_cause: BTreeMap<String, Vec<&Reference<'_>>> = BTreeMap::new();
-    for reference in view.references.iter().filter(|one| matches!(one.resolution, Resolution::Missing)) {
-        by_cause.entry(cause(&catalog, reference)).or_default().push(reference);
-    }
+    let missing = view.references.iter().filter(|one| matches!(one.resolution, Resolution::Missing));
+    let by_cause = grouped(missing.map(|reference| (cause(&catalog, reference), reference)));
     out.extend(by_cause.into_iter().filter_map(|(cause, references)| told(&cause, &references, &neighbours)));
     out.extend(catalog.sliders.sections.iter().filter_map(|section| leftovers(&catalog, section)));
 }

@@ -1,9 +1,7 @@
 //! Names in one folder that differ in nothing but case.
 
-use std::collections::BTreeMap;
-
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo, grouped};
 use crate::repo::View;
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
@@ -17,12 +15,10 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers().checked;
-    let mut siblings: BTreeMap<(&str, String), Vec<&str>> = BTreeMap::new();
-    let paths = layer.files.keys().chain(&layer.folders);
-    for path in paths {
+    let siblings = grouped(layer.files.keys().chain(&layer.folders).map(|path| {
         let (folder, name) = path.rsplit_once('/').unwrap_or(("", path));
-        siblings.entry((folder, name.to_lowercase())).or_default().push(path);
-    }
+        ((folder, name.to_lowercase()), path.as_str())
+    }));
     for ((folder, folded), mut paths) in siblings {
         paths.sort_unstable();
         let [first, others @ ..] = paths.as_slice() else { continue };

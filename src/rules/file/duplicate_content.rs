@@ -1,9 +1,7 @@
 //! The same content under several names.
 
-use std::collections::BTreeMap;
-
 use super::super::{Check, Rule, RuleCx, counted};
-use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo, grouped};
 use crate::discover::Kind;
 use crate::repo::{FileFacts, ReferenceKind, View};
 
@@ -20,19 +18,12 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
 /// Smaller files (a dot of an icon, a target of a few rows) are equal by chance.
 const SMALLEST: u64 = 200;
 
-/// What equal files have in common: where they lie, what they are, and their content.
-type Class<'f> = ((&'f str, &'f str), &'static str, u64);
-
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layer = view.layers().checked;
-    let mut twins: BTreeMap<Class<'_>, Vec<&FileFacts>> = BTreeMap::new();
     // Through a link it is the same file, not another one.
     let is_link = |file: &FileFacts| file.link_to.as_deref().is_some_and(|real| layer.file(real).is_some());
-    for file in view.files().filter(|file| !is_link(file)) {
-        if let (Some(class), Some(hash)) = (class(file), file.content_hash) {
-            twins.entry((category(file), class, hash)).or_default().push(file);
-        }
-    }
+    let files = view.files().filter(|file| !is_link(file));
+    let twins = grouped(files.filter_map(|file| Some(((category(file), class(file)?, file.content_hash?), file))));
     for ((_, class, _), files) in twins {
         let [first, others @ ..] = files.as_slice() else { continue };
         if others.is_empty() {

@@ -1,20 +1,17 @@
 //! Folders with other capitals than those that are listed.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use super::super::{Rule, counted};
-use crate::diag::{Evidence, Finding};
+use crate::diag::{Evidence, Finding, grouped};
 use crate::repo::View;
 use crate::repo::makehuman2::MisnamedFolder;
 
 /// One finding for each name, but for folders that a finding on a name in a file names already.
 pub(super) fn findings(rule: &Rule, view: &View<'_>, told: &BTreeSet<String>) -> Vec<Finding> {
     let View::Makehuman2(own) = view else { return Vec::new() };
-    let mut by_name: BTreeMap<String, Vec<MisnamedFolder>> = BTreeMap::new();
-    for folder in own.misnamed_folders() {
-        let name = folder.rel.rsplit('/').next().unwrap_or_default().to_owned();
-        by_name.entry(name).or_default().push(folder);
-    }
+    let name = |folder: &MisnamedFolder| folder.rel.rsplit('/').next().unwrap_or_default().to_owned();
+    let by_name = grouped(own.misnamed_folders().into_iter().map(|folder| (name(&folder), folder)));
     let is_new = |folders: &&Vec<MisnamedFolder>| !folders.iter().any(|folder| told.contains(&folder.rel));
     by_name.values().filter(is_new).filter_map(|folders| finding(rule, view, folders)).collect()
 }

@@ -1,10 +1,8 @@
 //! References that stand in the checked layer, by file and cause, and what follows if they lead nowhere.
 
-use std::collections::BTreeMap;
-
 use super::super::Rule;
 use super::super::cause::consequence::unfound;
-use crate::diag::{Change, Evidence, Finding, Fix, Place};
+use crate::diag::{Change, Evidence, Finding, Fix, Place, grouped};
 use crate::repo::{Reference, Resolution, View, composed};
 
 /// References of one cause in one file, in the order of the file.
@@ -17,17 +15,14 @@ pub(super) struct Cause<'r, 'a> {
 
 /// The references that `key` gives a cause for, one [`Cause`] for each file and key.
 pub(super) fn causes<'r, 'a>(view: &'r View<'a>, key: impl Fn(&Reference<'a>) -> Option<String>) -> Vec<Cause<'r, 'a>> {
-    let mut causes: BTreeMap<(&str, String), Vec<&Reference<'a>>> = BTreeMap::new();
     let layers = view.layers();
-    for reference in view.references().iter().filter(|reference| layers.is_checked(reference.from)) {
-        if let Some(key) = key(reference) {
-            // A faulty folder is one cause for all names behind it, and another than a name of its own.
-            let folder = reference.folder_at_fault.as_ref().map(|(_, folder)| format!("folder {folder}"));
-            let key = [Some(key), folder].into_iter().flatten().filter(|part| !part.is_empty());
-            let key = key.collect::<Vec<_>>().join("/");
-            causes.entry((reference.from.path.as_str(), key)).or_default().push(reference);
-        }
-    }
+    let own = view.references().iter().filter(|reference| layers.is_checked(reference.from));
+    let causes = grouped(own.filter_map(|reference| {
+        // A faulty folder is one cause for all names behind it, and another than a name of its own.
+        let folder = reference.folder_at_fault.as_ref().map(|(_, folder)| format!("folder {folder}"));
+        let key = [Some(key(reference)?), folder].into_iter().flatten().filter(|part| !part.is_empty());
+        Some(((reference.from.path.as_str(), key.collect::<Vec<_>>().join("/")), reference))
+    }));
     causes.into_iter().map(|((_, key), references)| Cause { key, references }).collect()
 }
 

@@ -1,10 +1,10 @@
 //! Files that nothing opens.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx};
 use super::icons;
-use crate::diag::{Application, Case, Evidence, Finding, Level, RuleInfo};
+use crate::diag::{Application, Case, Evidence, Finding, Level, RuleInfo, grouped};
 use crate::discover::{Kind, Layout, extension};
 use crate::repo::makehuman2::{Base, View};
 use crate::repo::{FileFacts, Reference, ReferenceKind, Resolution};
@@ -31,13 +31,10 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
     let references = References::of(view, base);
     let files = FOLDERS.iter().flat_map(|folder| view.layers.checked.below(&format!("{folder}/{}", base.name)));
     // One finding for a folder and reason: a folder of packed targets is one decision.
-    let mut idle: BTreeMap<(&str, Reason), Vec<&FileFacts>> = BTreeMap::new();
-    for file in files {
+    let idle = grouped(files.filter_map(|file| {
         let folder = file.rel.rsplit_once('/').map_or("", |(folder, _)| folder);
-        if let Some(reason) = reason(base, file, &references) {
-            idle.entry((folder, reason)).or_default().push(file);
-        }
-    }
+        Some(((folder, reason(base, file, &references)?), file))
+    }));
     for ((folder, reason), files) in idle {
         let names = files.iter().map(|file| file.file_name());
         let parts = files.iter().map(|file| (file.file_name(), &file.path));

@@ -1,10 +1,8 @@
 //! A key once in an object.
 
-use std::collections::BTreeMap;
-
 use super::super::{Check, Rule, RuleCx};
 use super::left_out;
-use crate::diag::{Application, Finding, Level, Place, RuleInfo, steps, structural};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo, grouped, steps, structural};
 use crate::json::Duplicate;
 use crate::repo::{FileFacts, View};
 
@@ -18,10 +16,7 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
 });
 
 fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let mut by_member: BTreeMap<&str, Vec<&Duplicate>> = BTreeMap::new();
-    for duplicate in &file.json.duplicates {
-        by_member.entry(&duplicate.pointer).or_default().push(duplicate);
-    }
+    let by_member = grouped(file.json.duplicates.iter().map(|duplicate| (duplicate.pointer.as_str(), duplicate)));
     out.extend(by_member.into_iter().filter_map(|(pointer, all)| finding(file, pointer, &all)));
     out.extend(left_out(&RULE, file, file.json.duplicates_left_out, "duplicate key"));
 }

@@ -1,14 +1,12 @@
 //! A JSON must fit the schema of its format.
 
-use std::collections::BTreeMap;
-
 use super::super::cause::consequence::of_value;
 use super::super::cause::schema::stands_for;
 use super::super::cause::{counts_as_missing, is_ignored_override};
 use super::super::{Check, Rule, RuleCx};
 use super::left_out;
 use super::schema_words::{lack, sentence};
-use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo, grouped};
 use crate::json::{SchemaFault, UnknownKey};
 use crate::repo::{FileFacts, View};
 
@@ -29,11 +27,8 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     if is_ignored_override(file) || counts_as_missing(file) {
         return;
     }
-    let mut by_keyword: BTreeMap<(&str, Option<String>), Vec<&SchemaFault>> = BTreeMap::new();
-    for fault in &file.schema.faults {
-        // Two missing keys of one object fail at the same keyword; they are two faults.
-        by_keyword.entry((&fault.keyword, lack(fault))).or_default().push(fault);
-    }
+    // Two missing keys of one object fail at the same keyword; they are two faults.
+    let by_keyword = grouped(file.schema.faults.iter().map(|fault| ((fault.keyword.as_str(), lack(fault)), fault)));
     out.extend(by_keyword.into_iter().filter_map(|((keyword, lack), all)| finding(view, file, keyword, lack, &all)));
     out.extend(left_out(&RULE, file, file.schema.faults_left_out, "schema error"));
 }

@@ -1,13 +1,11 @@
 //! Keys that no application reads.
 
-use std::collections::BTreeMap;
-
 use super::super::cause::consequence::of_misspelt;
 use super::super::cause::is_ignored_override;
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::left_out;
 use super::told_keys::{Told, nested};
-use crate::diag::{Application, Case, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Case, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo, grouped};
 use crate::discover::Kind;
 use crate::json::UnknownKey;
 use crate::repo::{FileFacts, View};
@@ -38,11 +36,9 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     if file.schema.unknown.is_empty() || is_ignored_override(file) {
         return;
     }
-    let mut by_key: BTreeMap<(&str, Option<&str>), Vec<&UnknownKey>> = BTreeMap::new();
     let told = Told::of(view, file);
-    for unknown in file.schema.unknown.iter().filter(|unknown| !told.has(unknown)) {
-        by_key.entry((&unknown.key, unknown.object.as_deref())).or_default().push(unknown);
-    }
+    let unknown = file.schema.unknown.iter().filter(|unknown| !told.has(unknown));
+    let by_key = grouped(unknown.map(|unknown| ((&unknown.key, &unknown.object), unknown)));
     out.extend(by_key.into_values().filter_map(|all| finding(view, file, &all)));
     out.extend(left_out(&RULE, file, file.schema.unknown_left_out, "unknown key"));
 }

@@ -2,9 +2,8 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::titles;
-use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Place, RuleInfo};
+use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Place, RuleInfo, grouped};
 use crate::repo::makehuman2::{Base, View};
-use std::collections::BTreeMap;
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     fix: FixKind::Unsafe,
@@ -19,10 +18,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };
     for macrodef in &macros.macrodefs {
-        let mut by_name: BTreeMap<&str, Vec<_>> = BTreeMap::new();
-        for link in &macrodef.links {
-            by_name.entry(&link.name).or_default().push(link);
-        }
+        let mut by_name = grouped(macrodef.links.iter().map(|link| (link.name.as_str(), link)));
         // An empty name is never reached, however often it is listed; without components it is the only one.
         by_name.retain(|name, _| !name.is_empty() || macrodef.components.is_empty());
         for (name, links) in by_name {

@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::links::{MacroLink, links};
-use crate::diag::{Application, Change, Evidence, Finding, Fix, FixKind, Level, Place, RuleInfo};
+use crate::diag::{Application, Change, Evidence, Finding, Fix, FixKind, Level, Place, RuleInfo, grouped};
 use crate::formats::macro_json::without_suffix;
 use crate::formats::target::TargetFacts;
 use crate::repo::makehuman2::{Base, View};
@@ -22,13 +22,11 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, _)) = base.macro_file() else { return };
-    let mut by_file: BTreeMap<&str, Vec<MacroLink<'_>>> = BTreeMap::new();
     let all = links(view, base);
-    for link in &all {
-        if let Some(target) = link.reference.meant().filter(|target| moves_nothing(target)) {
-            by_file.entry(&target.rel).or_default().push(*link);
-        }
-    }
+    let by_file = grouped(all.iter().filter_map(|link| {
+        let target = link.reference.meant().filter(|target| moves_nothing(target))?;
+        Some((target.rel.as_str(), *link))
+    }));
     let unmet = if by_file.is_empty() { BTreeMap::new() } else { unmet(view) };
     for (rel, links) in by_file {
         let Some((first, target)) = links.first().and_then(|link| Some((link, link.reference.meant()?))) else {

@@ -6,6 +6,7 @@ use std::cell::Cell;
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::links::has_suffix;
+use crate::diag::grouped;
 use crate::formats::macro_json::{MacroFile, Macrodef};
 
 /// The parts of a name.
@@ -31,10 +32,9 @@ pub(super) struct Spellings<'s, T> {
 impl<'s, T> Spellings<'s, T> {
     pub(super) fn of(names: impl Iterator<Item = (&'s str, T)>) -> Self {
         let all: Vec<(BTreeSet<&str>, T)> = names.map(|(name, of)| (values_of(name), of)).collect();
-        let mut by_value: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
-        for (at, (values, _)) in all.iter().enumerate() {
-            values.iter().for_each(|value| by_value.entry(value).or_default().push(at));
-        }
+        let numbered = all.iter().enumerate();
+        let values = numbered.flat_map(|(at, (values, _))| values.iter().map(move |value| (*value, at)));
+        let by_value = grouped(values);
         Self { all, by_value, compared: Cell::new(0) }
     }
 

@@ -1,9 +1,8 @@
 //! `macro_influence` must hold indices of macro definitions.
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo, grouped};
 use crate::repo::makehuman2::{Base, BoundSlider, View};
-use std::collections::BTreeMap;
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
@@ -26,14 +25,11 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
     let count = i64::try_from(macros.macrodefs.len()).unwrap_or(i64::MAX);
     // A macro definition that was removed leaves the same index in many sliders: one cause.
-    let mut groups: BTreeMap<Vec<i64>, Vec<&BoundSlider<'_>>> = BTreeMap::new();
-    for bound in &base.sliders {
-        let Some(influence) = &bound.slider.macro_influence else { continue };
-        let wrong: Vec<i64> = influence.iter().copied().filter(|index| !(0..count).contains(index)).collect();
-        if !wrong.is_empty() {
-            groups.entry(wrong).or_default().push(bound);
-        }
-    }
+    let groups = grouped(base.sliders.iter().filter_map(|bound| {
+        let influence = bound.slider.macro_influence.iter().flatten().copied();
+        let wrong: Vec<i64> = influence.filter(|index| !(0..count).contains(index)).collect();
+        (!wrong.is_empty()).then_some((wrong, bound))
+    }));
     for (wrong, sliders) in groups {
         out.extend(finding(&wrong, &sliders, count));
     }

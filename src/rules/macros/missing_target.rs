@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::links::{MacroLink, has_suffix, links, nearest_file};
-use crate::diag::{Application, Evidence, Finding, Level, RuleInfo};
+use crate::diag::{Application, Evidence, Finding, Level, RuleInfo, grouped};
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, View};
 use std::collections::{BTreeMap, BTreeSet};
@@ -22,7 +22,6 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
 
 fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, _)) = base.macro_file() else { return };
-    let mut by_file: BTreeMap<&str, Vec<MacroLink<'_>>> = BTreeMap::new();
     let all = links(view, base);
     let spoken_of: BTreeSet<usize> = all
         .chunk_by(|one, next| one.macrodef.index == next.macrodef.index)
@@ -30,11 +29,9 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
         .filter(|first| super::lost_folder::is_lost(base, first.macrodef, &all))
         .map(|first| first.macrodef.index)
         .collect();
-    for link in all.iter().filter(|link| link.is_missing() && !has_suffix(link.reference.text)) {
-        if !spoken_of.contains(&link.macrodef.index) {
-            by_file.entry(&link.reference.rel).or_default().push(*link);
-        }
-    }
+    let missing = all.iter().filter(|link| link.is_missing() && !has_suffix(link.reference.text));
+    let missing = missing.filter(|link| !spoken_of.contains(&link.macrodef.index));
+    let by_file = grouped(missing.map(|link| (link.reference.rel.as_str(), *link)));
     // A file that the combination of its own name uses is not meant.
     let own: BTreeSet<&str> = all.iter().filter_map(own_file).map(|file| file.path.as_str()).collect();
     let moved = Moved::of(base);

@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::fit::{Spellings, contradiction, values_of};
 use super::links::{MacroLink, links};
+use crate::diag::grouped;
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, View};
 
@@ -21,11 +22,8 @@ const CROWD: usize = 4;
 
 /// Suspects by the definition and the file that they name.
 pub(super) fn by_file<'a>(suspects: &'a [Suspect<'_>]) -> BTreeMap<(usize, &'a str), Vec<&'a Suspect<'a>>> {
-    let mut by_file: BTreeMap<_, Vec<&Suspect<'_>>> = BTreeMap::new();
-    for suspect in suspects {
-        by_file.entry((suspect.link.macrodef.index, suspect.link.reference.text)).or_default().push(suspect);
-    }
-    by_file
+    let file = |suspect: &Suspect<'a>| (suspect.link.macrodef.index, suspect.link.reference.text);
+    grouped(suspects.iter().map(|suspect| (file(suspect), suspect)))
 }
 
 /// Whether these suspects have one fault between them.

@@ -2,16 +2,16 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::lacking_component;
-use super::listing::{Listing, Slip, Stranger};
+use super::listing::{Listing, Stranger};
 use super::misspelt_value::{MisspeltValue, misspelt_values, other_component};
 use super::sound::sound_space;
 use super::space::Space;
 use super::titles;
-use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo, grouped};
 use crate::formats::macro_json::{MacroFile, Macrodef};
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, View};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
@@ -46,14 +46,13 @@ fn run(_: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
             out.push(finding);
             continue;
         }
-        let mut groups: BTreeMap<(Option<usize>, Slip), Vec<&Stranger<'_>>> = BTreeMap::new();
-        for stranger in &listing.strangers {
-            if misspelt.iter().any(|value| value.explains(&space, &stranger.slip)) {
-                continue;
-            }
+        let is_explained =
+            |stranger: &&Stranger<'_>| misspelt.iter().any(|value| value.explains(&space, &stranger.slip));
+        let unexplained = listing.strangers.iter().filter(|stranger| !is_explained(stranger));
+        let groups = grouped(unexplained.map(|stranger| {
             let home = home(&homes, macrodef, &stranger.link.name);
-            groups.entry((home.map(|home| home.index), stranger.slip.clone())).or_default().push(stranger);
-        }
+            ((home.map(|home| home.index), stranger.slip.clone()), stranger)
+        }));
         for ((home, slip), strangers) in groups {
             let Some(first) = strangers.first() else { continue };
             let more = if strangers.len() > 1 { format!(" ({} such names)", strangers.len()) } else { String::new() };

@@ -1,12 +1,12 @@
 //! `comp` must name components that are defined.
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
-use crate::diag::{Application, EXAMPLES, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, EXAMPLES, Finding, Level, Place, RuleInfo, grouped};
 use crate::formats::macro_json::{MacroFile, Macrodef};
 use crate::json::UnknownKey;
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, View};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
@@ -31,12 +31,10 @@ fn run(_: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         return;
     }
     let known: BTreeSet<&str> = macros.components.iter().map(|component| component.name.as_str()).collect();
-    let mut unknown: BTreeMap<&str, Vec<Place>> = BTreeMap::new();
-    for macrodef in &macros.macrodefs {
-        for (at, name) in macrodef.components.iter().enumerate().filter(|(_, name)| !known.contains(name.as_str())) {
-            unknown.entry(name).or_default().push(place(macrodef, at));
-        }
-    }
+    let unknown = grouped(macros.macrodefs.iter().flat_map(|macrodef| {
+        let strangers = macrodef.components.iter().enumerate().filter(|(_, name)| !known.contains(name.as_str()));
+        strangers.map(|(at, name)| (name.as_str(), place(macrodef, at)))
+    }));
     let used: BTreeSet<&str> =
         macros.macrodefs.iter().flat_map(|macrodef| &macrodef.components).map(String::as_str).collect();
     for (name, places) in unknown {

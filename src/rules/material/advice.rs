@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::ops::Bound;
 
 use super::super::did_you_mean;
-use crate::diag::{Place, Suggestions};
+use crate::diag::{Place, Suggestions, grouped};
 use crate::discover::extension;
 use crate::repo::{FileFacts, PictureFolders, Reference, View};
 
@@ -22,10 +22,7 @@ impl<'v, 'a> Advice<'v, 'a> {
     pub(super) fn of(view: &'v View<'a>) -> Self {
         let files = view.layers().checked.files.values().filter(|file| is_picture(file));
         let paths: BTreeMap<&str, &FileFacts> = files.map(|file| (file.rel.as_str(), file)).collect();
-        let mut pictures: BTreeMap<&str, Vec<&FileFacts>> = BTreeMap::new();
-        for file in paths.values() {
-            pictures.entry(file.file_name()).or_default().push(file);
-        }
+        let pictures = grouped(paths.values().map(|file| (file.file_name(), *file)));
         Self { view, pictures, paths, suggestions: Suggestions::default() }
     }
 

@@ -1,10 +1,10 @@
 //! Textures of a material must exist.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx};
 use super::advice::{Advice, file_name};
-use crate::diag::{Application, Case, Evidence, Finding, Level, RuleInfo};
+use crate::diag::{Application, Case, Evidence, Finding, Level, RuleInfo, grouped};
 use crate::repo::{Layer, Reference, ReferenceKind, Resolution, View, parent};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
@@ -40,10 +40,8 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             && layers.is_checked(reference.from)
     };
     // However many keywords and materials name it, or name pictures in it.
-    let mut causes: BTreeMap<&str, Vec<&Reference<'_>>> = BTreeMap::new();
-    for reference in view.references().iter().filter(is_missing) {
-        causes.entry(cause(layers.checked, reference)).or_default().push(reference);
-    }
+    let missing = view.references().iter().filter(is_missing);
+    let causes = grouped(missing.map(|reference| (cause(layers.checked, reference), reference)));
     if causes.is_empty() {
         return;
     }

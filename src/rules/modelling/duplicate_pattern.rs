@@ -1,11 +1,9 @@
 //! Every pattern must be registered once.
 
-use std::collections::BTreeMap;
-
 use super::super::{Check, Rule, RuleCx};
 use super::with_patterns;
-use crate::diag::{Application, Finding, Level, Place, RuleInfo};
-use crate::repo::makehuman2::{Base, BoundSlider, View};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo, grouped};
+use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
@@ -21,13 +19,10 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
 });
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let mut by_pattern: BTreeMap<&str, Vec<&BoundSlider<'_>>> = BTreeMap::new();
-    for slider in with_patterns(base).unwrap_or_default() {
-        for name in slider.pattern.names() {
-            by_pattern.entry(name).or_default().push(slider);
-        }
-    }
-    for (pattern, sliders) in by_pattern {
+    let sliders = with_patterns(base).unwrap_or_default();
+    let by_pattern =
+        sliders.into_iter().flat_map(|slider| slider.pattern.names().iter().map(move |name| (name, slider)));
+    for (pattern, sliders) in grouped(by_pattern) {
         let [hidden @ .., last] = sliders.as_slice() else { continue };
         let Some(first) = hidden.first() else { continue };
         let (key, winner) = (first.slider.key.as_str(), last.slider.key.as_str());

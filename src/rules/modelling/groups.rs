@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::cause::is_generated_for;
 use super::super::cause::overlay::is_damaged;
-use crate::diag::{Place, Suggestions};
+use crate::diag::{Place, Suggestions, grouped};
 use crate::formats::modelling::EFFECTS;
 use crate::formats::target_cat::{Category, Item};
 use crate::repo::FileFacts;
@@ -57,13 +57,9 @@ pub(super) fn of<'b, 'a>(base: &'b Base<'a>, suggestions: &Suggestions) -> Optio
         let groups = if category.name == USER_CATEGORY { &mut replaced } else { &mut offered };
         groups.extend(category.items.iter().filter_map(|item| category.group_of(item)));
     }
-    let mut unknown: BTreeMap<&str, Vec<_>> = BTreeMap::new();
-    for slider in hand_made(base).filter(|slider| slider.slider.group.is_some() || is_ungrouped(slider)) {
-        let group = slider.slider.group.as_deref().unwrap_or_default();
-        if !offered.contains(group) && !replaced.contains(group) {
-            unknown.entry(group).or_default().push(slider);
-        }
-    }
+    let sliders = hand_made(base).filter(|slider| slider.slider.group.is_some() || is_ungrouped(slider));
+    let by_group = sliders.map(|slider| (slider.slider.group.as_deref().unwrap_or_default(), slider));
+    let mut unknown = grouped(by_group.filter(|(group, _)| !offered.contains(*group) && !replaced.contains(*group)));
     let of_offered: BTreeSet<String> = offered.iter().map(|group| category_of(group).to_owned()).collect();
     let renamed = take_renamed(base, &categories.categories, &of_offered, &mut unknown);
     let near = |group| suggestions.nearest(group, offered.iter().map(String::as_str)).map(str::to_owned);

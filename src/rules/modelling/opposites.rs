@@ -1,11 +1,9 @@
 //! A pair of targets makes a two-sided slider only if `base.json` declares its endings.
 
-use std::collections::BTreeMap;
-
 use super::super::cause::schema::is_faulty;
 use super::super::{Check, Rule, RuleCx};
 use super::with_patterns;
-use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo, grouped};
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, BoundSlider, Pattern, View};
 
@@ -41,11 +39,10 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
     let sliders = with_patterns(base).unwrap_or_default();
     let undeclared: Pairs<'_, '_> =
         sliders.iter().filter(|slider| slider.is_undeclared_pair() && !base.lacks_target(slider)).collect();
-    let mut by_endings: BTreeMap<(&str, &str), Pairs<'_, '_>> = BTreeMap::new();
-    for slider in &undeclared {
+    let by_endings = grouped(undeclared.iter().map(|slider| {
         let endings = (ending(slider.slider.decr.as_deref()), ending(slider.slider.incr.as_deref()));
-        by_endings.entry(endings).or_default().push(slider);
-    }
+        (endings, *slider)
+    }));
     let is_one_cause = if settings.opposites.is_empty() {
         undeclared.len() > 1
     } else {

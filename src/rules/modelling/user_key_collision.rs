@@ -1,10 +1,7 @@
 //! Two user targets must not be given the same key.
 
-use std::collections::BTreeMap;
-
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
-use crate::repo::FileFacts;
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, grouped};
 use crate::repo::makehuman2::{Base, View, user_scan};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
@@ -23,10 +20,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let targets = user_scan::targets(base);
-    let mut by_key: BTreeMap<String, Vec<&FileFacts>> = BTreeMap::new();
-    for entry in user_scan::entries(&targets) {
-        by_key.entry(entry.key).or_default().push(entry.file);
-    }
+    let by_key = grouped(user_scan::entries(&targets).into_iter().map(|entry| (entry.key, entry.file)));
     for (key, files) in &by_key {
         let [first, others @ ..] = files.as_slice() else { continue };
         let Some(last) = others.last() else { continue };

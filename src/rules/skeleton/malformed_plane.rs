@@ -1,10 +1,8 @@
 //! A plane is three joints.
 
-use std::collections::BTreeMap;
-
 use super::super::{Check, Rule, RuleCx, counted};
 use super::{Rig, SINGLE, rigs};
-use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo, grouped};
 use crate::formats::mhskel::Plane;
 use crate::repo::Body;
 
@@ -30,12 +28,11 @@ const NOT_USED: Case = &[(Application::Makehuman2, Level::Info, "never reads the
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for rig in rigs(body) {
         let asked = rig.asked_planes();
-        let mut faults: BTreeMap<(String, Outcome), Vec<&str>> = BTreeMap::new();
-        for plane in &rig.skeleton.planes {
-            let Some((what, error)) = fault(plane) else { continue };
+        let faults = grouped(rig.skeleton.planes.iter().filter_map(|plane| {
+            let (what, error) = fault(plane)?;
             let outcome = if asked.contains(plane.name.as_str()) { Outcome::Asked(error) } else { Outcome::NotUsed };
-            faults.entry((what, outcome)).or_default().push(&plane.name);
-        }
+            Some(((what, outcome), plane.name.as_str()))
+        }));
         for ((what, outcome), planes) in &faults {
             if planes.len() > SINGLE {
                 let message = format!("{} planes are malformed, first: `{}` {what}", planes.len(), name(planes));

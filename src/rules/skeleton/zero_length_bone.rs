@@ -1,10 +1,8 @@
 //! Head and tail of a bone are two places.
 
-use std::collections::BTreeMap;
-
 use super::super::{Check, Rule, RuleCx};
 use super::measured::{Measured, NO_LENGTH, measured, named};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, grouped};
 use crate::eval::measures::Measures;
 use crate::repo::Body;
 
@@ -23,12 +21,10 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for rig in measured(body, measures) {
-        let mut ends: BTreeMap<(&str, &str), Vec<&str>> = BTreeMap::new();
-        for (bone, _) in rig.bones().filter(|(_, measure)| measure.length < NO_LENGTH) {
-            if let (Some(head), Some(tail)) = (&bone.head, &bone.tail) {
-                ends.entry((head, tail)).or_default().push(&bone.name);
-            }
-        }
+        let short = rig.bones().filter(|(_, measure)| measure.length < NO_LENGTH);
+        let ends = grouped(
+            short.filter_map(|(bone, _)| Some(((bone.head.as_deref()?, bone.tail.as_deref()?), bone.name.as_str()))),
+        );
         out.extend(ends.iter().filter_map(|(ends, bones)| finding(&rig, *ends, bones)));
     }
 }

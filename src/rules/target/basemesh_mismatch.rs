@@ -1,10 +1,8 @@
 //! The header of a target names the base mesh it was made for.
 
-use std::collections::BTreeMap;
-
 use super::super::{Check, Rule, RuleCx};
 use super::targets;
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, grouped};
 use crate::repo::{Body, FileFacts, Layer};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
@@ -27,15 +25,11 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     // What a folder is called says nothing where that of the base mesh is missing (`overlay-base-folder-missing`).
-    let mut found: BTreeMap<(&str, &str), Vec<(&FileFacts, u32)>> = BTreeMap::new();
-    for (_, file, facts) in targets(body) {
-        if let (Some(base), Some((line, named))) = (file.base(), &facts.basemesh)
-            && !named.eq_ignore_ascii_case(base)
-            && !body.is_unsorted(file)
-        {
-            found.entry((body.folder_of(file), named)).or_default().push((file, *line));
-        }
-    }
+    let found = grouped(targets(body).filter_map(|(_, file, facts)| {
+        let (line, named) = facts.basemesh.as_ref()?;
+        let is_other = !named.eq_ignore_ascii_case(file.base()?) && !body.is_unsorted(file);
+        is_other.then(|| ((body.folder_of(file), named.as_str()), (file, *line)))
+    }));
     for ((folder, named), files) in found {
         out.extend(finding(body.layers.checked, folder, named, &files));
     }

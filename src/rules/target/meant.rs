@@ -3,12 +3,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::parent;
-use crate::diag::Suggestions;
+use crate::diag::{Suggestions, grouped};
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, View};
-
-/// Paths of files by a part of them.
-type Files<'f, 'a> = BTreeMap<&'f str, Vec<&'a str>>;
 
 /// Unused files that a name without file nearly fits, or would fit but for its path: that name is the
 /// fault to report.
@@ -19,11 +16,8 @@ pub(super) fn meant_by_missing<'a>(
     suggestions: &Suggestions,
 ) -> BTreeSet<&'a str> {
     let mut meant = BTreeSet::new();
-    let (mut by_stem, mut by_folder): (Files<'_, 'a>, Files<'_, 'a>) = (BTreeMap::new(), BTreeMap::new());
-    for file in unused {
-        by_stem.entry(file.stem()).or_default().push(&file.rel);
-        by_folder.entry(parent(&file.rel)).or_default().push(&file.rel);
-    }
+    let by_stem = grouped(unused.iter().map(|file| (file.stem(), file.rel.as_str())));
+    let by_folder = grouped(unused.iter().map(|file| (parent(&file.rel), file.rel.as_str())));
     let mut missing: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
     for reference in view.references_of(base).filter(|reference| reference.kind.is_target()) {
         if reference.meant().is_some() {

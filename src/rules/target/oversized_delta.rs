@@ -1,12 +1,10 @@
 //! Displacements out of all proportion: a lost decimal point, a wrong unit.
 
-use std::collections::BTreeMap;
-
 use super::super::units::{centimetres, length};
 use super::super::{Check, Rule, RuleCx};
 use super::shown::shown_by;
 use super::{decoded, targets};
-use crate::diag::{Application, Confidence, Element, Evidence, Finding, Level, OptionInfo, Place, RuleInfo};
+use crate::diag::{Application, Confidence, Element, Evidence, Finding, Level, OptionInfo, Place, RuleInfo, grouped};
 use crate::eval::proportion::{Lengths, MEDIAN_RATIO, Oversize, extent, oversize, stands_out_of_folder};
 use crate::formats::target::{Largest, TargetFacts};
 use crate::repo::{Body, FileFacts, ReferenceKind};
@@ -67,15 +65,12 @@ fn is_vertex(body: &Body<'_>, largest: &Largest) -> bool {
 /// Details of a folder are of one kind and of one order: one that goes much farther than all others was exported in
 /// other units.
 fn beyond_neighbours(body: &Body<'_>, size: f32, ratio: f32) -> Vec<Finding> {
-    let mut folders: BTreeMap<&str, Vec<(&FileFacts, &TargetFacts, &Largest)>> = BTreeMap::new();
-    for target in &body.targets {
-        let is_detail = matches!(target.used_as, Some(ReferenceKind::Incr | ReferenceKind::Decr));
-        if let Some(facts) = decoded(target.file).filter(|_| is_detail)
-            && let Some(largest) = &facts.largest
-        {
-            folders.entry(target.file.folder()).or_default().push((target.file, facts, largest));
-        }
-    }
+    let is_detail = |used_as| matches!(used_as, Some(ReferenceKind::Incr | ReferenceKind::Decr));
+    let details = body.targets.iter().filter(|target| is_detail(target.used_as));
+    let folders = grouped(details.filter_map(|target| {
+        let facts = decoded(target.file)?;
+        Some((target.file.folder(), (target.file, facts, facts.largest.as_ref()?)))
+    }));
     folders.into_values().filter_map(|details| beyond(body, details, size, ratio)).collect()
 }
 

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::super::{Check, Rule, RuleCx};
 use super::meant::meant_by_missing;
 use super::{decoded, parent};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, grouped};
 use crate::repo::makehuman2::{Base, View};
 use crate::repo::{FileFacts, Layer};
 
@@ -30,12 +30,8 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
     let own = |file: &&FileFacts| folder.layer.file(&file.rel).is_some_and(|own| std::ptr::eq(own, *file));
     let unused: Vec<&FileFacts> = view.unused(base).iter().copied().filter(own).filter(named).collect();
     let meant = meant_by_missing(view, base, &unused, &cx.suggestions);
-    let mut folders: BTreeMap<&str, Vec<&FileFacts>> = BTreeMap::new();
-    for file in unused {
-        if !meant.contains(file.rel.as_str()) && !breaks_start(file) {
-            folders.entry(parent(&file.rel)).or_default().push(file);
-        }
-    }
+    let idle = unused.into_iter().filter(|file| !meant.contains(file.rel.as_str()) && !breaks_start(file));
+    let folders = grouped(idle.map(|file| (parent(&file.rel), file)));
     let without_decr = without_decr(base);
     let is_lost = lost_macrodefs(base) || base.lacks_macrodef();
     for (path, files) in folders {

@@ -1,10 +1,8 @@
 //! Rows that move nothing in a target that moves something.
 
-use std::collections::BTreeMap;
-
 use super::super::{Check, Rule, RuleCx, counted};
 use super::{first_row, targets};
-use crate::diag::{Application, Change, EXAMPLES, Evidence, Finding, Fix, FixKind, Level, Rewrite, RuleInfo};
+use crate::diag::{Application, Change, EXAMPLES, Evidence, Finding, Fix, FixKind, Level, Rewrite, RuleInfo, grouped};
 use crate::formats::target::TargetFacts;
 use crate::repo::{Body, FileFacts, Layer};
 
@@ -22,7 +20,9 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layer = body.layers.checked;
-    for (folder, found) in with_zero_rows(body) {
+    // A target that moves nothing is a finding of its own.
+    let with_zero_rows = targets(body).filter(|(_, _, facts)| facts.zero.count > 0 && !facts.moves_nothing());
+    for (folder, found) in grouped(with_zero_rows.map(|(_, file, facts)| (body.folder_of(file), (file, facts)))) {
         let finding = match found.as_slice() {
             [] => continue,
             [(file, facts)] => one_file(layer, folder, file, facts),
@@ -72,19 +72,4 @@ fn of_folder(folder: &str, files: &[(&FileFacts, &TargetFacts)]) -> (String, Evi
     let named = files.iter().map(|(file, facts)| format!("{} ({})", file.rel, facts.zero.count));
     let evidence = Evidence::of_groups(named, count);
     (message, evidence.out_of(of))
-}
-
-/// Targets by target folder.
-type ZeroRows<'a> = BTreeMap<&'a str, Vec<(&'a FileFacts, &'a TargetFacts)>>;
-
-/// Targets that move something and hold rows that move nothing, by target folder.
-fn with_zero_rows<'v>(body: &Body<'v>) -> ZeroRows<'v> {
-    let mut folders = ZeroRows::new();
-    for (_, file, facts) in targets(body) {
-        // A target that moves nothing is a finding of its own.
-        if facts.zero.count > 0 && !facts.moves_nothing() {
-            folders.entry(body.folder_of(file)).or_default().push((file, facts));
-        }
-    }
-    folders
 }
