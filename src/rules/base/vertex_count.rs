@@ -2,7 +2,7 @@
 
 use super::super::cause::schema::misspelt;
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Case, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
 use crate::formats::obj::Mesh;
 use crate::repo::FileFacts;
@@ -28,32 +28,6 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     ..RuleInfo::new("base-vertex-count", Level::Error, "`numverts` differs from the base mesh, or is missing")
 });
 
-const ABSENT: Case = &[(
-    Application::Makehuman2,
-    Level::Error,
-    "cannot build binary assets for this base: compile_meshes.py exits with code 2",
-)];
-
-const TOO_LARGE: Case = &[(
-    Application::Makehuman2,
-    Level::Warning,
-    "builds binary assets with delete masks that are too long; crashes with `ValueError` when they are worn with \
-     others",
-)];
-
-const TOO_FEW: Case =
-    &[(Application::Makehuman2, Level::Error, "crashes with `IndexError` at start when it loads the weights")];
-const PACKED_TOO_FEW: Case = &[(
-    Application::Makehuman2,
-    Level::Error,
-    "crashes with `IndexError` at start: targets, joints and weights use vertices that are not in the archive",
-)];
-const TOO_MANY: Case = &[(
-    Application::Makehuman2,
-    Level::Error,
-    "applies targets, weights and joints to the wrong vertices, starting at the first added one",
-)];
-
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if let (Some((file, settings)), Some(other)) = (base.settings(), base.foreign_mesh) {
         if other.sign == ForeignSign::Count {
@@ -67,7 +41,8 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
     let (Some((file, settings)), Some((mesh_file, mesh))) = (base.settings(), base.mesh) else { return };
     let vertices = mesh.facts.vertices;
     if !settings.has_numverts && misspelt(file, "numverts").is_none() {
-        let finding = RULE.at(file, Place::File, "`numverts` is missing").key("numverts").case(ABSENT);
+        let effect = "cannot build binary assets for this base: compile_meshes.py exits with code 2";
+        let finding = RULE.at(file, Place::File, "`numverts` is missing").key("numverts").effect(effect);
         return out.push(finding.help(format!("add `\"numverts\": {vertices}`")));
     }
     let Some(claimed) = settings.numverts.filter(|_| mesh.facts.unreadable_lines == 0) else { return };
@@ -86,7 +61,14 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
         .key("numverts")
         .help(format!("write `\"numverts\": {vertices}`, and rebuild the binary assets of this base"))
         .related(mesh_file.path.clone(), Place::File, format!("has {vertices} vertices"));
-    out.push(if is_larger { finding.case(TOO_LARGE) } else { finding });
+    out.push(if is_larger {
+        finding.level(Level::Warning).effect(
+            "builds binary assets with delete masks that are too long; crashes with `ValueError` when they are worn \
+             with others",
+        )
+    } else {
+        finding
+    });
 }
 
 /// All the data are made for one mesh, and another one is there.
@@ -102,10 +84,12 @@ fn foreign(
     // Of two layers it is told in the one that is checked.
     let is_own = view.layers.is_checked(mesh_file);
     let (at, place) = if is_own { (mesh_file, Place::File) } else { (file, Place::pointer(["numverts"])) };
-    let case = match (is_short, is_packed) {
-        (true, true) => PACKED_TOO_FEW,
-        (true, false) => TOO_FEW,
-        (false, _) => TOO_MANY,
+    let effect = match (is_short, is_packed) {
+        (true, true) => {
+            "crashes with `IndexError` at start: targets, joints and weights use vertices that are not in the archive"
+        }
+        (true, false) => "crashes with `IndexError` at start when it loads the weights",
+        (false, _) => "applies targets, weights and joints to the wrong vertices, starting at the first added one",
     };
     let help = if is_packed {
         "rebuild the archive with compile_meshes.py from the mesh that the other data is for, or delete it if base.obj \
@@ -113,6 +97,6 @@ fn foreign(
     } else {
         "export the mesh again with the same vertices in the same order"
     };
-    let finding = RULE.at(at, place, message).key("mesh").case(case).help(help);
+    let finding = RULE.at(at, place, message).key("mesh").effect(effect).help(help);
     finding.related(file.path.clone(), Place::pointer(["numverts"]), format!("`numverts` is {claimed}"))
 }

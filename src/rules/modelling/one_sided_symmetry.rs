@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::with_patterns;
-use crate::diag::{Application, Case, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::formats::modelling::Slider;
 use crate::repo::makehuman2::{Base, BoundSlider, View};
 
@@ -20,11 +20,8 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
 const COUNTERPART: &str = "name the left/right counterpart";
 
 /// What mirrors is the targets of the partner.
-const WITHOUT_TARGETS: Case = &[(
-    Application::Makehuman2,
-    Level::Error,
-    "crashes with `AttributeError` when the slider moves while symmetry is on: its counterpart has no targets",
-)];
+const WITHOUT_TARGETS: &str =
+    "crashes with `AttributeError` when the slider moves while symmetry is on: its counterpart has no targets";
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for bound in with_patterns(base).unwrap_or_default() {
@@ -34,7 +31,7 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             let key = bound.slider.key.as_str();
             let mut finding = RULE.at(bound.file, Place::pointer([key, link.member]), message).key(key).help(help);
             if has_no_targets(partner) {
-                finding = finding.case(WITHOUT_TARGETS);
+                finding = finding.level(Level::Error).effect(WITHOUT_TARGETS);
             }
             if !std::ptr::eq(partner, bound) {
                 finding =

@@ -3,7 +3,7 @@
 use super::super::cause::schema::is_faulty;
 use super::super::{Check, Rule, RuleCx};
 use super::with_patterns;
-use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo, grouped};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, grouped};
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, BoundSlider, Pattern, View};
 
@@ -23,11 +23,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
 });
 
 /// Who makes a random character looks the partner up by its pattern.
-const HAS_PARTNERS: Case = &[(
-    Application::Makehuman2,
-    Level::Error,
-    "crashes with `KeyError` when it makes a random character; the sliders have only one side",
-)];
+const HAS_PARTNERS: &str = "crashes with `KeyError` when it makes a random character; the sliders have only one side";
 
 type Pairs<'r, 'a> = Vec<&'r BoundSlider<'a>>;
 
@@ -131,7 +127,7 @@ fn weigh(base: &Base<'_>, sliders: &[&BoundSlider<'_>], finding: Finding) -> Fin
         let left = bound.slider.lsym.as_deref().filter(|left| base.slider(left).is_none());
         left.is_some_and(|left| sliders.iter().any(|slider| slider.would_register(left)))
     });
-    if is_met { finding.case(HAS_PARTNERS) } else { finding }
+    if is_met { finding.level(Level::Error).effect(HAS_PARTNERS) } else { finding }
 }
 
 /// The part of a target's name behind its last `-`.
