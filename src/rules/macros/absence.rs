@@ -1,6 +1,6 @@
 //! The absent combinations of one macro definition, split into systems and holes and written as patterns.
 
-use super::combination_patterns::{Cell, Pattern, cover, systematic};
+use super::combination_patterns::{Cell, Pattern, cover, digits, index, systematic};
 use super::listing::Listing;
 use super::space::Space;
 use crate::formats::macro_json::Component;
@@ -39,11 +39,6 @@ pub(super) fn absences(base: &Base<'_>, space: &Space<'_>, listing: &Listing<'_>
     [absence(space, &sizes, &system), absence(space, &sizes, &holes)]
 }
 
-/// Place of a combination in the grid.
-pub(super) fn index(sizes: &[usize], combination: &[usize]) -> usize {
-    sizes.iter().zip(combination).fold(0, |index, (size, value)| index * size + value)
-}
-
 fn absence(space: &Space<'_>, sizes: &[usize], member: &[bool]) -> Absence {
     let count = member.iter().filter(|member| **member).count();
     let patterns = if count == 0 { Vec::new() } else { cover(sizes, member) };
@@ -57,21 +52,7 @@ fn absence(space: &Space<'_>, sizes: &[usize], member: &[bool]) -> Absence {
 
 fn names(space: &Space<'_>, sizes: &[usize], member: &[bool]) -> Vec<String> {
     let absent = member.iter().enumerate().filter(|(_, member)| **member);
-    let name = |(at, _): (usize, &bool)| {
-        let mut rest = at;
-        let mut combination: Vec<usize> = sizes
-            .iter()
-            .rev()
-            .map(|size| {
-                let value = rest % size.max(&1);
-                rest /= size.max(&1);
-                value
-            })
-            .collect();
-        combination.reverse();
-        space.name(&combination)
-    };
-    absent.map(name).collect()
+    absent.map(|(at, _)| space.name(&digits(sizes, at))).collect()
 }
 
 /// `*` for any value, `a|b` for a choice.

@@ -42,6 +42,21 @@ pub(super) fn is_walkable(sizes: &[usize]) -> bool {
     sizes.iter().try_fold(1_usize, |cells, size| cells.checked_mul(size + 1)).is_some_and(|cells| cells <= LIMIT)
 }
 
+/// Place of a combination in the grid.
+pub(super) fn index(sizes: &[usize], combination: &[usize]) -> usize {
+    sizes.iter().zip(combination).fold(0, |index, (size, value)| index * size + value)
+}
+
+/// The combination at a place of the grid.
+pub(super) fn digits(sizes: &[usize], mut index: usize) -> Vec<usize> {
+    let mut digits = vec![0; sizes.len()];
+    for (digit, size) in digits.iter_mut().zip(sizes).rev() {
+        *digit = index % size;
+        index /= size;
+    }
+    digits
+}
+
 /// For each cell whether it belongs to a system of absent ones. `neutral` tells the neutral values of each component,
 /// `wanted` the cells that a file waits for.
 pub(super) fn systematic(sizes: &[usize], cells: &[Cell], neutral: &[Vec<bool>], wanted: &[bool]) -> Vec<bool> {
@@ -56,7 +71,7 @@ pub(super) fn systematic(sizes: &[usize], cells: &[Cell], neutral: &[Vec<bool>],
         if *cell != Cell::Absent {
             continue;
         }
-        let digits = cube.digits(at);
+        let digits = digits(sizes, at);
         let value_absent = digits.iter().enumerate().any(|(axis, value)| {
             let mut fixed = vec![None; sizes.len()];
             if let Some(place) = fixed.get_mut(axis) {
@@ -194,17 +209,6 @@ impl<'a> Cube<'a> {
         fixed.iter().zip(self.sizes).map(|(value, size)| if value.is_some() { 1 } else { *size }).product()
     }
 
-    /// Values of a cell of the grid.
-    fn digits(&self, cell: usize) -> Vec<usize> {
-        let mut rest = cell;
-        let mut digits = vec![0; self.sizes.len()];
-        for (digit, size) in digits.iter_mut().zip(self.sizes).rev() {
-            *digit = rest % size;
-            rest /= size;
-        }
-        digits
-    }
-
     /// Cells of a slice.
     fn cells(&self, fixed: &[Option<usize>]) -> Vec<usize> {
         let mut cells = vec![0];
@@ -220,7 +224,7 @@ impl<'a> Cube<'a> {
         let mut counts = vec![0; self.len];
         let total: usize = self.sizes.iter().product();
         for cell in (0..total).filter(|cell| holds(*cell)) {
-            let fixed: Vec<Option<usize>> = self.digits(cell).into_iter().map(Some).collect();
+            let fixed: Vec<Option<usize>> = digits(self.sizes, cell).into_iter().map(Some).collect();
             if let Some(count) = counts.get_mut(self.index(&fixed)) {
                 *count = 1;
             }
@@ -267,8 +271,7 @@ mod tests {
     }
 
     fn members(sizes: &[usize], test: impl Fn(&[usize]) -> bool) -> Vec<bool> {
-        let cube = Cube::new(sizes);
-        (0..sizes.iter().product()).map(|cell| test(&cube.digits(cell))).collect()
+        (0..sizes.iter().product()).map(|cell| test(&digits(sizes, cell))).collect()
     }
 
     #[test]

@@ -5,7 +5,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::combination_patterns::is_walkable;
+use super::combination_patterns::{digits, is_walkable};
 use super::space::{Combination, Space};
 use super::spelled::Spelled;
 use crate::diag::Suggestions;
@@ -114,17 +114,9 @@ fn by_file(space: &Space<'_>, found: &BTreeMap<Combination, &Link>, link: &Link)
 /// Names without an entry, if they are few enough to be compared.
 fn free_names(space: &Space<'_>, found: &BTreeMap<Combination, &Link>) -> Vec<String> {
     let sizes = space.sizes();
-    if !is_walkable(&sizes) || space.size().is_none_or(|size| size > 4096) {
-        return Vec::new();
-    }
-    let mut all = vec![Vec::new()];
-    for size in sizes {
-        let longer = |head: &Combination| -> Vec<Combination> {
-            (0..size).map(|value| head.iter().copied().chain([value]).collect()).collect()
-        };
-        all = all.iter().flat_map(longer).collect();
-    }
-    all.iter().filter(|combination| !found.contains_key(*combination)).map(|c| space.name(c)).collect()
+    let Some(size) = space.size().filter(|size| *size <= 4096 && is_walkable(&sizes)) else { return Vec::new() };
+    let all = (0..size).map(|at| digits(&sizes, at));
+    all.filter(|combination| !found.contains_key(combination)).map(|c| space.name(&c)).collect()
 }
 
 fn slip(

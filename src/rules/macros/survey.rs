@@ -4,8 +4,8 @@
 
 use std::collections::BTreeSet;
 
-use super::absence::{Absence, absences, index};
-use super::combination_patterns::is_walkable;
+use super::absence::{Absence, absences};
+use super::combination_patterns::{index, is_walkable};
 use super::component::unknown_patterns;
 use super::links::is_in_folder;
 use super::listing::Listing;

@@ -22,15 +22,14 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let targets = user_scan::targets(base);
     let by_key = grouped(user_scan::entries(&targets).into_iter().map(|entry| (entry.key, entry.file)));
     for (key, files) in &by_key {
-        let [first, others @ ..] = files.as_slice() else { continue };
-        let Some(last) = others.last() else { continue };
+        let Some((last, others)) = files.split_last().filter(|(_, others)| !others.is_empty()) else { continue };
         let message = format!("{} user targets become the same slider `{key}`", files.len());
         let mut finding = RULE
             .at(last, Place::File, message)
             .key(key)
             .help("rename one of the files; case, `-` and spaces make no difference")
             .evidence(Evidence::of_cases(files.iter().map(|file| file.file_name())));
-        for other in std::iter::once(first).chain(others.iter().take(others.len() - 1)) {
+        for other in others {
             finding = finding.related(other.path.clone(), Place::File, "gets the same key");
         }
         out.push(finding);
