@@ -62,30 +62,17 @@ fn is_empty(view: &View<'_>, folder: &str) -> bool {
     view.layers.strongest_first().all(|layer| layer.below(folder).next().is_none())
 }
 
-/// Files that a missing one may be meant to be.
-pub(super) struct Neighbours<'r, 'a> {
-    view: &'r View<'a>,
-    suggestions: &'r Suggestions,
+/// The file beside a missing one that is most like it, by name without folder.
+pub(super) fn nearest<'a>(view: &View<'a>, reference: &Reference<'_>, suggestions: &Suggestions) -> Option<&'a str> {
+    let folder = parent(&reference.rel);
+    let wanted = reference.rel.rsplit('/').next().unwrap_or_default();
+    let files = view.layers.strongest_first().flat_map(|layer| layer.below(folder));
+    let free = files.filter(|file| !file.kind.is_json() && !is_used(view, file));
+    suggestions.nearest(wanted, free.map(FileFacts::file_name))
 }
 
-impl<'r, 'a> Neighbours<'r, 'a> {
-    pub(super) fn of(view: &'r View<'a>, suggestions: &'r Suggestions) -> Self {
-        Self { view, suggestions }
-    }
-
-    /// The file beside the missing one that is most like it, by name without folder.
-    pub(super) fn nearest(&self, reference: &Reference<'_>) -> Option<&'a str> {
-        let folder = parent(&reference.rel);
-        let wanted = reference.rel.rsplit('/').next().unwrap_or_default();
-        let files = self.view.layers.strongest_first().flat_map(|layer| layer.below(folder));
-        let free = files.filter(|file| !file.kind.is_json() && !self.is_used(file));
-        self.suggestions.nearest(wanted, free.map(FileFacts::file_name))
-    }
-
-    /// Whether something uses a target already. It is not meant: the other side or the other direction often has nearly
-    /// the same name.
-    fn is_used(&self, file: &FileFacts) -> bool {
-        let found = |reference: &Reference<'_>| matches!(reference.resolution, Resolution::Found(_));
-        self.view.references.to_file(file).any(|reference| reference.kind.is_target() && found(reference))
-    }
+/// Whether something uses a target already. It is not meant: the other side or the other direction often has nearly the
+/// same name.
+fn is_used(view: &View<'_>, file: &FileFacts) -> bool {
+    view.references.to_file(file).any(|reference| reference.kind.is_target() && reference.found().is_some())
 }

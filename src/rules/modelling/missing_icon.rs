@@ -1,7 +1,7 @@
 //! `icon` must name a picture that exists.
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
-use super::missing::{self, Neighbours};
+use super::missing;
 use crate::diag::{Application, Evidence, Finding, Level, RuleInfo};
 use crate::repo::ReferenceKind;
 use crate::repo::makehuman2::{Base, View};
@@ -23,7 +23,6 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
     if base.has_foreign_sliders() {
         return;
     }
-    let neighbours = Neighbours::of(view, &cx.suggestions);
     for group in missing::groups(view, base, |kind| kind == ReferenceKind::Icon) {
         let Some(first) = group.references.first() else { continue };
         // Written anew by MakeHuman 2 whenever a target or a picture changes.
@@ -37,7 +36,8 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
             ),
             None => (format!("icon `{}` of `{}` does not exist", first.text, first.owner), first.owner),
         };
-        let help = did_you_mean(neighbours.nearest(first), "add the picture, or remove `icon` to get the neutral one");
+        let near = missing::nearest(view, first, &cx.suggestions);
+        let help = did_you_mean(near, "add the picture, or remove `icon` to get the neutral one");
         let evidence = Evidence::of_cases(group.references.iter().map(|reference| reference.text));
         out.push(RULE.at(first.from, first.place.clone(), message).key(key).help(help).evidence(evidence));
     }

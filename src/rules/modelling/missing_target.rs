@@ -5,8 +5,8 @@ use super::super::cause::overlay::lacks_folder;
 use super::super::{Check, Rule, RuleCx};
 use super::foreign;
 use super::marks;
-use super::missing::{self, Group, Neighbours};
-use crate::diag::{Application, Evidence, Finding, Level, RuleInfo};
+use super::missing::{self, Group};
+use crate::diag::{Application, Evidence, Finding, Level, RuleInfo, Suggestions};
 use crate::repo::makehuman2::{Base, View};
 use crate::repo::{FileFacts, Reference, ReferenceKind};
 
@@ -35,12 +35,11 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
         out.extend(foreign::sliders(&RULE, view, base));
         return;
     }
-    let neighbours = Neighbours::of(view, &cx.suggestions);
     let mut marked: Vec<&Reference<'_>> = Vec::new();
     for group in missing::groups(view, base, is_target) {
         match group.references.first() {
             Some(first) if is_marked(base, first) => marked.extend(&group.references),
-            _ => out.extend(finding(view, base, &group, &neighbours)),
+            _ => out.extend(finding(view, base, &group, &cx.suggestions)),
         }
     }
     out.extend(marks::needless(&RULE, &marked));
@@ -51,12 +50,7 @@ fn is_marked(base: &Base<'_>, reference: &Reference<'_>) -> bool {
     base.entry(reference.owner).is_some_and(|bound| base.is_marked_as_users(bound))
 }
 
-fn finding(
-    view: &View<'_>,
-    base: &Base<'_>,
-    group: &Group<'_, '_>,
-    neighbours: &Neighbours<'_, '_>,
-) -> Option<Finding> {
+fn finding(view: &View<'_>, base: &Base<'_>, group: &Group<'_, '_>, suggestions: &Suggestions) -> Option<Finding> {
     let first = group.references.first()?;
     let count = group.references.len();
     if let Some(finding) = marks::missing(&RULE, base, first, count) {
@@ -72,7 +66,7 @@ fn finding(
         .at(first.from, first.place.clone(), message)
         .key(format!("{key} {}", if group.folder.is_some() { "" } else { side(first) }).trim_end())
         .evidence(Evidence::of_cases(group.references.iter().map(|reference| reference.text)));
-    finding = finding.help(help(view, first, neighbours));
+    finding = finding.help(help(view, first, suggestions));
     if is_generated_for(base, first.from) {
         finding = finding.effect(marks::OF_GENERATED).help(marks::ANEW);
     } else if is_unused(base, first) {
@@ -87,14 +81,14 @@ fn side(reference: &Reference<'_>) -> &'static str {
     if reference.kind == ReferenceKind::Incr { "incr" } else { "decr" }
 }
 
-fn help(view: &View<'_>, reference: &Reference<'_>, neighbours: &Neighbours<'_, '_>) -> String {
+fn help(view: &View<'_>, reference: &Reference<'_>, suggestions: &Suggestions) -> String {
     if reference.text.is_empty() {
         "name a target, or remove the key; the name is empty".to_owned()
     } else if let Some(stem) = reference.text.strip_suffix(".target") {
         format!("write `{stem}`, without the suffix")
     } else if let Some(packed) = packed(view, reference) {
         format!("unpack `{packed}`; MakeHuman 2 does not read packed targets")
-    } else if let Some(near) = neighbours.nearest(reference) {
+    } else if let Some(near) = missing::nearest(view, reference, suggestions) {
         let (folder, name) = reference.text.rsplit_once('/').unwrap_or(("", reference.text));
         let Some(near) = near.strip_suffix(".target") else {
             return format!("rename `{near}` to `{name}.target`");
