@@ -32,11 +32,18 @@ pub(super) mod user_pair_at_top;
 use super::cause::overlay::is_damaged;
 use super::did_you_mean;
 use crate::diag::Suggestions;
+use crate::formats::modelling::Slider;
 use crate::repo::makehuman2::{Base, BoundSlider};
 
 /// The sliders, if their patterns can be told: `base.json` declares which pairs of targets make one slider.
 fn with_patterns<'b, 'a>(base: &'b Base<'a>) -> Option<&'b [BoundSlider<'a>]> {
     base.settings().filter(|_| !is_damaged(&base.modelling)).map(|_| base.sliders.as_slice())
+}
+
+/// The counterpart of a slider that is read, behind its key: `rsym` before `lsym`.
+fn counterpart(slider: &Slider) -> Option<(&'static str, &str)> {
+    let right = slider.rsym.as_deref().map(|partner| ("rsym", partner));
+    right.or_else(|| slider.lsym.as_deref().map(|partner| ("lsym", partner)))
 }
 
 /// What could be meant by an unknown pattern.

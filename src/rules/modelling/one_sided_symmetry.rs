@@ -1,9 +1,8 @@
 //! Partners must name each other, the left one with `rsym` and the right one with `lsym`.
 
 use super::super::{Check, Rule, RuleCx};
-use super::with_patterns;
+use super::{counterpart, with_patterns};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
-use crate::formats::modelling::Slider;
 use crate::repo::makehuman2::{Base, BoundSlider, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
@@ -25,11 +24,11 @@ const WITHOUT_TARGETS: &str =
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for bound in with_patterns(base).unwrap_or_default() {
-        let Some(link) = Link::of(bound) else { continue };
-        let Some(partner) = base.slider(link.partner) else { continue };
-        if let Some((message, help)) = fault(base, bound, &link, partner) {
+        let Some((member, partner)) = counterpart(bound.slider) else { continue };
+        let Some(partner) = base.slider(partner) else { continue };
+        if let Some((message, help)) = fault(base, bound, member, partner) {
             let key = bound.slider.key.as_str();
-            let mut finding = RULE.at(bound.file, Place::pointer([key, link.member]), message).key(key).help(help);
+            let mut finding = RULE.at(bound.file, Place::pointer([key, member]), message).key(key).help(help);
             if has_no_targets(partner) {
                 finding = finding.level(Level::Error).effect(WITHOUT_TARGETS);
             }
@@ -42,34 +41,14 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
 }
 
-/// The link that is read: `rsym` before `lsym`.
-struct Link<'s> {
-    member: &'static str,
-    partner: &'s str,
-}
-
-impl<'s> Link<'s> {
-    fn of(bound: &'s BoundSlider<'_>) -> Option<Self> {
-        Self::of_slider(bound.slider)
-    }
-
-    fn of_slider(slider: &'s Slider) -> Option<Self> {
-        let right = slider.rsym.as_deref().map(|partner| Self { member: "rsym", partner });
-        right.or_else(|| slider.lsym.as_deref().map(|partner| Self { member: "lsym", partner }))
-    }
-
-    /// The key that the partner has to use.
-    fn back(&self) -> &'static str {
-        if self.member == "rsym" { "lsym" } else { "rsym" }
-    }
-}
-
 fn fault(
     base: &Base<'_>,
     bound: &BoundSlider<'_>,
-    link: &Link<'_>,
+    member: &str,
     partner: &BoundSlider<'_>,
 ) -> Option<(String, String)> {
+    // The key that the partner has to use.
+    let back = if member == "rsym" { "lsym" } else { "rsym" };
     let (own, other) = (bound.slider.key.as_str(), partner.slider.key.as_str());
     let names = bound.pattern.names();
     let pattern = names.first().map(String::as_str).unwrap_or_default();
@@ -84,32 +63,32 @@ fn fault(
         let help = "keep only `rsym` in a left slider, only `lsym` in a right one".to_owned();
         return Some((format!("`{own}` has both `rsym` and `lsym`; only `rsym` is read"), help));
     }
-    let Some(back) = Link::of(partner) else {
+    let Some((its_member, its_partner)) = counterpart(partner.slider) else {
         // A misspelt key, or a value of a wrong type, is a finding of its own.
-        let meant = Link::of_slider(partner.as_meant()).is_some();
+        let meant = counterpart(partner.as_meant()).is_some();
         if meant || partner.slider.has("rsym") || partner.slider.has("lsym") {
             return None;
         }
-        let help = format!("add `\"{}\": \"{pattern}\"` to `{other}`", link.back());
+        let help = format!("add `\"{back}\": \"{pattern}\"` to `{other}`");
         return Some((format!("`{own}` has the counterpart `{other}`, which has none"), help));
     };
-    if !names.iter().any(|name| name == back.partner) {
+    if !names.iter().any(|name| name == its_partner) {
         // A name that leads nowhere, or to a third slider that does not point back, is the partner's finding.
-        let third = base.slider(back.partner).and_then(Link::of)?;
-        if !partner.pattern.names().iter().any(|name| name == third.partner) {
+        let (_, third) = counterpart(base.slider(its_partner)?.slider)?;
+        if !partner.pattern.names().iter().any(|name| name == third) {
             return None;
         }
-        let help = format!("write `\"{}\": \"{pattern}\"` in `{other}`, or correct the counterpart here", link.back());
-        return Some((format!("`{own}` has the counterpart `{other}`, which names `{}`", back.partner), help));
+        let help = format!("write `\"{back}\": \"{pattern}\"` in `{other}`, or correct the counterpart here");
+        return Some((format!("`{own}` has the counterpart `{other}`, which names `{its_partner}`"), help));
     }
-    if back.member == link.member {
+    if its_member == member {
         // Seen from both sides; told once.
-        let side = if link.member == "rsym" { "left" } else { "right" };
-        let help = format!("use `{}` in one of them", link.back());
-        let message = || format!("`{own}` and `{other}` both have `{}`, as if both were {side} sliders", link.member);
+        let side = if member == "rsym" { "left" } else { "right" };
+        let help = format!("use `{back}` in one of them");
+        let message = || format!("`{own}` and `{other}` both have `{member}`, as if both were {side} sliders");
         return (own < other).then(|| (message(), help));
     }
-    let swapped = link.member == "rsym" && side_of(bound) == Some('r') && side_of(partner) == Some('l');
+    let swapped = member == "rsym" && side_of(bound) == Some("r") && side_of(partner) == Some("l");
     swapped.then(|| {
         let help = "use `rsym` in the left slider, `lsym` in the right one".to_owned();
         (format!("`{own}` and `{other}` have `rsym` and `lsym` swapped"), help)
@@ -121,13 +100,8 @@ fn has_no_targets(bound: &BoundSlider<'_>) -> bool {
     bound.slider.is_macro() && bound.slider.incr.is_none()
 }
 
-/// The side that the file name of the target begins with.
-fn side_of(bound: &BoundSlider<'_>) -> Option<char> {
+/// What the file name of the target has before its first `-`: `l` and `r` are sides.
+fn side_of<'s>(bound: &BoundSlider<'s>) -> Option<&'s str> {
     let stem = bound.slider.incr.as_deref()?.rsplit('/').next()?;
-    let (side, _) = stem.split_once('-')?;
-    match side {
-        "l" => Some('l'),
-        "r" => Some('r'),
-        _ => None,
-    }
+    stem.split_once('-').map(|(side, _)| side)
 }

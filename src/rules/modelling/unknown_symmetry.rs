@@ -1,7 +1,7 @@
 //! `lsym` and `rsym` must name a pattern that exists.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{advice, with_patterns};
+use super::{advice, counterpart, with_patterns};
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 
@@ -18,11 +18,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
 fn run(_: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for bound in with_patterns(base).unwrap_or_default() {
         let slider = bound.slider;
-        let (member, partner) = match (&slider.rsym, &slider.lsym) {
-            (Some(partner), _) => ("rsym", partner),
-            (None, Some(partner)) => ("lsym", partner),
-            (None, None) => continue,
-        };
+        let Some((member, partner)) = counterpart(slider) else { continue };
         if base.slider(partner).is_some() || base.explains_pattern(partner) {
             continue;
         }
