@@ -42,15 +42,14 @@ impl<'r> Icons<'r> {
         let lost = icons.filter(|reference| !matches!(reference.resolution, Resolution::Found(_)));
         // With a wrong path in front of it, the name itself may be right.
         let names = lost.map(|reference| reference.text.rsplit(['/', '\\']).next().unwrap_or_default());
-        let targets = view.references_of(base).filter(|reference| reference.kind.is_target());
-        let used: BTreeSet<&str> = targets.filter_map(Reference::meant).map(|file| file.path.as_str()).collect();
+        let is_use = |reference: &Reference<'_>| reference.base == base.name && reference.kind.is_target();
+        let is_used = |file: &FileFacts| view.references.to_file(file).any(is_use);
         let files = base
             .targets
             .iter()
             .flat_map(|folder| folder.layer.below(&folder.rel()))
             .filter(|file| file.target().is_some());
-        let unused_targets: BTreeSet<&str> =
-            files.filter(|file| !used.contains(file.path.as_str())).map(FileFacts::stem).collect();
+        let unused_targets: BTreeSet<&str> = files.filter(|file| !is_used(file)).map(FileFacts::stem).collect();
         Self {
             lost: names.map(|name| (name, Sought::new(name))).collect(),
             meant: base.sliders.iter().filter_map(|slider| slider.as_meant().icon.as_deref()).collect(),

@@ -101,9 +101,9 @@ impl<'b> Used<'b> {
 }
 
 fn idle_words<'a>(view: &View<'a>, base: &Base<'a>) -> BTreeSet<&'a str> {
-    let used: BTreeSet<&str> = view.references_of(base).filter_map(|one| Some(one.meant()?.path.as_str())).collect();
+    let is_used = |file: &FileFacts| view.references.to_file(file).any(|reference| reference.base == base.name);
     let targets = base.targets.into_iter().flat_map(|folder| folder.targets());
-    targets.filter(|file| !used.contains(file.path.as_str())).flat_map(|file| words(file.stem())).collect()
+    targets.filter(|file| !is_used(file)).flat_map(|file| words(file.stem())).collect()
 }
 
 fn words(text: &str) -> impl Iterator<Item = &str> {
