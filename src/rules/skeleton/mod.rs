@@ -31,8 +31,9 @@ pub(super) mod zero_length_bone;
 use std::collections::BTreeSet;
 
 use crate::diag::{Case, Finding};
-use crate::formats::mhskel::{RotationPlane, Skeleton};
+use crate::formats::mhskel::Skeleton;
 use crate::repo::{self, Body, FileFacts};
+use measured::plane_of;
 
 /// More faults of one kind than this in a skeleton have one cause.
 const SINGLE: usize = 3;
@@ -74,12 +75,7 @@ impl<'a> Rig<'a> {
 
     /// Planes that a bone names.
     fn asked_planes(&self) -> BTreeSet<&'a str> {
-        let bones = self.skeleton.bones.iter();
-        bones
-            .filter_map(|bone| {
-                if let RotationPlane::Named(plane) = &bone.rotation_plane { Some(plane.as_str()) } else { None }
-            })
-            .collect()
+        self.skeleton.bones.iter().filter_map(plane_of).collect()
     }
 
     /// Bones that pose mode will look for because the weights mention them.

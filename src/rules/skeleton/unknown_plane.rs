@@ -3,9 +3,10 @@
 use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx};
+use super::measured::plane_of;
 use super::{Rig, SINGLE, rigs};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
-use crate::formats::mhskel::{Bone, RotationPlane, Section};
+use crate::formats::mhskel::Section;
 use crate::json::UnknownKey;
 use crate::repo::Body;
 
@@ -28,8 +29,7 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
             continue;
         }
         for plane in unknown {
-            let names_it = |bone: &&Bone| matches!(&bone.rotation_plane, RotationPlane::Named(name) if name == plane);
-            let bones: Vec<&str> = rig.skeleton.bones.iter().filter(names_it).map(|bone| bone.name.as_str()).collect();
+            let bones = bones_with(&rig, |name| name == plane);
             let Some(first) = bones.first() else { continue };
             let message = match bones.len() {
                 1 => format!("bone `{first}` names plane `{plane}`, which does not exist"),
@@ -52,9 +52,7 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
 
 /// One finding where the skeleton has none of the planes, or lacks more than anybody mistypes.
 fn many(rig: &Rig<'_>, unknown: &BTreeSet<&str>, has_none: bool) -> Option<Finding> {
-    let names_one =
-        |bone: &&Bone| matches!(&bone.rotation_plane, RotationPlane::Named(name) if unknown.contains(name.as_str()));
-    let bones: Vec<&str> = rig.skeleton.bones.iter().filter(names_one).map(|bone| bone.name.as_str()).collect();
+    let bones = bones_with(rig, |name| unknown.contains(name));
     let first = bones.first()?;
     let (count, planes) = (bones.len(), unknown.len());
     let what = if has_none { "planes, but the skeleton has none" } else { "planes that do not exist" };
@@ -66,6 +64,12 @@ fn many(rig: &Rig<'_>, unknown: &BTreeSet<&str>, has_none: bool) -> Option<Findi
             "add the planes to `planes`, or remove `rotation_plane` to use the vertical".to_owned()
         }));
     Some(finding.evidence(Evidence::of_cases(&bones).out_of(rig.skeleton.bones.len())))
+}
+
+/// The bones that name one of these planes.
+fn bones_with<'a>(rig: &Rig<'a>, is_wanted: impl Fn(&str) -> bool) -> Vec<&'a str> {
+    let bones = rig.skeleton.bones.iter().filter(|bone| plane_of(bone).is_some_and(&is_wanted));
+    bones.map(|bone| bone.name.as_str()).collect()
 }
 
 /// What to do where the planes are there under a misspelt key.
