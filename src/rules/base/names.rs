@@ -3,9 +3,9 @@
 use std::collections::BTreeSet;
 use std::ops::Bound;
 
+use super::super::cause::component::named_patterns;
 use super::super::did_you_mean;
 use crate::diag::Suggestions;
-use crate::formats::macro_json::Component;
 use crate::repo::makehuman2::{Base, View};
 
 /// Beginning of the groups of user targets, which come and go.
@@ -47,7 +47,7 @@ impl<'n, 'a> Names<'n, 'a> {
             [sliders, Some(*macros)].into_iter().flatten().any(|file| view.layers.is_checked(file))
         });
         let components = checked.map(|(_, file)| file.components.as_slice());
-        let read_by_macros = components.unwrap_or_default().iter().flat_map(read_by).collect();
+        let read_by_macros = components.unwrap_or_default().iter().flat_map(named_patterns).collect();
         let groups = groups(base);
         let categories: BTreeSet<String> =
             groups.iter().filter_map(|group| group.split('|').next()).map(str::to_owned).collect();
@@ -122,15 +122,6 @@ impl<'n, 'a> Names<'n, 'a> {
         let near = self.suggestions.nearest(beginning, groups.iter().chain(beginnings).map(String::as_str));
         let message = format!("no slider group begins with `{beginning}`");
         Some(Unknown::new(beginning, message, near, "use the beginning of a slider group, or remove the line"))
-    }
-}
-
-/// Patterns of sliders that a component reads.
-fn read_by(component: &Component) -> Vec<String> {
-    let Some(own) = &component.pattern else { return Vec::new() };
-    match (&component.steps, &component.sum) {
-        (None, Some(sum)) => sum.iter().map(|end| format!("{own}{end}")).collect(),
-        _ => vec![own.clone()],
     }
 }
 

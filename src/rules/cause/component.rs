@@ -34,6 +34,15 @@ pub(in crate::rules) fn has_sound_steps(component: &Component) -> bool {
     })
 }
 
+/// Patterns of sliders that a component names, whatever else is wrong with it.
+pub(in crate::rules) fn named_patterns(component: &Component) -> Vec<String> {
+    let Some(own) = &component.pattern else { return Vec::new() };
+    match (&component.steps, &component.sum) {
+        (None, Some(sum)) => sum.iter().map(|end| format!("{own}{end}")).collect(),
+        _ => vec![own.clone()],
+    }
+}
+
 /// Patterns under which a component reads sliders. A third entry of `sum` is the last that is read.
 pub(in crate::rules) fn patterns(component: &Component) -> Vec<String> {
     let Some(pattern) = &component.pattern else { return Vec::new() };

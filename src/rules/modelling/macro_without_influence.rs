@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::super::cause::component::named_patterns;
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application, Confidence, Finding, Level, Place, RuleInfo, pointer};
 use crate::formats::macro_json::MacroFile;
@@ -58,16 +59,8 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 /// Positions of the macro definitions with a component that reads the slider.
 fn users(macros: &MacroFile, bound: &BoundSlider<'_>) -> Vec<usize> {
     let reads = |name: &String| {
-        let components = macros.components.iter().filter(|component| component.name == *name);
-        components.into_iter().any(|component| {
-            let pattern = component.pattern.as_deref().unwrap_or_default();
-            let ends = component.sum.as_deref().filter(|_| component.steps.is_none());
-            let patterns: Vec<String> = match ends {
-                Some(ends) => ends.iter().map(|end| format!("{pattern}{end}")).collect(),
-                None => vec![pattern.to_owned()],
-            };
-            patterns.iter().any(|pattern| bound.pattern.names().contains(pattern))
-        })
+        let mut components = macros.components.iter().filter(|component| component.name == *name);
+        components.any(|one| named_patterns(one).iter().any(|pattern| bound.pattern.names().contains(pattern)))
     };
     let using = macros.macrodefs.iter().filter(|macrodef| macrodef.components.iter().any(reads));
     using.map(|macrodef| macrodef.index).collect()
