@@ -1,7 +1,6 @@
 //! A data line of a target has four fields.
 
 use super::super::{Check, Rule, RuleCx, counted};
-use super::decoded;
 use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::{FileFacts, View};
 
@@ -24,7 +23,7 @@ const BOTH_SIDES: Case = &[(
 )];
 
 fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(facts) = decoded(file) else { return };
+    let Some(facts) = file.target() else { return };
     let Some((line, fields)) = facts.field_count.first.first() else { return };
     // A marker of four words stops the program: `target-syntax`.
     if facts.conflict.is_some() && facts.unreadable_rows > 0 {

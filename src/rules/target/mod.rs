@@ -33,15 +33,10 @@ pub(super) mod vertex_out_of_range;
 pub(super) mod without_effect;
 pub(super) mod zero_delta;
 
-/// Facts of a target that the loader can decode. For others the encoding is the one fault to name. A byte order mark
-/// is a fault of the first line only; all are checked as they are without it.
-fn decoded(file: &FileFacts) -> Option<&TargetFacts> {
-    file.target()
-}
-
-/// The targets of a body that can be decoded.
+/// The targets of a body that can be decoded. For others the encoding is the one fault to name. A byte order mark is a
+/// fault of the first line only; all are checked as they are without it.
 fn targets<'b, 'v>(body: &'b Body<'v>) -> impl Iterator<Item = (&'b Target<'v>, &'v FileFacts, &'v TargetFacts)> {
-    body.targets.iter().filter_map(|target| Some((target, target.file, decoded(target.file)?)))
+    body.targets.iter().filter_map(|target| Some((target, target.file, target.file.target()?)))
 }
 
 /// The first row of a tally.

@@ -3,7 +3,7 @@
 use super::super::units::{centimetres, length};
 use super::super::{Check, Rule, RuleCx};
 use super::shown::shown_by;
-use super::{decoded, targets};
+use super::targets;
 use crate::diag::{Application, Confidence, Element, Evidence, Finding, Level, OptionInfo, Place, RuleInfo, grouped};
 use crate::eval::proportion::{Lengths, MEDIAN_RATIO, Oversize, extent, oversize, stands_out_of_folder};
 use crate::formats::target::{Largest, TargetFacts};
@@ -68,7 +68,7 @@ fn beyond_neighbours(body: &Body<'_>, size: f32, ratio: f32) -> Vec<Finding> {
     let is_detail = |used_as| matches!(used_as, Some(ReferenceKind::Incr | ReferenceKind::Decr));
     let details = body.targets.iter().filter(|target| is_detail(target.used_as));
     let folders = grouped(details.filter_map(|target| {
-        let facts = decoded(target.file)?;
+        let facts = target.file.target()?;
         Some((target.file.folder(), (target.file, facts, facts.largest.as_ref()?)))
     }));
     folders.into_values().filter_map(|details| beyond(body, details, size, ratio)).collect()

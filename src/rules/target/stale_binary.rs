@@ -1,7 +1,6 @@
 //! `compressedtargets.npz` and the text files it was made from say the same.
 
 use super::super::{Check, Rule, RuleCx, counted};
-use super::decoded;
 use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
 use crate::formats::npz::Archive;
@@ -73,7 +72,7 @@ fn compare<'a>(layer: &'a Layer, folder: &str, archive: &'a Archive) -> Stale<'a
 
 /// A text that cannot be read completely has a finding of its own.
 fn differs(text: &FileFacts, content: u64) -> bool {
-    let whole = decoded(text).filter(|facts| facts.unreadable_rows == 0 && facts.negative.count == 0);
+    let whole = text.target().filter(|facts| facts.unreadable_rows == 0 && facts.negative.count == 0);
     whole.is_some_and(|facts| facts.content != content)
 }
 

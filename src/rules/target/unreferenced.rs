@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx};
 use super::meant::meant_by_missing;
-use super::{decoded, parent};
+use super::parent;
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, grouped};
 use crate::repo::makehuman2::{Base, View};
 use crate::repo::{FileFacts, Layer};
@@ -69,7 +69,7 @@ fn lost_macrodefs(base: &Base<'_>) -> bool {
 /// What cannot be parsed is worse than unused.
 fn breaks_start(file: &FileFacts) -> bool {
     let is_no_text = file.encoding.invalid_utf8_at.is_some();
-    is_no_text || decoded(file).is_some_and(|facts| facts.unreadable_rows > 0)
+    is_no_text || file.target().is_some_and(|facts| facts.unreadable_rows > 0)
 }
 
 /// Each target, and the two of a pair of opposites as one: a slider that is gone leaves both.
