@@ -12,7 +12,7 @@ pub(super) mod user_target_too_deep;
 use super::cause::overlay::{
     SystemFolder, has_broken_override, has_misnamed_override, is_active, lacks_folder, system_folder,
 };
-use crate::repo::makehuman2::{Base, Candidate, Overlaid, View};
+use crate::repo::makehuman2::{Base, Overlaid, View};
 use crate::repo::{FileFacts, Reference, Resolution};
 
 /// One of the three files that contarget can override, whatever is in it.
@@ -48,9 +48,4 @@ fn in_other_layer<'s, 'a>(view: &'s View<'a>, base: &'s Base<'a>) -> impl Iterat
     let references = view.references_of(base);
     references
         .filter(|reference| reference.kind.is_target() && matches!(reference.resolution, Resolution::OtherLayer(_)))
-}
-
-/// Number of sliders in the user's generated `modelling.json`.
-fn user_sliders(base: &Base<'_>) -> usize {
-    if let Candidate::Accepted(_, model) = &base.user_modelling { model.sliders.len() } else { 0 }
 }

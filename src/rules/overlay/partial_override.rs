@@ -3,7 +3,6 @@
 use super::super::{Check, Rule, RuleCx, counted};
 use super::{
     SystemFolder, has_broken_override, has_misnamed_override, in_other_layer, lacks_folder, overrides, system_folder,
-    user_sliders,
 };
 use crate::diag::{Application, Finding, Level, Place, RuleInfo};
 use crate::repo::FileFacts;
@@ -119,7 +118,8 @@ fn without_any(base: &Base<'_>) -> (Level, &'static str) {
 /// No override at all, but user targets for a base of user space: they lead to the same folder.
 fn user_targets_alone<'a>(base: &Base<'a>, system: SystemFolder) -> Option<(&'a FileFacts, Gap)> {
     let file = base.user_modelling.file()?;
-    let dead = system == SystemFolder::Absent && user_sliders(base) > 0 && base.own_json.is_some();
+    let has_sliders = base.user_modelling.accepted().is_some_and(|(_, model)| !model.sliders.is_empty());
+    let dead = system == SystemFolder::Absent && has_sliders && base.own_json.is_some();
     let message =
         format!("user targets exist, but `contarget/{0}/macro.json` and the system's `target/{0}` do not", base.name);
     let own = base.user_targets.and_then(|folder| folder.layer.file(&format!("{}/macro.json", folder.rel())));
