@@ -7,7 +7,7 @@ use super::super::{Check, Rule, RuleCx};
 use super::NO_MEASURE;
 use super::names::{Names, Unknown};
 use super::other_base::of_other_base;
-use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application, Finding, Level, Place, RuleInfo, pointer};
 use crate::formats::base_json::{BaseJson, Random};
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, View};
@@ -45,16 +45,12 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
 }
 
 fn finding(file: &FileFacts, at: &[&str], message: String, name: &str) -> Finding {
-    let place = at.iter().fold(String::new(), |place, part| {
-        let Place::Pointer(step) = Place::pointer([part]) else { return place };
-        place + &step
-    });
     // Places in a list change with every entry before them.
     let mut key: Vec<&str> = at.iter().copied().filter(|part| part.parse::<usize>().is_err()).collect();
     if key.last() != Some(&name) {
         key.push(name);
     }
-    RULE.at(file, Place::Pointer(place), message).key(key.join(" "))
+    RULE.at(file, Place::Pointer(pointer(at)), message).key(key.join(" "))
 }
 
 fn unknown_name(file: &FileFacts, at: &[&str], unknown: Unknown) -> Finding {

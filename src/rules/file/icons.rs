@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::super::cause::overlay::has_sliders;
 use crate::diag::Sought;
 use crate::repo::makehuman2::{Base, TargetFolder, View};
-use crate::repo::{FileFacts, Layer, Reference, ReferenceKind, Resolution};
+use crate::repo::{FileFacts, Layer, Reference, ReferenceKind};
 
 /// Icons count as unused only where the sliders that could name them are known: in the folder in use.
 pub(super) fn is_store(layer: &Layer, base: &Base<'_>, file: &FileFacts) -> bool {
@@ -39,7 +39,7 @@ pub(super) struct Icons<'r> {
 impl<'r> Icons<'r> {
     pub(super) fn of(view: &'r View<'_>, base: &'r Base<'_>) -> Self {
         let icons = view.references_of(base).filter(|reference| reference.kind == ReferenceKind::Icon);
-        let lost = icons.filter(|reference| !matches!(reference.resolution, Resolution::Found(_)));
+        let lost = icons.filter(|reference| reference.found().is_none());
         // With a wrong path in front of it, the name itself may be right.
         let names = lost.map(|reference| reference.text.rsplit(['/', '\\']).next().unwrap_or_default());
         let is_use = |reference: &Reference<'_>| reference.base == base.name && reference.kind.is_target();

@@ -35,7 +35,7 @@ pub(super) fn links<'s>(view: &'s View<'_>, base: &'s Base<'_>) -> Vec<MacroLink
 
 impl<'s> MacroLink<'s> {
     pub(super) fn found(&self) -> Option<&'s FileFacts> {
-        if let Resolution::Found(file) = self.reference.resolution { Some(file) } else { None }
+        self.reference.found()
     }
 
     pub(super) fn is_missing(&self) -> bool {

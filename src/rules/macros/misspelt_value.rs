@@ -50,11 +50,10 @@ pub(super) fn misspelt_values<'a>(
             let usage = usages.entry(&component.name).or_default();
             usage.used.extend(listing.found.keys().filter_map(|combination| combination.get(axis)));
             for stranger in &listing.strangers {
-                match &stranger.slip {
-                    Slip::Value { axis: at, token } if *at == axis => {
-                        usage.strange.entry(token.clone()).or_default().push((macrodef, stranger.link));
-                    }
-                    _ => {}
+                if let Slip::Value { axis: at, token } = &stranger.slip
+                    && *at == axis
+                {
+                    usage.strange.entry(token.clone()).or_default().push((macrodef, stranger.link));
                 }
             }
         }
@@ -65,12 +64,9 @@ pub(super) fn misspelt_values<'a>(
 }
 
 fn of_component<'a>(component: &'a Component, usage: &Usage<'a>, suggestions: &Suggestions) -> Vec<MisspeltValue<'a>> {
-    let mut unused: Vec<&str> = Vec::new();
-    for (at, value) in component.values.iter().enumerate() {
-        if !usage.used.contains(&at) {
-            unused.push(value);
-        }
-    }
+    let values = component.values.iter().enumerate();
+    let unused: Vec<&str> =
+        values.filter(|(at, _)| !usage.used.contains(at)).map(|(_, value)| value.as_str()).collect();
     let only = usage.strange.len() == 1 && unused.len() == 1;
     let strange = usage.strange.iter().filter(|(_, names)| names.len() > 1);
     let misspelt = strange.filter_map(|(token, names)| {

@@ -9,7 +9,7 @@ use crate::diag::{Application, EXAMPLES, Finding, Level, Place, RuleInfo};
 use crate::formats::macro_json::{Component, Macrodef};
 use crate::formats::modelling::EFFECTS;
 use crate::repo::makehuman2::{Base, BoundSlider, Pattern, View};
-use crate::repo::{Reference, ReferenceKind, Resolution};
+use crate::repo::{Reference, ReferenceKind};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(Application::Makehuman2, "shows a slider that does nothing and is never saved")],
@@ -69,8 +69,7 @@ fn never_applied(lost: &[&Macrodef]) -> String {
 /// The first target that is there of each entry, by key.
 fn loaded<'r>(view: &'r View<'_>, base: &'r Base<'_>) -> BTreeMap<&'r str, &'r Reference<'r>> {
     let is_loaded = |reference: &&Reference<'_>| {
-        matches!(reference.kind, ReferenceKind::Incr | ReferenceKind::Decr)
-            && matches!(reference.resolution, Resolution::Found(_))
+        matches!(reference.kind, ReferenceKind::Incr | ReferenceKind::Decr) && reference.found().is_some()
     };
     let mut loaded = BTreeMap::new();
     for reference in view.references_of(base).filter(is_loaded) {

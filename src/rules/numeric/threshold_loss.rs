@@ -4,7 +4,6 @@ use super::super::{Check, Rule, RuleCx};
 use super::{percent, title, worded};
 use crate::diag::{Application, Evidence, Finding, Level, OptionInfo, Place, RuleInfo};
 use crate::eval::measures::Measures;
-use crate::eval::settings::SliderSetting;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
@@ -38,15 +37,13 @@ fn run(body: &Body<'_>, measures: &Measures, cx: &RuleCx<'_>, out: &mut Vec<Find
         "macrodef `{title}` loses {share} of its weight because factors up to 0.01 are dropped; seen with {}",
         worded(at)
     );
-    let named = |(number, lost, _): &(usize, f64, Vec<SliderSetting>)| {
-        let name = macros.macrodefs.get(*number).map(super::title).unwrap_or_default();
-        format!("{name}: {}", percent(*lost))
-    };
+    let named = |number: &usize| macros.macrodefs.get(*number).map(super::title).unwrap_or_default();
+    let cases = over().map(|(number, lost, _)| format!("{}: {}", named(number), percent(*lost)));
     out.push(
         RULE.at(file, Place::pointer(["macrodef", &macrodef.index.to_string(), "comp"]), message)
             .key("loss")
-            .parts(over().map(|(number, ..)| macros.macrodefs.get(*number).map(super::title).unwrap_or_default()))
+            .parts(over().map(|(number, ..)| named(number)))
             .help("leave it, or use fewer components in the macrodef to lose less")
-            .evidence(Evidence::of_cases(over().map(named)).out_of(macros.macrodefs.len()).with_worst(*lost, title)),
+            .evidence(Evidence::of_cases(cases).out_of(macros.macrodefs.len()).with_worst(*lost, title)),
     );
 }

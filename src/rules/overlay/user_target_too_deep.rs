@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::super::{Check, Rule, RuleCx, counted};
 use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
-use crate::repo::{FileFacts, Resolution};
+use crate::repo::{FileFacts, Reference};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(Application::Makehuman2, "packs the targets into its archive, but shows no slider for them")],
@@ -18,11 +18,8 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(folder) = base.user_targets else { return };
-    let used: BTreeSet<&str> = view
-        .references_of(base)
-        .filter_map(|reference| if let Resolution::Found(file) = reference.resolution { Some(file) } else { None })
-        .map(|file| file.path.as_str())
-        .collect();
+    let used: BTreeSet<&str> =
+        view.references_of(base).filter_map(Reference::found).map(|file| file.path.as_str()).collect();
     let is_deep = |file: &&FileFacts| {
         folder.name_of(file).is_some_and(|name| name.matches('/').count() > 1 || name.starts_with("icons/"))
     };

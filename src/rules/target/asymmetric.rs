@@ -63,7 +63,7 @@ fn one_sided(body: &Body<'_>, file: &FileFacts, target: &TargetMeasure) -> Optio
     let mirror = &target.own_mirror;
     let different = mirror.different.len();
     let (vertex, worst) = mirror.worst?;
-    let shown = shown_by(body, file).map(|setting| format!("; seen with {setting}")).unwrap_or_default();
+    let shown = shown_by(body, file);
     let differ = if different == 1 { "differs from its" } else { "differ from their" };
     let message = format!(
         "{different} of {} vertices {differ} mirror image, {} most, by {}{shown}",

@@ -41,7 +41,7 @@ fn finding(body: &Body<'_>, pair: &PairMeasure) -> Option<Finding> {
     let (vertex, worst) = difference.worst.filter(|_| different > 0)?;
     let (vertices, nowhere) = if on_body { ("body vertices", "") } else { ("vertices", ", none on the body") };
     let differ = if different == 1 { "differs" } else { "differ" };
-    let shown = shown_by(body, left).map(|setting| format!("; seen with {setting}")).unwrap_or_default();
+    let shown = shown_by(body, left);
     let message = format!(
         "not the mirror image of `{}`: {different} of {} {vertices} {differ}{nowhere}, {} most, by {}{shown}",
         right.file_name(),

@@ -34,10 +34,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             count => format!("{count} displacements are not finite, first that of {vertex}"),
         };
         let is_outdated = target.is_outdated();
-        let shown = shown_by(body, file)
-            .filter(|_| !is_outdated)
-            .map(|setting| format!("; seen with {setting}"))
-            .unwrap_or_default();
+        let shown = if is_outdated { String::new() } else { shown_by(body, file) };
         let mut finding = RULE
             .at(file, first_row(&facts.non_finite), message + &shown)
             .help("write finite numbers, or remove the rows")

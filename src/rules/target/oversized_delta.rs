@@ -37,19 +37,15 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let exists = |largest: &Largest| facts.out_of_range.count == 0 || is_vertex(body, largest);
         let Some(largest) = facts.largest.filter(exists) else { continue };
         let lengths = Lengths { longest: largest.length, median: facts.median_length, tail: facts.tail_length };
-        let shown = || shown_by(body, file).map(|setting| format!("; seen with {setting}")).unwrap_or_default();
+        let message = |what: String| format!("{}, {what}{}", moves(body, &largest), shown_by(body, file));
         match oversize(lengths, size, ratio) {
             Some(Oversize::BeyondMesh) => {
-                let mesh = centimetres(size);
-                let message =
-                    format!("{}, more than the whole base mesh ({mesh:.1} cm){}", moves(body, &largest), shown());
-                out.push(finding(file, facts, &largest, message));
+                let what = format!("more than the whole base mesh ({:.1} cm)", centimetres(size));
+                out.push(finding(file, facts, &largest, message(what)));
             }
             Some(Oversize::Outlier) => {
-                let times = largest.length / facts.median_length;
-                let message =
-                    format!("{}, {times:.0} times the median of this target{}", moves(body, &largest), shown());
-                out.push(finding(file, facts, &largest, message).confidence(Confidence::Medium));
+                let what = format!("{:.0} times the median of this target", largest.length / facts.median_length);
+                out.push(finding(file, facts, &largest, message(what)).confidence(Confidence::Medium));
             }
             None => {}
         }

@@ -2,12 +2,14 @@
 
 use crate::repo::{Body, FileFacts, Shown};
 
-/// A setting that applies the target fully; `None` if nothing uses it.
-pub(super) fn shown_by(body: &Body<'_>, file: &FileFacts) -> Option<String> {
-    Some(match body.shown_at(file)? {
-        Shown::At(sliders) => {
+/// The end of a message: a setting that applies the target fully; empty if nothing uses it.
+pub(super) fn shown_by(body: &Body<'_>, file: &FileFacts) -> String {
+    let setting = match body.shown_at(file) {
+        Some(Shown::At(sliders)) => {
             sliders.iter().map(|(name, value)| format!("`{name}` = {value}")).collect::<Vec<_>>().join(", ")
         }
-        Shown::Combination(name) => format!("the macro combination `{name}`"),
-    })
+        Some(Shown::Combination(name)) => format!("the macro combination `{name}`"),
+        None => return String::new(),
+    };
+    format!("; seen with {setting}")
 }

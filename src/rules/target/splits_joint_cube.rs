@@ -38,7 +38,7 @@ fn finding(body: &Body<'_>, measures: &Measures, target: &TargetMeasure, rigid: 
     let (cube, apart) = target.torn.iter().max_by(|a, b| a.1.total_cmp(&b.1))?;
     let file = body.target(&target.path)?.file;
     let name = |cube: usize| measures.cubes.get(cube).map_or("", String::as_str);
-    let shown = shown_by(body, file).map(|setting| format!("; seen with {setting}")).unwrap_or_default();
+    let shown = shown_by(body, file);
     let what = match target.torn.len() {
         1 => format!("tears joint cube `{}`", name(*cube)),
         count => format!("tears {count} joint cubes, worst `{}`", name(*cube)),

@@ -21,11 +21,11 @@ use Single::{BesideBase, Expressions, Poses, ScriptedRanges, SelectionFilter, Sh
 pub(super) static TABLE: Table = Table { rows: ROWS, at_moment: AT_MOMENT, in_general: IN_GENERAL, unfound: UNFOUND };
 
 /// What a text that crashes the program does while an archive stands for it.
-pub(super) const ARCHIVED: Case =
+pub(in crate::rules) const ARCHIVED: Case =
     &[(Application::Makehuman2, Warning, "crashes at start once the archive of the folder is deleted and rebuilt")];
 
 /// What a mesh does that an archive is read in place of.
-pub(super) const UNREAD_MESH: Case = &[(Application::Makehuman2, Info, UNREAD)];
+pub(in crate::rules) const UNREAD_MESH: Case = &[(Application::Makehuman2, Info, UNREAD)];
 const UNREAD: &str = "reads base.mhbin instead; compile_meshes.py, which rebuilds it, crashes";
 
 pub(super) const NOT_READ: &str = "never reads this file; the scripts that align joint cubes crash";

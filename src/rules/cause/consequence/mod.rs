@@ -8,10 +8,12 @@ mod makehuman2_values;
 mod mpfb;
 mod table;
 
-pub(in crate::rules) use makehuman2::{NEVER_OPENED, NO_POSE_SKELETON, ignored_override, is_opened_by_scripts};
+pub(in crate::rules) use makehuman2::{
+    ARCHIVED, NEVER_OPENED, NO_POSE_SKELETON, UNREAD_MESH, ignored_override, is_opened_by_scripts,
+};
 use table::{Row, Spot, Standing, Table};
 
-use crate::diag::{Application, Case, Finding, Level};
+use crate::diag::{Application, Finding, Level};
 use crate::json::{SchemaFault, UnknownKey};
 use crate::repo::{FileFacts, ReferenceKind, View};
 
@@ -71,12 +73,6 @@ pub(in crate::rules) struct Consequence {
     pub(in crate::rules) level: Level,
     pub(in crate::rules) effect: Option<&'static str>,
 }
-
-/// What a text that cannot be parsed does while an archive stands for it.
-pub(in crate::rules) const ARCHIVED: Case = makehuman2::ARCHIVED;
-
-/// What a mesh comes to that an archive is read in place of, whatever is wrong with it.
-pub(in crate::rules) const UNREAD_MESH: Case = makehuman2::UNREAD_MESH;
 
 impl Consequence {
     const fn new(level: Level, effect: &'static str) -> Self {
