@@ -88,7 +88,7 @@ impl FileFacts {
 
     /// Path of the folder as reports print it.
     pub fn folder(&self) -> &str {
-        self.path.rsplit_once('/').map_or("", |(folder, _)| folder)
+        super::parent(&self.path)
     }
 
     /// File name without folders.

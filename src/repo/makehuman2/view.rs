@@ -11,7 +11,7 @@ use super::{Base, OWN, target_folder, textures, weights, worn};
 use crate::diag::grouped;
 use crate::discover::Kind;
 use crate::formats::base_json::BaseJson;
-use crate::repo::{Body, FileFacts, Layers, Reference, References, Target, Worn};
+use crate::repo::{Body, FileFacts, Layers, Reference, References, Target, Worn, parent};
 
 /// `MakeHuman` 2's data, connected.
 #[derive(Debug)]
@@ -78,10 +78,7 @@ impl<'a> View<'a> {
     /// archive, or an archive that is no file, which counts as none.
     pub(in crate::repo) fn is_replaced(&self, rel: &str) -> bool {
         let checked = self.layers.checked;
-        let exists = |name: &str| {
-            let folder = rel.rsplit_once('/').map_or("", |(folder, _)| folder);
-            self.layers.first_existing(&format!("{folder}/{name}")).is_some()
-        };
+        let exists = |name: &str| self.layers.first_existing(&format!("{}/{name}", parent(rel))).is_some();
         match checked.kind_at(rel, OWN) {
             Kind::BaseMesh => exists("base.mhbin"),
             Kind::MeshArchive => checked.file(rel).is_none() && (exists("base.mhbin") || exists("base.obj")),

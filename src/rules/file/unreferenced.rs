@@ -7,7 +7,7 @@ use super::icons;
 use crate::diag::{Application, Case, Evidence, Finding, Level, RuleInfo, grouped};
 use crate::discover::{Kind, Layout, extension};
 use crate::repo::makehuman2::{Base, View};
-use crate::repo::{FileFacts, Reference, ReferenceKind, Resolution};
+use crate::repo::{FileFacts, Reference, ReferenceKind, Resolution, parent};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(Application::Makehuman2, "never opens it")],
@@ -31,10 +31,7 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
     let references = References::of(view, base);
     let files = FOLDERS.iter().flat_map(|folder| view.layers.checked.below(&format!("{folder}/{}", base.name)));
     // One finding for a folder and reason: a folder of packed targets is one decision.
-    let idle = grouped(files.filter_map(|file| {
-        let folder = file.rel.rsplit_once('/').map_or("", |(folder, _)| folder);
-        Some(((folder, reason(base, file, &references)?), file))
-    }));
+    let idle = grouped(files.filter_map(|file| Some(((parent(&file.rel), reason(base, file, &references)?), file))));
     for ((folder, reason), files) in idle {
         let names = files.iter().map(|file| file.file_name());
         let parts = files.iter().map(|file| (file.file_name(), &file.path));

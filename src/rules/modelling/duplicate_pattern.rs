@@ -20,8 +20,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
 
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let sliders = with_patterns(base).unwrap_or_default();
-    let by_pattern =
-        sliders.into_iter().flat_map(|slider| slider.pattern.names().iter().map(move |name| (name, slider)));
+    let by_pattern = sliders.iter().flat_map(|slider| slider.pattern.names().iter().map(move |name| (name, slider)));
     for (pattern, sliders) in grouped(by_pattern) {
         let [hidden @ .., last] = sliders.as_slice() else { continue };
         let Some(first) = hidden.first() else { continue };
