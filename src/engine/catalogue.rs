@@ -24,6 +24,7 @@ pub(super) const fn has_rules(application: Application, kind: Kind) -> bool {
                 | Kind::TargetArchive
                 | Kind::TargetIcon
                 | Kind::Skeleton
+                | Kind::Motion
                 | Kind::Weights
                 | Kind::Material
                 | Kind::Image

@@ -1,6 +1,7 @@
 //! What is kept of a file's content.
 
 use super::base_json::BaseJson;
+use super::bvh::Motion;
 use super::geometry::Geometry;
 use super::json_file::JsonFault;
 use super::macro_json::MacroFile;
@@ -52,6 +53,8 @@ pub enum Content {
     Clothes(Vec<Name>),
     /// `.mhmat`.
     Material(Box<Material>),
+    /// `.bvh`.
+    Motion(Box<Motion>),
     /// `compressedtargets.npz`.
     Archive(Box<Archive>),
 }

@@ -5,6 +5,7 @@
 #![warn(clippy::indexing_slicing)]
 
 pub mod base_json;
+pub mod bvh;
 mod content;
 mod content_hash;
 pub mod expression;

@@ -6,7 +6,7 @@ use super::inline_ignore::{self, InlineIgnore};
 use super::json_file::{self, JsonFacts, JsonFault};
 use super::table::{Format, Reader, Syntax};
 use super::target::{self, MeshSize, Row};
-use super::{Content, mhbin, mhclo, mhmat, mhw, npz, obj};
+use super::{Content, bvh, mhbin, mhclo, mhmat, mhw, npz, obj};
 use crate::json::{self, Document, SchemaFaults};
 use crate::source::{Encoding, GzipFault, Limits, try_gunzip, zip_bomb};
 
@@ -106,6 +106,15 @@ pub(super) fn clothes(input: &Input<'_>) -> Parsed {
 /// A material. One without anything in it names nothing.
 pub(super) fn material(input: &Input<'_>) -> Parsed {
     Parsed { content: Content::Material(Box::new(mhmat::read(input.bytes))), ..hashed(input) }
+}
+
+/// A motion. Of one that is blank or is no UTF-8 the loader reads nothing.
+pub(super) fn motion(input: &Input<'_>) -> Parsed {
+    let mut parsed = hashed(input);
+    if !input.encoding.blank && input.encoding.invalid_utf8_at.is_none() {
+        parsed.content = Content::Motion(Box::new(bvh::read(input.bytes)));
+    }
+    parsed
 }
 
 /// A file without anything in it gives no mesh: everything measured against none would be out of range.

@@ -1,6 +1,6 @@
 //! The table of formats: what is to be known of each kind of file before and while it is read.
 
-use super::readers::{archive, clothes, material, mesh, mesh_archive, packed, target, weights, zip};
+use super::readers::{archive, clothes, material, mesh, mesh_archive, motion, packed, target, weights, zip};
 use super::{Content, Input, Parsed, base_json, geometry, macro_json, mhskel, modelling, target_cat, target_catalog};
 use crate::discover::Kind;
 use crate::json::Document;
@@ -109,7 +109,7 @@ pub(crate) static FORMATS: [Format; 26] = [
     Format { comments: &["#"], ..read(Kind::Clothes, "text asset", Syntax::Text, clothes) },
     Format { comments: &["#", "//"], ..read(Kind::Material, "text asset", Syntax::Text, material) },
     text(Kind::Model, &["#"]),
-    text(Kind::Motion, &[]),
+    read(Kind::Motion, "motion", Syntax::Text, motion),
     text(Kind::MotionMeta, &[]),
     text(Kind::AssetMesh, &[]),
     read(Kind::Packed, "file", Syntax::Binary, zip),

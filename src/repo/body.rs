@@ -6,6 +6,7 @@ use std::sync::OnceLock;
 
 use super::landmarks::{Landmarks, Unreached};
 use super::{FileFacts, Layers, Reference, ReferenceKind, View, Worn, parent};
+use crate::formats::bvh::Motion;
 use crate::formats::macro_json::MacroFile;
 use crate::formats::mhskel::Skeleton;
 use crate::formats::mhw::Weights;
@@ -41,6 +42,8 @@ pub(crate) struct Body<'v> {
     pub weights: Vec<BodyWeights<'v>>,
     /// What the body can wear, of all layers.
     pub worn: &'v [Worn<'v>],
+    /// Motions that the application lists for the body, those of the checked layer.
+    pub motions: Vec<(&'v FileFacts, &'v Motion)>,
     view: &'v View<'v>,
     /// Numbers of the targets by printed path.
     by_path: BTreeMap<&'v str, usize>,
@@ -152,6 +155,7 @@ impl<'v> Body<'v> {
             rigs,
             weights,
             worn,
+            motions: Vec::new(),
             view,
             by_path,
             landmarks: OnceLock::new(),

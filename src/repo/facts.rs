@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use crate::diag::Application;
 use crate::discover::{Kind, Use, kind_in, owner_of};
+use crate::formats::bvh::Motion;
 use crate::formats::inline_ignore::InlineIgnore;
 use crate::formats::json_file::JsonFacts;
 use crate::formats::mhbin::MeshFault;
@@ -151,6 +152,11 @@ impl FileFacts {
     /// The material, if it is one that could be read.
     pub fn material(&self) -> Option<&Material> {
         if let Content::Material(material) = &*self.content { Some(material) } else { None }
+    }
+
+    /// The motion, as far as it could be read.
+    pub fn motion(&self) -> Option<&Motion> {
+        if let Content::Motion(motion) = &*self.content { Some(motion) } else { None }
     }
 
     /// The mesh, if it is one that could be read, as text or packed.

@@ -4,6 +4,7 @@
 
 mod archive;
 mod base;
+mod bvh;
 mod catalog;
 mod cause;
 mod config;
@@ -15,6 +16,7 @@ mod mesh;
 mod modelling;
 mod numeric;
 mod overlay;
+mod pose;
 mod rule;
 mod skeleton;
 mod target;
@@ -35,6 +37,10 @@ pub(crate) static RULES: &[&Rule] = &[
     &base::unknown_preset::RULE,
     &base::unsafe_rule::RULE,
     &base::vertex_count::RULE,
+    &bvh::channels::RULE,
+    &bvh::duplicate_joint::RULE,
+    &bvh::frames::RULE,
+    &bvh::syntax::RULE,
     &catalog::missing_target::RULE,
     &config::baseline_stale::RULE,
     &config::expired_ignore::RULE,
@@ -141,6 +147,8 @@ pub(crate) static RULES: &[&Rule] = &[
     &overlay::targets_not_in_layer::RULE,
     &overlay::user_key_clash::RULE,
     &overlay::user_target_too_deep::RULE,
+    &pose::non_finite::RULE,
+    &pose::unknown_bone::RULE,
     &skeleton::cycle::RULE,
     &skeleton::degenerate_plane::RULE,
     &skeleton::empty_joint::RULE,

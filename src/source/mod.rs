@@ -18,7 +18,7 @@ mod zip_size;
 
 pub use limits::Limits;
 pub use text::Encoding;
-pub(crate) use text::Guess;
+pub(crate) use text::{BYTE_ORDER_MARK, Guess};
 pub use tree::Tree;
 
 pub(crate) use folder::{Folder, Outer, holds, is_below};

@@ -4,7 +4,7 @@ use super::lines::lines;
 
 /// First bytes of the stand-in that Git LFS leaves when the content was not fetched.
 const LFS_POINTER: &[u8] = b"version https://git-lfs.github.com/spec/";
-const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
+pub(crate) const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 
 /// Facts on the bytes of a file.
 #[expect(clippy::struct_excessive_bools, reason = "independent facts on one text, not states of something")]

@@ -105,15 +105,17 @@ impl<'a> View<'a> {
         let files = view.files().filter(|file| is_of_body(file));
         let mut files = grouped(files.map(|file| (file.base_in(OWN).unwrap_or_default(), file)));
         let body = |name: &'v str, files: Vec<&'v FileFacts>| {
-            let (targets, weights): (Vec<_>, Vec<_>) = files.into_iter().partition(|file| file.kind == Kind::Target);
+            let of = |kind| files.iter().copied().filter(move |file| file.kind == kind);
             let base = self.base(name);
-            let mut body = Body::new(name, view, targets.into_iter().map(|file| self.target(file)).collect());
+            let mut body = Body::new(name, view, of(Kind::Target).map(|file| self.target(file)).collect());
             if let Some(base) = base {
                 fill(&mut body, base);
             }
             body.worn = self.worn_of(name);
-            let is_own = |file: &&FileFacts| base.is_some() && file.kind == Kind::Weights;
-            body.add_worn_weights(weights.into_iter().filter(|file| !is_own(file)));
+            let others = of(Kind::Weights).filter(|_| base.is_none());
+            body.add_worn_weights(others.chain(of(Kind::AssetWeights)));
+            let listed = of(Kind::Motion).filter(|file| is_listed_pose(file));
+            body.motions = listed.filter_map(|file| Some((file, file.motion()?))).collect();
             body
         };
         let mut bodies: Vec<Body<'v>> = Vec::new();
@@ -145,7 +147,12 @@ impl<'a> View<'a> {
 }
 
 fn is_of_body(file: &FileFacts) -> bool {
-    matches!(file.kind, Kind::Target | Kind::Weights | Kind::AssetWeights)
+    matches!(file.kind, Kind::Target | Kind::Weights | Kind::AssetWeights | Kind::Motion)
+}
+
+/// Whether the scan of poses finds a file: in the folder of the base, or one below.
+fn is_listed_pose(file: &FileFacts) -> bool {
+    file.rel.starts_with("poses/") && matches!(file.rel.split('/').count(), 3 | 4)
 }
 
 /// What a base adds to its body.

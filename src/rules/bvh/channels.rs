@@ -1,0 +1,56 @@
+//! The channels of a joint must be as many as announced, and have known names.
+
+use super::super::{Check, Rule, RuleCx, counted};
+use super::REJECTED;
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::formats::bvh::{Fault, FaultKind, Motion};
+use crate::repo::{Body, FileFacts};
+
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "rejects the file with a message")],
+    docs: "A line `CHANNELS n …` lists another number of channels than `n`, lists none, or names one that does not exist. \
+        The names are `Xposition`, `Yposition`, `Zposition`, `Xrotation`, `Yrotation` and `Zrotation`, with exactly these \
+        capitals.\n\n\
+        MakeHuman 2 rejects a file with a wrong number, and one with a joint without channels. The numbers of a channel \
+        with another name are read and not used: the joint does not turn (warning).\n\n\
+        The order of the channels does not matter: MakeHuman 2 picks the angles by name and always applies them in the \
+        same order.",
+    ..RuleInfo::new("bvh-channels", Level::Error, "the channels of a BVH joint do not fit")
+});
+
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for (file, motion) in &body.motions {
+        out.extend(motion.fault.as_ref().and_then(|fault| miscounted(file, fault)));
+        out.extend(unknown(file, motion));
+    }
+}
+
+fn miscounted(file: &FileFacts, fault: &Fault) -> Option<Finding> {
+    let (message, help) = match fault.kind {
+        FaultKind::NoChannels => ("the joint has no channels".to_owned(), "give the joint three rotations".to_owned()),
+        FaultKind::Channels(announced, listed) => {
+            let message = format!("`CHANNELS {announced}`, but {} listed", are(listed));
+            (message, format!("write `CHANNELS {listed}`, and a number for each channel in every frame"))
+        }
+        _ => return None,
+    };
+    Some(RULE.at(file, Place::Line(fault.line), message).case(REJECTED).help(help))
+}
+
+fn are(channels: usize) -> String {
+    let are = if channels == 1 { "is" } else { "are" };
+    format!("{} {are}", counted(channels, "channel"))
+}
+
+fn unknown(file: &FileFacts, motion: &Motion) -> Option<Finding> {
+    let unknown = motion.unknown_channels.names();
+    let (line, first) = unknown.first()?;
+    let message = match unknown.len() {
+        1 => format!("channel `{first}` does not exist"),
+        count => format!("{count} of {} channels do not exist, first `{first}`", motion.channels),
+    };
+    let finding = RULE.at(file, Place::Line(*line), message).level(Level::Warning).key("unknown");
+    let finding = finding.effect("reads the numbers of the channel and does not use them: the joint does not turn");
+    let evidence = Evidence::of_unnamed(unknown.iter().map(|(line, name)| format!("{name} (line {line})")));
+    Some(finding.help("write the name as `Xrotation`, with these capitals").evidence(evidence.out_of(motion.channels)))
+}

@@ -1,0 +1,85 @@
+//! There must be as many frames as announced, each with a number for every channel.
+
+use super::super::{Check, Rule, RuleCx, counted};
+use super::{INDEX, VALUE};
+use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
+use crate::formats::bvh::{Fault, FaultKind, Motion};
+use crate::repo::{Body, FileFacts};
+
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "crashes with `IndexError` when the pose is chosen")],
+    docs: "The frames of a BVH file are not what `Frames:` and `CHANNELS` announce: there are fewer lines, a blank line \
+        between them, a line with too few numbers, or a word that is not a number. `Frames:` is a whole number above 0, \
+        `Frame Time:` a number with a decimal point.\n\n\
+        MakeHuman 2 crashes when the pose is chosen. Only the first such line is reported. More frames or numbers than \
+        announced are ignored (warning).\n\n\
+        Correct the number, or export the motion again.",
+    ..RuleInfo::new("bvh-frames", Level::Error, "the frames of a BVH file do not fit its header")
+});
+
+const NOT_SHOWN: Case =
+    &[(Application::Makehuman2, Level::Error, "crashes with `IndexError` when the pose is shown or exported")];
+
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for (file, motion) in &body.motions {
+        if let Some((fault, (message, case, help))) =
+            motion.fault.as_ref().and_then(|fault| Some((fault, words(fault)?)))
+        {
+            out.push(RULE.at(file, Place::Line(fault.line), message).case(case).help(help));
+        }
+        out.extend(surplus_frames(file, motion));
+        out.extend(surplus_numbers(file, motion));
+    }
+}
+
+/// Message, consequence and help.
+fn words(fault: &Fault) -> Option<(String, Case, String)> {
+    let again = || "export the motion again, or correct the line".to_owned();
+    Some(match &fault.kind {
+        FaultKind::NotWhole(word) => {
+            (format!("`Frames: {word}` is not a whole number"), VALUE, "write the number of frames".to_owned())
+        }
+        FaultKind::NoFrames(0) => ("`Frames: 0`: the motion has no frame".to_owned(), NOT_SHOWN, again()),
+        FaultKind::NoFrames(count) => (format!("`Frames: {count}` is negative"), VALUE, again()),
+        FaultKind::TooFew(announced, there) => {
+            let help = format!("write `Frames: {there}`, or add the missing frames");
+            (format!("`Frames: {announced}`, but the file has {}", counted(there, "frame")), INDEX, help)
+        }
+        FaultKind::BlankFrame => {
+            ("blank line between the frames".to_owned(), INDEX, "remove the blank line".to_owned())
+        }
+        FaultKind::ShortFrame(there, needed) => {
+            (format!("the frame has {there} numbers for {}", counted(needed, "channel")), INDEX, again())
+        }
+        FaultKind::WordInFrame(word) => {
+            (format!("`{word}` in a frame is not a number"), VALUE, "write it with a decimal point".to_owned())
+        }
+        FaultKind::NotANumber(of, word) if fault.kind.is_of_frames() => {
+            (format!("`{word}` of {of} is not a number"), VALUE, "write it with a decimal point".to_owned())
+        }
+        FaultKind::Missing(of) if fault.kind.is_of_frames() => {
+            (format!("{of} has no value"), INDEX, "add the number".to_owned())
+        }
+        _ => return None,
+    })
+}
+
+fn surplus_frames(file: &FileFacts, motion: &Motion) -> Option<Finding> {
+    let (announced, line) = motion.frames?;
+    let surplus = Some(motion.surplus_frames).filter(|surplus| *surplus > 0)?;
+    let there = usize::try_from(announced).ok()? + surplus;
+    let message = format!("`Frames: {announced}`, but the file has {there} frames");
+    let finding = RULE.at(file, Place::Line(line), message).key("surplus").level(Level::Warning);
+    let finding = finding.effect("ignores the frames behind the announced ones");
+    Some(finding.help(format!("write `Frames: {there}`, or remove the surplus lines")))
+}
+
+fn surplus_numbers(file: &FileFacts, motion: &Motion) -> Option<Finding> {
+    let line = *motion.surplus_numbers.first.first()?;
+    let message = format!("more numbers than the {} in a frame", counted(motion.channels, "channel"));
+    let lines = motion.surplus_numbers.first.iter().map(|line| format!("line {line}"));
+    let evidence = Evidence { count: motion.surplus_numbers.count as u64, ..Evidence::of_unnamed(lines) };
+    let finding = RULE.at(file, Place::Line(line), message).key("numbers").level(Level::Warning).evidence(evidence);
+    let finding = finding.effect("ignores the surplus numbers at the end of the line");
+    Some(finding.help("remove them, or add the missing channels to the joints"))
+}

@@ -1,0 +1,54 @@
+//! Every line of a motion must be the one that is expected there.
+
+use super::super::{Check, Rule, RuleCx};
+use super::{INDEX, REJECTED, VALUE};
+use crate::diag::{Application, Case, Finding, Level, Place, RuleInfo};
+use crate::formats::bvh::{Fault, FaultKind};
+use crate::repo::Body;
+
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "rejects the file or crashes when the pose is chosen")],
+    docs: "A line of a BVH file is not what the format has in this place. Each of `HIERARCHY`, `ROOT name`, `{`, `OFFSET`, \
+        `CHANNELS`, `JOINT name`, `End Site`, `}`, `MOTION`, `Frames:` and `Frame Time:` has a line of its own, written \
+        exactly so.\n\n\
+        MakeHuman 2 rejects a file with another word in such a place. The rejected motion stays chosen, so playing or \
+        exporting it crashes with `TypeError` until another one is chosen. A blank line above the frames, or the end of \
+        the file, crashes with `IndexError`; a number that cannot be read with `ValueError`. The first such line ends the \
+        loading, so only that one is reported.\n\n\
+        Correct the line, or export the motion again.",
+    ..RuleInfo::new("bvh-syntax", Level::Error, "a line of a BVH file is not what is expected there")
+});
+
+const BEFORE_ROOT: Case =
+    &[(Application::Makehuman2, Level::Error, "rejects the file with a message and shows the rest pose")];
+
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for (file, motion) in &body.motions {
+        let is_other = |kind: &FaultKind| kind.is_of_frames() || kind.is_of_channels();
+        let Some(fault) = motion.fault.as_ref().filter(|fault| !is_other(&fault.kind)) else { continue };
+        let Some((message, case, help)) = words(fault) else { continue };
+        out.push(RULE.at(file, Place::Line(fault.line), message).case(case).help(help));
+    }
+}
+
+/// Message, consequence and help.
+fn words(fault: &Fault) -> Option<(String, Case, String)> {
+    Some(match &fault.kind {
+        FaultKind::Expected(expected, found) => {
+            let case = if fault.is_inside { REJECTED } else { BEFORE_ROOT };
+            (format!("`{found}` instead of {expected}"), case, format!("write {expected} on a line of its own here"))
+        }
+        FaultKind::Blank(expected) => {
+            (format!("blank line instead of {expected}"), INDEX, "remove the blank line".to_owned())
+        }
+        FaultKind::End(expected) => {
+            let help = "export the motion again: the end of the file is missing";
+            (format!("the file ends before {expected}"), INDEX, help.to_owned())
+        }
+        FaultKind::Missing(of) => (format!("{of} has too few values"), INDEX, "add the missing value".to_owned()),
+        FaultKind::NotANumber(of, word) => {
+            (format!("`{word}` of {of} is not a number"), VALUE, "write the number with a decimal point".to_owned())
+        }
+        _ => return None,
+    })
+}

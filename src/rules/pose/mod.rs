@@ -1,0 +1,4 @@
+//! Poses and motions.
+
+pub(in crate::rules) mod non_finite;
+pub(in crate::rules) mod unknown_bone;

@@ -1,0 +1,41 @@
+//! Joints of a motion must be bones of the skeleton that it poses.
+
+use std::collections::BTreeSet;
+
+use super::super::{Check, Rule, RuleCx, did_you_mean};
+use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::formats::bvh::Joint;
+use crate::repo::Body;
+
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[(Application::Makehuman2, "silently ignores the joint: its bone stays in the rest pose")],
+    docs: "A joint of a BVH file is not a bone of the skeleton that poses the base: the one that `base.json` names in \
+        `pose-skeleton`. A name ends at the first space.\n\n\
+        MakeHuman 2 ignores such joints without a message. If none of them is a bone, the motion shows the rest pose: it \
+        was made for another rig.\n\n\
+        Rename the joint, or export the motion for the rig of this base.",
+    ..RuleInfo::new("pose-unknown-bone", Level::Warning, "a joint of a BVH file is not a bone of the skeleton")
+});
+
+fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some((rig, skeleton)) = body.default_rig().and_then(|rig| Some((rig, rig.skeleton()?))) else { return };
+    let bones: BTreeSet<&str> = skeleton.bones.iter().map(|bone| bone.name.as_str()).collect();
+    // A skeleton without bones has a finding of its own.
+    for (file, motion) in body.motions.iter().filter(|_| !bones.is_empty()) {
+        let is_unknown = |joint: &&Joint| !bones.contains(&*joint.name);
+        let unknown: Vec<&Joint> = motion.joints.iter().filter(is_unknown).collect();
+        let Some(first) = unknown.first() else { continue };
+        let (count, all, name) = (unknown.len(), motion.joints.len(), rig.file.file_name());
+        let message = match count {
+            _ if count == all => format!("no joint is a bone of `{name}`, first `{}`", first.name),
+            1 => format!("joint `{}` is not a bone of `{name}`", first.name),
+            _ => format!("{count} of {all} joints are not bones of `{name}`, first `{}`", first.name),
+        };
+        let near = cx.suggestions.nearest(&first.name, bones.iter().copied()).filter(|_| count < all);
+        let evidence = Evidence::of_cases(unknown.iter().map(|joint| joint.name.to_string())).out_of(all);
+        let help = did_you_mean(near, "export the motion for the rig of this base, or rename the joints");
+        let finding = RULE.at(file, Place::Span(first.span.clone()), message);
+        let finding = finding.against(&rig.file.path).evidence(evidence).help(help);
+        out.push(if count == all { finding.effect("shows the rest pose: no joint has a bone") } else { finding });
+    }
+}
