@@ -22,14 +22,18 @@ const NOT_SHOWN: Case =
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (file, motion) in &body.motions {
-        if let Some((fault, (message, case, help))) =
-            motion.fault.as_ref().and_then(|fault| Some((fault, words(fault)?)))
-        {
-            out.push(RULE.at(file, Place::Line(fault.line), message).case(case).help(help));
-        }
+        out.extend(motion.fault.as_ref().and_then(|fault| at_fault(file, motion, fault)));
         out.extend(surplus_frames(file, motion));
         out.extend(surplus_numbers(file, motion));
     }
+}
+
+fn at_fault(file: &FileFacts, motion: &Motion, fault: &Fault) -> Option<Finding> {
+    let (message, case, help) = words(fault)?;
+    // What is missing at the end is told where it is announced.
+    let announced = motion.frames.filter(|_| matches!(fault.kind, FaultKind::TooFew(..)));
+    let line = announced.map_or(fault.line, |(_, line)| line);
+    Some(RULE.at(file, Place::Line(line), message).case(case).help(help))
 }
 
 /// Message, consequence and help.
