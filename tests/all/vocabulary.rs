@@ -96,9 +96,10 @@ fn texts() -> Vec<(String, String)> {
         let args: Vec<&str> = [command, "--help"].into_iter().filter(|word| !word.is_empty()).collect();
         all.push((format!("mhlint {command} --help"), stdout(&mhlint(&project("fixtures"), &args))));
     }
-    // Not the CHANGELOG: it is written when something changes, and in the words of then.
-    for file in
-        [project("README.md")].into_iter().chain(files_of(&project("docs"))).chain(files_of(&project("schemas")))
+    for file in [project("README.md"), project("CHANGELOG.md")]
+        .into_iter()
+        .chain(files_of(&project("docs")))
+        .chain(files_of(&project("schemas")))
     {
         let name = file.strip_prefix(project("")).unwrap_or(&file).display().to_string();
         all.push((name, fs::read_to_string(&file).unwrap()));
