@@ -37,6 +37,7 @@ pub mod error;
 pub mod fit;
 mod grid;
 pub mod influences;
+mod lists;
 pub mod look;
 pub mod macros;
 pub mod makehuman2;

@@ -1,6 +1,7 @@
 //! A scene made ready to be looked at in many settings: what the default character is like, and which faces, joints
 //! and bones depend on which vertices.
 
+use super::lists::Lists;
 use super::macros::MacroWork;
 use super::mesh::bounding_box;
 use super::scene::{Scene, Setting};
@@ -27,7 +28,8 @@ pub struct Surveyor<'s> {
     pub(super) faces: Vec<FaceAtRest>,
     /// Twice their area.
     pub(super) area: f64,
-    faces_of: FacesOf,
+    /// Numbers of the faces at each vertex.
+    faces_of: Lists<u32>,
     visible: Vec<u32>,
     pub(super) low: Point,
     pub(super) high: Point,
@@ -67,13 +69,6 @@ pub(super) struct Anchor {
     pub(super) stand: f64,
 }
 
-/// Numbers of the faces at each vertex, one list after the other.
-#[derive(Debug, Default)]
-struct FacesOf {
-    starts: Vec<u32>,
-    faces: Vec<u32>,
-}
-
 impl<'s> Surveyor<'s> {
     /// Makes a scene ready. The default character is what everything is compared with; `None` if it cannot be made
     /// or is not finite, which is reported by other means.
@@ -91,7 +86,7 @@ impl<'s> Surveyor<'s> {
             defaults,
             faces: Vec::new(),
             area: 0.0,
-            faces_of: FacesOf::default(),
+            faces_of: Lists::default(),
             visible: Vec::new(),
             low: [0.0; 3],
             high: [0.0; 3],
@@ -137,7 +132,10 @@ impl<'s> Surveyor<'s> {
             }
             self.face(face, rest);
         }
-        self.faces_of = FacesOf::new(rest.len(), self.faces.iter().map(|face| self.scene.face(face.face as usize)));
+        let corners = (0..).zip(&self.faces).flat_map(|(number, face)| {
+            self.scene.face(face.face as usize).iter().map(move |vertex| (*vertex as usize, number))
+        });
+        self.faces_of = Lists::new(rest.len(), corners);
         self.visible = (0..).zip(&used).filter(|(_, used)| **used).map(|(vertex, _)| vertex).collect();
         let skin: Vec<Point> = self.visible.iter().filter_map(|vertex| rest.get(*vertex as usize)).copied().collect();
         (self.low, self.high) = bounding_box(&skin).or_else(|| bounding_box(rest))?;
@@ -184,7 +182,7 @@ impl<'s> Surveyor<'s> {
 
     /// Numbers of the visible faces at a vertex.
     pub(super) fn faces_of(&self, vertex: u32) -> &[u32] {
-        self.faces_of.get(vertex as usize)
+        self.faces_of.of(vertex as usize)
     }
 
     /// Whether a vertex is neither exploded nor infinite; in doubt it is not.
@@ -236,35 +234,6 @@ impl<'s> Surveyor<'s> {
     pub(super) fn joints(&self, positions: &[Point]) -> Option<Vec<Point>> {
         let skeleton = self.scene.skeleton.as_ref()?;
         skeleton.joint_positions(positions).ok()
-    }
-}
-
-impl FacesOf {
-    fn new<'f>(vertices: usize, faces: impl Iterator<Item = &'f [u32]> + Clone) -> Self {
-        let mut starts = vec![0_u32; vertices + 1];
-        for vertex in faces.clone().flatten() {
-            if let Some(count) = starts.get_mut(*vertex as usize + 1) {
-                *count += 1;
-            }
-        }
-        for vertex in 0..vertices {
-            starts[vertex + 1] += starts[vertex];
-        }
-        let mut free = starts.clone();
-        let mut lists = vec![0; starts.last().copied().unwrap_or(0) as usize];
-        for (number, face) in (0..).zip(faces) {
-            for vertex in face.iter().filter(|vertex| (**vertex as usize) < vertices) {
-                let place = &mut free[*vertex as usize];
-                lists[*place as usize] = number;
-                *place += 1;
-            }
-        }
-        Self { starts, faces: lists }
-    }
-
-    fn get(&self, vertex: usize) -> &[u32] {
-        let ends = self.starts.get(vertex).zip(self.starts.get(vertex + 1));
-        ends.and_then(|(start, end)| self.faces.get(*start as usize..*end as usize)).unwrap_or_default()
     }
 }
 
