@@ -9,8 +9,8 @@ use super::fault::{Error, Fault};
 use super::keys::{FILE, Key, Shape};
 use super::room::Room;
 use super::value::{self, Value, Wrong};
-use super::{Config, ConfigFile, Date, Globs, Ignore, MOST_SAMPLES, PathBlock, PathGlob, Selector, Unknown};
-use crate::diag::{Application, Level, RuleInfo, Suggestions, nearest};
+use super::{Config, ConfigFile, Date, Globs, Ignore, MOST_SAMPLES, PathBlock, PathGlob, Selector};
+use crate::diag::{Application, Level, Place, RuleInfo, Suggestions, UnknownRule, nearest};
 use crate::source::{Folder, Lines};
 
 /// Reads a text. `inside` is its folder as printed, `folder` the same to compare paths with.
@@ -175,7 +175,14 @@ impl Reader<'_> {
 
     fn unknown(&mut self, setting: &str, rule: &str, span: Range<usize>) {
         let nearest = self.suggestions.nearest(rule, self.rules.iter().map(|rule| rule.id));
-        self.file.unknown.push(Unknown { setting: setting.to_owned(), rule: rule.to_owned(), span, nearest });
+        let (path, place) = (self.file.path.clone(), Place::Span(span));
+        self.file.unknown.push(UnknownRule {
+            path,
+            place,
+            setting: setting.to_owned(),
+            rule: rule.to_owned(),
+            nearest,
+        });
     }
 
     fn applications(&mut self, name: &str, value: &Value<'_>) -> Vec<Application> {
