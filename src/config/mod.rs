@@ -10,7 +10,6 @@ mod glob;
 mod globs;
 mod keys;
 mod read;
-mod room;
 mod schema;
 mod template;
 mod value;
