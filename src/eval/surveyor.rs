@@ -7,7 +7,7 @@ use super::mesh::bounding_box;
 use super::scene::{Scene, Setting};
 use super::skeleton::{PARALLEL_SINE, plane_sine};
 use super::survey::{COLLAPSE_RATIO, EXPLOSION_DIAGONALS, SHORTEST_BONE};
-use super::vector::{Point, distance};
+use super::vector::{Point, add, cross, distance, dot, sub};
 use super::walk::{Addable, Stop, Walk};
 
 /// Skin vertices around a joint that it is compared with.
@@ -174,10 +174,8 @@ impl<'s> Surveyor<'s> {
             return cross(sub(at(b), at(a)), sub(at(d), at(c)));
         }
         let [first, rest @ ..] = self.scene.face(face.face as usize) else { return [0.0; 3] };
-        rest.windows(2).fold([0.0; 3], |sum, pair| {
-            let part = cross(sub(at(pair[0]), at(*first)), sub(at(pair[1]), at(*first)));
-            [sum[0] + part[0], sum[1] + part[1], sum[2] + part[2]]
-        })
+        rest.windows(2)
+            .fold([0.0; 3], |sum, pair| add(sum, cross(sub(at(pair[0]), at(*first)), sub(at(pair[1]), at(*first)))))
     }
 
     /// Numbers of the visible faces at a vertex.
@@ -264,16 +262,4 @@ fn mean(skin: &[u32], positions: &[Point]) -> Point {
 pub(super) fn flatness(joints: &[Point], plane: [usize; 3]) -> f64 {
     let [a, b, c] = plane.map(|joint| joints.get(joint).copied().unwrap_or([f32::NAN; 3]));
     plane_sine(a, b, c)
-}
-
-pub(super) fn sub(a: Point, b: Point) -> Point {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-fn cross(a: Point, b: Point) -> Point {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-pub(super) fn dot(a: Point, b: Point) -> f32 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
