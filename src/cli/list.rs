@@ -2,31 +2,13 @@
 
 use std::io::Write;
 
-use serde::Serialize;
+use serde_json::{Value, json};
 
 use super::args::ListFormat;
 use super::exit::{Exit, Failure};
-use crate::diag::{Application, FixKind, Level, OptionInfo, RuleInfo};
+use crate::diag::{FixKind, RuleInfo};
 use crate::engine::rule_infos;
 use crate::report::Paint;
-
-#[derive(Serialize)]
-struct Item {
-    id: &'static str,
-    family: &'static str,
-    level: Level,
-    summary: &'static str,
-    fix: &'static str,
-    unmutable: bool,
-    breaks: Vec<BreakItem>,
-    options: &'static [OptionInfo],
-}
-
-#[derive(Serialize)]
-struct BreakItem {
-    application: Application,
-    effect: &'static str,
-}
 
 pub(super) fn run(format: ListFormat, paint: Paint, out: &mut dyn Write) -> Result<Exit, Failure> {
     let rules = rule_infos();
@@ -34,7 +16,7 @@ pub(super) fn run(format: ListFormat, paint: Paint, out: &mut dyn Write) -> Resu
         ListFormat::Table => write_table(&rules, paint, out)?,
         ListFormat::Markdown => write_markdown(&rules, out)?,
         ListFormat::Json => {
-            let items: Vec<Item> = rules.iter().map(|rule| item(rule)).collect();
+            let items: Vec<Value> = rules.iter().map(|rule| item(rule)).collect();
             serde_json::to_writer_pretty(&mut *out, &items).map_err(std::io::Error::from)?;
             writeln!(out)?;
         }
@@ -75,16 +57,17 @@ fn write_markdown(rules: &[&RuleInfo], out: &mut dyn Write) -> Result<(), Failur
     Ok(())
 }
 
-fn item(rule: &RuleInfo) -> Item {
-    let breaks = rule.breaks.iter().map(|(application, effect)| BreakItem { application: *application, effect });
-    Item {
-        id: rule.id,
-        family: rule.family(),
-        level: rule.level,
-        summary: rule.summary,
-        fix: rule.fix.word(),
-        unmutable: rule.cannot_be_ignored,
-        breaks: breaks.collect(),
-        options: rule.options,
-    }
+fn item(rule: &RuleInfo) -> Value {
+    let breaks =
+        rule.breaks.iter().map(|(application, effect)| json!({ "application": application, "effect": effect }));
+    json!({
+        "id": rule.id,
+        "family": rule.family(),
+        "level": rule.level,
+        "summary": rule.summary,
+        "fix": rule.fix.word(),
+        "unmutable": rule.cannot_be_ignored,
+        "breaks": breaks.collect::<Vec<_>>(),
+        "options": rule.options,
+    })
 }

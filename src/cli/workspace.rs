@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use crate::diag::Outcome;
 use crate::report::Format;
-use crate::source::slashed;
+use crate::source::{normalized, slashed};
 
 /// How paths that are relative to the working directory become relative to the top of the repository.
 struct Workspace {
@@ -56,7 +56,8 @@ impl Workspace {
 
     /// The path from the top; as it is where it leads elsewhere.
     fn path(&self, path: &str) -> String {
-        let below = if Path::new(path).is_absolute() { self.cut(path) } else { self.join(path) };
+        let join = |here: &String| normalized(&format!("{here}/{path}"));
+        let below = if Path::new(path).is_absolute() { self.cut(path) } else { self.here.as_ref().and_then(join) };
         below.unwrap_or_else(|| path.to_owned())
     }
 
@@ -66,17 +67,6 @@ impl Workspace {
             if rest.is_empty() { Some(rest) } else { rest.strip_prefix('/') }
         };
         self.tops.iter().find_map(below).map(str::to_owned)
-    }
-
-    fn join(&self, path: &str) -> Option<String> {
-        let mut parts: Vec<&str> = self.here.as_ref()?.split('/').filter(|part| !part.is_empty()).collect();
-        for part in path.split('/').filter(|part| !part.is_empty()) {
-            match part {
-                ".." => drop(parts.pop()?),
-                part => parts.push(part),
-            }
-        }
-        Some(parts.join("/"))
     }
 }
 

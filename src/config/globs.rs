@@ -1,7 +1,7 @@
 //! Many globs of paths, asked at once which of them fit.
 //!
 //! Plain paths are looked up, however many there are. Those with wildcards are tried in small sets, ten times faster than
-//! one after the other; how many there may be is limited where the settings are read (`room.rs`). One automaton for all
+//! one after the other; how many there may be is limited where the settings are read (`read.rs`). One automaton for all
 //! of them would be faster for sound settings, and takes much memory and time for others.
 
 use std::collections::HashMap;

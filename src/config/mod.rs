@@ -10,7 +10,6 @@ mod glob;
 mod globs;
 mod keys;
 mod read;
-mod room;
 mod schema;
 mod template;
 mod value;
@@ -19,7 +18,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use crate::diag::{Application, Level, RuleInfo};
+use crate::diag::{Application, Level, RuleInfo, UnknownRule};
 use crate::source::{Folder, Limits, Lines};
 
 pub use date::Date;
@@ -128,7 +127,7 @@ pub struct ConfigFile {
     /// `[[ignore]]`.
     pub ignores: Vec<Ignore>,
     /// Settings for rules that do not exist.
-    pub unknown: Vec<Unknown>,
+    pub unknown: Vec<UnknownRule>,
     /// Where each key stands whose value is in force, by its full name (`eval.samples`).
     pub places: BTreeMap<String, Range<usize>>,
 }
@@ -161,19 +160,6 @@ pub struct Ignore {
     pub span: Range<usize>,
     /// Where `until` stands.
     pub until_span: Range<usize>,
-}
-
-/// A setting for a rule that does not exist.
-#[derive(Debug, Clone)]
-pub struct Unknown {
-    /// The setting: `skip`, `level`.
-    pub setting: String,
-    /// The name or glob.
-    pub rule: String,
-    /// Where.
-    pub span: Range<usize>,
-    /// A rule that may be meant.
-    pub nearest: Option<&'static str>,
 }
 
 impl Default for Config {

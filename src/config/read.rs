@@ -7,11 +7,15 @@ use toml::de::{DeTable, DeValue};
 
 use super::fault::{Error, Fault};
 use super::keys::{FILE, Key, Shape};
-use super::room::Room;
 use super::value::{self, Value, Wrong};
-use super::{Config, ConfigFile, Date, Globs, Ignore, MOST_SAMPLES, PathBlock, PathGlob, Selector, Unknown};
-use crate::diag::{Application, Level, RuleInfo, Suggestions, nearest};
+use super::{Config, ConfigFile, Date, Globs, Ignore, MOST_SAMPLES, PathBlock, PathGlob, Selector};
+use crate::diag::{Application, Level, Place, RuleInfo, Suggestions, UnknownRule, nearest};
 use crate::source::{Folder, Lines};
+
+/// Most characters that all globs with wildcards of a file have together: some hundreds of them. They take a hundred times
+/// the memory of their text, and each of them is tried on each path. Plain paths and names of rules are looked up and do
+/// not count.
+const MOST_COMPILED: usize = 5_000;
 
 /// Reads a text. `inside` is its folder as printed, `folder` the same to compare paths with.
 pub(super) fn read(
@@ -23,8 +27,8 @@ pub(super) fn read(
 ) -> Result<Config, Error> {
     let file = ConfigFile { path: path.to_owned(), text: text.to_owned(), folder, ..ConfigFile::default() };
     let config = Config::default();
-    let (room, suggestions) = (Room::default(), Suggestions::default());
-    let mut reader = Reader { inside, rules, config, file, faults: Vec::new(), room, suggestions };
+    let suggestions = Suggestions::default();
+    let mut reader = Reader { inside, rules, config, file, faults: Vec::new(), compiled: 0, suggestions };
     match DeTable::parse(text) {
         Ok(table) => reader.file(table.get_ref()),
         Err(error) => {
@@ -49,7 +53,8 @@ struct Reader<'r> {
     config: Config,
     file: ConfigFile,
     faults: Vec<Wrong>,
-    room: Room,
+    /// Characters of the globs with wildcards so far.
+    compiled: usize,
     suggestions: Suggestions,
 }
 
@@ -133,20 +138,23 @@ impl Reader<'_> {
         self.take(glob.map_err(|reason| (span, no_glob(text, &reason), help.to_owned())))
     }
 
-    /// Compiles a glob, as long as there is room.
+    /// Compiles a glob, unless there are too many before it.
     fn compile<G>(
         &mut self,
         text: &str,
         span: &Range<usize>,
         new: fn(&str, Range<usize>) -> Result<G, String>,
-        compiled: fn(&G) -> usize,
+        size: fn(&G) -> usize,
     ) -> Option<Result<G, String>> {
-        if self.room.is_full() {
+        if self.compiled > MOST_COMPILED {
             return None;
         }
         let glob = new(text, span.clone());
-        if let Some((message, help)) = self.room.take(glob.as_ref().map_or(0, compiled)) {
-            self.fault((span.clone(), message, help));
+        self.compiled = self.compiled.saturating_add(glob.as_ref().map_or(0, size));
+        if self.compiled > MOST_COMPILED {
+            let message = format!("the globs up to this one have more than {MOST_COMPILED} characters in total");
+            let help = "use names without wildcards, which do not count, or a baseline for known findings";
+            self.fault((span.clone(), message, help.to_owned()));
         }
         Some(glob)
     }
@@ -175,7 +183,14 @@ impl Reader<'_> {
 
     fn unknown(&mut self, setting: &str, rule: &str, span: Range<usize>) {
         let nearest = self.suggestions.nearest(rule, self.rules.iter().map(|rule| rule.id));
-        self.file.unknown.push(Unknown { setting: setting.to_owned(), rule: rule.to_owned(), span, nearest });
+        let (path, place) = (self.file.path.clone(), Place::Span(span));
+        self.file.unknown.push(UnknownRule {
+            path,
+            place,
+            setting: setting.to_owned(),
+            rule: rule.to_owned(),
+            nearest,
+        });
     }
 
     fn applications(&mut self, name: &str, value: &Value<'_>) -> Vec<Application> {

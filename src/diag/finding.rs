@@ -83,13 +83,15 @@ pub struct Break {
 }
 
 /// Another place that belongs to a finding.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Related {
     /// File, as in [`Finding::path`].
     pub path: String,
     /// Symbolic place.
+    #[serde(skip)]
     pub place: Place,
     /// Place after the source was consulted; filled by the engine.
+    #[serde(rename = "place")]
     pub location: Location,
     /// What is there.
     pub message: String,

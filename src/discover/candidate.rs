@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::{Kind, Layout};
 use crate::diag::Application;
-use crate::source::{Entry, EntryKind, Tree};
+use crate::source::{Entry, EntryKind, Tree, inside};
 
 /// What one application has a file for.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -51,8 +51,7 @@ pub(crate) fn uses_of(rel: &str, layouts: &[&Layout]) -> Vec<Use> {
 
 /// Everything in `tree` below `root`, the data root of the applications that `layouts` are of.
 pub(crate) fn candidates<'t>(tree: &'t Tree, root: &str, layouts: &[&Layout]) -> Vec<Candidate<'t>> {
-    let below = |path: &'t str| if root.is_empty() { Some(path) } else { path.strip_prefix(root)?.strip_prefix('/') };
-    let entries = tree.entries().iter().filter_map(|entry| Some((entry, below(&entry.path)?)));
+    let entries = tree.entries().iter().filter_map(|entry| Some((entry, inside(&entry.path, root)?)));
     entries.map(|(entry, rel)| Candidate::new(entry, rel, layouts)).collect()
 }
 

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use super::Layout;
 use super::layout::Sign;
 use crate::diag::Application;
+use crate::source::is_below;
 
 /// A folder that an application would call its data folder.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
@@ -38,10 +39,7 @@ pub(crate) fn find_roots<'a>(files: impl IntoIterator<Item = &'a str>) -> Vec<Da
 }
 
 fn nested(a: &str, b: &str) -> bool {
-    let inside = |outer: &str, inner: &str| {
-        outer.is_empty() || inner == outer || inner.strip_prefix(outer).is_some_and(|rest| rest.starts_with('/'))
-    };
-    inside(a, b) || inside(b, a)
+    is_below(a, b) || is_below(b, a)
 }
 
 #[cfg(test)]

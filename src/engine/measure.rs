@@ -103,7 +103,7 @@ fn are_same(now: &[&Arc<Content>], before: &[&Arc<Content>]) -> bool {
 fn take_over(data: [&Data<'_>; 2], now: &[Measured], before: &mut [Measured], base: &str) {
     let [data, data_before] = data;
     for (root, before) in data_before.roots.iter().zip(before) {
-        let same = data.roots.iter().zip(now).filter(|(other, _)| other.is_counterpart(root));
+        let same = data.roots.iter().zip(now).filter(|(other, _)| other.place.is_counterpart(&root.place));
         for (application, measures) in same.flat_map(|(_, now)| now) {
             let own = measures.get(base).map(|measures| (base.to_owned(), Arc::clone(measures)));
             before.entry(*application).or_default().extend(own);

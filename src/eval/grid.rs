@@ -2,6 +2,7 @@
 //!
 //! Built in linear time, asked in constant time.
 
+use super::lists::Lists;
 use super::steps::step;
 use super::vector::{Point, distance};
 
@@ -14,8 +15,8 @@ pub(super) struct Grid<'a> {
     positions: &'a [Point],
     tolerance: f64,
     cell: f64,
-    starts: Vec<u32>,
-    vertices: Vec<u32>,
+    buckets: usize,
+    vertices: Lists<u32>,
 }
 
 type Cell = [i64; 3];
@@ -24,25 +25,9 @@ impl<'a> Grid<'a> {
     pub(super) fn new(positions: &'a [Point], tolerance: f32) -> Self {
         let tolerance = f64::from(tolerance).max(f64::MIN_POSITIVE);
         let buckets = positions.len().next_power_of_two().max(2);
-        let mut grid = Self {
-            positions,
-            tolerance,
-            cell: tolerance * 2.0,
-            starts: vec![0; buckets + 1],
-            vertices: vec![0; positions.len()],
-        };
+        let mut grid = Self { positions, tolerance, cell: tolerance * 2.0, buckets, vertices: Lists::default() };
         let places: Vec<usize> = positions.iter().map(|p| grid.bucket(grid.cell_of(p.map(f64::from)))).collect();
-        for place in &places {
-            grid.starts[place + 1] += 1;
-        }
-        for i in 1..grid.starts.len() {
-            grid.starts[i] += grid.starts[i - 1];
-        }
-        let mut next = grid.starts.clone();
-        for (vertex, place) in (0..).zip(&places) {
-            grid.vertices[next[*place] as usize] = vertex;
-            next[*place] += 1;
-        }
+        grid.vertices = Lists::new(buckets, places.iter().copied().zip(0..));
         grid
     }
 
@@ -72,8 +57,7 @@ impl<'a> Grid<'a> {
 
     /// The vertices of the bucket that a cell is in.
     fn in_bucket(&self, cell: Cell) -> &[u32] {
-        let bucket = self.bucket(cell);
-        &self.vertices[self.starts[bucket] as usize..self.starts[bucket + 1] as usize]
+        self.vertices.of(self.bucket(cell))
     }
 
     /// Adds what one cell holds of a bucket.
@@ -102,7 +86,7 @@ impl<'a> Grid<'a> {
     fn bucket(&self, cell: Cell) -> usize {
         let mixed =
             cell.iter().fold(0_u64, |hash, c| (hash.rotate_left(21) ^ (*c as u64)).wrapping_mul(0x9E37_79B9_7F4A_7C15));
-        (mixed >> 32) as usize & (self.starts.len() - 2)
+        (mixed >> 32) as usize & (self.buckets - 1)
     }
 }
 

@@ -4,17 +4,15 @@
 //! (formats/makehuman2.md §10.2).
 
 use super::error::EvalError;
-use super::weights::BoneWeights;
+use super::lists::Lists;
+use super::weights::{BoneWeights, Entry};
 
 /// A bone (the caller's number) and its weight.
 pub type Influence = (usize, f32);
 
 /// Weights per vertex.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Influences {
-    starts: Vec<usize>,
-    entries: Vec<Influence>,
-}
+pub struct Influences(Lists<Influence>);
 
 impl Influences {
     /// Turns weights per bone around. Bones stay in their order; duplicates of a vertex within a bone stay apart, one
@@ -23,43 +21,30 @@ impl Influences {
     /// # Errors
     /// A vertex at or beyond `vertex_count`.
     pub fn new(bones: &[BoneWeights], vertex_count: usize) -> Result<Self, EvalError> {
-        let mut starts = vec![0; vertex_count + 1];
-        for (vertex, _) in bones.iter().flat_map(|b| &b.entries) {
-            *starts.get_mut(*vertex as usize + 1).ok_or_else(|| EvalError::vertex(*vertex, vertex_count))? += 1;
+        let entry = |bone: usize| move |(vertex, weight): &Entry| (*vertex as usize, (bone, *weight));
+        let pairs = bones.iter().flat_map(|list| list.entries.iter().map(entry(list.bone)));
+        let mut vertices = bones.iter().flat_map(|list| &list.entries).map(|(vertex, _)| *vertex);
+        if let Some(outside) = vertices.find(|vertex| *vertex as usize >= vertex_count) {
+            return Err(EvalError::vertex(outside, vertex_count));
         }
-        for i in 1..starts.len() {
-            starts[i] += starts[i - 1];
-        }
-        let mut next = starts.clone();
-        let mut entries = vec![(0, 0.0); starts[vertex_count]];
-        for bone in bones {
-            for (vertex, weight) in &bone.entries {
-                let place = &mut next[*vertex as usize];
-                entries[*place] = (bone.bone, *weight);
-                *place += 1;
-            }
-        }
-        Ok(Self { starts, entries })
+        Ok(Self(Lists::new(vertex_count, pairs)))
     }
 
     /// The bones of a vertex; empty outside the mesh.
     pub fn of(&self, vertex: u32) -> &[Influence] {
-        let vertex = vertex as usize;
-        let range = self.starts.get(vertex).zip(self.starts.get(vertex + 1));
-        range.and_then(|(start, end)| self.entries.get(*start..*end)).unwrap_or_default()
+        self.0.of(vertex as usize)
     }
 
     /// All vertices in order.
     pub fn iter(&self) -> impl Iterator<Item = &[Influence]> {
-        self.starts.windows(2).map(|w| self.entries.get(w[0]..w[1]).unwrap_or_default())
+        self.0.iter()
     }
 
     /// Keeps the `limit` largest weights of every vertex, largest first (equal ones in bone order), scaled to sum 1.
     ///
     /// Duplicates within a bone are added up first. Vertices whose kept weights sum to 0 are not scaled.
     pub fn reduce(&self, limit: usize) -> Reduction {
-        let mut result =
-            Reduction { influences: Self { starts: vec![0], entries: Vec::new() }, ..Reduction::default() };
+        let mut result = Reduction { influences: Self(Lists::new(0, std::iter::empty())), ..Reduction::default() };
         for (vertex, influences) in (0..).zip(self.iter()) {
             let mut merged = merged(influences);
             merged.sort_by(|a, b| b.1.total_cmp(&a.1));
@@ -75,8 +60,7 @@ impl Influences {
             }
             let kept = sum(&merged);
             let factor = if kept == 0.0 { 1.0 } else { 1.0 / kept };
-            result.influences.entries.extend(merged.iter().map(|(bone, weight)| (*bone, weight * factor)));
-            result.influences.starts.push(result.influences.entries.len());
+            result.influences.0.push(merged.iter().map(|(bone, weight)| (*bone, weight * factor)));
         }
         result
     }

@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 
 use super::skeleton::PARALLEL_SINE;
 use super::survey::{DRIFT_STANDS, EXPLOSION_DIAGONALS, FLIPPED_SHARE, Fault, SHORTEST_BONE, Survey, Worst};
-use super::surveyor::{FaceAtRest, Surveyor, dot, flatness, stand};
-use super::vector::{Point, distance};
+use super::surveyor::{FaceAtRest, Surveyor, flatness, stand};
+use super::vector::{Point, distance, dot};
 use super::walk::{Stop, Walk};
 
 /// A step that moves more than this part of the vertices is looked at as a whole.

@@ -12,13 +12,13 @@
 //!
 //! ```
 //! use mhlint::eval::makehuman2::joints::joint_position;
-//! use mhlint::eval::morph::morphed;
+//! use mhlint::eval::morph::apply;
 //!
-//! let mesh = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0]];
+//! let mut mesh = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0]];
 //! let target = [(1, [0.0, 1.0, 0.0])];
-//! let moved = morphed(&mesh, [(target.into_iter(), 0.5)])?;
-//! assert_eq!(moved, [[0.0, 0.0, 0.0], [2.0, 0.5, 0.0]]);
-//! assert_eq!(joint_position(&moved, &[0, 1])?, [1.0, 0.25, 0.0]);
+//! apply(&mut mesh, target.into_iter(), 0.5)?;
+//! assert_eq!(mesh, [[0.0, 0.0, 0.0], [2.0, 0.5, 0.0]]);
+//! assert_eq!(joint_position(&mesh, &[0, 1])?, [1.0, 0.25, 0.0]);
 //! # Ok::<(), mhlint::eval::error::EvalError>(())
 //! ```
 
@@ -37,6 +37,7 @@ pub mod error;
 pub mod fit;
 mod grid;
 pub mod influences;
+mod lists;
 pub mod look;
 pub mod macros;
 pub mod makehuman2;

@@ -39,15 +39,15 @@ where
         return Err(EvalError::vertex(vertex, count));
     }
     let factor = round_to_f32(factor);
-    let moved = |p: Point, d: Point| [p[0] + factor * d[0], p[1] + factor * d[1], p[2] + factor * d[2]];
     if rows.clone().is_sorted_by(|a, b| a.0 < b.0) {
         for (vertex, delta) in rows {
             let place = &mut positions[vertex as usize];
-            *place = moved(*place, delta);
+            *place = moved(*place, factor, delta);
         }
     } else {
         // All sums are taken from the mesh as it was, then stored in order: so the last row of a vertex wins.
-        let sums: Vec<Point> = rows.clone().map(|(vertex, delta)| moved(positions[vertex as usize], delta)).collect();
+        let sums: Vec<Point> =
+            rows.clone().map(|(vertex, delta)| moved(positions[vertex as usize], factor, delta)).collect();
         for ((vertex, _), sum) in rows.zip(sums) {
             positions[vertex as usize] = sum;
         }
@@ -55,19 +55,9 @@ where
     Ok(())
 }
 
-/// The mesh `base` with all targets (rows as for `apply`, and factor) applied in order.
-///
-/// # Errors
-/// A vertex outside the mesh.
-pub fn morphed<R>(base: &[Point], targets: impl IntoIterator<Item = (R, f64)>) -> Result<Vec<Point>, EvalError>
-where
-    R: Iterator<Item = (u32, Point)> + Clone,
-{
-    let mut positions = base.to_vec();
-    for (rows, factor) in targets {
-        apply(&mut positions, rows, factor)?;
-    }
-    Ok(positions)
+/// As the application adds: in float32.
+pub(super) fn moved(place: Point, factor: f32, delta: Point) -> Point {
+    [place[0] + factor * delta[0], place[1] + factor * delta[1], place[2] + factor * delta[2]]
 }
 
 #[cfg(test)]
@@ -80,6 +70,18 @@ mod tests {
 
     fn rows(rows: &[(u32, Point)]) -> Rows<'_> {
         rows.iter().copied()
+    }
+
+    /// The mesh `base` with all targets (rows as for `apply`, and factor) applied in order.
+    fn morphed<'r>(
+        base: &[Point],
+        targets: impl IntoIterator<Item = (Rows<'r>, f64)>,
+    ) -> Result<Vec<Point>, EvalError> {
+        let mut positions = base.to_vec();
+        for (rows, factor) in targets {
+            apply(&mut positions, rows, factor)?;
+        }
+        Ok(positions)
     }
 
     #[test]

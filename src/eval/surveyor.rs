@@ -1,12 +1,13 @@
 //! A scene made ready to be looked at in many settings: what the default character is like, and which faces, joints
 //! and bones depend on which vertices.
 
+use super::lists::Lists;
 use super::macros::MacroWork;
 use super::mesh::bounding_box;
 use super::scene::{Scene, Setting};
 use super::skeleton::{PARALLEL_SINE, plane_sine};
 use super::survey::{COLLAPSE_RATIO, EXPLOSION_DIAGONALS, SHORTEST_BONE};
-use super::vector::{Point, distance};
+use super::vector::{Point, add, cross, distance, dot, sub};
 use super::walk::{Addable, Stop, Walk};
 
 /// Skin vertices around a joint that it is compared with.
@@ -27,7 +28,8 @@ pub struct Surveyor<'s> {
     pub(super) faces: Vec<FaceAtRest>,
     /// Twice their area.
     pub(super) area: f64,
-    faces_of: FacesOf,
+    /// Numbers of the faces at each vertex.
+    faces_of: Lists<u32>,
     visible: Vec<u32>,
     pub(super) low: Point,
     pub(super) high: Point,
@@ -67,13 +69,6 @@ pub(super) struct Anchor {
     pub(super) stand: f64,
 }
 
-/// Numbers of the faces at each vertex, one list after the other.
-#[derive(Debug, Default)]
-struct FacesOf {
-    starts: Vec<u32>,
-    faces: Vec<u32>,
-}
-
 impl<'s> Surveyor<'s> {
     /// Makes a scene ready. The default character is what everything is compared with; `None` if it cannot be made
     /// or is not finite, which is reported by other means.
@@ -91,7 +86,7 @@ impl<'s> Surveyor<'s> {
             defaults,
             faces: Vec::new(),
             area: 0.0,
-            faces_of: FacesOf::default(),
+            faces_of: Lists::default(),
             visible: Vec::new(),
             low: [0.0; 3],
             high: [0.0; 3],
@@ -137,7 +132,10 @@ impl<'s> Surveyor<'s> {
             }
             self.face(face, rest);
         }
-        self.faces_of = FacesOf::new(rest.len(), self.faces.iter().map(|face| self.scene.face(face.face as usize)));
+        let corners = (0..).zip(&self.faces).flat_map(|(number, face)| {
+            self.scene.face(face.face as usize).iter().map(move |vertex| (*vertex as usize, number))
+        });
+        self.faces_of = Lists::new(rest.len(), corners);
         self.visible = (0..).zip(&used).filter(|(_, used)| **used).map(|(vertex, _)| vertex).collect();
         let skin: Vec<Point> = self.visible.iter().filter_map(|vertex| rest.get(*vertex as usize)).copied().collect();
         (self.low, self.high) = bounding_box(&skin).or_else(|| bounding_box(rest))?;
@@ -176,15 +174,13 @@ impl<'s> Surveyor<'s> {
             return cross(sub(at(b), at(a)), sub(at(d), at(c)));
         }
         let [first, rest @ ..] = self.scene.face(face.face as usize) else { return [0.0; 3] };
-        rest.windows(2).fold([0.0; 3], |sum, pair| {
-            let part = cross(sub(at(pair[0]), at(*first)), sub(at(pair[1]), at(*first)));
-            [sum[0] + part[0], sum[1] + part[1], sum[2] + part[2]]
-        })
+        rest.windows(2)
+            .fold([0.0; 3], |sum, pair| add(sum, cross(sub(at(pair[0]), at(*first)), sub(at(pair[1]), at(*first)))))
     }
 
     /// Numbers of the visible faces at a vertex.
     pub(super) fn faces_of(&self, vertex: u32) -> &[u32] {
-        self.faces_of.get(vertex as usize)
+        self.faces_of.of(vertex as usize)
     }
 
     /// Whether a vertex is neither exploded nor infinite; in doubt it is not.
@@ -239,35 +235,6 @@ impl<'s> Surveyor<'s> {
     }
 }
 
-impl FacesOf {
-    fn new<'f>(vertices: usize, faces: impl Iterator<Item = &'f [u32]> + Clone) -> Self {
-        let mut starts = vec![0_u32; vertices + 1];
-        for vertex in faces.clone().flatten() {
-            if let Some(count) = starts.get_mut(*vertex as usize + 1) {
-                *count += 1;
-            }
-        }
-        for vertex in 0..vertices {
-            starts[vertex + 1] += starts[vertex];
-        }
-        let mut free = starts.clone();
-        let mut lists = vec![0; starts.last().copied().unwrap_or(0) as usize];
-        for (number, face) in (0..).zip(faces) {
-            for vertex in face.iter().filter(|vertex| (**vertex as usize) < vertices) {
-                let place = &mut free[*vertex as usize];
-                lists[*place as usize] = number;
-                *place += 1;
-            }
-        }
-        Self { starts, faces: lists }
-    }
-
-    fn get(&self, vertex: usize) -> &[u32] {
-        let ends = self.starts.get(vertex).zip(self.starts.get(vertex + 1));
-        ends.and_then(|(start, end)| self.faces.get(*start as usize..*end as usize)).unwrap_or_default()
-    }
-}
-
 /// Distance of a joint from the mean of the skin around it.
 pub(super) fn stand(joint: Point, skin: &[u32], positions: &[Point]) -> f64 {
     distance(joint, mean(skin, positions))
@@ -295,16 +262,4 @@ fn mean(skin: &[u32], positions: &[Point]) -> Point {
 pub(super) fn flatness(joints: &[Point], plane: [usize; 3]) -> f64 {
     let [a, b, c] = plane.map(|joint| joints.get(joint).copied().unwrap_or([f32::NAN; 3]));
     plane_sine(a, b, c)
-}
-
-pub(super) fn sub(a: Point, b: Point) -> Point {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-fn cross(a: Point, b: Point) -> Point {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-pub(super) fn dot(a: Point, b: Point) -> f32 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }

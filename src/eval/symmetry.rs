@@ -93,11 +93,6 @@ impl MirrorMap {
         }
     }
 
-    /// All vertices in order.
-    pub fn partners(&self) -> &[Mirror] {
-        &self.partners
-    }
-
     /// Number of vertices without partner: (unmatched, ambiguous).
     pub fn unresolved(&self) -> (usize, usize) {
         let count = |kind| self.partners.iter().filter(|p| **p == kind).count();
@@ -326,7 +321,7 @@ mod tests {
     const NO_FACES: [&[u32]; 0] = [];
 
     fn partners<'a>(positions: &[Point], faces: impl IntoIterator<Item = &'a [u32]> + Clone) -> Vec<Mirror> {
-        MirrorMap::new(positions, faces, 1e-3).partners().to_vec()
+        MirrorMap::new(positions, faces, 1e-3).partners
     }
 
     #[test]

@@ -1,8 +1,7 @@
 //! Shape of single targets: symmetry, which parts of the mesh they move, joint cubes that they tear.
 
-use super::surveyor::sub;
 use super::symmetry::{MirrorComparison, MirrorDifference};
-use super::vector::{Point, length, widen};
+use super::vector::{Point, length, sub, widen};
 
 /// A row of a target.
 type Row = (u32, Point);

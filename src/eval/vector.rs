@@ -1,7 +1,9 @@
 //! Three-vectors and the few matrix operations that skeletons need.
 //!
-//! Storage is `f32`, arithmetic is `f64`. Nothing here guards against zero lengths or singular matrices: the result
-//! is NaN or infinite, as in the applications.
+//! Storage is `f32`, arithmetic is `f64` but in the innermost loops. Nothing here guards against zero lengths or
+//! singular matrices: the result is NaN or infinite, as in the applications.
+
+use std::ops::{Add, Mul, Sub};
 
 /// A position or displacement as stored, in mesh units.
 pub type Point = [f32; 3];
@@ -32,12 +34,12 @@ pub fn narrow(v: Vec3) -> Point {
 }
 
 /// `a + b`.
-pub fn add(a: Vec3, b: Vec3) -> Vec3 {
+pub fn add<T: Copy + Add<Output = T>>(a: [T; 3], b: [T; 3]) -> [T; 3] {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 }
 
 /// `a - b`.
-pub fn sub(a: Vec3, b: Vec3) -> Vec3 {
+pub fn sub<T: Copy + Sub<Output = T>>(a: [T; 3], b: [T; 3]) -> [T; 3] {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
@@ -47,12 +49,12 @@ pub fn scale(v: Vec3, factor: f64) -> Vec3 {
 }
 
 /// Dot product.
-pub fn dot(a: Vec3, b: Vec3) -> f64 {
+pub fn dot<T: Copy + Add<Output = T> + Mul<Output = T>>(a: [T; 3], b: [T; 3]) -> T {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 /// Cross product `a x b`.
-pub fn cross(a: Vec3, b: Vec3) -> Vec3 {
+pub fn cross<T: Copy + Sub<Output = T> + Mul<Output = T>>(a: [T; 3], b: [T; 3]) -> [T; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 

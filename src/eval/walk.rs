@@ -7,6 +7,7 @@
 use std::borrow::Cow;
 
 use super::macros::MacroWork;
+use super::morph::moved;
 use super::scene::{Scene, Setting};
 use super::vector::{Point, round_to_f32};
 
@@ -199,11 +200,6 @@ impl<'s> Walk<'s> {
     pub(super) fn moved_count(&self) -> usize {
         self.changed.iter().map(|target| self.targets.rows(*target).len()).sum()
     }
-}
-
-/// As the application adds: in float32.
-fn moved(place: Point, factor: f32, delta: Point) -> Point {
-    [place[0] + factor * delta[0], place[1] + factor * delta[1], place[2] + factor * delta[2]]
 }
 
 #[cfg(test)]

@@ -1,7 +1,6 @@
 //! Differences as `git diff` writes them, so that `git apply` and `patch -p1` read them.
 
-use std::ops::Range;
-
+use similar::udiff::UnifiedHunkHeader;
 use similar::{Algorithm, DiffOp, capture_diff_slices, group_diff_ops};
 
 /// Lines around a change that are shown with it.
@@ -45,10 +44,10 @@ fn removal_of_empty(path: &str) -> String {
 }
 
 fn write_hunk(out: &mut Vec<u8>, hunk: &[DiffOp], old: &[&[u8]], new: &[&[u8]]) {
-    let (Some(first), Some(last)) = (hunk.first(), hunk.last()) else { return };
-    let from = range(first.old_range().start..last.old_range().end);
-    let to = range(first.new_range().start..last.new_range().end);
-    out.extend_from_slice(format!("@@ -{from} +{to} @@\n").as_bytes());
+    if hunk.is_empty() {
+        return;
+    }
+    out.extend_from_slice(format!("{}\n", UnifiedHunkHeader::new(hunk)).as_bytes());
     for part in hunk {
         if let DiffOp::Equal { .. } = part {
             write_lines(out, b' ', old.get(part.old_range()));
@@ -56,15 +55,6 @@ fn write_hunk(out: &mut Vec<u8>, hunk: &[DiffOp], old: &[&[u8]], new: &[&[u8]]) 
             write_lines(out, b'-', old.get(part.old_range()));
             write_lines(out, b'+', new.get(part.new_range()));
         }
-    }
-}
-
-/// First line and number of lines; of no lines the one before them.
-fn range(lines: Range<usize>) -> String {
-    match lines.len() {
-        0 => format!("{},0", lines.start),
-        1 => lines.end.to_string(),
-        length => format!("{},{length}", lines.start + 1),
     }
 }
 

@@ -78,10 +78,8 @@ fn read_file(reader: &mut Reader<'_>, weights: &mut Weights) -> Step<()> {
         return reader.finish();
     }
     reader.open()?;
-    let mut first = true;
     let mut keys = BTreeSet::new();
-    while reader.more(first, b'}')? {
-        first = false;
+    while reader.more(b'}')? {
         let (key, _) = reader.key()?;
         weights.facts.has_duplicate_keys |= !keys.insert(key.clone());
         if key == "weights" {
@@ -103,9 +101,7 @@ fn read_file(reader: &mut Reader<'_>, weights: &mut Weights) -> Step<()> {
 
 fn read_bones(reader: &mut Reader<'_>, weights: &mut Weights) -> Step<()> {
     reader.open()?;
-    let mut first = true;
-    while reader.more(first, b'}')? {
-        first = false;
+    while reader.more(b'}')? {
         let (name, _) = reader.key()?;
         let mut bone = BoneWeights { name: name.into_owned(), ..BoneWeights::default() };
         if reader.peek() == Some(b'[') {
@@ -122,7 +118,7 @@ fn read_bones(reader: &mut Reader<'_>, weights: &mut Weights) -> Step<()> {
 
 fn read_pairs(reader: &mut Reader<'_>, bone: &mut BoneWeights, malformed: &mut Few<String>) -> Step<()> {
     reader.open()?;
-    while reader.more(bone.listed == 0, b']')? {
+    while reader.more(b']')? {
         let position = u32::try_from(bone.listed).unwrap_or(u32::MAX);
         bone.listed += 1;
         let start = reader.offset();
@@ -154,7 +150,7 @@ fn read_pair(reader: &mut Reader<'_>) -> Step<Option<(i64, f32)>> {
     reader.open()?;
     let mut numbers = [None; 2];
     let mut length = 0;
-    while reader.more(length == 0, b']')? {
+    while reader.more(b']')? {
         let number = if matches!(reader.peek(), Some(b'-' | b'0'..=b'9' | b'N' | b'I')) {
             reader.number()?
         } else if length == 1 && reader.literal("true") {
@@ -185,9 +181,7 @@ fn skip(reader: &mut Reader<'_>) -> Step<()> {
     match reader.peek() {
         Some(b'{') => {
             reader.open()?;
-            let mut first = true;
-            while reader.more(first, b'}')? {
-                first = false;
+            while reader.more(b'}')? {
                 reader.key()?;
                 skip(reader)?;
             }
@@ -195,9 +189,7 @@ fn skip(reader: &mut Reader<'_>) -> Step<()> {
         }
         Some(b'[') => {
             reader.open()?;
-            let mut first = true;
-            while reader.more(first, b']')? {
-                first = false;
+            while reader.more(b']')? {
                 skip(reader)?;
             }
             Ok(())

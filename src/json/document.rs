@@ -250,7 +250,7 @@ impl Builder<'_> {
     fn array(&mut self) -> Result<Value, SyntaxFault> {
         self.reader.open()?;
         let mut elements = Vec::new();
-        while self.reader.more(elements.is_empty(), b']')? {
+        while self.reader.more(b']')? {
             let length = self.descend(&elements.len().to_string());
             elements.push(self.value()?);
             self.pointer.truncate(length);
@@ -261,7 +261,7 @@ impl Builder<'_> {
     fn object(&mut self) -> Result<Value, SyntaxFault> {
         self.reader.open()?;
         let mut members: Vec<Member> = Vec::new();
-        while self.reader.more(members.is_empty(), b'}')? {
+        while self.reader.more(b'}')? {
             let (key, key_span) = self.reader.key()?;
             let length = self.descend(&key);
             let node = self.value()?;

@@ -15,9 +15,11 @@ mod schema_fault;
 mod syntax_text;
 mod unknown_key;
 
+pub(crate) use jsonschema::JsonType as Shape;
+
 pub(crate) use document::{Document, Duplicate, Member, Node, Value, parse};
 pub(crate) use edit::{removals, remove_elements, set_value};
 pub(crate) use finder::Finder;
 pub(crate) use reader::{Reader, SyntaxFault, SyntaxKind};
 pub(crate) use schema::{SchemaFaults, UnknownKey, check, schema_names, schema_text};
-pub(crate) use schema_fault::{Bound, Found, Misfit, SchemaFault, Shape};
+pub(crate) use schema_fault::{Bound, Found, Misfit, SchemaFault};

@@ -57,6 +57,8 @@ pub(crate) struct Reader<'a> {
     text: &'a [u8],
     at: usize,
     depth: u32,
+    /// Whether an array or object was entered and nothing in it asked for yet.
+    is_fresh: bool,
     /// Spans of `NaN`, `Infinity` and `-Infinity`, which Python accepts and JSON does not.
     pub specials: Vec<Range<usize>>,
 }
@@ -66,7 +68,7 @@ type Step<T> = Result<T, SyntaxFault>;
 impl<'a> Reader<'a> {
     /// Starts at the beginning of `text`.
     pub(crate) fn new(text: &'a [u8]) -> Self {
-        Self { text, at: 0, depth: 0, specials: Vec::new() }
+        Self { text, at: 0, depth: 0, is_fresh: false, specials: Vec::new() }
     }
 
     /// The next significant byte, not consumed.
@@ -97,6 +99,7 @@ impl<'a> Reader<'a> {
             return Err(self.fault(self.at..self.at + 1, SyntaxKind::TooDeep));
         }
         self.at += 1;
+        self.is_fresh = true;
         Ok(())
     }
 
@@ -105,7 +108,8 @@ impl<'a> Reader<'a> {
     ///
     /// # Errors
     /// Anything but a comma or the closing bracket; a comma before it.
-    pub(crate) fn more(&mut self, first: bool, close: u8) -> Step<bool> {
+    pub(crate) fn more(&mut self, close: u8) -> Step<bool> {
+        let first = std::mem::take(&mut self.is_fresh);
         match self.peek() {
             Some(byte) if byte == close => {
                 self.at += 1;

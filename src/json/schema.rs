@@ -220,7 +220,7 @@ mod tests {
         );
         assert_eq!(
             fault("modelling", r#"{"Age": {"rsym": 1}}"#).1,
-            wrong_type(number("1"), &[Shape::Text, Shape::Null])
+            wrong_type(number("1"), &[Shape::String, Shape::Null])
         );
         let root = check("macro", &parse(b"[1]").unwrap()).faults;
         assert!(matches!(root.as_slice(), [root] if root.is_wrong_root() && !root.lacks("", "x")));
@@ -264,7 +264,7 @@ mod tests {
         let form = Some("a number as a string".to_owned());
         assert_eq!(much.fault, Misfit::Pattern { found: Found::Text(Some("much".to_owned())), form });
         let (_, fault) = fault("base", r#"{"modifier-presets": {"a": []}}"#);
-        assert_eq!(fault, wrong_type(Found::List { is_empty: true }, &[Shape::Number, Shape::Text]));
+        assert_eq!(fault, wrong_type(Found::List { is_empty: true }, &[Shape::Number, Shape::String]));
     }
 
     #[test]

@@ -42,7 +42,7 @@ pub enum Misfit {
         /// What is there.
         found: Found,
         /// The types that would fit, the usual one first.
-        wanted: Vec<Shape>,
+        wanted: Vec<JsonType>,
     },
     /// A text of another form.
     Pattern {
@@ -103,25 +103,6 @@ pub enum Found {
     },
     /// An object.
     Object,
-}
-
-/// A type of JSON.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Shape {
-    /// `true` or `false`.
-    Bool,
-    /// A whole number.
-    Integer,
-    /// A number.
-    Number,
-    /// A text.
-    Text,
-    /// A list.
-    List,
-    /// An object.
-    Object,
-    /// `null`.
-    Null,
 }
 
 impl SchemaFault {
@@ -208,7 +189,7 @@ fn is_type(error: &ValidationError<'_>) -> bool {
 }
 
 /// If every branch refuses the type of the value itself, the types of all.
-fn alternatives(error: &ValidationError<'_>) -> Option<Vec<Shape>> {
+fn alternatives(error: &ValidationError<'_>) -> Option<Vec<JsonType>> {
     let types = branches(error).iter().map(|branch| match branch.as_slice() {
         [inner] if inner.instance_path() == error.instance_path() => types(inner.kind()),
         _ => None,
@@ -247,29 +228,17 @@ fn misfit(error: &ValidationError<'_>, schema: &Value) -> Misfit {
     }
 }
 
-fn types(kind: &ValidationErrorKind) -> Option<Vec<Shape>> {
+fn types(kind: &ValidationErrorKind) -> Option<Vec<JsonType>> {
     let ValidationErrorKind::Type { kind } = kind else { return None };
     Some(match kind {
-        TypeKind::Single(one) => vec![shape(*one)],
+        TypeKind::Single(one) => vec![*one],
         TypeKind::Multiple(set) => {
-            let mut shapes: Vec<Shape> = set.iter().map(shape).collect();
+            let mut types: Vec<JsonType> = set.iter().collect();
             // The usual form first: `null` only says that the key may be there without a value.
-            shapes.sort_by_key(|shape| *shape == Shape::Null);
-            shapes
+            types.sort_by_key(|kind| *kind == JsonType::Null);
+            types
         }
     })
-}
-
-fn shape(kind: JsonType) -> Shape {
-    match kind {
-        JsonType::Null => Shape::Null,
-        JsonType::Boolean => Shape::Bool,
-        JsonType::Integer => Shape::Integer,
-        JsonType::Number => Shape::Number,
-        JsonType::String => Shape::Text,
-        JsonType::Array => Shape::List,
-        JsonType::Object => Shape::Object,
-    }
 }
 
 fn found(value: &Value) -> Found {

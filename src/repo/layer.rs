@@ -9,7 +9,7 @@ use unicode_normalization::{UnicodeNormalization, is_nfc};
 use super::FileFacts;
 use crate::diag::Application;
 use crate::discover::{Kind, Layout, kind_in, uses_of};
-use crate::source::{WalkFault, is_below};
+use crate::source::{WalkFault, inside, is_below};
 
 /// A path as a system compares it that regards neither capitals nor the form of accented letters.
 pub(crate) fn fold(path: &str) -> String {
@@ -164,9 +164,6 @@ impl Layer {
 
     /// The part of a printed path below this root.
     pub(crate) fn relative<'p>(&self, path: &'p str) -> Option<&'p str> {
-        if self.path.is_empty() {
-            return Some(path);
-        }
-        path.strip_prefix(self.path.as_str())?.strip_prefix('/')
+        inside(path, &self.path)
     }
 }

@@ -1,6 +1,7 @@
 //! Names followed to files: links to other folders, capitals, backslashes, and ways out of the data root.
 
 use super::{Layer, Resolution};
+use crate::source::normalized;
 
 /// Bytes that a path has at most, on any system that the applications run on.
 const LONGEST: usize = 4096;
@@ -65,29 +66,12 @@ fn has_way(layer: &Layer, rel: &str) -> bool {
     true
 }
 
-/// The path without `.` and `..`, or nothing if it leaves the root.
-pub(super) fn normalized(rel: &str) -> Option<String> {
-    let mut parts: Vec<&str> = Vec::new();
-    for part in rel.split('/') {
-        match part {
-            "" | "." => {}
-            ".." => {
-                parts.pop()?;
-            }
-            other => parts.push(other),
-        }
-    }
-    Some(parts.join("/"))
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{LONGEST, normalized, shortened};
+    use super::{LONGEST, shortened};
 
     #[test]
-    fn paths_are_normalized_inside_the_root_only() {
-        assert_eq!(normalized("target/b/a/../c.target").as_deref(), Some("target/b/c.target"));
-        assert_eq!(normalized("target/../../x"), None);
+    fn names_are_cut_to_what_a_path_may_have() {
         assert_eq!(shortened("a/b"), "a/b");
         assert_eq!(shortened(&"é".repeat(4096)).len(), LONGEST);
     }

@@ -27,6 +27,10 @@ impl<'a> View<'a> {
         }
     }
 
+    fn makehuman2(&self) -> Option<&makehuman2::View<'a>> {
+        if let Self::Makehuman2(view) = self { Some(view) } else { None }
+    }
+
     /// Whose view it is.
     pub(crate) const fn application(&self) -> Application {
         match self {
@@ -81,18 +85,12 @@ impl<'a> View<'a> {
 
     /// Whether some body has more macros than are compared with one another.
     pub(crate) fn has_too_many_macros(&self) -> bool {
-        match self {
-            Self::Makehuman2(view) => view.bases.iter().any(makehuman2::Base::has_too_many_macros),
-            Self::Makehuman1(_) | Self::Mpfb(_) => false,
-        }
+        self.makehuman2().is_some_and(|view| view.bases.iter().any(makehuman2::Base::has_too_many_macros))
     }
 
     /// Folders of the checked layer in which that of a base mesh is left out, each with a file that shows it.
     pub(crate) fn unsorted(&self) -> Vec<(&'static str, &'a FileFacts)> {
-        match self {
-            Self::Makehuman2(view) => view.unsorted().collect(),
-            Self::Makehuman1(_) | Self::Mpfb(_) => Vec::new(),
-        }
+        self.makehuman2().map(|view| view.unsorted().collect()).unwrap_or_default()
     }
 
     /// The names of its bodies.
@@ -115,58 +113,37 @@ impl<'a> View<'a> {
 
     /// A setting at which a target is applied fully; `None` if nothing uses it, or nobody can tell.
     pub(super) fn shown_at(&self, file: &FileFacts) -> Option<Shown<'a>> {
-        match self {
-            Self::Makehuman2(view) => view.shown_at(file),
-            Self::Makehuman1(_) | Self::Mpfb(_) => None,
-        }
+        self.makehuman2()?.shown_at(file)
     }
 
     /// Where the picture that a material names is looked for, if that is known.
     pub(crate) fn picture_folders<'r>(&self, reference: &Reference<'r>) -> Option<PictureFolders<'r>> {
-        match self {
-            Self::Makehuman2(_) => makehuman2::picture_folders(reference.from, reference.base),
-            Self::Makehuman1(_) | Self::Mpfb(_) => None,
-        }
+        self.makehuman2().and_then(|_| makehuman2::picture_folders(reference.from, reference.base))
     }
 
     /// Whether the application makes the file at this path of the checked layer itself.
     pub(crate) fn is_generated(&self, rel: &str) -> bool {
-        match self {
-            Self::Makehuman2(view) => view.is_generated(rel),
-            Self::Makehuman1(_) | Self::Mpfb(_) => false,
-        }
+        self.makehuman2().is_some_and(|view| view.is_generated(rel))
     }
 
     /// Whether the faces of a group are drawn; true where nobody can tell.
     pub(crate) fn draws(&self, mesh: &FileFacts, group: &str) -> bool {
-        match self {
-            Self::Makehuman2(view) => view.draws(mesh, group),
-            Self::Makehuman1(_) | Self::Mpfb(_) => true,
-        }
+        self.makehuman2().is_none_or(|view| view.draws(mesh, group))
     }
 
     /// Whether the application reads another file in place of what is at this path of the checked layer.
     pub(crate) fn is_replaced(&self, rel: &str) -> bool {
-        match self {
-            Self::Makehuman2(view) => view.is_replaced(rel),
-            Self::Makehuman1(_) | Self::Mpfb(_) => false,
-        }
+        self.makehuman2().is_some_and(|view| view.is_replaced(rel))
     }
 
     /// Whether the application does as well without this file.
     pub(crate) fn does_without(&self, file: &FileFacts) -> bool {
-        match self {
-            Self::Makehuman2(view) => view.does_without(file),
-            Self::Makehuman1(_) | Self::Mpfb(_) => false,
-        }
+        self.makehuman2().is_some_and(|view| view.does_without(file))
     }
 
     /// Whether other files know what a reference belongs to by the name that it writes, so that the name has to stay.
     pub(crate) fn is_known_by(&self, reference: &Reference<'_>) -> bool {
-        match self {
-            Self::Makehuman2(view) => view.is_known_by(reference),
-            // Nobody can tell yet: the name stays.
-            Self::Makehuman1(_) | Self::Mpfb(_) => true,
-        }
+        // Of the others nobody can tell yet: the name stays.
+        self.makehuman2().is_none_or(|view| view.is_known_by(reference))
     }
 }

@@ -8,7 +8,7 @@ use serde::Serialize;
 use super::View;
 use super::phrase::message;
 use crate::diag::{
-    ApplicationVerdict, Break, Compared, Confidence, Evidence, Finding, Level, Location, NotChecked, Outcome,
+    ApplicationVerdict, Break, Compared, Confidence, Evidence, Finding, Level, Location, NotChecked, Outcome, Related,
     RootSummary, Summary, Verdict,
 };
 
@@ -44,7 +44,7 @@ struct Item<'a> {
     help: Option<&'a str>,
     breaks: &'a [Break],
     evidence: Option<Evidence>,
-    related: Vec<RelatedItem<'a>>,
+    related: &'a [Related],
     fix: Option<FixItem<'a>>,
     fingerprint: &'a str,
 }
@@ -53,13 +53,6 @@ struct Item<'a> {
 struct FixItem<'a> {
     kind: &'static str,
     title: &'a str,
-}
-
-#[derive(Serialize)]
-struct RelatedItem<'a> {
-    path: &'a str,
-    place: &'a Location,
-    message: &'a str,
 }
 
 /// Writes the report, indented, with a newline at the end.
@@ -91,11 +84,7 @@ fn item(finding: &Finding) -> Item<'_> {
         help: finding.help.as_deref(),
         breaks: &finding.breaks,
         evidence: finding.evidence.clone().map(finite),
-        related: finding
-            .related
-            .iter()
-            .map(|related| RelatedItem { path: &related.path, place: &related.location, message: &related.message })
-            .collect(),
+        related: &finding.related,
         fix: finding.fix.as_ref().map(|fix| FixItem { kind: fix.kind.word(), title: &fix.title }),
         fingerprint: &finding.fingerprint,
     }

@@ -80,6 +80,26 @@ pub(crate) fn is_below(path: &str, outer: &str) -> bool {
     outer.is_empty() || path.strip_prefix(outer).is_some_and(|rest| rest.is_empty() || rest.starts_with('/'))
 }
 
+/// The part of a path below a folder; all of it below no folder.
+pub(crate) fn inside<'p>(path: &'p str, folder: &str) -> Option<&'p str> {
+    if folder.is_empty() { Some(path) } else { path.strip_prefix(folder)?.strip_prefix('/') }
+}
+
+/// The path without `.` and `..`, or nothing if it leaves the root.
+pub(crate) fn normalized(rel: &str) -> Option<String> {
+    let mut parts: Vec<&str> = Vec::new();
+    for part in rel.split('/') {
+        match part {
+            "" | "." => {}
+            ".." => {
+                parts.pop()?;
+            }
+            other => parts.push(other),
+        }
+    }
+    Some(parts.join("/"))
+}
+
 fn is_absolute(path: &str) -> bool {
     path.starts_with('/') || Path::new(path).is_absolute()
 }
@@ -109,6 +129,12 @@ fn plain(path: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn paths_are_normalized_inside_the_root_only() {
+        assert_eq!(normalized("target/b/a/../c.target").as_deref(), Some("target/b/c.target"));
+        assert_eq!(normalized("target/../../x"), None);
+    }
 
     #[test]
     fn paths_are_told_relative_to_the_folder() {

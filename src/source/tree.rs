@@ -9,6 +9,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use xxhash_rust::xxh3::xxh3_64;
 
 use super::Limits;
+use super::folder::inside;
 use super::listing::{Room, add_file, add_folders, folders_above, memory_entries};
 use super::walk::{self, Wanted};
 use crate::diag::grouped;
@@ -152,7 +153,7 @@ impl Tree {
 
     /// The reverse: the path from the top of the tree, of one that may be in it.
     pub fn below<'p>(&self, shown: &'p str) -> Option<&'p str> {
-        if self.label.is_empty() { Some(shown) } else { shown.strip_prefix(&self.label)?.strip_prefix('/') }
+        inside(shown, &self.label)
     }
 
     /// Everything listed, sorted by path.

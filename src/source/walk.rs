@@ -6,7 +6,7 @@ use std::path::{Component, Path, PathBuf};
 
 use walkdir::{DirEntry, WalkDir};
 
-use super::place::{LONGEST_CHAIN, resolved};
+use super::place::{LONGEST_CHAIN, resolved, slashed};
 use super::tree::{Entry, EntryKind, WalkFault, WalkFaultKind};
 
 /// Entries that are listed at most: folders that link to each other multiply without end, and no asset
@@ -190,11 +190,6 @@ fn fault(root: &Path, path: &Path, kind: WalkFaultKind) -> WalkFault {
 
 fn relative(root: &Path, path: &Path) -> PathBuf {
     path.strip_prefix(root).unwrap_or(path).to_owned()
-}
-
-fn slashed(path: &Path) -> String {
-    let parts: Vec<_> = path.components().map(|part| part.as_os_str().to_string_lossy()).collect();
-    parts.join("/")
 }
 
 #[cfg(unix)]

@@ -8,7 +8,7 @@ use clap::{Args, Subcommand, ValueEnum};
 #[derive(Debug, Subcommand)]
 pub(in crate::cli) enum EvalCommand {
     /// Compute the factors of macro targets and combinations.
-    Macros(MacrosArgs),
+    Macros(BaseArgs),
     /// Compute the base mesh for slider settings.
     Mesh(MeshArgs),
     /// Compute joints and rest matrices for slider settings.
@@ -25,7 +25,7 @@ pub(in crate::cli) enum EvalCommand {
 
 /// A base mesh and its setting.
 #[derive(Debug, Args)]
-pub(super) struct BaseArgs {
+pub(in crate::cli) struct BaseArgs {
     /// Data folder to evaluate.
     #[arg(value_name = "ROOT")]
     pub(super) root: PathBuf,
@@ -83,13 +83,6 @@ impl MeshOutput {
         let named = self.output.as_ref().and_then(|file| file.extension()).is_some_and(|ending| ending == "json");
         self.format.map_or(named || !self.vertices.is_empty(), |format| format == MeshFormat::Json)
     }
-}
-
-/// Arguments of `eval macros`.
-#[derive(Debug, Args)]
-pub(in crate::cli) struct MacrosArgs {
-    #[command(flatten)]
-    pub(super) base: BaseArgs,
 }
 
 /// Arguments of `eval mesh`.

@@ -4,15 +4,15 @@ use std::io::Write;
 
 use serde_json::Value;
 
-use super::args::{MacrosArgs, MeshArgs, SkeletonArgs, SkinArgs};
+use super::args::{BaseArgs, MeshArgs, SkeletonArgs, SkinArgs};
 use super::{document, open, write};
 use crate::cli::exit::Failure;
 use crate::evaluate::makehuman2::{macros_json, read_skeleton};
 use crate::evaluate::{mesh_json, read_poses, skeleton_json, skin_json, with_positions};
 
 /// `mhlint eval macros`.
-pub(super) fn macros(args: &MacrosArgs, out: &mut dyn Write) -> Result<(), Failure> {
-    let opened = open(&args.base)?;
+pub(super) fn macros(args: &BaseArgs, out: &mut dyn Write) -> Result<(), Failure> {
+    let opened = open(args)?;
     let (table, result) = opened.evaluation.macros(&opened.setting)?;
     let outputs = macros_json(&opened.evaluation, table, &result);
     write::write(&document("macros", opened.inputs, outputs), None, out)

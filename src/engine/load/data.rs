@@ -3,7 +3,7 @@
 use super::layer::{MeshSizes, Reader, load, read_all, size_for};
 use super::place::Place;
 use super::roots::Roots;
-use super::stack::{Roles, Stack, roles, stacks};
+use super::stack::{Roles, roles};
 use crate::diag::Application;
 use crate::discover::{Candidate, Role};
 use crate::evaluate::Rows;
@@ -25,7 +25,7 @@ pub(in crate::engine) struct Loaded<'t> {
 /// All data of a run.
 pub(in crate::engine) struct Data<'t> {
     /// `--system`: read, not checked.
-    systems: Vec<Loaded<'t>>,
+    pub(super) systems: Vec<Loaded<'t>>,
     /// The roots to check.
     pub(in crate::engine) roots: Vec<Loaded<'t>>,
 }
@@ -55,11 +55,6 @@ impl<'t> Loaded<'t> {
     /// Whether the mesh that a file belongs to is known.
     pub(in crate::engine) fn has_mesh_for(&self, file: &FileFacts) -> bool {
         file.base().is_some_and(|base| self.sizes.contains_key(base))
-    }
-
-    /// Whether it is the same data root as one on the other side of a comparison.
-    pub(in crate::engine) fn is_counterpart(&self, other: &Loaded<'_>) -> bool {
-        self.place.is_counterpart(&other.place)
     }
 
     /// Whether a path is one that the PATHs ask for.
@@ -139,16 +134,6 @@ impl<'t> Data<'t> {
         sizes
     }
 
-    /// The repositories to check, in order of the roots.
-    pub(in crate::engine) fn stacks(&self) -> Vec<Stack<'_, 't>> {
-        stacks(&self.roots, &self.systems, |_| true).into_iter().map(|(_, stack)| stack).collect()
-    }
-
-    /// Those of the repositories whose numbers are asked for, with their numbers.
-    pub(in crate::engine) fn stacks_of(&self, is_asked: impl Fn(usize) -> bool) -> Vec<(usize, Stack<'_, 't>)> {
-        stacks(&self.roots, &self.systems, is_asked)
-    }
-
     /// Every root, those of systems first.
     pub(in crate::engine) fn all_mut(&mut self) -> impl Iterator<Item = &mut Loaded<'t>> {
         self.systems.iter_mut().chain(&mut self.roots)
@@ -173,6 +158,7 @@ impl<'t> Data<'t> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::stack::Stack;
     use super::*;
     use crate::discover::{Kind, Layout};
     use crate::source::Tree;

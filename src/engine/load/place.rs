@@ -61,7 +61,7 @@ impl<'t> Place<'t> {
     }
 
     /// Whether it is where another data root of the same applications is.
-    pub(super) fn is_counterpart(&self, other: &Place<'_>) -> bool {
+    pub(in crate::engine) fn is_counterpart(&self, other: &Place<'_>) -> bool {
         self.path() == other.path() && self.has_layouts_of(other)
     }
 

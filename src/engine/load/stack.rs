@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::data::Loaded;
+use super::data::{Data, Loaded};
 use super::place::Place;
 use crate::diag::Application;
 use crate::discover::{Kind, Layout, Role};
@@ -87,32 +87,36 @@ pub(in crate::engine) struct Stack<'a, 't> {
     pub(in crate::engine) seen: Vec<(Application, Layers<'a>)>,
 }
 
-/// The repositories that those of `loaded` make whose numbers are asked for. A root lies over that of `systems` that has
-/// data of the same application.
-pub(super) fn stacks<'a, 't>(
-    loaded: &'a [Loaded<'t>],
-    systems: &'a [Loaded<'t>],
-    is_asked: impl Fn(usize) -> bool,
-) -> Vec<(usize, Stack<'a, 't>)> {
-    let found: Vec<&Loaded<'_>> =
-        loaded.iter().filter(|root| root.roles.iter().any(|(_, role)| *role == Role::System)).collect();
-    let layers = |root: &'a Loaded<'t>, application, role| {
-        let given = systems.iter().find(|system| system.role_in(application).is_some()).map(|system| &system.layer);
-        let below = || nearest_system(&found, root, application);
-        let (system, user) = match (given, role) {
-            (Some(given), _) => (Some(given), Some(&root.layer)),
-            (None, Role::System) => (Some(&root.layer), None),
-            (None, Role::Both) => (Some(below().unwrap_or(&root.layer)), Some(&root.layer)),
-            (None, Role::User) => (below(), Some(&root.layer)),
+impl<'t> Data<'t> {
+    /// The repositories to check, in order of the roots.
+    pub(in crate::engine) fn stacks(&self) -> Vec<Stack<'_, 't>> {
+        self.stacks_of(|_| true).into_iter().map(|(_, stack)| stack).collect()
+    }
+
+    /// Those of the repositories whose numbers are asked for, with their numbers. A root lies over that of the systems
+    /// that has data of the same application.
+    pub(in crate::engine) fn stacks_of<'a>(&'a self, is_asked: impl Fn(usize) -> bool) -> Vec<(usize, Stack<'a, 't>)> {
+        let found: Vec<&Loaded<'_>> =
+            self.roots.iter().filter(|root| root.roles.iter().any(|(_, role)| *role == Role::System)).collect();
+        let layers = |root: &'a Loaded<'t>, application, role| {
+            let given =
+                self.systems.iter().find(|system| system.role_in(application).is_some()).map(|system| &system.layer);
+            let below = || nearest_system(&found, root, application);
+            let (system, user) = match (given, role) {
+                (Some(given), _) => (Some(given), Some(&root.layer)),
+                (None, Role::System) => (Some(&root.layer), None),
+                (None, Role::Both) => (Some(below().unwrap_or(&root.layer)), Some(&root.layer)),
+                (None, Role::User) => (below(), Some(&root.layer)),
+            };
+            (application, Layers { system, user, checked: &root.layer })
         };
-        (application, Layers { system, user, checked: &root.layer })
-    };
-    let stack = |root: &'a Loaded<'t>| {
-        let seen = root.roles.iter().map(|(application, role)| layers(root, *application, *role));
-        Stack { root, seen: seen.collect() }
-    };
-    let asked = loaded.iter().enumerate().filter(|(number, _)| is_asked(*number));
-    asked.map(|(number, root)| (number, stack(root))).collect()
+        let stack = |root: &'a Loaded<'t>| {
+            let seen = root.roles.iter().map(|(application, role)| layers(root, *application, *role));
+            Stack { root, seen: seen.collect() }
+        };
+        let asked = self.roots.iter().enumerate().filter(|(number, _)| is_asked(*number));
+        asked.map(|(number, root)| (number, stack(root))).collect()
+    }
 }
 
 /// Of several system roots of an application the one that shares most of the path.

@@ -142,15 +142,7 @@ impl<'c> Ignores<'c> {
 
     /// Settings of the file for rules that do not exist.
     pub(in crate::engine) fn unknown(&self) -> Vec<UnknownRule> {
-        let Some(file) = &self.config.file else { return Vec::new() };
-        let unknown = file.unknown.iter().map(|unknown| UnknownRule {
-            path: file.path.clone(),
-            place: Place::Span(unknown.span.clone()),
-            setting: unknown.setting.clone(),
-            rule: unknown.rule.clone(),
-            nearest: unknown.nearest,
-        });
-        unknown.collect()
+        self.config.file.as_ref().map(|file| file.unknown.clone()).unwrap_or_default()
     }
 
     /// What can be said of an ignore by its rule alone.

@@ -7,7 +7,7 @@ use super::super::fit::{Reference, ScaleLine};
 use super::super::influences::Influences;
 use super::super::mesh::point;
 use super::super::vector::{Point, Vec3};
-use super::super::weights::{BoneWeights, Entry, LoadedWeights, merge_duplicates};
+use super::super::weights::{Entry, LoadedWeights, merge_duplicates};
 use super::weights::{WEIGHT_LIMIT, load};
 
 /// Distances below this give no scale, and then the asset is not scaled at all. In mesh units.
@@ -60,20 +60,19 @@ pub fn deleted_vertices(ranges: &[(i64, i64)], vertex_count: usize) -> Result<Ve
 /// # Errors
 /// None that data can cause: references outside `body` have no weights.
 pub fn derived_weights(references: &[Reference], body: &Influences, root: usize) -> Result<LoadedWeights, EvalError> {
-    let mut lists: Vec<BoneWeights> = Vec::new();
-    let mut places: Vec<Option<usize>> = Vec::new();
+    let mut lists: Vec<Vec<Entry>> = Vec::new();
     for (vertex, reference) in (0..).zip(references) {
         for (base, share) in reference.vertices.iter().zip(reference.weights) {
             for (bone, weight) in body.of(*base) {
                 let product = share * weight;
                 if product > WEIGHT_LIMIT {
-                    entries_of(*bone, &mut places, &mut lists).push((vertex, product));
+                    lists.resize_with(lists.len().max(bone + 1), Vec::new);
+                    lists[*bone].push((vertex, product));
                 }
             }
         }
     }
-    lists.sort_by_key(|list| list.bone);
-    let slices: Vec<(usize, &[Entry])> = lists.iter().map(|list| (list.bone, list.entries.as_slice())).collect();
+    let slices: Vec<(usize, &[Entry])> = lists.iter().map(Vec::as_slice).enumerate().collect();
     let mut loaded = load(&slices, root, references.len())?;
     for list in &mut loaded.bones {
         // The root's additions are unsorted, but no vertex among them occurs before.
@@ -82,19 +81,9 @@ pub fn derived_weights(references: &[Reference], body: &Influences, root: usize)
     Ok(loaded)
 }
 
-fn entries_of<'a>(bone: usize, places: &mut Vec<Option<usize>>, lists: &'a mut Vec<BoneWeights>) -> &'a mut Vec<Entry> {
-    if places.len() <= bone {
-        places.resize(bone + 1, None);
-    }
-    let place = *places[bone].get_or_insert_with(|| {
-        lists.push(BoneWeights { bone, entries: Vec::new() });
-        lists.len() - 1
-    });
-    &mut lists[place].entries
-}
-
 #[cfg(test)]
 mod tests {
+    use super::super::super::weights::BoneWeights;
     use super::*;
 
     const MESH: [Point; 4] = [[0.0; 3], [2.0, 0.0, 0.0], [0.0, 4.0, 0.0], [0.0, 0.0, 8.0]];

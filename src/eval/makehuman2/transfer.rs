@@ -4,7 +4,7 @@
 //! numbers of default bones; returns the weights of the other skeleton. Source: export to a rig that is not the default
 //! (formats/makehuman2.md §10.2).
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::steps::step;
 use super::super::weights::{BoneWeights, Entry, merge_duplicates};
@@ -38,8 +38,8 @@ pub struct Transfer {
 /// What a bone takes by itself is another question: a claimed bone that its claimant does not take is lost. Nothing is
 /// normalised: what two bones take, or one bone twice, counts twice.
 pub fn transfer(weights: &[BoneWeights], parents: &[Option<usize>], bones: &[TransferBone<'_>]) -> Transfer {
-    let entries = by_bone(weights, parents.len());
-    let weighted = |bone: usize| entries.get(bone).is_some_and(Option::is_some);
+    let entries = by_bone(weights);
+    let weighted = |bone: usize| entries.contains_key(&bone);
     let claimants = claimants(bones, parents.len());
     let mut sources: Vec<Vec<usize>> = bones.iter().map(|bone| own_sources(bone, weighted)).collect();
     let heirs = heirs(parents, &claimants);
@@ -63,15 +63,15 @@ pub fn transfer(weights: &[BoneWeights], parents: &[Option<usize>], bones: &[Tra
 impl Transfer {
     /// How many entries of `weights` are handed on, those that several bones take as often as they are taken.
     pub fn entries_taken(&self, weights: &[BoneWeights]) -> usize {
-        let entries = by_bone(weights, highest(weights));
-        let length = |bone: &usize| entries.get(*bone).copied().flatten().map_or(0, <[Entry]>::len);
+        let entries = by_bone(weights);
+        let length = |bone: &usize| entries.get(bone).map_or(0, |list| list.len());
         self.sources.iter().flatten().map(length).fold(0, usize::saturating_add)
     }
 
     /// The weights of the bones of the other skeleton, sorted by vertex, entries of one vertex added up; `bone` is its
     /// number in the other skeleton. Empty lists are left out.
     pub fn taken(&self, weights: &[BoneWeights]) -> Vec<BoneWeights> {
-        let entries = by_bone(weights, highest(weights));
+        let entries = by_bone(weights);
         let sources = self.sources.iter().enumerate();
         let bones = sources.map(|(bone, taken)| BoneWeights { bone, entries: added(taken, &entries) });
         bones.filter(|bone| !bone.entries.is_empty()).collect()
@@ -79,19 +79,8 @@ impl Transfer {
 }
 
 /// The entries of each default bone; of several lists for one the last.
-fn by_bone(weights: &[BoneWeights], bones: usize) -> Vec<Option<&[Entry]>> {
-    let mut entries: Vec<Option<&[Entry]>> = vec![None; bones];
-    for list in weights {
-        if let Some(place) = entries.get_mut(list.bone) {
-            *place = Some(&list.entries);
-        }
-    }
-    entries
-}
-
-/// The highest number of a default bone, and one.
-fn highest(weights: &[BoneWeights]) -> usize {
-    weights.iter().map(|list| list.bone.saturating_add(1)).max().unwrap_or(0)
+fn by_bone(weights: &[BoneWeights]) -> BTreeMap<usize, &[Entry]> {
+    weights.iter().map(|list| (list.bone, list.entries.as_slice())).collect()
 }
 
 /// For every default bone the one that claims it.
@@ -147,9 +136,9 @@ fn heirs(parents: &[Option<usize>], claimants: &[Option<usize>]) -> Vec<Option<u
     heirs
 }
 
-fn added(sources: &[usize], entries: &[Option<&[Entry]>]) -> Vec<Entry> {
-    let lists = sources.iter().filter_map(|bone| entries.get(*bone).copied().flatten());
-    let mut all: Vec<Entry> = lists.flatten().copied().collect();
+fn added(sources: &[usize], entries: &BTreeMap<usize, &[Entry]>) -> Vec<Entry> {
+    let lists = sources.iter().filter_map(|bone| entries.get(bone));
+    let mut all: Vec<Entry> = lists.copied().flatten().copied().collect();
     all.sort_by_key(|(vertex, _)| *vertex);
     merge_duplicates(&mut all);
     all

@@ -169,23 +169,17 @@ impl NamedWeights {
     /// Weights of vertices beyond `vertices`.
     pub fn reduce(&mut self, limit: usize, vertices: usize) -> Result<Reduction, Error> {
         let reduction = self.influences(vertices)?.reduce(limit);
-        let mut lists: Vec<BoneWeights> =
-            self.loaded.bones.iter().map(|list| BoneWeights { bone: list.bone, entries: Vec::new() }).collect();
-        let mut places = vec![None; self.names.len()];
-        for (place, list) in lists.iter().enumerate() {
-            if let Some(slot) = places.get_mut(list.bone) {
-                *slot = Some(place);
-            }
-        }
+        let mut lists: Vec<Vec<Entry>> = vec![Vec::new(); self.names.len()];
         for (vertex, influences) in (0..).zip(reduction.influences.iter()) {
             for (bone, weight) in influences {
-                let place = places.get(*bone).copied().flatten();
-                if let Some(list) = place.and_then(|place| lists.get_mut(place)) {
-                    list.entries.push((vertex, *weight));
+                if let Some(list) = lists.get_mut(*bone) {
+                    list.push((vertex, *weight));
                 }
             }
         }
-        self.loaded.bones = lists;
+        for bone in &mut self.loaded.bones {
+            bone.entries = lists.get_mut(bone.bone).map(std::mem::take).unwrap_or_default();
+        }
         Ok(reduction)
     }
 }

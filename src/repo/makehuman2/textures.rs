@@ -6,8 +6,9 @@ use super::OWN;
 use crate::diag::Place;
 use crate::discover::{Kind, material_of};
 use crate::formats::mhmat::Texture;
-use crate::repo::path::{is_absolute, normalized, resolve};
+use crate::repo::path::{is_absolute, resolve};
 use crate::repo::{FileFacts, Layer, Layers, PictureFolders, Reference, ReferenceKind, Resolution, Worn, parent};
+use crate::source::normalized;
 
 /// The pictures of all materials that the application opens, by base mesh.
 pub(super) fn by_base<'a>(layers: Layers<'a>, worn: &[Worn<'a>]) -> BTreeMap<&'a str, Vec<Reference<'a>>> {

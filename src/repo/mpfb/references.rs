@@ -3,8 +3,8 @@
 use super::view::{Catalog, OWN};
 use crate::diag::Place;
 use crate::formats::target_catalog::{Category, Section};
-use crate::repo::path::normalized;
 use crate::repo::{Reference, ReferenceKind, Resolution};
+use crate::source::normalized;
 
 /// All targets that the catalogue names, in its order.
 pub(super) fn collect<'a>(catalog: &Catalog<'a>) -> Vec<Reference<'a>> {

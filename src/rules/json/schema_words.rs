@@ -64,11 +64,11 @@ fn limit(bound: &Bound) -> String {
 fn shape(shape: Shape) -> &'static str {
     match shape {
         Shape::Null => "null",
-        Shape::Bool => "true or false",
+        Shape::Boolean => "true or false",
         Shape::Integer => "a whole number",
         Shape::Number => "a number",
-        Shape::Text => "a string",
-        Shape::List => "a list",
+        Shape::String => "a string",
+        Shape::Array => "a list",
         Shape::Object => "an object",
     }
 }
