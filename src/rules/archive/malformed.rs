@@ -2,12 +2,12 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::words;
-use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::npz::{Archive, ArchiveFault, Member, NpyFault};
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "crashes at every start until the archive is deleted by hand")],
+    breaks: &[(Makehuman2, "crashes at every start until the archive is deleted by hand")],
     docs: "`compressedtargets.npz` is the archive of all targets of a folder: a zip of arrays with the fields \
         `index` and `vector`. If it exists, MakeHuman 2 loads all of it at start.\n\nMakeHuman 2 leaves an \
         archive of 0 bytes if it could not parse a target while writing it. Fixing the target does not help: the \
@@ -28,11 +28,8 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
     )
 });
 
-const EMPTY: Case = &[(
-    Application::Makehuman2,
-    Level::Error,
-    "crashes with `EOFError` at every start until the file is deleted by hand",
-)];
+const EMPTY: Case =
+    &[(Makehuman2, Level::Error, "crashes with `EOFError` at every start until the file is deleted by hand")];
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if let Some((message, case)) = file.mesh_fault().and_then(words::of_mesh) {

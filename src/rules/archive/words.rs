@@ -1,18 +1,15 @@
 //! What is wrong with an archive, in words.
 
 use super::super::counted;
-use crate::diag::{Application, Case, Level};
+use crate::diag::{Application::Makehuman2, Case, Level};
 use crate::formats::mhbin::{MeshFault, Misfit, Part};
 use crate::formats::npz::{ArchiveFault, NpyFault};
 use crate::repo::{FileFacts, View, parent};
 
-const REFUSED: Case = &[(
-    Application::Makehuman2,
-    Level::Error,
-    "rejects the mesh with only a log line; the window opens without a base",
-)];
+const REFUSED: Case =
+    &[(Makehuman2, Level::Error, "rejects the mesh with only a log line; the window opens without a base")];
 const TORN: Case = &[(
-    Application::Makehuman2,
+    Makehuman2,
     Level::Warning,
     "shows the mesh, but no slider or pose moves that position: the surface tears there",
 )];

@@ -2,14 +2,14 @@
 
 use super::super::cause::overlay::has_sliders;
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, Pattern, View};
 
 /// Rounding of decimals like 0.33 + 0.33 + 0.34 in double precision is far below this.
 const TOLERANCE: f64 = 1e-6;
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "starts with a mixture that the triangle slider cannot produce")],
+    breaks: &[(Makehuman2, "starts with a mixture that the triangle slider cannot produce")],
     docs: "The three values of a triangle slider are shares and must sum to 1.\n\nMakeHuman 2 does not correct \
         presets: with 0.33 three times, one hundredth of the shape is missing. The next reset sets 0.33, 0.33 \
         and 0.34 and so changes the character. Presets count only without a start model (`mhm`), because loading \

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::super::cause::consequence::{NEVER_OPENED, is_opened_by_scripts};
 use super::super::{Check, Rule, RuleCx, did_you_mean};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, Suggestions};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo, Suggestions};
 use crate::formats::Content;
 use crate::formats::geometry::{Geometry, Range};
 use crate::formats::obj::{DEFAULT_GROUP, Group, Mesh};
@@ -17,7 +17,7 @@ const JOINTS: &str = "joint-ranges";
 const PREFIX: &str = "joint-";
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "moves the wrong vertices, or none, when its scripts align joint cubes")],
+    breaks: &[(Makehuman2, "moves the wrong vertices, or none, when its scripts align joint cubes")],
     docs: "`geometry.json` repeats which vertices of the OBJ belong to a part (`geometry-ranges`) and to a joint \
         cube (`joint-ranges`, named like the group without `joint-`). A range here differs from its \
         group.\n\nMakeHuman 2 itself never reads the file, but its scripts that align joint cubes move exactly \

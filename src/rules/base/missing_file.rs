@@ -4,12 +4,12 @@ use super::super::cause::consequence::NO_POSE_SKELETON;
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::absent_keys;
 use super::sliders::{self, Gap};
-use crate::diag::{Application, Finding, Level, RuleInfo, nearest};
+use crate::diag::{Application::Makehuman2, Finding, Level, RuleInfo, nearest};
 use crate::repo::makehuman2::{Base, View};
 use crate::repo::{FileFacts, Layer, Reference, ReferenceKind, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "crashes when it loads the base")],
+    breaks: &[(Makehuman2, "crashes when it loads the base")],
     docs: "A base mesh needs `base/<base>/base.json` and `base.obj` (or `base.mhbin`) beside it. `base.json` \
         names a start model (`mhm`) in the same folder and a skeleton (`pose-skeleton`) in \
         `rigs/<base>/`.\n\nWithout `base.json`, without the mesh, or with a start model that does not exist, \

@@ -1,11 +1,11 @@
 //! A rule of the randomizer forbids by being false.
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "evaluates the condition but moves the slider every time")],
+    breaks: &[(Makehuman2, "evaluates the condition but moves the slider every time")],
     docs: "A condition in `random.rules` keeps a slider from being moved only if its value is exactly `False`, \
         as a comparison or `not` returns. A number is never `False`, not even 0, and neither is a string. With \
         such a condition MakeHuman 2 moves the slider whatever the other slider is set to.\n\nWrite a \

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, nearest};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo, nearest};
 use crate::formats::base_json::BaseJson;
 use crate::formats::obj::Mesh;
 use crate::repo::FileFacts;
@@ -15,7 +15,7 @@ const MEMBER: &str = "visible groups";
 const INVISIBLE: &str = "silently shows nothing and a height of 0 cm; the glTF export crashes with `ValueError`";
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "crashes with `KeyError` at start if `visible groups` is missing")],
+    breaks: &[(Makehuman2, "crashes with `KeyError` at start if `visible groups` is missing")],
     docs: "`visible groups` lists the groups of the OBJ that are drawn and measured. `equipment` lists the kinds \
         of assets that the base can wear.\n\nWithout `visible groups` MakeHuman 2 crashes at start. If none of \
         the groups exists, the character is invisible and has height 0. Both are errors. A single unknown group \

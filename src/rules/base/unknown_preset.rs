@@ -7,13 +7,13 @@ use super::super::{Check, Rule, RuleCx};
 use super::NO_MEASURE;
 use super::names::{Names, Unknown};
 use super::other_base::of_other_base;
-use crate::diag::{Application, Finding, Level, Place, RuleInfo, pointer};
+use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo, pointer};
 use crate::formats::base_json::{BaseJson, Random};
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "ignores the name; the setting has no effect")],
+    breaks: &[(Makehuman2, "ignores the name; the setting has no effect")],
     docs: "`modifier-presets` and `measure` name sliders by their pattern. `random.gender`, `random.ideal` and \
         `random.rules` name them by their key. `random.groups` and `head-pattern` name groups of \
         sliders.\n\nMakeHuman 2 ignores a name that does not exist, mostly without a message; a rule of the \

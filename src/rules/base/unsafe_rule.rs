@@ -1,16 +1,13 @@
 //! `random.rules` is handed to Python: nothing but harmless arithmetic may be in it.
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
 use crate::formats::expression::FaultKind;
 use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     cannot_be_ignored: true,
-    breaks: &[(
-        Application::Makehuman2,
-        "runs it as Python code with the rights of the user when it makes a random character",
-    )],
+    breaks: &[(Makehuman2, "runs it as Python code with the rights of the user when it makes a random character")],
     docs: "MakeHuman 2 passes the conditions in `random.rules` to Python's `eval`, with the other slider as `x`. \
         That can run any program, read and delete files, or never end.\n\nSafe are numbers, `x`, arithmetic, \
         comparisons, `and`, `or`, `not`, conditional expressions, `round`, `str`, quoted strings and `+` between \

@@ -2,7 +2,7 @@
 
 use super::super::cause::schema::misspelt;
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
 use crate::formats::obj::Mesh;
 use crate::repo::FileFacts;
@@ -10,7 +10,7 @@ use crate::repo::makehuman2::{Base, ForeignSign, UnreadMesh, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
-        Application::Makehuman2,
+        Makehuman2,
         "builds binary assets with wrong delete masks; crashes with `ValueError` when they are worn with others",
     )],
     docs: "`numverts` must be the number of vertices of the base mesh, the `v` lines of `base.obj`.\n\nMakeHuman \

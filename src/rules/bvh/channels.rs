@@ -2,12 +2,12 @@
 
 use super::super::{Check, Rule, RuleCx, counted};
 use super::REJECTED;
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::bvh::{Fault, FaultKind, Motion};
 use crate::repo::{Body, FileFacts};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "rejects the file with a message")],
+    breaks: &[(Makehuman2, "rejects the file with a message")],
     docs: "A line `CHANNELS n …` lists another number of channels than `n`, lists none, or names one that does not exist. \
         The names are `Xposition`, `Yposition`, `Zposition`, `Xrotation`, `Yrotation` and `Zrotation`, with exactly these \
         capitals.\n\n\

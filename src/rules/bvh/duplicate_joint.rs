@@ -3,12 +3,12 @@
 use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::bvh::Joint;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "uses only the angles of the last joint of that name")],
+    breaks: &[(Makehuman2, "uses only the angles of the last joint of that name")],
     docs: "Two joints of a BVH file have the same name. A name ends at the first space, so `upper arm` and `upper leg` are \
         both `upper`.\n\n\
         MakeHuman 2 keeps the angles of the last one; those of the others are lost.\n\n\

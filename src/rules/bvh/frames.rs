@@ -2,12 +2,12 @@
 
 use super::super::{Check, Rule, RuleCx, counted};
 use super::{INDEX, VALUE};
-use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::bvh::{Fault, FaultKind, Motion};
 use crate::repo::{Body, FileFacts};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "crashes with `IndexError` when the pose is chosen")],
+    breaks: &[(Makehuman2, "crashes with `IndexError` when the pose is chosen")],
     docs: "The frames of a BVH file are not what `Frames:` and `CHANNELS` announce: there are fewer lines, a blank line \
         between them, a line with too few numbers, or a word that is not a number. `Frames:` is a whole number above 0, \
         `Frame Time:` a number with a decimal point.\n\n\
@@ -17,8 +17,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     ..RuleInfo::new("bvh-frames", Level::Error, "the frames of a BVH file do not fit its header")
 });
 
-const NOT_SHOWN: Case =
-    &[(Application::Makehuman2, Level::Error, "crashes with `IndexError` when the pose is shown or exported")];
+const NOT_SHOWN: Case = &[(Makehuman2, Level::Error, "crashes with `IndexError` when the pose is shown or exported")];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (file, motion) in &body.motions {

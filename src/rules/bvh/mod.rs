@@ -5,15 +5,15 @@ pub(in crate::rules) mod duplicate_joint;
 pub(in crate::rules) mod frames;
 pub(in crate::rules) mod syntax;
 
-use crate::diag::{Application, Case, Level};
+use crate::diag::{Application::Makehuman2, Case, Level};
 
 /// What becomes of a file that is rejected inside its hierarchy or later.
 const REJECTED: Case = &[(
-    Application::Makehuman2,
+    Makehuman2,
     Level::Error,
     "rejects the file with a message; playing or exporting it \
     then crashes with `TypeError`",
 )];
 /// What becomes of a file at which an index or a number fails.
-const INDEX: Case = &[(Application::Makehuman2, Level::Error, "crashes with `IndexError` when the pose is chosen")];
-const VALUE: Case = &[(Application::Makehuman2, Level::Error, "crashes with `ValueError` when the pose is chosen")];
+const INDEX: Case = &[(Makehuman2, Level::Error, "crashes with `IndexError` when the pose is chosen")];
+const VALUE: Case = &[(Makehuman2, Level::Error, "crashes with `ValueError` when the pose is chosen")];

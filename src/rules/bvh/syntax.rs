@@ -2,12 +2,12 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::{INDEX, REJECTED, VALUE};
-use crate::diag::{Application, Case, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo};
 use crate::formats::bvh::{Fault, FaultKind};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "rejects the file or crashes when the pose is chosen")],
+    breaks: &[(Makehuman2, "rejects the file or crashes when the pose is chosen")],
     docs: "A line of a BVH file is not what the format has in this place. Each of `HIERARCHY`, `ROOT name`, `{`, `OFFSET`, \
         `CHANNELS`, `JOINT name`, `End Site`, `}`, `MOTION`, `Frames:` and `Frame Time:` has a line of its own, written \
         exactly so.\n\n\
@@ -19,8 +19,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     ..RuleInfo::new("bvh-syntax", Level::Error, "a line of a BVH file is not what is expected there")
 });
 
-const BEFORE_ROOT: Case =
-    &[(Application::Makehuman2, Level::Error, "rejects the file with a message and shows the rest pose")];
+const BEFORE_ROOT: Case = &[(Makehuman2, Level::Error, "rejects the file with a message and shows the rest pose")];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (file, motion) in &body.motions {

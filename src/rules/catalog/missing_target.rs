@@ -4,14 +4,14 @@ use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx, counted};
 use super::neighbours::Neighbours;
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, grouped, pointer};
+use crate::diag::{Application::Mpfb, Evidence, Finding, Level, Place, RuleInfo, grouped, pointer};
 use crate::formats::target_catalog::Section;
 use crate::repo::mpfb::{Catalog, View};
 use crate::repo::{Reference, Resolution, parent};
 
 pub(in crate::rules) static RULE: Rule = Check::Mpfb(run).rule(RuleInfo {
     breaks: &[(
-        Application::Mpfb,
+        Mpfb,
         "raises an exception when the slider moves: the slider jumps back, and only the console shows why",
     )],
     docs: "A slider of `target.json` names a target that does not exist.\n\nA slider with `opposites` loads \

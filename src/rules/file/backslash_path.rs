@@ -4,12 +4,12 @@ use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
 use super::named::{causes, written};
-use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Change, Finding, Fix, FixKind, Level, Place, RuleInfo};
 use crate::repo::{Reference, Resolution, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     fix: FixKind::Safe,
-    breaks: &[(Application::Makehuman2, "finds the file only on Windows, and never in compressedtargets.npz")],
+    breaks: &[(Makehuman2, "finds the file only on Windows, and never in compressedtargets.npz")],
     docs: "The path separates folders with `\\`. Windows accepts that, but on Linux and macOS the backslash is \
         part of the name, and the file is not found. The keys of `compressedtargets.npz` use `/` \
         everywhere.\n\nThe consequence is that of a missing file, such as a crash when the slider moves or a \

@@ -1,11 +1,11 @@
 //! Names in one folder that differ in nothing but case.
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo, grouped};
+use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo, grouped};
 use crate::repo::View;
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "finds only one of them on Windows and macOS, where they cannot coexist")],
+    breaks: &[(Makehuman2, "finds only one of them on Windows and macOS, where they cannot coexist")],
     docs: "Linux keeps `Nose.target` and `nose.target` apart; Windows and macOS do not. If the repository is \
         checked out or unpacked there, the later file replaces the earlier one, and what refers to the earlier \
         one gets the wrong content.\n\nOnly names in the same folder are compared. Rename one of them, and \

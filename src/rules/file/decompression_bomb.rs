@@ -2,13 +2,13 @@
 
 use super::super::cause::consequence::{Moment, moment};
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
 use crate::repo::{FileFacts, View};
 use crate::source::GzipFault;
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
     cannot_be_ignored: true,
-    breaks: &[(Application::Makehuman2, "unpacks the file without a limit until memory runs out")],
+    breaks: &[(Makehuman2, "unpacks the file without a limit until memory runs out")],
     docs: "A small packed file can unpack to gigabytes of zeros. Loaders unpack it without asking, and the \
         computer runs out of memory.\n\nPacked assets shrink three to ten times. `mhlint` stops beyond 512 MiB, \
         or beyond 200 times the packed size once 16 MiB are passed. For `.npz`, `.mhbin` and `.zip` it adds up \

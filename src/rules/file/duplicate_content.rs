@@ -1,12 +1,12 @@
 //! The same content under several names.
 
 use super::super::{Check, Rule, RuleCx, counted};
-use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo, grouped};
+use crate::diag::{Application::Makehuman2, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo, grouped};
 use crate::discover::Kind;
 use crate::repo::{FileFacts, ReferenceKind, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "loads the same content more than once")],
+    breaks: &[(Makehuman2, "loads the same content more than once")],
     docs: "Several targets have the same displacements, or several pictures or meshes the same bytes. That does \
         no harm, but takes space, and a change to one is easily forgotten in the others.\n\nTargets are compared \
         by their numbers, not their comments. Targets that move nothing and files below 200 bytes are left out. \

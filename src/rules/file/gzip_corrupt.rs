@@ -2,15 +2,15 @@
 
 use super::super::cause::consequence::{Damage, Moment, consequence, moment};
 use super::super::{Check, Rule, RuleCx, counted};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman2, Mpfb},
+    Finding, Level, Place, RuleInfo,
+};
 use crate::repo::{FileFacts, View};
 use crate::source::GzipFault;
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
-    breaks: &[
-        (Application::Makehuman2, "never reads packed targets"),
-        (Application::Mpfb, "fails with an exception when it unpacks the target"),
-    ],
+    breaks: &[(Makehuman2, "never reads packed targets"), (Mpfb, "fails with an exception when it unpacks the target")],
     docs: "A `.gz` file ends with a checksum. If a broken download or a full disk cut it off, a transfer in text \
         mode changed it, or something follows its end, its content is lost or no longer certain.\n\nMPFB fails \
         with an exception. MakeHuman 2 reads only plain targets and never opens a packed one; in its data folder \

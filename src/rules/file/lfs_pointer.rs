@@ -4,14 +4,14 @@ use std::collections::BTreeMap;
 
 use super::super::cause::consequence::{Damage, consequence};
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
 use crate::repo::{FileFacts, View, parent};
 use crate::source::is_below;
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[(
-        Application::Makehuman2,
+        Makehuman2,
         "reads the pointer instead of the content: JSON is rejected, targets move nothing, pictures are not shown",
     )],
     docs: "Git LFS keeps large files elsewhere and leaves a small text in their place, the pointer, until the \

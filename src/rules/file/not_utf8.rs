@@ -4,13 +4,13 @@ use super::super::cause::archived::weigh;
 use super::super::cause::consequence::{Damage, consequence};
 use super::super::cause::is_unmet;
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
 use crate::repo::{FileFacts, View};
 use crate::source::Guess;
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "crashes with `UnicodeDecodeError`")],
+    breaks: &[(Makehuman2, "crashes with `UnicodeDecodeError`")],
     docs: "MakeHuman 2 reads JSON, targets, meshes and BVH as strict UTF-8. One letter in Latin-1 or a Windows \
         code page, even in a comment, or a file saved as UTF-16 crashes it with `UnicodeDecodeError`: at start \
         for everything that is loaded or scanned then, otherwise when the asset is used.\n\nThe loaders of \

@@ -1,13 +1,13 @@
 //! Files far beyond the size of their kind.
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Finding, Level, OptionInfo, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Finding, Level, OptionInfo, Place, RuleInfo};
 use crate::discover::Kind;
 use crate::repo::{FileFacts, View};
 use crate::source::ReadFault;
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "loads it slowly and uses a lot of memory")],
+    breaks: &[(Makehuman2, "loads it slowly and uses a lot of memory")],
     options: &[
         OptionInfo {
             name: "json",

@@ -2,13 +2,13 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::named::differs_in_form;
-use crate::diag::{Application, Finding, Level, RuleInfo};
+use crate::diag::{Application::Makehuman2, Finding, Level, RuleInfo};
 use crate::repo::{Resolution, View};
 use crate::source::is_below;
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[(
-        Application::Makehuman2,
+        Makehuman2,
         "does not find it on Windows, where it cannot be unpacked or checked out; elsewhere its name may change",
     )],
     docs: "Windows reserves the names `CON`, `PRN`, `AUX`, `NUL`, `COM1` to `COM9` and `LPT1` to `LPT9`, with \

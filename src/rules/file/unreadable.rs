@@ -2,15 +2,12 @@
 
 use super::super::cause::consequence::{Damage, consequence};
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Finding, Level, RuleInfo};
+use crate::diag::{Application::Makehuman2, Finding, Level, RuleInfo};
 use crate::repo::View;
 use crate::source::{ReadFault, WalkFaultKind};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(
-        Application::Makehuman2,
-        "cannot open it either, so its content is missing or the program crashes at start",
-    )],
+    breaks: &[(Makehuman2, "cannot open it either, so its content is missing or the program crashes at start")],
     docs: "The file exists but cannot be read: a link points to nothing, the permissions forbid it, the disk \
         reports an error, or it is a pipe or a device.\n\nMakeHuman 2 treats an unreadable JSON as missing, and \
         crashes at start if it cannot open a target or the base mesh.\n\nFix the link or the permissions, or \

@@ -4,13 +4,13 @@ use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx};
 use super::icons;
-use crate::diag::{Application, Case, Evidence, Finding, Level, RuleInfo, grouped};
+use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, RuleInfo, grouped};
 use crate::discover::{Kind, Layout, extension};
 use crate::repo::makehuman2::{Base, View};
 use crate::repo::{FileFacts, Reference, ReferenceKind, Resolution, parent};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "never opens it")],
+    breaks: &[(Makehuman2, "never opens it")],
     docs: "Nothing in the repository refers to the file, and no loader opens a file with its name. It does no \
         harm, but is often the sign of a mistake: an icon whose slider has a different name, a target packed as \
         `.target.gz` (MakeHuman 2 reads only plain targets), an extension in capitals, a backup copy.\n\nThe \
@@ -24,8 +24,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
 const FOLDERS: [&str; 4] = ["target", "contarget", "rigs", "base"];
 
 /// Of the user's targets every one that is called so becomes a slider.
-const NO_SLIDER: Case =
-    &[(Application::Makehuman2, Level::Warning, "makes no slider for it: the extension must be `.target`")];
+const NO_SLIDER: Case = &[(Makehuman2, Level::Warning, "makes no slider for it: the extension must be `.target`")];
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let references = References::of(view, base);
@@ -89,7 +88,7 @@ impl<'r> References<'r> {
 
 /// Why nothing uses the file, if nothing does.
 fn reason(base: &Base<'_>, file: &FileFacts, references: &References<'_>) -> Option<Reason> {
-    let (name, layer, layout) = (file.file_name(), references.view.layers.checked, Layout::of(Application::Makehuman2));
+    let (name, layer, layout) = (file.file_name(), references.view.layers.checked, Layout::of(Makehuman2));
     // A file called `icons` stands in the place of a folder: unreadable.
     if file.encoding.lfs_pointer || file.gzip_fault.is_some() || name == "icons" || is_note(name) {
         return None;

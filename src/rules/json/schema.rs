@@ -6,13 +6,13 @@ use super::super::cause::{counts_as_missing, is_ignored_override};
 use super::super::{Check, Rule, RuleCx};
 use super::left_out;
 use super::schema_words::{lack, sentence};
-use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo, grouped};
+use crate::diag::{Application::Makehuman2, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo, grouped};
 use crate::json::{SchemaFault, UnknownKey};
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
     breaks: &[(
-        Application::Makehuman2,
+        Makehuman2,
         "does not check the value and crashes where it uses it, mostly with `TypeError` or `KeyError` at start",
     )],
     docs: "Each format has a JSON Schema that says which keys an object needs and what their values are. `mhlint \

@@ -5,13 +5,13 @@ use super::super::cause::is_ignored_override;
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::left_out;
 use super::told_keys::{Told, nested};
-use crate::diag::{Application, Case, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo, grouped};
+use crate::diag::{Application::Makehuman2, Case, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo, grouped};
 use crate::discover::Kind;
 use crate::json::UnknownKey;
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "silently ignores the key")],
+    breaks: &[(Makehuman2, "silently ignores the key")],
     docs: "No application reads this key. Every loader takes the keys it knows and ignores the others, so a \
         misspelt key has no effect: the slider has no partner, the bone no parent.\n\nIn the files of the \
         sliders and of the base, a key that is nearly a known one is a warning. So is a misspelt \
@@ -23,14 +23,11 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
 });
 
 /// Something slipped inside another thing of its kind.
-const NESTED: Case = &[(Application::Makehuman2, Level::Warning, "silently ignores everything in it")];
+const NESTED: Case = &[(Makehuman2, Level::Warning, "silently ignores everything in it")];
 
 /// Whoever has no plane takes the vertical, which changes the rest pose (formats/makehuman2.md §10.1).
-const NO_PLANE: Case = &[(
-    Application::Makehuman2,
-    Level::Warning,
-    "ignores the key: the bones have no plane, so the vertical decides their roll",
-)];
+const NO_PLANE: Case =
+    &[(Makehuman2, Level::Warning, "ignores the key: the bones have no plane, so the vertical decides their roll")];
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if file.schema.unknown.is_empty() || is_ignored_override(file) {

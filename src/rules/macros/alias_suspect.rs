@@ -3,12 +3,12 @@
 use super::super::{Check, Rule, RuleCx};
 use super::links::unreferenced;
 use super::suspects::{Suspect, by_file, is_crowd, suspects};
-use crate::diag::{Application, Confidence, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Confidence, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "applies the target of a different value to this combination")],
+    breaks: &[(Makehuman2, "applies the target of a different value to this combination")],
     docs: "`t` spells a different value of a component than `name`, and an unused file in the same folder spells \
         the right one. The entry was probably copied and not finished. Combinations may share a target, so `t` \
         need not spell all values of the name; a `t` that only leaves values out is not reported.\n\nMakeHuman 2 \

@@ -3,12 +3,12 @@
 use super::super::{Check, Rule, RuleCx};
 use super::component::sound_components;
 use super::space::Space;
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 use std::collections::BTreeSet;
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "applies the target of an ambiguous name to every combination with that name")],
+    breaks: &[(Makehuman2, "applies the target of an ambiguous name to every combination with that name")],
     docs: "The name of a combination is its values joined by `-`. A value that contains a dash makes the names \
         hard to read, and two combinations can have the same name: `a` + `b-c` and `a-b` + `c`.\n\nMakeHuman 2 \
         only compares whole names. While every listed name has one meaning, nothing goes wrong (an info). The \

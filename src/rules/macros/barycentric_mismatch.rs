@@ -4,12 +4,12 @@ use super::super::cause::component::is_even;
 use super::super::cause::component::patterns;
 use super::super::{Check, Rule, RuleCx};
 use super::component::{sound_components, weigh};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, BoundSlider, Pattern, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
-        Application::Makehuman2,
+        Makehuman2,
         "crashes with `TypeError` if an entry of `sum` leads to a plain slider; in another order, values get the \
          weights of other corners",
     )],

@@ -2,12 +2,12 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::titles;
-use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Place, RuleInfo, grouped};
+use crate::diag::{Application::Makehuman2, Change, Finding, Fix, FixKind, Level, Place, RuleInfo, grouped};
 use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     fix: FixKind::Unsafe,
-    breaks: &[(Application::Makehuman2, "uses the last entry; the target of an earlier one is never applied")],
+    breaks: &[(Makehuman2, "uses the last entry; the target of an earlier one is never applied")],
     docs: "A macrodef lists the same combination more than once. The entries of all macrodefs form one table from \
         names to files.\n\nMakeHuman 2 silently uses the last entry of a name. If the entries name different \
         files, the earlier file is loaded but never used (an error). If the entries are equal, nothing goes \

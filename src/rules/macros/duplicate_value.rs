@@ -2,13 +2,13 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::component::{sound_components, weigh};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 use std::collections::BTreeSet;
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
-        Application::Makehuman2,
+        Makehuman2,
         "uses the same combinations at both slider positions, so that one of the two shapes can never be reached",
     )],
     docs: "A component has the same value twice. Combinations are told apart only by the names of their \

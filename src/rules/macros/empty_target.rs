@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::links::{MacroLink, links};
-use crate::diag::{Application, Change, Evidence, Finding, Fix, FixKind, Level, Place, RuleInfo, grouped};
+use crate::diag::{Application::Makehuman2, Change, Evidence, Finding, Fix, FixKind, Level, Place, RuleInfo, grouped};
 use crate::formats::macro_json::without_suffix;
 use crate::formats::target::TargetFacts;
 use crate::repo::makehuman2::{Base, View};
@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     fix: FixKind::Unsafe,
-    breaks: &[(Application::Makehuman2, "loads and applies a target that moves nothing")],
+    breaks: &[(Makehuman2, "loads and applies a target that moves nothing")],
     docs: "A combination uses a target without rows, or with zeros only. It does the same as `null`, which shows \
         that the combination is meant to change nothing.\n\nMakeHuman 2 loads and applies the file without a \
         message. If a shape is expected here, this is the wrong file. A slider that uses the same file does \

@@ -4,12 +4,12 @@ use super::super::cause::schema::is_sound;
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::links::{MacroLink, links, own_links};
 use super::lost_folder::{holds_files, is_lost};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
-        Application::Makehuman2,
+        Makehuman2,
         "uses the folder of the previous macrodef, or crashes at start in the first one; a missing target crashes \
          it with `AttributeError` as soon as its combination has weight",
     )],

@@ -5,17 +5,14 @@ use super::super::cause::schema::is_sound;
 use super::super::{Check, Rule, RuleCx};
 use super::component::unknown_patterns;
 use super::sound::clear_space;
-use crate::diag::{Application, Finding, Level, Place, RuleInfo, pointer};
+use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo, pointer};
 use crate::formats::macro_json::{MacroFile, Macrodef};
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, BoundSlider, Pattern, View};
 use std::collections::{BTreeMap, BTreeSet};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(
-        Application::Makehuman2,
-        "is not affected: it evaluates all macrodefs and only checks whether the list is empty",
-    )],
+    breaks: &[(Makehuman2, "is not affected: it evaluates all macrodefs and only checks whether the list is empty")],
     docs: "`macro_influence` of a macro slider should list the macrodefs that read the slider, counted from 0, \
         but lists others.\n\nMakeHuman 2 always evaluates all macrodefs and only checks whether the list is \
         empty. A wrong list is therefore harmless, but it misleads readers and other programs (an info). A macro \

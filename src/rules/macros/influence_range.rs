@@ -1,12 +1,12 @@
 //! `macro_influence` must hold indices of macro definitions.
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo, grouped};
+use crate::diag::{Application::Makehuman2, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo, grouped};
 use crate::repo::makehuman2::{Base, BoundSlider, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
-        Application::Makehuman2,
+        Makehuman2,
         "ignores the index; with no valid index left, opening the slider hides all macro shapes until another \
          macro slider moves",
     )],

@@ -5,14 +5,14 @@ use super::absence::Absence;
 use super::absence_text::{Kind, message};
 use super::links::unreferenced;
 use super::survey::{Survey, survey};
-use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::macro_json::Macrodef;
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
-        Application::Makehuman2,
+        Makehuman2,
         "applies nothing for a combination that is not listed: the shape snaps back at that corner of the sliders",
     )],
     docs: "A macrodef does not list every combination of the values of its components. A missing combination \

@@ -2,14 +2,14 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::links::{MacroLink, has_suffix, links, nearest_file};
-use crate::diag::{Application, Evidence, Finding, Level, RuleInfo, grouped};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, RuleInfo, grouped};
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, View};
 use std::collections::{BTreeMap, BTreeSet};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
-        Application::Makehuman2,
+        Makehuman2,
         "logs a line and crashes with `AttributeError` as soon as the combination has weight, at start \
          if the default character uses it",
     )],

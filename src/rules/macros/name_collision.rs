@@ -4,14 +4,14 @@ use super::super::{Check, Rule, RuleCx, counted};
 use super::sound::clear_space;
 use super::space::Space;
 use super::titles;
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::macro_json::{Link, Macrodef};
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, View};
 use std::collections::BTreeMap;
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "uses the file of the last macrodef for both, and applies it twice")],
+    breaks: &[(Makehuman2, "uses the file of the last macrodef for both, and applies it twice")],
     docs: "Two macrodefs list or generate the same name. The entries of all macrodefs form one table from names \
         to files, and every macrodef looks up the names it generates in it.\n\nIf both macrodefs list the name \
         with different files, MakeHuman 2 uses the file of the last one for both and applies it twice (an \

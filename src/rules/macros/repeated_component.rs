@@ -1,13 +1,13 @@
 //! A component may occur in `comp` only once.
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 use std::collections::BTreeSet;
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
-        Application::Makehuman2,
+        Makehuman2,
         "generates names such as `female-female`, which no entry has, and applies nothing of the macrodef",
     )],
     docs: "`comp` names a component more than once. The names of a macrodef have one value for each entry of \

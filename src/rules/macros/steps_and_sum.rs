@@ -2,13 +2,13 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::component::{sound_components, unknown_patterns, weigh};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo, pointer};
+use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo, pointer};
 use crate::json::UnknownKey;
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "crashes with `KeyError` without either; ignores `sum` if it has both")],
+    breaks: &[(Makehuman2, "crashes with `KeyError` without either; ignores `sum` if it has both")],
     docs: "A component has both `steps` and `sum`, or neither. `steps` divides one plain slider; `sum` names the \
         three corners of a triangle slider.\n\nIf both are present, MakeHuman 2 ignores `sum` and takes \
         `pattern` as the pattern of one slider (a warning). If no slider has that pattern, it drops the \

@@ -2,11 +2,11 @@
 
 use super::super::{Check, Rule, RuleCx, counted};
 use super::component::{is_dead, sound_components, weigh};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "crashes with `IndexError` when the slider reaches a step without a value")],
+    breaks: &[(Makehuman2, "crashes with `IndexError` when the slider reaches a step without a value")],
     docs: "`steps` and `values` of a component differ in length. Each value needs a slider position of its own: \
         the entry of `steps` at the same place.\n\nMakeHuman 2 does not compare the lengths. With fewer values \
         than steps, it crashes as soon as the slider reaches the interval without a value (an error). With more \

@@ -3,13 +3,13 @@
 use super::super::cause::component::has_special_step;
 use super::super::{Check, Rule, RuleCx};
 use super::component::{is_dead, reach, sound_components, weigh};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 use std::cmp::Ordering;
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
-        Application::Makehuman2,
+        Makehuman2,
         "crashes with `ZeroDivisionError` when the slider is at or below two equal first steps; with other steps \
          out of order, it uses the wrong values",
     )],

@@ -3,13 +3,13 @@
 use super::super::cause::component::has_special_step;
 use super::super::{Check, Rule, RuleCx, percent};
 use super::component::{is_dead, sound_components, weigh};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 use std::cmp::Ordering;
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
-        Application::Makehuman2,
+        Makehuman2,
         "applies the first value with more than its full weight below the first step, and drops the macrodef above \
          the last",
     )],

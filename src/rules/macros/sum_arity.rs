@@ -3,13 +3,13 @@
 use super::super::{Check, Rule, RuleCx, counted};
 use super::component::sound_components;
 use super::component::weigh;
-use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
 use crate::formats::macro_json::Component;
 use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
-        Application::Makehuman2,
+        Makehuman2,
         "crashes with `IndexError` if `sum` is shorter than `values`, and with `TypeError` at a fourth value; \
          never reads corners without a value",
     )],

@@ -7,7 +7,7 @@ use super::super::{Check, Rule, RuleCx};
 use super::fit::{Spellings, values_of};
 use super::links::{has_suffix, is_in_folder, links};
 use super::titles;
-use crate::diag::{Application, Change, Evidence, Finding, Fix, FixKind, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Change, Evidence, Finding, Fix, FixKind, Level, Place, RuleInfo};
 use crate::formats::macro_json::{Link, Macrodef, without_suffix};
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, TargetFolder, View};
@@ -15,7 +15,7 @@ use crate::repo::makehuman2::{Base, TargetFolder, View};
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     fix: FixKind::Safe,
     breaks: &[(
-        Application::Makehuman2,
+        Makehuman2,
         "adds `.target` again, does not find the file and crashes with `AttributeError` as soon as the combination \
          has weight",
     )],

@@ -2,13 +2,13 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::space::Space;
-use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
 use crate::formats::macro_json::Component;
 use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
-        Application::Makehuman2,
+        Makehuman2,
         "drops every combination between the steps, so that the shape of the macrodef disappears there",
     )],
     docs: "A macrodef blends so many values at once that no combination has enough weight. Between two steps of a \

@@ -7,7 +7,7 @@ use super::misspelt_value::{MisspeltValue, misspelt_values, other_component};
 use super::sound::sound_space;
 use super::space::Space;
 use super::titles;
-use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo, grouped};
+use crate::diag::{Application::Makehuman2, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo, grouped};
 use crate::formats::macro_json::{MacroFile, Macrodef};
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, View};
@@ -15,7 +15,7 @@ use std::collections::BTreeSet;
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
-        Application::Makehuman2,
+        Makehuman2,
         "never uses the entry: its target is loaded but never applied, and the intended combination has none",
     )],
     docs: "A macrodef lists a name that its components cannot generate. A name has one value of each component, \

@@ -1,7 +1,7 @@
 //! `comp` must name components that are defined.
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
-use crate::diag::{Application, EXAMPLES, Finding, Level, Place, RuleInfo, grouped};
+use crate::diag::{Application::Makehuman2, EXAMPLES, Finding, Level, Place, RuleInfo, grouped};
 use crate::formats::macro_json::{MacroFile, Macrodef};
 use crate::json::UnknownKey;
 use crate::repo::FileFacts;
@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
-        Application::Makehuman2,
+        Makehuman2,
         "skips the component; the names of the macrodef are then too short, and none of its targets is applied",
     )],
     docs: "`comp` names a component that is not defined. It lists the components of a macrodef by their keys in \

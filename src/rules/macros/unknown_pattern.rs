@@ -4,12 +4,12 @@ use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::component::{macro_patterns, sound_components, unknown_patterns, weigh};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
-        Application::Makehuman2,
+        Makehuman2,
         "drops the component; the names of its macrodefs are then too short, and none of their targets is applied",
     )],
     docs: "No slider has the pattern of a component. `pattern` is the `macro` of an entry of `modelling.json`. \

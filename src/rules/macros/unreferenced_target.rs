@@ -5,14 +5,14 @@ use super::fit::{fitting_names, listed_names, values_of};
 use super::links::{is_in_folder, unreferenced};
 use super::survey::survey;
 use super::suspects::{by_file, is_crowd, suspects};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::macro_json::Macrodef;
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, View};
 use std::collections::BTreeSet;
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "loads the file at start but never applies it")],
+    breaks: &[(Makehuman2, "loads the file at start but never applies it")],
     docs: "A target in the folder of a macrodef is unused. It has an effect only if an entry names it in `t`, or \
         a slider uses it.\n\nMakeHuman 2 loads the file at start but never applies it. Often a similar \
         combination should name it: its entry was forgotten, or copied without changing `t`.\n\nName the file in \

@@ -4,14 +4,14 @@ use super::super::cause::schema::is_sound;
 use super::super::{Check, Rule, RuleCx};
 use super::sound::clear_space;
 use super::space::Space;
-use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
 use crate::formats::macro_json::{MacroFile, Macrodef};
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, View};
 use std::collections::BTreeSet;
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "never evaluates the component")],
+    breaks: &[(Makehuman2, "never evaluates the component")],
     docs: "No macrodef lists the component in `comp`. Perhaps a macrodef was removed and its component was \
         forgotten, or a `comp` lacks it.\n\nMakeHuman 2 ignores such a component. If there is no macrodef at all \
         but sliders drive macros, all those sliders do nothing (an error).\n\nRemove the component, or add it to \

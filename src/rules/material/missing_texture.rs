@@ -4,11 +4,11 @@ use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx};
 use super::advice::{Advice, file_name};
-use crate::diag::{Application, Case, Evidence, Finding, Level, RuleInfo, grouped};
+use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, RuleInfo, grouped};
 use crate::repo::{Layer, Reference, ReferenceKind, Resolution, View, parent};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "silently drops the keyword and goes without this texture")],
+    breaks: &[(Makehuman2, "silently drops the keyword and goes without this texture")],
     docs: "A material names a picture that does not exist, in `diffuseTexture`, `normalmapTexture`, \
         `aomapTexture`, `metallicRoughnessTexture` or `emissiveTexture`. MakeHuman 2 does not know other keywords, \
         such as `specularmapTexture`. A name is one word: it ends at the first blank.\n\n\
@@ -27,10 +27,8 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     ..RuleInfo::new("material-missing-texture", Level::Warning, "a material names a texture that does not exist")
 });
 
-const KEPT: Case =
-    &[(Application::Makehuman2, Level::Warning, "silently drops the line and keeps the texture of a line above")];
-const COLOUR: Case =
-    &[(Application::Makehuman2, Level::Warning, "silently drops the keyword and shows the colour instead")];
+const KEPT: Case = &[(Makehuman2, Level::Warning, "silently drops the line and keeps the texture of a line above")];
+const COLOUR: Case = &[(Makehuman2, Level::Warning, "silently drops the keyword and shows the colour instead")];
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let layers = view.layers();

@@ -1,15 +1,12 @@
 //! A face has each of its vertices once.
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::obj::{Mesh, Repeating};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(
-        Application::Makehuman2,
-        "creates a triangle without area; if another corner was meant, the surface has a hole",
-    )],
+    breaks: &[(Makehuman2, "creates a triangle without area; if another corner was meant, the surface has a hole")],
     docs: "A face uses the same vertex twice.\n\n\
         MakeHuman 2 cuts each face into triangles from its first corner and says nothing if one of them has no \
         area: that triangle is invisible but is exported like the others. A face with four corners of which two \
@@ -19,7 +16,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     ..RuleInfo::new("mesh-degenerate-face", Level::Warning, "a face uses a vertex twice")
 });
 
-const HIDDEN: Case = &[(Application::Makehuman2, Level::Info, "never shows the face: its group is not visible")];
+const HIDDEN: Case = &[(Makehuman2, Level::Info, "never shows the face: its group is not visible")];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, mesh)) = body.mesh else { return };

@@ -2,13 +2,13 @@
 
 use super::super::cause::mesh::weigh;
 use super::super::{Check, Rule, RuleCx, counted};
-use crate::diag::{Application, Case, Finding, Level, Place, RuleInfo, Tally};
+use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo, Tally};
 use crate::discover::Kind;
 use crate::formats::obj::Mesh;
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "crashes with `IndexError` while loading the base mesh")],
+    breaks: &[(Makehuman2, "crashes with `IndexError` while loading the base mesh")],
     docs: "A face uses the number of a vertex or texture coordinate that does not exist. The numbers start at \
         1.\n\n\
         MakeHuman 2 crashes on numbers beyond the last one. It also crashes on 0 and on negative numbers, although \
@@ -21,8 +21,7 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
     )
 });
 
-const BELOW_ONE: Case =
-    &[(Application::Makehuman2, Level::Error, "crashes with `OverflowError` while loading the base mesh")];
+const BELOW_ONE: Case = &[(Makehuman2, Level::Error, "crashes with `OverflowError` while loading the base mesh")];
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(mesh) = file.mesh() else { return };

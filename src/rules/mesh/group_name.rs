@@ -2,12 +2,12 @@
 
 use super::super::cause::mesh::weigh;
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "crashes with `UnicodeEncodeError` while loading the base mesh")],
+    breaks: &[(Makehuman2, "crashes with `UnicodeEncodeError` while loading the base mesh")],
     docs: "The name of a face group contains a letter beyond ASCII.\n\n\
         MakeHuman 2 stores group names as ASCII text and crashes on any other letter. Groups without faces are \
         dropped before that and do no harm.\n\n\

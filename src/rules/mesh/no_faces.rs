@@ -3,15 +3,12 @@
 use super::super::cause::is_unmet;
 use super::super::cause::mesh::{is_in_archive, weigh};
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::obj::Mesh;
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
-    breaks: &[(
-        Application::Makehuman2,
-        "shows nothing and a height of 0 cm; the glTF export crashes with `ValueError`",
-    )],
+    breaks: &[(Makehuman2, "shows nothing and a height of 0 cm; the glTF export crashes with `ValueError`")],
     docs: "A mesh without a line `f …` has vertices but no surface.\n\n\
         MakeHuman 2 loads it without a message, shows nothing, and computes every height as 0. The glTF export \
         crashes with `ValueError` because there is nothing to write. A file that also has no line `v …`, such as a \
@@ -21,8 +18,7 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
     ..RuleInfo::new("mesh-no-faces", Level::Error, "a mesh has no faces")
 });
 
-const NO_MESH: Case =
-    &[(Application::Makehuman2, Level::Error, "crashes at start with `IndexError` while loading the base mesh")];
+const NO_MESH: Case = &[(Makehuman2, Level::Error, "crashes at start with `IndexError` while loading the base mesh")];
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(mesh) = file.mesh().filter(|mesh| is_cloud(mesh)) else { return };

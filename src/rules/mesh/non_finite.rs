@@ -2,14 +2,11 @@
 
 use super::super::cause::mesh::{is_in_archive, weigh};
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Element, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Element, Finding, Level, Place, RuleInfo};
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
-    breaks: &[(
-        Application::Makehuman2,
-        "loses everything computed from the vertex: normals, joints, the height of the body",
-    )],
+    breaks: &[(Makehuman2, "loses everything computed from the vertex: normals, joints, the height of the body")],
     docs: "The position of a vertex is `nan` or infinite.\n\n\
         Python reads `nan` and `inf` as numbers, so MakeHuman 2 loads the mesh. Everything computed from the \
         vertex is lost: the normals around it, joints and fitted assets that use it, and the height of the \

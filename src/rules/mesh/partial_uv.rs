@@ -2,11 +2,11 @@
 
 use super::super::cause::mesh::weigh;
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "crashes with `IndexError` while loading the base mesh")],
+    breaks: &[(Makehuman2, "crashes with `IndexError` while loading the base mesh")],
     docs: "Some faces of a group have texture coordinates and others do not.\n\n\
         MakeHuman 2 keeps the texture coordinates of a group in a list beside its faces. All faces of a group must \
         have them, or none; in a mixed group it reads beyond the end of the list and crashes.\n\n\

@@ -2,12 +2,12 @@
 
 use super::super::cause::consequence::UNREAD_MESH;
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::obj::{Mesh, Reopened};
 use crate::repo::{Body, FileFacts};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "puts the faces after the second `g` into the group that was started last")],
+    breaks: &[(Makehuman2, "puts the faces after the second `g` into the group that was started last")],
     docs: "A second line `g name` continues a group that was started before. MakeHuman 2 only understands the \
         start of a group.\n\n\
         After the second `g` with the same name, MakeHuman 2 puts the faces into the group that was started last. \
@@ -21,8 +21,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     ..RuleInfo::new("mesh-reopened-group", Level::Warning, "a face group appears more than once")
 });
 
-const VANISHING: Case =
-    &[(Application::Makehuman2, Level::Error, "hides visible faces: they end up in a group that is not shown")];
+const VANISHING: Case = &[(Makehuman2, Level::Error, "hides visible faces: they end up in a group that is not shown")];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, mesh)) = body.obj else { return };

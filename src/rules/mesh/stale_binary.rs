@@ -2,14 +2,14 @@
 
 use super::super::units::length;
 use super::super::{Check, Rule, RuleCx, counted};
-use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::mesh_difference::MeshDifference;
 use crate::formats::obj::Mesh;
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, Lies, UnreadMesh, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "loads the mesh from the archive and ignores the OBJ, whichever is newer")],
+    breaks: &[(Makehuman2, "loads the mesh from the archive and ignores the OBJ, whichever is newer")],
     docs: "`base.mhbin` differs from the `base.obj` it should have been packed from.\n\n\
         MakeHuman 2 looks for the user's base.mhbin, then the system's, and only then for a base.obj; a base.mhbin \
         beside a chosen OBJ is loaded instead. It does not compare dates: a newly exported OBJ silently has no \
@@ -25,9 +25,8 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     ..RuleInfo::new("mesh-stale-binary", Level::Warning, "a packed base mesh differs from its OBJ")
 });
 
-const ABOVE: Case =
-    &[(Application::Makehuman2, Level::Warning, "loads the system's base.mhbin and ignores the user's base.obj")];
-const BELOW: Case = &[(Application::Makehuman2, Level::Info, "shows the user's mesh instead of the system's")];
+const ABOVE: Case = &[(Makehuman2, Level::Warning, "loads the system's base.mhbin and ignores the user's base.obj")];
+const BELOW: Case = &[(Makehuman2, Level::Info, "shows the user's mesh instead of the system's")];
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let (Some(archive), Some((_, packed))) = (base.mesh_files.archive(), base.mesh) else { return };

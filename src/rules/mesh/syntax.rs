@@ -2,12 +2,12 @@
 
 use super::super::cause::mesh::weigh;
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::obj::Mesh;
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "crashes with `ValueError` or `IndexError` while loading the base mesh")],
+    breaks: &[(Makehuman2, "crashes with `ValueError` or `IndexError` while loading the base mesh")],
     docs: "A line `v x y z`, `vt u v` or `f a b c …` cannot be read. A face corner is `vertex`, `vertex/uv`, \
         `vertex//normal` or `vertex/uv/normal` in whole numbers, and a face that is drawn has at least three \
         corners. Fewer corners are harmless in hidden groups. Lines other than these and `g name` are ignored.\n\n\

@@ -1,12 +1,12 @@
 //! Vertices that no face uses.
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
 use crate::formats::obj::Mesh;
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "keeps and counts the vertex but never shows it")],
+    breaks: &[(Makehuman2, "keeps and counts the vertex but never shows it")],
     docs: "A vertex belongs to no face.\n\n\
         MakeHuman 2 keeps such vertices; they can be moved, weighted and used by joints and clothes like any \
         others. Programs that drop them on import number all later vertices differently, so that targets, weights \

@@ -1,12 +1,12 @@
 //! The vertices of a base mesh keep their order.
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Confidence, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Confidence, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, ForeignMesh, ForeignSign, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
-        Application::Makehuman2,
+        Makehuman2,
         "silently moves the wrong vertices: targets, weights and joints were made for another order",
     )],
     docs: "The vertices of the base mesh are in another order than the skeleton expects. Targets, weights and \

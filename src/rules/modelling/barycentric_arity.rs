@@ -1,7 +1,7 @@
 //! A triangle has three corners and three colours.
 
 use super::super::{Check, Rule, RuleCx, counted};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, BoundSlider, View};
 
 const CANNOT_MIX: &str =
@@ -11,7 +11,7 @@ const MIXES_OTHERS: &str = "mixes the skin colour without the corners that have 
 const THREE: usize = 3;
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "crashes with `IndexError` at start")],
+    breaks: &[(Makehuman2, "crashes with `IndexError` at start")],
     docs: "A triangle slider does not have exactly three patterns or three colours. `barycentric` has one pattern \
         for each corner; `barycentric_diffuse` gives each corner a skin colour of three numbers.\n\nWith any \
         other number of patterns, MakeHuman 2 crashes at start. If a colour does not have three numbers, for \

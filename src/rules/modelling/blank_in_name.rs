@@ -4,14 +4,11 @@ use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx, counted};
 use super::groups;
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View, user_scan};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(
-        Application::Makehuman2,
-        "crashes with `ValueError` when it loads a model that was saved with the slider moved",
-    )],
+    breaks: &[(Makehuman2, "crashes with `ValueError` when it loads a model that was saved with the slider moved")],
     docs: "The file or folder name of a user target, or a pattern of `modelling.json`, contains a space.\n\nA \
         saved model names a slider by its pattern, which contains the path of its target, and MakeHuman 2 splits \
         the line at spaces. The slider works and the model can be saved, but it can never be loaded again. This \

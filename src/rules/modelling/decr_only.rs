@@ -2,11 +2,11 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::groups;
-use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "crashes with `AttributeError` when the slider moves to its positive side")],
+    breaks: &[(Makehuman2, "crashes with `AttributeError` when the slider moves to its positive side")],
     docs: "A slider has `decr`, its negative side, but no `incr`, its positive side.\n\nMakeHuman 2 still shows \
         both sides. The positive side has no target, so moving the slider there crashes with `AttributeError`. \
         The slider also has no pattern: it is never saved, and no model can set it.\n\nAdd `incr`, or rename \

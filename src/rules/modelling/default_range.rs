@@ -2,14 +2,11 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::groups;
-use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(
-        Application::Makehuman2,
-        "sets the slider beyond its end at every reset: a macro disappears or is exaggerated",
-    )],
+    breaks: &[(Makehuman2, "sets the slider beyond its end at every reset: a macro disappears or is exaggerated")],
     docs: "`default` lies beyond the ends of the slider. It is the value after a reset, from 0 to 1 (from -1 for \
         a slider with two targets). Loading a model resets all sliders first.\n\nMakeHuman 2 does not limit the \
         value. Above 1, a macro applies nothing; below 0, its first value is exaggerated; a target is applied \

@@ -1,11 +1,11 @@
 //! The layout in `display.text` is for what the formula gives.
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "crashes at start when it prints the status texts")],
+    breaks: &[(Makehuman2, "crashes at start when it prints the status texts")],
     docs: "`display.text` has a format that does not fit its value. It is a text for Python's `str.format`: `{}` \
         stands for the result of `display.formula`, and the format after a colon is for one type of \
         value.\n\n`{:d}` is for whole numbers, `{:.1f}` for all numbers, `{:>8}` for everything. `val` is a \

@@ -2,14 +2,11 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::with_patterns;
-use crate::diag::{Application, Finding, Level, Place, RuleInfo, grouped};
+use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo, grouped};
 use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(
-        Application::Makehuman2,
-        "saves and loads only the last of the sliders; the values of the others are lost",
-    )],
+    breaks: &[(Makehuman2, "saves and loads only the last of the sliders; the values of the others are lost")],
     docs: "Two entries have the same pattern. The pattern is the name of a slider in saved models, presets, \
         symmetry and macros: the texts of `barycentric`, or `macro`, or `<decr>|<ending>` for a pair of targets, \
         or `incr`.\n\nMakeHuman 2 shows a slider for each entry, but knows only the last by the pattern. The \

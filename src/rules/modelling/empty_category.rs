@@ -4,13 +4,13 @@ use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx};
 use super::groups::{self, Groups, USER_CATEGORY};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::target_cat::Category;
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "shows an entry without sliders in the tree")],
+    breaks: &[(Makehuman2, "shows an entry without sliders in the tree")],
     docs: "No slider has the group of an item in `target_cat.json`, or a category has no items. An item shows the \
         sliders whose `group` equals its `group|cat`.\n\nMakeHuman 2 shows an entry that leads nowhere (an \
         info). It always replaces a category named `User` with the one it generates from user targets, so the \

@@ -4,15 +4,12 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::cause::component::named_patterns;
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Confidence, Finding, Level, Place, RuleInfo, pointer};
+use crate::diag::{Application::Makehuman2, Confidence, Finding, Level, Place, RuleInfo, pointer};
 use crate::formats::macro_json::MacroFile;
 use crate::repo::makehuman2::{Base, BoundSlider, Pattern, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(
-        Application::Makehuman2,
-        "hides all macro shapes when the slider is opened, until another macro slider moves",
-    )],
+    breaks: &[(Makehuman2, "hides all macro shapes when the slider is opened, until another macro slider moves")],
     docs: "A macro slider has no `macro_influence`, or an empty one. It lists the macrodefs that the slider takes \
         part in, counted from 0.\n\nMakeHuman 2 always evaluates all macrodefs; it only checks whether the list \
         is empty. It treats a macro slider without the list, or with an empty one, as an ordinary slider: \

@@ -3,12 +3,12 @@
 use super::super::cause::schema::is_sound;
 use super::super::units::centimetres;
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, pointer};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo, pointer};
 use crate::eval::measure::{chain_length, closing_gap};
 use crate::repo::makehuman2::{Base, BoundSlider, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "crashes with `IndexError` when it shows the length")],
+    breaks: &[(Makehuman2, "crashes with `IndexError` when it shows the length")],
     docs: "`measure` does not fit the base mesh. It lists vertices of the mesh, counted from 0; the length of the \
         line through them is shown beside the slider.\n\nMakeHuman 2 crashes whenever it computes the length \
         with a vertex that does not exist, or with a number that has a decimal point, such as `100.0`. A \

@@ -6,13 +6,13 @@ use super::super::{Check, Rule, RuleCx};
 use super::foreign;
 use super::marks;
 use super::missing::{self, Group};
-use crate::diag::{Application, Evidence, Finding, Level, RuleInfo, Suggestions};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, RuleInfo, Suggestions};
 use crate::repo::makehuman2::{Base, View};
 use crate::repo::{FileFacts, Reference, ReferenceKind};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
-        Application::Makehuman2,
+        Makehuman2,
         "crashes with `AttributeError` when the slider moves, or at start if the start model sets it",
     )],
     docs: "`incr` or `decr` names a target that does not exist. Both are paths below the target folder, with `/` \

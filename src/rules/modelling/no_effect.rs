@@ -5,14 +5,14 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::super::cause::component::patterns;
 use super::super::{Check, Rule, RuleCx};
 use super::groups;
-use crate::diag::{Application, EXAMPLES, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, EXAMPLES, Finding, Level, Place, RuleInfo};
 use crate::formats::macro_json::{Component, Macrodef};
 use crate::formats::modelling::EFFECTS;
 use crate::repo::makehuman2::{Base, BoundSlider, Pattern, View};
 use crate::repo::{Reference, ReferenceKind};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "shows a slider that does nothing and is never saved")],
+    breaks: &[(Makehuman2, "shows a slider that does nothing and is never saved")],
     docs: "An entry has neither `incr`, `decr`, `macro` nor `barycentric`, or has targets beside a macro.\n\nWith \
         none of the keys, MakeHuman 2 shows a slider without a pattern: it moves nothing, is never saved, and no \
         model can set it. If a misspelt key was meant to give a component its slider, the macrodefs of that \

@@ -3,15 +3,12 @@
 use super::super::cause::schema::is_faulty;
 use super::super::{Check, Rule, RuleCx};
 use super::with_patterns;
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, grouped};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo, grouped};
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, BoundSlider, Pattern, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(
-        Application::Makehuman2,
-        "shows a slider with its increasing side only; the other target cannot be reached",
-    )],
+    breaks: &[(Makehuman2, "shows a slider with its increasing side only; the other target cannot be reached")],
     docs: "An entry has `decr` and `incr`, but `target-opposites` of `base.json` has no pair of endings for them. \
         A slider has two sides only if the two file names end in such a pair, each after a `-`.\n\nMakeHuman 2 \
         silently drops the negative side, and the pattern of the slider is `incr` alone: presets, symmetry and \

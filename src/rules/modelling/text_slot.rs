@@ -3,14 +3,14 @@
 use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, BoundSlider, View};
 
 /// Lines of the status area.
 const SLOTS: std::ops::RangeInclusive<f64> = 1.0..=5.0;
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "does not show the text")],
+    breaks: &[(Makehuman2, "does not show the text")],
     docs: "`display.slot` is not a line of the status area, or two sliders use the same line. The status area has \
         the lines 1 to 5.\n\nMakeHuman 2 ignores a text for any other line. If two sliders use one line, only \
         the last is shown. A number with a decimal point, such as `2.0`, crashes it at start with `TypeError` \

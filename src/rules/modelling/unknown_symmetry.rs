@@ -2,11 +2,11 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::{advice, counterpart, with_patterns};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "skips the slider when it makes a character symmetric or random")],
+    breaks: &[(Makehuman2, "skips the slider when it makes a character symmetric or random")],
     docs: "`rsym` of a left slider, or `lsym` of a right one, names an unknown pattern. It must be the pattern of \
         the counterpart, not its key: its `incr`, or `<decr>|<ending of incr>` for a slider with two \
         sides.\n\nMakeHuman 2 reports it only on the console. \"Make symmetric\" skips the slider. With an \

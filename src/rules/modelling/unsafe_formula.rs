@@ -1,16 +1,13 @@
 //! `display` of a slider is handed to Python: nothing but harmless arithmetic may be in it.
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
 use crate::formats::expression::{Fault, FaultKind};
 use crate::repo::makehuman2::{Base, BoundSlider, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     cannot_be_ignored: true,
-    breaks: &[(
-        Application::Makehuman2,
-        "runs it as Python code with all rights of the user as soon as its window opens",
-    )],
+    breaks: &[(Makehuman2, "runs it as Python code with all rights of the user as soon as its window opens")],
     docs: "`display.formula` or `display.text` is more than harmless arithmetic. MakeHuman 2 passes the formula \
         to Python's `eval` and the result to the text with `str.format`, at every start and whenever a slider \
         moves. That can run any program, read and delete files, or never end.\n\nSafe are numbers, `val` (the \

@@ -1,14 +1,11 @@
 //! Two user targets must not be given the same key.
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, grouped};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo, grouped};
 use crate::repo::makehuman2::{Base, View, user_scan};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(
-        Application::Makehuman2,
-        "makes one slider of them; the order of files in the folder decides which target is lost",
-    )],
+    breaks: &[(Makehuman2, "makes one slider of them; the order of files in the folder decides which target is lost")],
     docs: "Two user targets get the same key. MakeHuman 2 makes a slider for every user target, with the folder \
         and the file name as its key: the first letter of each in upper case, all others in lower case, and \
         spaces instead of `-`. A pair `-incr`/`-decr` is one slider, without that ending.\n\nNames that differ \

@@ -1,12 +1,12 @@
 //! A pair of user targets needs a folder.
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View, user_scan};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
-        Application::Makehuman2,
+        Makehuman2,
         "crashes with `UnboundLocalError` whenever it scans the user targets, for example at start",
     )],
     docs: "Two user targets named `…-incr` and `…-decr` are directly in `target/<base>/`.\n\nMakeHuman 2 makes \

@@ -2,12 +2,12 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::{at_setting, percent, untold};
-use crate::diag::{Application, Case, Confidence, Evidence, Finding, Level, RuleInfo};
+use crate::diag::{Application::Makehuman2, Case, Confidence, Evidence, Finding, Level, RuleInfo};
 use crate::eval::measures::{Measures, Seen};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "shows these faces black or not at all: a face without area has no normal")],
+    breaks: &[(Makehuman2, "shows these faces black or not at all: a face without area has no normal")],
     docs: "At some slider setting visible faces have (almost) no area, or a considerable part of the skin turns \
         inside out.\n\n\
         A face has collapsed if its area falls to a ten-thousandth of its area on the default character. In \
@@ -24,11 +24,8 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     )
 });
 
-const FLIPPED: Case = &[(
-    Application::Makehuman2,
-    Level::Warning,
-    "shows the inside of the skin, or holes where backfaces are not drawn",
-)];
+const FLIPPED: Case =
+    &[(Makehuman2, Level::Warning, "shows the inside of the skin, or holes where backfaces are not drawn")];
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(space) = &measures.space else { return };

@@ -4,13 +4,13 @@ use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx};
 use super::{component, has_sound_steps, title};
-use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::measures::{DeadRange, Measures};
 use crate::formats::macro_json::{Component, MacroFile, Macrodef};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "silently applies nothing of the macrodef in this part of the slider")],
+    breaks: &[(Makehuman2, "silently applies nothing of the macrodef in this part of the slider")],
     docs: "A macrodef applies nothing while a slider is at certain values, whatever its other sliders are, \
         although it applies something elsewhere on that slider.\n\n\
         A single value whose combinations are all `null` or not listed is usually intended (a neutral value, or \
@@ -25,7 +25,7 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
 });
 
 const NARROW: Case = &[(
-    Application::Makehuman2,
+    Makehuman2,
     Level::Info,
     "fades the shape out towards this position, and applies nothing of the macrodef there",
 )];

@@ -2,12 +2,12 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::{component, has_sound_steps, percent, title};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "snaps from one shape to another at this position of the slider")],
+    breaks: &[(Makehuman2, "snaps from one shape to another at this position of the slider")],
     docs: "The shape jumps where a slider passes a step: the weight of a target changes by more than 0.02 between \
         0.000001 below and above the step, with the other sliders at their defaults.\n\n\
         MakeHuman 2 blends between two steps, so the shape normally follows the slider smoothly. Its own cut-offs \

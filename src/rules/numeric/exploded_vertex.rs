@@ -2,15 +2,12 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::{at_setting, untold};
-use crate::diag::{Application, Confidence, Evidence, Finding, Level, RuleInfo};
+use crate::diag::{Application::Makehuman2, Confidence, Evidence, Finding, Level, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
-    breaks: &[(
-        Application::Makehuman2,
-        "tears the vertex out of the figure, together with its faces, joints and clothes",
-    )],
+    breaks: &[(Makehuman2, "tears the vertex out of the figure, together with its faces, joints and clothes")],
     docs: "At some slider setting a vertex lies outside the box around the default character by more than 0.6 \
         times the diagonal of that box. The tallest character of MakeHuman's own base stays within 0.41 \
         diagonals.\n\n\

@@ -2,15 +2,12 @@
 
 use super::super::units::centimetres;
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Confidence, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Confidence, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::obj::{Mesh, joined};
 use crate::repo::{Body, Rig};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(
-        Application::Makehuman2,
-        "shows a body of this size without a message; targets, clothes and poses do not fit it",
-    )],
+    breaks: &[(Makehuman2, "shows a body of this size without a message; targets, clothes and poses do not fit it")],
     docs: "The body is implausibly small or large: the visible groups of a mesh with a pose skeleton are at most \
         20 cm, or at least 6 m, in their largest dimension. Everything in between is taken as intended.\n\n\
         Numbers in `base.obj` are decimetres: a figure of 1.70 m is 17 high. Programs that count in metres or \

@@ -2,12 +2,12 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::{at_setting, untold};
-use crate::diag::{Application, Confidence, Evidence, Finding, Level, RuleInfo};
+use crate::diag::{Application::Makehuman2, Confidence, Evidence, Finding, Level, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "rotates the limb around a point outside it as soon as the figure is posed")],
+    breaks: &[(Makehuman2, "rotates the limb around a point outside it as soon as the figure is posed")],
     docs: "At some slider setting a joint moves away from the skin around it.\n\n\
         A joint is compared with the sixteen vertices of visible skin nearest to it on the default character. Its \
         reach is its distance from the middle of that skin plus the radius of that skin. The distance may grow by \

@@ -2,13 +2,13 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::{at_setting, untold};
-use crate::diag::{Application, Evidence, Finding, Level, RuleInfo};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::eval::skeleton::PARALLEL_SINE;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "silently loses the vertices, or in pose mode all skin of the bone")],
+    breaks: &[(Makehuman2, "silently loses the vertices, or in pose mode all skin of the bone")],
     docs: "At some slider setting a vertex or the matrix of a bone is not a number, although all files contain \
         numbers and the default character is fine.\n\n\
         For a bone, the three joints of its rotation plane come to lie in line or at one point. The plane then has \

@@ -2,13 +2,13 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::{percent, title, worded};
-use crate::diag::{Application, Evidence, Finding, Level, OptionInfo, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, OptionInfo, Place, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     breaks: &[(
-        Application::Makehuman2,
+        Makehuman2,
         "applies that much less of the shape between the steps; no other combination makes up for it",
     )],
     docs: "A macrodef loses much of its weight because MakeHuman 2 drops small factors.\n\n\

@@ -2,14 +2,14 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::{component, has_sound_steps, title};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::formats::macro_json::Component;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     breaks: &[(
-        Application::Makehuman2,
+        Makehuman2,
         "applies the shapes of the macrodef too weakly or too strongly; it does not normalise the weights",
     )],
     docs: "The weights of a component do not add up to 1. A deviation of up to 0.0025 comes from MakeHuman 2's own \

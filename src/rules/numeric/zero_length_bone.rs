@@ -3,13 +3,13 @@
 use super::super::units::centimetres;
 use super::super::{Check, Rule, RuleCx};
 use super::{at_setting, untold};
-use crate::diag::{Application, Evidence, Finding, Level, RuleInfo};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     breaks: &[(
-        Application::Makehuman2,
+        Makehuman2,
         "divides by zero: the rest matrix is not a number, and in pose mode the skin of the bone disappears",
     )],
     docs: "At some slider setting the head and the tail of a bone meet at one point: they are closer than 0.001 cm \

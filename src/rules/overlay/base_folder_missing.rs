@@ -3,14 +3,11 @@
 use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx, counted};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
 use crate::repo::View;
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(
-        Application::Makehuman2,
-        "never reads it or the targets beside it: it only looks in the folder of the base mesh",
-    )],
+    breaks: &[(Makehuman2, "never reads it or the targets beside it: it only looks in the folder of the base mesh")],
     docs: "`contarget` and `target` have one folder for each base mesh. It contains macro.json, modelling.json, \
         target_cat.json and the folders of targets.\n\nIf these are in `contarget` or `target` itself, MakeHuman \
         2 finds none of them, and the base has no sliders.\n\nMove everything into a folder with the name of the \

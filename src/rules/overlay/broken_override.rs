@@ -4,7 +4,7 @@ use super::super::cause::consequence::ignored_override;
 use super::super::cause::is_ignored_override;
 use super::super::{Check, Rule, RuleCx};
 use super::overrides;
-use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Place, Rewrite, RuleInfo};
+use crate::diag::{Application::Makehuman2, Change, Finding, Fix, FixKind, Level, Place, Rewrite, RuleInfo};
 use crate::formats::Content;
 use crate::formats::json_file::JsonFault;
 use crate::repo::FileFacts;
@@ -12,7 +12,7 @@ use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     fix: FixKind::Safe,
-    breaks: &[(Application::Makehuman2, "ignores the override with only a log line, and uses the system's file")],
+    breaks: &[(Makehuman2, "ignores the override with only a log line, and uses the system's file")],
     docs: "macro.json, modelling.json and target_cat.json in `contarget/<base>/` replace those of the system. \
         For each of them, MakeHuman 2 takes the first that it can read and that is not empty. A syntax error, a \
         byte order mark or an empty object is only a line in the log: it uses the system's file as if the \

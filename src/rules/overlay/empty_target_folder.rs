@@ -2,12 +2,12 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::{has_broken_override, has_misnamed_override};
-use crate::diag::{Application, Finding, Level, RuleInfo};
+use crate::diag::{Application::Makehuman2, Finding, Level, RuleInfo};
 use crate::repo::makehuman2::{Base, TargetFolder, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
-        Application::Makehuman2,
+        Makehuman2,
         "writes an empty archive at the first start, and crashes with `EOFError` at every later start",
     )],
     docs: "The folder that the targets of a base come from contains no target. It is `contarget/<base>` if a \

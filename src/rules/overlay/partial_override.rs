@@ -4,12 +4,12 @@ use super::super::{Check, Rule, RuleCx, counted};
 use super::{
     SystemFolder, has_broken_override, has_misnamed_override, in_other_layer, lacks_folder, overrides, system_folder,
 };
-use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "combines the override with system files that were not made for it")],
+    breaks: &[(Makehuman2, "combines the override with system files that were not made for it")],
     docs: "The files of a base in `contarget/<base>/` belong together. But MakeHuman 2 chooses each JSON \
         separately, and takes targets and icons from the folder whose macro.json it uses.\n\nWithout macro.json, \
         the override's sliders load the system's targets, and targets beside them are never read. If the system \

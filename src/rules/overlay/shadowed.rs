@@ -2,11 +2,11 @@
 
 use super::super::{Check, Rule, RuleCx, counted};
 use super::{Override, SystemFolder, is_complete, overrides, system_folder};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "reads the file in contarget instead of the system's")],
+    breaks: &[(Makehuman2, "reads the file in contarget instead of the system's")],
     docs: "macro.json, modelling.json and target_cat.json in `contarget/<base>/` replace the system's files of \
         the same names completely; nothing is merged. With macro.json the targets change as well: none of the \
         system's can be reached. That is what overrides are for; the finding lists what is no longer reachable. \

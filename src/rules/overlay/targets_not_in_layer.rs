@@ -4,13 +4,13 @@ use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx, counted};
 use super::{has_misnamed_override, in_other_layer, lacks_folder};
-use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 use crate::repo::{Reference, ReferenceKind};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
-        Application::Makehuman2,
+        Makehuman2,
         "cannot load the targets and crashes with `AttributeError`: at start if the default character uses one, \
             otherwise as soon as one gets weight",
     )],

@@ -4,12 +4,12 @@ use std::borrow::Cow;
 use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx, counted};
-use crate::diag::{Application, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, View, user_scan};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "shows the user's slider instead of the other one, which disappears")],
+    breaks: &[(Makehuman2, "shows the user's slider instead of the other one, which disappears")],
     docs: "MakeHuman 2 merges the generated modelling.json of the user's targets over the sliders of the base, \
         key by key; the user's entry wins. Its keys are made from folder and file: `head/size.target` becomes \
         `Head Size`. A slider of the base with that key disappears, and models saved with it lose the value. A \

@@ -3,12 +3,12 @@
 use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx, counted};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 use crate::repo::{FileFacts, Reference};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "packs the targets into its archive, but shows no slider for them")],
+    breaks: &[(Makehuman2, "packs the targets into its archive, but shows no slider for them")],
     docs: "MakeHuman 2 makes sliders from the user's targets in `target/<base>/` and in the folders directly \
         below it, but not deeper. Files further down are still read and packed at every start, and a malformed \
         one still crashes it, but they get no slider. Neither do targets in the folder `icons`, which is for \

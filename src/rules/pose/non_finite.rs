@@ -1,14 +1,11 @@
 //! The numbers of a pose must be finite.
 
 use super::super::{Check, Rule, RuleCx, counted};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(
-        Application::Makehuman2,
-        "shows a torn mesh in this pose; the glTF export with animation crashes with `ValueError`",
-    )],
+    breaks: &[(Makehuman2, "shows a torn mesh in this pose; the glTF export with animation crashes with `ValueError`")],
     docs: "A frame of a BVH file has NaN or infinity as a number.\n\n\
         MakeHuman 2 reads it as an angle. The bone and all below it lose their places, and with them the vertices that \
         they move. The glTF export with animation crashes.\n\n\

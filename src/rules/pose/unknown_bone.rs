@@ -3,12 +3,12 @@
 use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::bvh::Joint;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "silently ignores the joint: its bone stays in the rest pose")],
+    breaks: &[(Makehuman2, "silently ignores the joint: its bone stays in the rest pose")],
     docs: "A joint of a BVH file is not a bone of the skeleton that poses the base: the one that `base.json` names in \
         `pose-skeleton`. A name ends at the first space.\n\n\
         MakeHuman 2 ignores such joints without a message. If none of them is a bone, the motion shows the rest pose: it \

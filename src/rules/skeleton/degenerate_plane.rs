@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx};
 use super::measured::{Measured, measured, named, plane_of};
-use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::eval::skeleton::PARALLEL_SINE;
 use crate::formats::mhskel::Plane;
@@ -12,7 +12,7 @@ use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     breaks: &[(
-        Application::Makehuman2,
+        Makehuman2,
         "gets no normal: in pose mode all vertices of these bones and of the bones below them disappear",
     )],
     docs: "On the default character the three joints of a `rotation_plane` are in line, or two of them are at the \
@@ -25,7 +25,7 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
 });
 
 const NOISE: Case = &[(
-    Application::Makehuman2,
+    Makehuman2,
     Level::Warning,
     "takes the roll of these bones from rounding errors, so it differs between characters",
 )];

@@ -2,14 +2,11 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::rigs;
-use crate::diag::{Application, Case, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(
-        Application::Makehuman2,
-        "drops the joint, then crashes with `KeyError` at the first bone that needs it",
-    )],
+    breaks: &[(Makehuman2, "drops the joint, then crashes with `KeyError` at the first bone that needs it")],
     docs: "A joint lists no vertices, or is not a list. A joint is the mean position of the vertices that it \
         lists.\n\n\
         MakeHuman 2 drops such joints without a message, and then crashes with `KeyError` at the first bone that \
@@ -19,10 +16,9 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     ..RuleInfo::new("skeleton-empty-joint", Level::Error, "a joint lists no vertices")
 });
 
-const NOT_NEEDED: Case = &[(Application::Makehuman2, Level::Info, "silently drops the joint; no bone needs it")];
+const NOT_NEEDED: Case = &[(Makehuman2, Level::Info, "silently drops the joint; no bone needs it")];
 
-const STOPS: Case =
-    &[(Application::Makehuman2, Level::Error, "crashes with `KeyError` at the first bone that needs the joint,")];
+const STOPS: Case = &[(Makehuman2, Level::Error, "crashes with `KeyError` at the first bone that needs the joint,")];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for rig in rigs(body) {

@@ -4,14 +4,14 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx};
 use super::rigs;
-use crate::diag::{Application, Confidence, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Confidence, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::target_measure::cubes_of;
 use crate::formats::mhskel::Joint;
 use crate::formats::obj::Mesh;
 use crate::repo::{Body, FileFacts};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "places the joint off its cube, and moves it with the wrong vertices")],
+    breaks: &[(Makehuman2, "places the joint off its cube, and moves it with the wrong vertices")],
     docs: "A joint lists only part of its cube together with other vertices. The base mesh marks joints with small \
         cubes, groups whose names begin with `joint-`; a joint lists the vertices of its cube and lies at their \
         mean.\n\n\

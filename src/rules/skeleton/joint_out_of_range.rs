@@ -4,11 +4,11 @@ use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
 use super::{Rig, rigs};
-use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "crashes with `IndexError` when it computes the position of the joint")],
+    breaks: &[(Makehuman2, "crashes with `IndexError` when it computes the position of the joint")],
     docs: "A joint lists a vertex that the base mesh does not have. Joints list vertex numbers of the base mesh, \
         counted from 0.\n\n\
         MakeHuman 2 crashes with `IndexError` on numbers beyond the last vertex, and on numbers with a decimal \
@@ -23,9 +23,9 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     )
 });
 
-const STOPS: Case = &[(Application::Makehuman2, Level::Error, "crashes with `IndexError`")];
-const SEAM: Case = &[(Application::Makehuman2, Level::Warning, "uses the position of a UV-seam duplicate")];
-const NEGATIVE: Case = &[(Application::Makehuman2, Level::Warning, "uses a vertex counted from the end of the mesh")];
+const STOPS: Case = &[(Makehuman2, Level::Error, "crashes with `IndexError`")];
+const SEAM: Case = &[(Makehuman2, Level::Warning, "uses the position of a UV-seam duplicate")];
+const NEGATIVE: Case = &[(Makehuman2, Level::Warning, "uses a vertex counted from the end of the mesh")];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((_, mesh)) = body.mesh.filter(|(_, mesh)| mesh.facts.vertices > 0) else { return };

@@ -4,17 +4,20 @@
 use super::super::Rule;
 use super::hierarchy::{Ring, hierarchy};
 use super::rigs;
-use crate::diag::{Application, Case, Evidence, Finding, Level, Place};
+use crate::diag::{
+    Application::{self, Makehuman2},
+    Case, Evidence, Finding, Level, Place,
+};
 use crate::repo::Body;
 
 /// What becomes of bones that are never reached, where the weights mention one.
 pub(super) const LOST_AND_WEIGHTED: &[(Application, &str)] = &[(
-    Application::Makehuman2,
+    Makehuman2,
     "silently drops these bones; entering pose mode then crashes with `KeyError`, because the weights use them",
 )];
 
-const REFUSED: Case = &[(Application::Makehuman2, Level::Error, "refuses the skeleton: none of its bones is a root")];
-const LOST: Case = &[(Application::Makehuman2, Level::Warning, "silently drops these bones")];
+const REFUSED: Case = &[(Makehuman2, Level::Error, "refuses the skeleton: none of its bones is a root")];
+const LOST: Case = &[(Makehuman2, Level::Warning, "silently drops these bones")];
 
 /// One finding of `rule` for every circle that it is for.
 pub(super) fn lost_bones(rule: &Rule, body: &Body<'_>, is_for: impl Fn(&Ring<'_>) -> bool) -> Vec<Finding> {

@@ -2,15 +2,12 @@
 
 use super::super::{Check, Rule, RuleCx, counted};
 use super::{Rig, SINGLE, rigs};
-use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo, grouped};
+use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo, grouped};
 use crate::formats::mhskel::Plane;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(
-        Application::Makehuman2,
-        "crashes with `TypeError` or `KeyError` when it computes the bones that use the plane",
-    )],
+    breaks: &[(Makehuman2, "crashes with `TypeError` or `KeyError` when it computes the bones that use the plane")],
     docs: "A plane is not a list of three joint names. Only the first three count.\n\n\
         MakeHuman 2 refuses a skeleton if a bone uses the plane `[null, null, null]` (old exporters wrote it for \
         \"no plane\"). It crashes if there are fewer than three joints, if one of them is not a name, or if the \
@@ -19,11 +16,11 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     ..RuleInfo::new("skeleton-malformed-plane", Level::Error, "a plane is not a list of three joints")
 });
 
-const EXCEPTION: Case = &[(Application::Makehuman2, Level::Error, "crashes")];
-const TYPE_ERROR: Case = &[(Application::Makehuman2, Level::Error, "crashes with `TypeError`")];
-const KEY_ERROR: Case = &[(Application::Makehuman2, Level::Error, "crashes with `KeyError`")];
-const REFUSED: Case = &[(Application::Makehuman2, Level::Error, "refuses the skeleton and logs a line")];
-const NOT_USED: Case = &[(Application::Makehuman2, Level::Info, "never reads the plane: no bone uses it")];
+const EXCEPTION: Case = &[(Makehuman2, Level::Error, "crashes")];
+const TYPE_ERROR: Case = &[(Makehuman2, Level::Error, "crashes with `TypeError`")];
+const KEY_ERROR: Case = &[(Makehuman2, Level::Error, "crashes with `KeyError`")];
+const REFUSED: Case = &[(Makehuman2, Level::Error, "refuses the skeleton and logs a line")];
+const NOT_USED: Case = &[(Makehuman2, Level::Info, "never reads the plane: no bone uses it")];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for rig in rigs(body) {

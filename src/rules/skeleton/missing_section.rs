@@ -3,12 +3,12 @@
 use super::super::cause::schema::misspelt;
 use super::super::{Check, Rule, RuleCx};
 use super::{Rig, rigs};
-use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::mhskel::Section;
 use crate::repo::{Body, FileFacts};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "refuses the skeleton and logs a line; poses and exports cannot use it")],
+    breaks: &[(Makehuman2, "refuses the skeleton and logs a line; poses and exports cannot use it")],
     docs: "A skeleton without `bones` or `joints`, or a bone without `head` or `tail`.\n\n\
         MakeHuman 2 checks for them before anything else and refuses the whole skeleton if one is missing. An \
         empty file (`{}`) is worse: the scan of all assets crashes on it at start.\n\n\
@@ -17,7 +17,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 });
 
 const EMPTY: Case = &[(
-    Application::Makehuman2,
+    Makehuman2,
     Level::Error,
     "crashes at start with `AttributeError` while scanning the assets; afterwards all assets are missing",
 )];

@@ -3,11 +3,11 @@
 use super::super::{Check, Rule, RuleCx};
 use super::hierarchy::hierarchy;
 use super::rigs;
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "refuses the skeleton and logs a line")],
+    breaks: &[(Makehuman2, "refuses the skeleton and logs a line")],
     docs: "More than one bone of a skeleton has no parent.\n\n\
         MakeHuman 2 needs exactly one root and refuses the whole skeleton if there is a second one, even if only \
         `parent` was forgotten. MakeHuman 1 accepts several roots.\n\n\

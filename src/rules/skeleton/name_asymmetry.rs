@@ -5,13 +5,13 @@ use std::collections::BTreeSet;
 use super::super::{Check, Rule, RuleCx};
 use super::hierarchy::hierarchy;
 use super::rigs;
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::side;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(
-        Application::Makehuman2,
+        Makehuman2,
         "loads and poses the bone like any other; only tools that mirror by name miss the counterpart",
     )],
     docs: "A bone of one side has no counterpart on the other. Left and right bones are recognised by their names: \

@@ -4,11 +4,11 @@ use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
 use super::{Rig, rigs};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "lists only one of the skeletons; the others cannot be chosen")],
+    breaks: &[(Makehuman2, "lists only one of the skeletons; the others cannot be chosen")],
     docs: "Two skeletons of a base have the same `name`. This is the name under which MakeHuman 2 lists them, so \
         it often happens when a skeleton was copied to make another one.\n\n\
         MakeHuman 2 lists only the first one that its scan finds: the user's before the system's, and within a \

@@ -4,13 +4,13 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::{Rig, SINGLE, rigs};
-use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::mhskel::Section;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(
-        Application::Makehuman2,
+        Makehuman2,
         "crashes with `KeyError` when the skeleton is chosen, for the default skeleton while loading the base mesh",
     )],
     docs: "A bone or its plane names a joint that does not exist. `head` and `tail` of a bone, and the three \
@@ -21,7 +21,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     ..RuleInfo::new("skeleton-unknown-joint", Level::Error, "a bone or its plane names a joint that does not exist")
 });
 
-const STOPS: Case = &[(Application::Makehuman2, Level::Error, "crashes with `KeyError`")];
+const STOPS: Case = &[(Makehuman2, Level::Error, "crashes with `KeyError`")];
 
 fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for rig in rigs(body).filter(|rig| rig.skeleton.joints_section == Section::Present) {

@@ -3,11 +3,11 @@
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::hierarchy::hierarchy;
 use super::rigs;
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "refuses the skeleton and logs a line")],
+    breaks: &[(Makehuman2, "refuses the skeleton and logs a line")],
     docs: "A bone names a parent that does not exist. `parent` is the name of another bone of the same file; only \
         the root has none.\n\n\
         MakeHuman 2 refuses the whole skeleton.\n\n\

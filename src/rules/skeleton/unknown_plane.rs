@@ -5,13 +5,13 @@ use std::collections::BTreeSet;
 use super::super::{Check, Rule, RuleCx};
 use super::measured::plane_of;
 use super::{Rig, SINGLE, rigs};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::mhskel::Section;
 use crate::json::UnknownKey;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "refuses the skeleton and logs a line")],
+    breaks: &[(Makehuman2, "refuses the skeleton and logs a line")],
     docs: "A bone names a plane that does not exist. `rotation_plane` names one of `planes`, whose normal \
         determines the roll of the bone.\n\n\
         MakeHuman 2 refuses the whole skeleton.\n\n\

@@ -4,15 +4,12 @@ use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::{Rig, rigs};
-use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::mhskel::Bone;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(
-        Application::Makehuman2,
-        "ignores these names; the bone gets weights and poses from its other references, if any",
-    )],
+    breaks: &[(Makehuman2, "ignores these names; the bone gets weights and poses from its other references, if any")],
     docs: "A bone refers to bones that the default skeleton does not have. `reference` and `weights_reference` \
         list bones of the default skeleton (`pose-skeleton` of `base.json`) whose poses and weights a bone takes \
         over.\n\n\
@@ -54,7 +51,7 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
 }
 
-const OF_DEFAULT: Case = &[(Application::Makehuman2, Level::Info, "never reads references in the default skeleton")];
+const OF_DEFAULT: Case = &[(Makehuman2, Level::Info, "never reads references in the default skeleton")];
 
 fn spelled_out(rig: &Rig<'_>, bone: &Bone, member: &str, text: &str) -> Finding {
     let message = format!("`{member}` of bone `{}` is the string `{text}`, which is read letter by letter", bone.name);

@@ -5,13 +5,13 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::super::{Check, Rule, RuleCx};
 use super::hierarchy::hierarchy;
 use super::rigs;
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::side;
 use crate::formats::mhskel::Section;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "ignores the joint: nothing uses it")],
+    breaks: &[(Makehuman2, "ignores the joint: nothing uses it")],
     docs: "No bone (`head`, `tail`) and no plane names a joint, so the joint has no effect. It is either a \
         left-over, or a bone that should use it names another one.\n\n\
         Remove it, or use it.",

@@ -4,13 +4,13 @@ use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx};
 use super::measured::{Measured, measured, named};
-use crate::diag::{Application, Confidence, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Confidence, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::formats::mhskel::Bone;
 use crate::repo::{Body, Rig};
 
 pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "exports the bone without vertices: it moves nothing")],
+    breaks: &[(Makehuman2, "exports the bone without vertices: it moves nothing")],
     docs: "A bone gets no weights: no default bone has its name, and it has no references. Its limb stays with the \
         nearest bone above.\n\n\
         MakeHuman 2 exports a skeleton with the weights of the default skeleton (`pose-skeleton` of base.json). A \

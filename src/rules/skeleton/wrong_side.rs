@@ -3,7 +3,7 @@
 use super::super::units::centimetres;
 use super::super::{Check, Rule, RuleCx};
 use super::measured::{Measured, measured, named};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::eval::rig_measure::BoneMeasure;
 use crate::eval::side::{self, Side};
@@ -11,7 +11,7 @@ use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     breaks: &[(
-        Application::Makehuman2,
+        Makehuman2,
         "rotates the skin around joints of its left/right counterpart: the smallest bend throws it far off",
     )],
     docs: "A bone whose name says left or right (`hand.L`, `r-thigh`, `LeftFoot` …) has both joints on the \

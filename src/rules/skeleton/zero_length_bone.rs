@@ -2,13 +2,13 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::measured::{Measured, NO_LENGTH, measured, named};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, grouped};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo, grouped};
 use crate::eval::measures::Measures;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     breaks: &[(
-        Application::Makehuman2,
+        Makehuman2,
         "silently divides by zero: in pose mode all vertices of the bone and of the bones below it disappear",
     )],
     docs: "Head and tail of a bone are at the same place on the default character.\n\n\

@@ -3,14 +3,14 @@
 use super::super::units::length;
 use super::super::{Check, Rule, RuleCx};
 use super::shown::shown_by;
-use crate::diag::{Application, Evidence, Finding, Level, OptionInfo, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, OptionInfo, Place, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::eval::side;
 use crate::eval::target_measure::TargetMeasure;
 use crate::repo::{Body, FileFacts};
 
 pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "makes the figure asymmetric; symmetry cannot fix it")],
+    breaks: &[(Makehuman2, "makes the figure asymmetric; symmetry cannot fix it")],
     docs: "A target whose name has no side (no `l`, `r`, `left`, `right`) moves the left half of the body \
         differently from the right.\n\n\
         Targets whose names end as listed in `nonsym` under `random` of base.json are intended to be asymmetric \

@@ -2,12 +2,12 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::targets;
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, grouped};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo, grouped};
 use crate::repo::{Body, FileFacts, Layer};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(
-        Application::Makehuman2,
+        Makehuman2,
         "ignores the header and moves the vertices that have these numbers in the mesh of the folder",
     )],
     docs: "The header `# basemesh NAME` names another base mesh than the folder the target is in.\n\n\

@@ -3,12 +3,12 @@
 use super::super::cause::archived::weigh;
 use super::super::{Check, Rule, RuleCx};
 use super::{targets, unreadable_fields};
-use crate::diag::{Application, Finding, Level, RuleInfo};
+use crate::diag::{Application::Makehuman2, Finding, Level, RuleInfo};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(
-        Application::Makehuman2,
+        Makehuman2,
         "crashes at start with `ValueError` although nothing uses the file, and leaves an empty \
          compressedtargets.npz that crashes every later start",
     )],

@@ -2,12 +2,12 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::{first_row, targets};
-use crate::diag::{Application, Case, Change, Finding, Fix, FixKind, Level, Rewrite, RuleInfo};
+use crate::diag::{Application::Makehuman2, Case, Change, Finding, Fix, FixKind, Level, Rewrite, RuleInfo};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     fix: FixKind::Unsafe,
-    breaks: &[(Application::Makehuman2, "applies only the last row of the vertex, not the sum")],
+    breaks: &[(Makehuman2, "applies only the last row of the vertex, not the sum")],
     docs: "A vertex has more than one row in a target.\n\n\
         MakeHuman 2 passes all rows to NumPy at once, which keeps the last row of a vertex and drops the others. \
         Other programs add them up, so the same file yields two different shapes. If the rows of a vertex are \
@@ -17,11 +17,8 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     ..RuleInfo::new("target-duplicate-vertex", Level::Warning, "a vertex appears more than once in a target")
 });
 
-const EQUAL: Case = &[(
-    Application::Makehuman2,
-    Level::Info,
-    "applies one of the equal rows; programs that add them up double the shape",
-)];
+const EQUAL: Case =
+    &[(Makehuman2, Level::Info, "applies one of the equal rows; programs that add them up double the shape")];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (target, file, facts) in targets(body) {

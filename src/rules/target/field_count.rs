@@ -1,11 +1,11 @@
 //! A data line of a target has four fields.
 
 use super::super::{Check, Rule, RuleCx, counted};
-use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "silently skips the line: the vertex does not move")],
+    breaks: &[(Makehuman2, "silently skips the line: the vertex does not move")],
     docs: "A line of a target does not have exactly four fields. A row is `INDEX X Y Z`, separated by blanks.\n\n\
         MakeHuman 2 silently skips every line without four fields, comments included. A remark behind a row (`12 \
         .1 .2 .3 # nose`) makes five or more fields, and the row is lost; a missing number makes three.\n\n\
@@ -15,9 +15,9 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
     ..RuleInfo::new("target-field-count", Level::Warning, "a line of a target does not have four fields")
 });
 
-const PROSE: Case = &[(Application::Makehuman2, Level::Info, "silently skips the line, which is not a row")];
+const PROSE: Case = &[(Makehuman2, Level::Info, "silently skips the line, which is not a row")];
 const BOTH_SIDES: Case = &[(
-    Application::Makehuman2,
+    Makehuman2,
     Level::Warning,
     "skips the markers and reads the rows of both sides; the last row of a vertex wins",
 )];

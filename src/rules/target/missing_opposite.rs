@@ -4,14 +4,14 @@ use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
 use super::{asked_for, parent, user_pairs};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo, nearest};
+use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo, nearest};
 use crate::discover::Kind;
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, TargetFolder, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
-        Application::Makehuman2,
+        Makehuman2,
         "creates a slider with one direction only; a lone `-decr` target grows where it should shrink",
     )],
     docs: "A target for one direction of a slider has no opposite: `-decr` without `-incr`, or another pair in \

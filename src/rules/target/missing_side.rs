@@ -4,16 +4,13 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx};
 use super::{asked_for, parent};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::side;
 use crate::repo::makehuman2::{Base, View};
 use crate::repo::{FileFacts, Reference};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(
-        Application::Makehuman2,
-        "offers a slider for one side only; symmetry leaves its counterpart unchanged",
-    )],
+    breaks: &[(Makehuman2, "offers a slider for one side only; symmetry leaves its counterpart unchanged")],
     docs: "A target for the left (`l-…`, or `-l-` inside the name) has no counterpart for the right in the same \
         folder, or the reverse.\n\n\
         MakeHuman 2 reports nothing, but users notice: one ear can be changed and the other cannot, and making the \

@@ -3,12 +3,12 @@
 use super::super::{Check, Rule, RuleCx};
 use super::shown::shown_by;
 use super::{first_row, targets};
-use crate::diag::{Application, Case, Finding, Level, RuleInfo};
+use crate::diag::{Application::Makehuman2, Case, Finding, Level, RuleInfo};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(
-        Application::Makehuman2,
+        Makehuman2,
         "loses the vertex when the target is applied, with all normals, joints and clothes that depend on it",
     )],
     docs: "A displacement is `nan`, infinite, or too large for a 32-bit float (beyond 3.4e38).\n\n\
@@ -20,7 +20,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 });
 
 const OUTDATED: Case = &[(
-    Application::Makehuman2,
+    Makehuman2,
     Level::Warning,
     "applies the numbers in the archive; loses the vertex once the archive is deleted and rebuilt",
 )];

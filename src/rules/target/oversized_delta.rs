@@ -4,13 +4,15 @@ use super::super::units::{centimetres, length};
 use super::super::{Check, Rule, RuleCx};
 use super::shown::shown_by;
 use super::targets;
-use crate::diag::{Application, Confidence, Element, Evidence, Finding, Level, OptionInfo, Place, RuleInfo, grouped};
+use crate::diag::{
+    Application::Makehuman2, Confidence, Element, Evidence, Finding, Level, OptionInfo, Place, RuleInfo, grouped,
+};
 use crate::eval::proportion::{Lengths, MEDIAN_RATIO, Oversize, extent, oversize, stands_out_of_folder};
 use crate::formats::target::{Largest, TargetFacts};
 use crate::repo::{Body, FileFacts, ReferenceKind};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "tears the vertex out of the mesh when the target is applied")],
+    breaks: &[(Makehuman2, "tears the vertex out of the mesh when the target is applied")],
     docs: "A displacement is out of proportion to the mesh or to the rest of its target.\n\n\
         Reported are a vertex that moves farther than the size of the whole base mesh, and a vertex that stands \
         out from its own target: many times the median of the target, several times as far as all but its longest \

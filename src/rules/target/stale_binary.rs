@@ -1,16 +1,13 @@
 //! `compressedtargets.npz` and the text files it was made from say the same.
 
 use super::super::{Check, Rule, RuleCx, counted};
-use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
 use crate::formats::npz::Archive;
 use crate::repo::{FileFacts, Layer, View, parent};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(
-        Application::Makehuman2,
-        "applies the numbers in the archive and ignores the text file, whichever is newer",
-    )],
+    breaks: &[(Makehuman2, "applies the numbers in the archive and ignores the text file, whichever is newer")],
     docs: "`compressedtargets.npz` differs from the text files it was built from.\n\n\
         MakeHuman 2 packs all targets of a folder into `compressedtargets.npz` if it does not exist, and from then \
         on loads each target from there. It does not compare dates: an edited text file silently has no effect \
@@ -25,12 +22,9 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
 
 /// The usual.
 const DIFFERING: Case = &[];
-const WITHOUT_TEXT: Case = &[(
-    Application::Makehuman2,
-    Level::Warning,
-    "loads the target from the archive; it disappears when the archive is rebuilt",
-)];
-const WITHOUT_MEMBER: Case = &[(Application::Makehuman2, Level::Info, "reads these targets from their text files")];
+const WITHOUT_TEXT: Case =
+    &[(Makehuman2, Level::Warning, "loads the target from the archive; it disappears when the archive is rebuilt")];
+const WITHOUT_MEMBER: Case = &[(Makehuman2, Level::Info, "reads these targets from their text files")];
 
 /// Names of targets, sorted by what is wrong with them.
 #[derive(Default)]

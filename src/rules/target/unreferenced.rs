@@ -5,13 +5,13 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::super::{Check, Rule, RuleCx};
 use super::meant::meant_by_missing;
 use super::parent;
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo, grouped};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo, grouped};
 use crate::repo::makehuman2::{Base, View};
 use crate::repo::{FileFacts, Layer};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     told_apart: true,
-    breaks: &[(Application::Makehuman2, "packs it whenever it builds the archive, but never applies it")],
+    breaks: &[(Makehuman2, "packs it whenever it builds the archive, but never applies it")],
     docs: "Neither modelling.json nor macro.json names the target, so nothing applies it. Often a slider was \
         forgotten, or the file was renamed.\n\n\
         MakeHuman 2 still parses the file when it builds its archive, and an error in it crashes the program \

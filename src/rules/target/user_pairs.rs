@@ -1,18 +1,18 @@
 //! User targets that look like the two halves of a slider and are none to the scan (formats/makehuman2.md §5.2).
 
 use super::super::Rule;
-use crate::diag::{Application, Case, Finding, Level, Place};
+use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place};
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::user_scan::{self, UserTarget};
 use crate::repo::makehuman2::{Base, View};
 
 const NO_PAIR: Case = &[(
-    Application::Makehuman2,
+    Makehuman2,
     Level::Warning,
     "creates two sliders with one direction each: it replaces every `incr` in the name to find the opposite",
 )];
 const ONE_SIDE: Case = &[(
-    Application::Makehuman2,
+    Makehuman2,
     Level::Warning,
     "creates a slider with the increasing direction only, and cuts the last letters off its name",
 )];

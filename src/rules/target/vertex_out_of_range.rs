@@ -3,12 +3,12 @@
 use super::super::cause::archived::weigh;
 use super::super::{Check, Rule, RuleCx};
 use super::{first_row, targets};
-use crate::diag::{Application, Case, Finding, Level, RuleInfo, Tally};
+use crate::diag::{Application::Makehuman2, Case, Finding, Level, RuleInfo, Tally};
 use crate::formats::target::TargetFacts;
 use crate::repo::{Body, FileFacts, ReferenceKind, Target};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "crashes with `IndexError` when the target is applied")],
+    breaks: &[(Makehuman2, "crashes with `IndexError` when the target is applied")],
     docs: "A target names a vertex that the base mesh of its folder does not have.\n\n\
         MakeHuman 2 loads the target and crashes with `IndexError` when it is applied: as soon as its slider \
         moves, or at start if a macro uses it. Indices from 1431655766 on are not noticed: they wrap around and \
@@ -25,26 +25,22 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 });
 
 const OVERFLOW: Case = &[(
-    Application::Makehuman2,
+    Makehuman2,
     Level::Error,
     "crashes at start with `OverflowError` and leaves an empty compressedtargets.npz that crashes every later start",
 )];
 const OUTDATED: Case = &[(
-    Application::Makehuman2,
+    Makehuman2,
     Level::Warning,
     "applies the archive; crashes with `IndexError` once the archive is deleted and rebuilt",
 )];
-const UNUSED: Case = &[(
-    Application::Makehuman2,
-    Level::Warning,
-    "loads it, but crashes with `IndexError` once something uses the target",
-)];
-const WRAPPED: Case = &[(Application::Makehuman2, Level::Error, "moves another vertex or crashes with `IndexError`")];
+const UNUSED: Case =
+    &[(Makehuman2, Level::Warning, "loads it, but crashes with `IndexError` once something uses the target")];
+const WRAPPED: Case = &[(Makehuman2, Level::Error, "moves another vertex or crashes with `IndexError`")];
 const OF_A_MACRO: Case =
-    &[(Application::Makehuman2, Level::Error, "crashes with `IndexError` when the macro applies it, already at start")];
-const OF_A_SLIDER: Case = &[(Application::Makehuman2, Level::Error, "crashes with `IndexError` when the slider moves")];
-const SEAM: Case =
-    &[(Application::Makehuman2, Level::Warning, "overwrites the duplicate with its original: the row has no effect")];
+    &[(Makehuman2, Level::Error, "crashes with `IndexError` when the macro applies it, already at start")];
+const OF_A_SLIDER: Case = &[(Makehuman2, Level::Error, "crashes with `IndexError` when the slider moves")];
+const SEAM: Case = &[(Makehuman2, Level::Warning, "overwrites the duplicate with its original: the row has no effect")];
 
 /// First index whose triple no longer fits 32 bits: coordinate 3·index wraps (formats/makehuman2.md §6.1).
 const FIRST_WRAPPED: i64 = (1 << 32) / 3 + 1;

@@ -2,13 +2,15 @@
 
 use super::super::{Check, Rule, RuleCx, counted};
 use super::{first_row, targets};
-use crate::diag::{Application, Change, EXAMPLES, Evidence, Finding, Fix, FixKind, Level, Rewrite, RuleInfo, grouped};
+use crate::diag::{
+    Application::Makehuman2, Change, EXAMPLES, Evidence, Finding, Fix, FixKind, Level, Rewrite, RuleInfo, grouped,
+};
 use crate::formats::target::TargetFacts;
 use crate::repo::{Body, FileFacts, Layer};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     fix: FixKind::Safe,
-    breaks: &[(Application::Makehuman2, "loads and adds the zeros, which only costs a little time and memory")],
+    breaks: &[(Makehuman2, "loads and adds the zeros, which only costs a little time and memory")],
     docs: "Rows of a target have three zeros and move nothing. Exporters write them for vertices that were touched \
         and put back, or whose movement was rounded away.\n\n\
         A whole side without movement was usually lost by mistake; `target-asymmetric` and \

@@ -3,14 +3,17 @@
 use super::super::{Check, Rule, RuleCx};
 use super::loss::noticeable_loss;
 use super::{Tallied, has_unusable_entries, tallied};
-use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Rewrite, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Change, Finding, Fix, FixKind, Level, Rewrite, RuleInfo,
+};
 use crate::repo::{Body, FileFacts};
 
 const USUAL: &str = "drops the entry: it keeps only weights above 0.0001";
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     fix: FixKind::Safe,
-    breaks: &[(Application::Makehuman2, USUAL), (Application::Makehuman1, USUAL)],
+    breaks: &[(Makehuman2, USUAL), (Makehuman1, USUAL)],
     docs: "A weight is too small to have an effect.\n\n\
         MakeHuman divides the weights of a vertex by their sum and keeps only those above 0.0001. Smaller ones, \
         including zeros, only make the file larger; the other bones do not get their share. If so much is lost \

@@ -2,21 +2,24 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::{Tallied, has_unusable_entries, tallied, weigh};
-use crate::diag::{Application, Change, Finding, Fix, FixKind, Level, Rewrite, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2, Mpfb},
+    Change, Finding, Fix, FixKind, Level, Rewrite, RuleInfo,
+};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     fix: FixKind::Safe,
     breaks: &[
         (
-            Application::Makehuman2,
+            Makehuman2,
             "uses only one of the entries in pose mode: the missing share pulls the vertex towards the origin, \
              half way for two equal entries",
         ),
-        (Application::Makehuman1, "adds the weights, which changes nothing"),
-        (Application::Mpfb, "adds the weights, up to 1"),
+        (Makehuman1, "adds the weights, which changes nothing"),
+        (Mpfb, "adds the weights, up to 1"),
     ],
-    levels: &[(Application::Makehuman1, Level::Info), (Application::Mpfb, Level::Info)],
+    levels: &[(Makehuman1, Level::Info), (Mpfb, Level::Info)],
     docs: "A bone lists the same vertex more than once.\n\n\
         MakeHuman 2 does not merge such entries: all of them count for the sum it divides by, but posing uses only \
         one. The missing share pulls the vertex towards the origin. MakeHuman 1, and the transfer of weights to \

@@ -2,14 +2,17 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::{is_empty, readable};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2, Mpfb},
+    Evidence, Finding, Level, Place, RuleInfo,
+};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
-        (Application::Makehuman2, "treats the bone as if the file did not list it: it moves no vertex"),
-        (Application::Makehuman1, "gives the bone no weights: it moves no vertex"),
-        (Application::Mpfb, "creates no vertex group for the bone: it moves no vertex"),
+        (Makehuman2, "treats the bone as if the file did not list it: it moves no vertex"),
+        (Makehuman1, "gives the bone no weights: it moves no vertex"),
+        (Mpfb, "creates no vertex group for the bone: it moves no vertex"),
     ],
     docs: "A bone has an empty list of weights.\n\n\
         That means the same as a bone that the file does not list. It is harmless, even if the skeleton does not \

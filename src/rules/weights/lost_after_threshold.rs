@@ -3,13 +3,16 @@
 use super::super::units::length;
 use super::super::{Check, Rule, RuleCx};
 use super::loss::{DISTANCE, ID, noticeable_loss};
-use crate::diag::{Application, Element, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Element, Evidence, Finding, Level, Place, RuleInfo,
+};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
-        (Application::Makehuman2, "pulls the vertices towards the origin of the scene in pose mode"),
-        (Application::Makehuman1, "pulls the vertices towards the origin of the scene in every pose"),
+        (Makehuman2, "pulls the vertices towards the origin of the scene in pose mode"),
+        (Makehuman1, "pulls the vertices towards the origin of the scene in every pose"),
     ],
     docs: "A vertex has so many tiny weights that dropping them visibly moves it.\n\n\
         MakeHuman 2 divides the weights of a vertex by their sum and drops those that are not above 0.0001. No \

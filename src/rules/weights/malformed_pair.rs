@@ -2,17 +2,17 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::readable;
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2, Mpfb},
+    Evidence, Finding, Level, Place, RuleInfo,
+};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
-        (
-            Application::Makehuman2,
-            "crashes with `ValueError`, `TypeError` or `UFuncTypeError` while loading the weights",
-        ),
-        (Application::Makehuman1, "crashes with `IndexError`, `TypeError` or `ValueError` while loading the weights"),
-        (Application::Mpfb, "raises `TypeError` or `ValueError` while loading the weights"),
+        (Makehuman2, "crashes with `ValueError`, `TypeError` or `UFuncTypeError` while loading the weights"),
+        (Makehuman1, "crashes with `IndexError`, `TypeError` or `ValueError` while loading the weights"),
+        (Mpfb, "raises `TypeError` or `ValueError` while loading the weights"),
     ],
     docs: "An entry of a bone is not a pair `[vertex, weight]`. The vertex is a whole number without a decimal \
         point, the weight a number.\n\n\

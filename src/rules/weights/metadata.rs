@@ -2,14 +2,17 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::readable;
-use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2, Mpfb},
+    Finding, Level, Place, RuleInfo,
+};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
-        (Application::Makehuman2, "stores `name` and `version` without using them, and never reads `license`"),
-        (Application::Makehuman1, "stores these keys without using them"),
-        (Application::Mpfb, "never reads these keys"),
+        (Makehuman2, "stores `name` and `version` without using them, and never reads `license`"),
+        (Makehuman1, "stores these keys without using them"),
+        (Mpfb, "never reads these keys"),
     ],
     docs: "`name`, `version` or `license` is missing. They have no effect on the shape; they tell people what the \
         weights are for and whether they may be shared.\n\n\

@@ -20,7 +20,7 @@ pub(super) mod vertex_out_of_range;
 pub(super) mod wrong_side;
 
 use super::cause::weights::{has_unusable_entries, unusable_entries};
-use crate::diag::{Application, Case, Cases, Finding, Level, Place};
+use crate::diag::{Application::Makehuman2, Case, Cases, Finding, Level, Place};
 use crate::formats::mhw::{PairTally, Weights, WeightsFacts};
 use crate::repo::{Body, BodyWeights, WeightsUse};
 
@@ -46,7 +46,7 @@ fn weigh(own: &BodyWeights<'_>, finding: Finding) -> Finding {
 }
 
 const NEVER_APPLIED: Case =
-    &[(Application::Makehuman2, Level::Info, "never applies these weights: another skeleton poses the base")];
+    &[(Makehuman2, Level::Info, "never applies these weights: another skeleton poses the base")];
 
 /// Whether no bone has a single entry.
 fn is_empty(weights: &Weights) -> bool {

@@ -2,19 +2,18 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::{Tallied, tallied, weigh, worst};
-use crate::diag::{Application, Case, Finding, Level, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2, Mpfb},
+    Case, Finding, Level, RuleInfo,
+};
 use crate::repo::Body;
 
 const USUAL: &str = "drops the weight and makes the others of the vertex too large, for -0.25 by a third; divides by \
     zero if the sum becomes 0";
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[
-        (Application::Makehuman2, USUAL),
-        (Application::Makehuman1, USUAL),
-        (Application::Mpfb, "reads the weight as 0"),
-    ],
-    levels: &[(Application::Mpfb, Level::Warning)],
+    breaks: &[(Makehuman2, USUAL), (Makehuman1, USUAL), (Mpfb, "reads the weight as 0")],
+    levels: &[(Mpfb, Level::Warning)],
     docs: "A weight is negative. It says how much of a vertex moves with a bone, from 0 to 1.\n\n\
         MakeHuman 2 adds the negative number to the sum of the vertex, divides by the sum, and drops what is below \
         0. The rest adds up to more than 1, so the vertex shoots away from the body in every pose. Weights that \
@@ -24,8 +23,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     ..RuleInfo::new("weights-negative", Level::Error, "a weight is negative")
 });
 
-const ALONE: Case =
-    &[(Application::Makehuman2, Level::Info, BY_NEGATIVE), (Application::Makehuman1, Level::Info, BY_NEGATIVE)];
+const ALONE: Case = &[(Makehuman2, Level::Info, BY_NEGATIVE), (Makehuman1, Level::Info, BY_NEGATIVE)];
 const BY_NEGATIVE: &str = "divides the weight by the negative sum of its vertex, which gives the right share";
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {

@@ -2,7 +2,10 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::{Tallied, tallied, weigh};
-use crate::diag::{Application, Finding, Level, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2, Mpfb},
+    Finding, Level, RuleInfo,
+};
 use crate::repo::Body;
 
 const USUAL: &str =
@@ -10,11 +13,11 @@ const USUAL: &str =
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
-        (Application::Makehuman2, USUAL),
-        (Application::Makehuman1, USUAL),
-        (Application::Mpfb, "does not move the vertex if the weight is NaN; reads Infinity as 1"),
+        (Makehuman2, USUAL),
+        (Makehuman1, USUAL),
+        (Mpfb, "does not move the vertex if the weight is NaN; reads Infinity as 1"),
     ],
-    levels: &[(Application::Mpfb, Level::Warning)],
+    levels: &[(Mpfb, Level::Warning)],
     docs: "A weight is NaN, infinite, or too large for a 32-bit float, which makes it infinite.\n\n\
         Python's JSON reader accepts NaN and Infinity. MakeHuman 2 then divides by a sum that is not finite \
         either and drops every entry of the vertex, without assigning it to the root bone as it does with other \

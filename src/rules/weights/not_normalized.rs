@@ -5,7 +5,10 @@ use std::fmt::Write as _;
 use super::super::units::centimetres;
 use super::super::{Check, Rule, RuleCx};
 use super::{readable_own, unusable_entries};
-use crate::diag::{Application, Change, Evidence, Finding, Fix, FixKind, Level, Place, Rewrite, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2, Mpfb},
+    Change, Evidence, Finding, Fix, FixKind, Level, Place, Rewrite, RuleInfo,
+};
 use crate::formats::mhw::{FAR_SUMS, Weights};
 use crate::formats::obj::Mesh;
 use crate::repo::Body;
@@ -14,9 +17,9 @@ const USUAL: &str = "divides the weights of every vertex by their sum, so that t
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
-        (Application::Makehuman2, USUAL),
-        (Application::Makehuman1, USUAL),
-        (Application::Mpfb, "lets Blender divide by the sum when the vertex moves, so that the result is right"),
+        (Makehuman2, USUAL),
+        (Makehuman1, USUAL),
+        (Mpfb, "lets Blender divide by the sum when the vertex moves, so that the result is right"),
     ],
     // Every line of the file changes for nothing that anybody sees today.
     fix: FixKind::Unsafe,

@@ -1,14 +1,14 @@
 //! No vertex hangs on more bones than engines take.
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Element, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Element, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::eval::rig_measure::ENGINE_INFLUENCES;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     breaks: &[(
-        Application::Makehuman2,
+        Makehuman2,
         "uses all bones, but its glTF export keeps only the four largest weights: the exported surface bends \
          differently",
     )],

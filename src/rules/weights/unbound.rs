@@ -1,11 +1,14 @@
 //! Weights should be used by a skeleton.
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2},
+    Finding, Level, Place, RuleInfo,
+};
 use crate::repo::{Body, BodyWeights, WeightsUse};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Application::Makehuman2, "never reads the file"), (Application::Makehuman1, "never reads the file")],
+    breaks: &[(Makehuman2, "never reads the file"), (Makehuman1, "never reads the file")],
     docs: "No skeleton names this weights file, so it has no effect. Often the name in the skeleton is misspelt or \
         that of an older file.\n\n\
         MakeHuman 2 reads a weights file in `rigs/<base>/` if a skeleton names it in `weights_file`; a skeleton \

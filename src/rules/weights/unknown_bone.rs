@@ -4,19 +4,19 @@ use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::readable_own;
-use crate::diag::{Application, Case, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2, Mpfb},
+    Case, Evidence, Finding, Level, Place, RuleInfo,
+};
 use crate::repo::{Body, BodyWeights, FileFacts, Rig};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
-        (Application::Makehuman2, "crashes with `KeyError` when pose mode is entered"),
-        (
-            Application::Makehuman1,
-            "drops the weights of the bone with a warning, which pulls their vertices towards the origin",
-        ),
-        (Application::Mpfb, "silently drops the weights of the bone"),
+        (Makehuman2, "crashes with `KeyError` when pose mode is entered"),
+        (Makehuman1, "drops the weights of the bone with a warning, which pulls their vertices towards the origin"),
+        (Mpfb, "silently drops the weights of the bone"),
     ],
-    levels: &[(Application::Makehuman1, Level::Warning), (Application::Mpfb, Level::Warning)],
+    levels: &[(Makehuman1, Level::Warning), (Mpfb, Level::Warning)],
     docs: "A weights file has weights for a bone that does not exist in the skeleton that names it in \
         `weights_file`.\n\n\
         MakeHuman 2 loads such weights, but crashes with `KeyError` as soon as the user enters pose mode. This is \
@@ -27,7 +27,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 });
 
 const NEVER_APPLIED: Case =
-    &[(Application::Makehuman2, Level::Warning, "never applies these weights: another skeleton poses the base")];
+    &[(Makehuman2, Level::Warning, "never applies these weights: another skeleton poses the base")];
 
 fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (BodyWeights { file, .. }, weights) in readable_own(body) {

@@ -2,7 +2,10 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::{has_unusable_entries, is_empty, readable_own, weigh};
-use crate::diag::{Application, Case, Cases, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2, Mpfb},
+    Case, Cases, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo,
+};
 use crate::formats::mhw::Weights;
 use crate::repo::{Body, FileFacts, Unreached};
 
@@ -10,9 +13,9 @@ const USUAL: &str = "assigns the vertex to the root bone: it stays behind when t
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
-        (Application::Makehuman2, USUAL),
-        (Application::Makehuman1, USUAL),
-        (Application::Mpfb, "does not move the vertex: it stays behind when the body is posed"),
+        (Makehuman2, USUAL),
+        (Makehuman1, USUAL),
+        (Mpfb, "does not move the vertex: it stays behind when the body is posed"),
     ],
     docs: "A vertex of the base mesh has no weight, so it follows no bone. Vertices that no face uses are not \
         counted.\n\n\
@@ -24,9 +27,9 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 });
 
 const WITHOUT_ANY: Case = &[
-    (Application::Makehuman2, Level::Warning, ALL_ON_ROOT),
-    (Application::Makehuman1, Level::Warning, ALL_ON_ROOT),
-    (Application::Mpfb, Level::Warning, "creates a rig that moves nothing"),
+    (Makehuman2, Level::Warning, ALL_ON_ROOT),
+    (Makehuman1, Level::Warning, ALL_ON_ROOT),
+    (Mpfb, Level::Warning, "creates a rig that moves nothing"),
 ];
 const ALL_ON_ROOT: &str = "assigns the whole mesh to the root bone: no other bone moves anything";
 

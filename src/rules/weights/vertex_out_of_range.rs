@@ -2,18 +2,17 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::{Tallied, tallied};
-use crate::diag::{Application, Case, Finding, Level, RuleInfo};
+use crate::diag::{
+    Application::{Makehuman1, Makehuman2, Mpfb},
+    Case, Finding, Level, RuleInfo,
+};
 use crate::repo::Body;
 
 const USUAL: &str = "crashes with `IndexError` while loading the weights";
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[
-        (Application::Makehuman2, USUAL),
-        (Application::Makehuman1, USUAL),
-        (Application::Mpfb, "silently drops the entry"),
-    ],
-    levels: &[(Application::Mpfb, Level::Warning)],
+    breaks: &[(Makehuman2, USUAL), (Makehuman1, USUAL), (Mpfb, "silently drops the entry")],
+    levels: &[(Mpfb, Level::Warning)],
     docs: "A weights file has an entry for a vertex that the base mesh does not have. Vertices are counted from 0, \
         without UV-seam duplicates.\n\n\
         MakeHuman 2 crashes with `IndexError` while loading the base mesh if an index is too large, and with \
@@ -22,8 +21,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     ..RuleInfo::new("weights-vertex-out-of-range", Level::Error, "weights for a vertex that the mesh does not have")
 });
 
-const NEGATIVE: Case =
-    &[(Application::Makehuman2, Level::Error, "crashes with `OverflowError` while loading the weights")];
+const NEGATIVE: Case = &[(Makehuman2, Level::Error, "crashes with `OverflowError` while loading the weights")];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     if body.has_foreign_mesh {

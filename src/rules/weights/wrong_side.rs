@@ -1,13 +1,13 @@
 //! Weights of a bone lie on its side.
 
 use super::super::{Check, Rule, RuleCx};
-use crate::diag::{Application, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     breaks: &[(
-        Application::Makehuman2,
+        Makehuman2,
         "rotates the skin of the left/right counterpart with the bone: the smallest bend throws it far off",
     )],
     docs: "A bone whose name says left or right (`hand.L`, `r-thigh`, `LeftFoot` …) and whose joints are on that \

@@ -6,7 +6,7 @@ use super::table::At::{self, Generated, Replaced, Scanned};
 use super::table::{Cell, Row, Table, anywhere, cell, level, nothing, row};
 use super::{Consequence, Damage, Moment};
 use crate::diag::Level::{Error, Info, Warning};
-use crate::diag::{Application, Case};
+use crate::diag::{Application::Makehuman2, Case};
 use crate::discover::{Kind, Layout, Single};
 use crate::repo::ReferenceKind;
 use crate::repo::makehuman2::{Base, View};
@@ -22,10 +22,10 @@ pub(super) static TABLE: Table = Table { rows: ROWS, at_moment: AT_MOMENT, in_ge
 
 /// What a text that crashes the program does while an archive stands for it.
 pub(in crate::rules) const ARCHIVED: Case =
-    &[(Application::Makehuman2, Warning, "crashes at start once the archive of the folder is deleted and rebuilt")];
+    &[(Makehuman2, Warning, "crashes at start once the archive of the folder is deleted and rebuilt")];
 
 /// What a mesh does that an archive is read in place of.
-pub(in crate::rules) const UNREAD_MESH: Case = &[(Application::Makehuman2, Info, UNREAD)];
+pub(in crate::rules) const UNREAD_MESH: Case = &[(Makehuman2, Info, UNREAD)];
 const UNREAD: &str = "reads base.mhbin instead; compile_meshes.py, which rebuilds it, crashes";
 
 pub(super) const NOT_READ: &str = "never reads this file; the scripts that align joint cubes crash";
@@ -202,7 +202,7 @@ const UNFOUND: &[(&[ReferenceKind], Consequence)] = &[
 
 /// Whether the scripts that align joint cubes open this `geometry.json`: they know one base mesh.
 pub(in crate::rules) fn is_opened_by_scripts(rel: &str) -> bool {
-    (Layout::of(Application::Makehuman2).single)(rel) == Some(ScriptedRanges)
+    (Layout::of(Makehuman2).single)(rel) == Some(ScriptedRanges)
 }
 
 /// What becomes of a base whose override of this name is ignored, with or without a file of the system's behind it.

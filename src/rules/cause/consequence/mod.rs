@@ -13,7 +13,10 @@ pub(in crate::rules) use makehuman2::{
 };
 use table::{Row, Spot, Standing, Table};
 
-use crate::diag::{Application, Finding, Level};
+use crate::diag::{
+    Application::{self, Makehuman1, Makehuman2, Mpfb},
+    Finding, Level,
+};
 use crate::json::{SchemaFault, UnknownKey};
 use crate::repo::{FileFacts, ReferenceKind, View};
 
@@ -89,9 +92,9 @@ impl Consequence {
 /// The table of an application.
 const fn table(application: Application) -> &'static Table {
     match application {
-        Application::Makehuman2 => &makehuman2::TABLE,
-        Application::Mpfb => &mpfb::TABLE,
-        Application::Makehuman1 => &table::UNKNOWN,
+        Makehuman2 => &makehuman2::TABLE,
+        Mpfb => &mpfb::TABLE,
+        Makehuman1 => &table::UNKNOWN,
     }
 }
 
@@ -169,8 +172,7 @@ mod tests {
             for damage in [Damage::Closed, Damage::Pointer, Damage::NotUtf8, lost] {
                 let found = table.consequence(row, row.moment(spot), damage);
                 // It never opens a packed target.
-                let is_never = (application, format.kind, damage)
-                    == (Application::Makehuman2, Kind::PackedTarget, Damage::Pointer);
+                let is_never = (application, format.kind, damage) == (Makehuman2, Kind::PackedTarget, Damage::Pointer);
                 assert!(found.is_some() || is_never, "{application:?} {:?} {damage:?}", format.kind);
             }
         }
@@ -183,11 +185,7 @@ mod tests {
         assert_eq!(unknown.consequence(&own, Moment::Use, Damage::Syntax), None);
         assert!(unknown.consequence(&own, Moment::Use, Damage::NotUtf8).is_some());
         let special = |kind| {
-            makehuman2::TABLE.consequence(
-                makehuman2::TABLE.row(kind, spot(Application::Makehuman2)),
-                Moment::Use,
-                Damage::Special,
-            )
+            makehuman2::TABLE.consequence(makehuman2::TABLE.row(kind, spot(Makehuman2)), Moment::Use, Damage::Special)
         };
         assert!(special(Kind::AssetWeights).is_none() && special(Kind::Skeleton).is_some());
     }
