@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# Judges, shows the findings in the log and as annotations, writes SARIF and the summary, and leaves the exit code as an output:
+# Checks, shows the findings in the log and as annotations, writes SARIF and the summary, and sets the exit code as an output:
 # the verdict is a later step of action.yml, so that SARIF is uploaded before it.
 #
-# MHLINT_PATHS, MHLINT_ARGS  separated by blanks or line ends
-# MHLINT_BASE  commit that a pull request is to be merged into; empty elsewhere: what is new beside it is told
+# MHLINT_PATHS, MHLINT_ARGS  separated by spaces or line ends
+# MHLINT_BASE  commit that a pull request is to be merged into; empty elsewhere: only what is new since then is reported
 # RUNNER_TEMP, GITHUB_OUTPUT, GITHUB_STEP_SUMMARY  as GitHub sets them
 set -euo pipefail
 
-# Blanks and line ends separate, but nothing is expanded: `--skip macro-*` reaches mhlint as it is.
+# Spaces and line ends separate, but nothing is expanded: `--skip macro-*` reaches mhlint as it is.
 read -r -d '' -a paths <<<"${MHLINT_PATHS:-.}" || true # no delimiter comes: all is read
 read -r -d '' -a args <<<"${MHLINT_ARGS:-}" || true
 since=()

@@ -13,7 +13,7 @@ use crate::engine::{DEFAULT_SAMPLES, rule_infos};
 use crate::report::printable;
 use crate::source::{Lines, slashed};
 
-/// The settings in force.
+/// The settings in effect.
 pub(super) fn settings(args: &CheckArgs) -> Result<Config, Failure> {
     let path = match &args.config {
         Some(path) => Some(path.clone()),
@@ -52,7 +52,7 @@ fn forget(config: &mut Config, key: &str) {
     }
 }
 
-/// Shows the settings in force and where each comes from.
+/// Shows the settings in effect and where each comes from.
 pub(super) fn run(args: &CheckArgs, out: &mut dyn Write) -> Result<Exit, Failure> {
     let config = settings(args)?;
     let empty = ConfigFile::default();

@@ -26,7 +26,7 @@ pub(super) fn run(folder: Option<&Path>, out: &mut dyn Write, err: &mut dyn Writ
     match written {
         Ok(()) => {}
         Err(error) if error.kind() == ErrorKind::AlreadyExists => {
-            let remedy = "edit it, or remove it first (`mhlint config` shows the settings in force)";
+            let remedy = "edit it, or remove it first (`mhlint config` shows the settings in effect)";
             return Err(Failure::Usage(format!("`{shown}` already exists and was not changed; {remedy}")));
         }
         Err(error) => {

@@ -34,7 +34,7 @@ pub const MOST_SAMPLES: usize = 100_000;
 
 /// What a run is asked to do.
 ///
-/// The fields are the values in force for the whole run. What the configuration file says on single rules
+/// The fields are the values in effect for the whole run. What the configuration file says on single rules
 /// and paths stays apart in [`Config::file`], because the fields [`only`](Config::only),
 /// [`skip`](Config::skip) and [`levels`](Config::levels) go before it, as the command line does.
 ///
@@ -128,7 +128,7 @@ pub struct ConfigFile {
     pub ignores: Vec<Ignore>,
     /// Settings for rules that do not exist.
     pub unknown: Vec<UnknownRule>,
-    /// Where each key stands whose value is in force, by its full name (`eval.samples`).
+    /// Where each key stands whose value is in effect, by its full name (`eval.samples`).
     pub places: BTreeMap<String, Range<usize>>,
 }
 

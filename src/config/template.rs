@@ -1,17 +1,20 @@
 //! The file that `mhlint init` writes: every key with its meaning, all of them commented out.
 
 /// Text of a new `mhlint.toml`. A line that begins with `#` and a letter or bracket is a setting.
-pub const TEMPLATE: &str = r#"# Settings of mhlint for this repository. All have defaults; remove the `#` of a line to change it.
-# Globs and paths are relative to the folder of this file. `mhlint config` shows the settings in force.
+pub const TEMPLATE: &str = r#"# Settings of mhlint for this repository, all commented out: remove the `#` of a line to set it.
+# Values are the defaults where the comment says "default", and examples elsewhere.
+# Globs and paths are relative to the folder of this file. `mhlint config` shows the settings in effect.
 
-# Lowest level of findings that makes the exit code 1: "error", "warning", "info" or "never".
+# Lowest level of findings that makes the exit code 1: "error" (default), "warning", "info" or "never".
 #fail-on = "error"
 
-# The exit code is 1 if there are more warnings than this.
+# The exit code is 1 if there are more warnings than this. No limit if it is not set.
 #max-warnings = 0
 
-# Rules to run and rules to skip, as names or globs; `mhlint rules` lists them.
+# Rules to run, as names or globs; `mhlint rules` lists them. All by default.
 #select = ["*"]
+
+# Rules to skip.
 #skip = ["weights-metadata"]
 
 # Report nothing for these files and folders. They are still read to resolve names.
@@ -31,9 +34,12 @@ pub const TEMPLATE: &str = r#"# Settings of mhlint for this repository. All have
 #[level]
 #macro-unused-component = "warning"
 
-# Options of rules; `mhlint explain RULE` lists them.
+# Options of rules, here two with their defaults; `mhlint explain RULE` lists them.
+# Lengths are in units of the mesh, 1 = 10 cm.
 #[rule.target-oversized-delta]
 #ratio = 20
+#[rule.weights-lost-after-threshold]
+#distance = 0.01
 
 # Other rules and levels for a part of the repository.
 #[[path]]
@@ -48,9 +54,9 @@ pub const TEMPLATE: &str = r#"# Settings of mhlint for this repository. All have
 #reason = "normalised by the loader, kept as painted"
 #until = 2027-06-30
 
-# How much of the slider space is evaluated.
+# How much of the slider space is evaluated (defaults).
 #[eval]
-#samples = 200
+#samples = 64
 #exhaustive = false
 "#;
 
@@ -64,7 +70,10 @@ mod tests {
         static RATIO: [OptionInfo; 1] = [OptionInfo { name: "ratio", default: 10.0, docs: "" }];
         static OVERSIZED: RuleInfo =
             RuleInfo { options: &RATIO, ..RuleInfo::new("target-oversized-delta", Level::Warning, "") };
-        vec![&OVERSIZED]
+        static DISTANCE: [OptionInfo; 1] = [OptionInfo { name: "distance", default: 10.0, docs: "" }];
+        static LOST: RuleInfo =
+            RuleInfo { options: &DISTANCE, ..RuleInfo::new("weights-lost-after-threshold", Level::Warning, "") };
+        vec![&OVERSIZED, &LOST]
     }
 
     #[test]
@@ -78,7 +87,7 @@ mod tests {
         let all: Vec<String> = TEMPLATE.lines().map(bare).collect();
         let config = Config::parse(&all.join("\n"), "mhlint.toml", &rules()).unwrap();
         let file = config.file.unwrap();
-        assert_eq!((file.blocks.len(), file.ignores.len(), config.samples), (1, 1, Some(200)));
+        assert_eq!((file.blocks.len(), file.ignores.len(), config.samples), (1, 1, Some(64)));
         for key in crate::config::keys::FILE {
             assert!(TEMPLATE.contains(key.name), "the template lacks `{}`", key.name);
         }

@@ -45,7 +45,7 @@ pub struct Finding {
     pub between: Vec<String>,
     /// Where only some of [`Finding::files`] are ignored; filled by the engine.
     pub ignored: Option<IgnoredFiles>,
-    /// How many of its parts are new, where it is told of new ones only.
+    /// How many of its parts are new, where only new ones are reported.
     pub new_parts: Option<NewParts>,
     /// Stable identity, filled by the engine.
     pub fingerprint: String,
@@ -53,7 +53,7 @@ pub struct Finding {
     pub places: BTreeMap<(String, String), Place>,
 }
 
-/// How many of the files that a finding speaks for are ignored.
+/// How many of the files that a finding is about are ignored.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct IgnoredFiles {
     /// These, by path.
@@ -150,7 +150,7 @@ impl Finding {
         self
     }
 
-    /// Names everything the finding speaks for, in place of the cases of its evidence. Neither numbers that
+    /// Names everything the finding is about, in place of the cases of its evidence. Neither numbers that
     /// count something nor wording may be in a name.
     #[must_use]
     pub fn parts<T: Into<Name>>(mut self, parts: impl IntoIterator<Item = T>) -> Self {
@@ -191,7 +191,7 @@ impl Finding {
         Self { between: files.into_iter().map(Into::into).collect(), ..self }
     }
 
-    /// The files that it speaks for, where that is not only the one at which it stands.
+    /// The files that it is about, where that is not only the one at which it stands.
     pub fn files(&self) -> &[String] {
         if self.between.is_empty() { self.subject.parts.files() } else { &self.between }
     }

@@ -31,25 +31,95 @@ pub struct Suggestions {
 impl Suggestions {
     /// As [`nearest`]; nothing more when too much was compared before.
     pub fn nearest<'a>(&self, name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+        self.best(name, candidates, |_| (None, 0))
+    }
+
+    /// The same for files, named with or without folders: one that has all words of `name`, or only words of it, is nearer
+    /// than one that differs by more than a letter. `head-side-in` means `side-in`, not `head-wide`.
+    pub fn nearest_file<'a>(&self, name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+        let words = words_of_file(name);
+        // Longer ones are not names of files.
+        let is_short = name.len() <= LONGEST_PATH;
+        self.best(name, candidates, |candidate| {
+            let other = words_of_file(candidate);
+            let cost = candidate.len() + words.len() * other.len();
+            if is_short { (words_between(&words, &other), cost) } else { (None, 0) }
+        })
+    }
+
+    /// The best candidate. `between` says how many words a candidate has more or less, if that is all, and what it cost.
+    fn best<'a>(
+        &self,
+        name: &str,
+        candidates: impl IntoIterator<Item = &'a str>,
+        between: impl Fn(&'a str) -> (Option<usize>, usize),
+    ) -> Option<&'a str> {
         let sought = Sought::new(name);
-        let mut best: Option<(usize, &str)> = None;
+        let mut best: Option<(Rank, &str)> = None;
         for candidate in candidates {
             if self.compared.get() > COMPARED {
                 return None;
             }
             // Nothing farther than the best so far is worth measuring.
-            let limit = best.map_or(sought.limit, |(distance, _)| distance);
+            let limit = best.map_or(sought.limit, |(rank, _)| rank.limit());
             let (distance, cost) = sought.distance(candidate, limit);
-            self.compared.set(self.compared.get() + cost);
-            if let Some(distance) = distance
-                && best.is_none_or(|best| (distance, candidate) < best)
+            let (words, cost_of_words) =
+                if distance.is_some_and(|distance| distance <= 1) { (None, 0) } else { between(candidate) };
+            self.compared.set(self.compared.get() + cost + cost_of_words);
+            if let Some(rank) = Rank::of(distance, words)
+                && best.is_none_or(|best| (rank, candidate) < best)
                 && sought.is_other(candidate)
             {
-                best = Some((distance, candidate));
+                best = Some((rank, candidate));
             }
         }
         best.map(|(_, candidate)| candidate)
     }
+}
+
+/// How near a candidate is, the nearest first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Rank {
+    /// It differs by a letter at most.
+    Letter(usize),
+    /// It has so many words more or less.
+    Words(usize),
+    /// It differs by more letters.
+    Letters(usize),
+}
+
+impl Rank {
+    fn of(distance: Option<usize>, words: Option<usize>) -> Option<Self> {
+        match (distance, words) {
+            (Some(distance @ ..=1), _) => Some(Self::Letter(distance)),
+            (_, Some(words)) => Some(Self::Words(words)),
+            (distance, None) => distance.map(Self::Letters),
+        }
+    }
+
+    /// The distance beyond which no other candidate is nearer.
+    fn limit(self) -> usize {
+        match self {
+            Self::Letter(distance) | Self::Letters(distance) => distance,
+            Self::Words(_) => 1,
+        }
+    }
+}
+
+/// The words of a file's name, without folders and extensions.
+fn words_of_file(name: &str) -> Vec<&str> {
+    let name = name.rsplit('/').next().unwrap_or_default();
+    let stem = name.split('.').next().unwrap_or_default();
+    stem.split(['-', '_']).collect()
+}
+
+/// How many words one name has more than the other, if these come before or after all words of the other and are no more
+/// than they.
+fn words_between(one: &[&str], other: &[&str]) -> Option<usize> {
+    let (long, short) = if one.len() > other.len() { (one, other) } else { (other, one) };
+    let more = long.len() - short.len();
+    let same = |run: &[&str]| run.iter().zip(short).all(|(one, other)| one.eq_ignore_ascii_case(other));
+    (0 < more && more <= short.len() && long.windows(short.len()).any(same)).then_some(more)
 }
 
 /// A name that many others are compared with.
@@ -63,6 +133,9 @@ pub struct Sought<'n> {
 
 /// Bytes in which names may differ and still be compared: the time grows with the square, and nobody slips in that many.
 const LONGEST: usize = 64;
+
+/// Bytes of the longest path of a file that is worth comparing word by word.
+const LONGEST_PATH: usize = 4096;
 
 /// Kinds of letters that are told apart where they are counted.
 const LETTERS: usize = 96;
@@ -262,6 +335,34 @@ mod tests {
         }
         assert_eq!(nearest("skin_diffuse.png", ["skin_diffuse.jpg"]), Some("skin_diffuse.jpg"));
         assert_eq!(nearest("macrodetails/Gendr", ["macrodetails/Gender"]), Some("macrodetails/Gender"));
+    }
+
+    #[test]
+    fn a_file_with_the_same_words_is_nearer_than_one_with_the_same_letters() {
+        for (name, candidates, meant) in [
+            ("head-side-in.target", ["head-wide.target", "side-in.target"], Some("side-in.target")),
+            ("a/side-in.target", ["a/side-inch.target", "a/head_Side_in.target"], Some("a/head_Side_in.target")),
+            ("head-side-in.target", ["side-in.target", "head-side-im.target"], Some("head-side-im.target")),
+            ("head-side-in.target", ["in.target", "headside.target"], Some("headside.target")),
+            ("head-side-in.target", ["head-side-out.target", "in-side.target"], None),
+        ] {
+            let backwards = candidates.iter().rev().copied();
+            assert_eq!(Suggestions::default().nearest_file(name, candidates), meant, "{name}");
+            assert_eq!(Suggestions::default().nearest_file(name, backwards), meant, "{name}");
+        }
+        let long = "a-".repeat(LONGEST_PATH);
+        assert_eq!(Suggestions::default().nearest_file(&long, ["a-a-a"]), None);
+    }
+
+    #[test]
+    fn files_with_many_words_cost_no_more_than_the_bound() {
+        let names: Vec<String> = (0..400).map(|at| format!("{}{at:03}", "a-".repeat(120))).collect();
+        let suggestions = Suggestions::default();
+        for name in &names {
+            suggestions.nearest_file(&format!("b-{name}"), names.iter().map(String::as_str));
+        }
+        let most = COST_OF_CANDIDATE + 2 * 243 + 122 * 122 + COST_OF_PAIR * LONGEST * LONGEST;
+        assert!(suggestions.compared.get() <= COMPARED + most, "{}", suggestions.compared.get());
     }
 
     #[test]

@@ -8,11 +8,11 @@ pub enum Note {
         /// Their path as printed.
         path: String,
     },
-    /// Only what is new or worse is told.
+    /// Only what is new or worse is reported.
     Compared {
         /// What the data were compared with.
         with: String,
-        /// Findings that are there no more.
+        /// Findings that no longer occur.
         gone: usize,
     },
     /// Both sides of a comparison are checked by the settings of now, and those have changed.

@@ -53,7 +53,7 @@ pub struct Outcome {
 pub struct Compared {
     /// A revision, a folder, a baseline.
     pub with: String,
-    /// How many findings were there and are no more.
+    /// How many findings no longer occur.
     pub gone: usize,
 }
 

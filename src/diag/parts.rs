@@ -1,4 +1,4 @@
-//! Names of everything that one finding speaks for.
+//! Names of everything that one finding is about.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -14,7 +14,7 @@ pub enum Name {
     Text(String),
 }
 
-/// The parts of a finding, in order, each once. None where it speaks for one thing, or for more than can be told apart.
+/// The parts of a finding, in order, each once. None where it is about one thing, or about more than can be told apart.
 #[derive(Debug, Clone, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(into = "Vec<String>", from = "Vec<String>")]
 pub struct Parts {

@@ -10,6 +10,6 @@ pub struct Subject {
     pub asset: Option<String>,
     /// Structural name of the fault in the asset: a bone, a pattern. Must not depend on order or layout.
     pub key: String,
-    /// Everything that the finding speaks for, where that is more than one thing, or told one by one as well as together.
+    /// Everything that the finding is about, where that is more than one thing, or reported one by one as well as together.
     pub parts: Parts,
 }

@@ -52,7 +52,7 @@ impl Influences {
             let total = sum(&merged);
             let lost = sum(merged.get(limit..).unwrap_or_default()) / total;
             if merged.len() > limit {
-                result.reduced.push(vertex);
+                result.reduced.push((vertex, lost));
                 merged.truncate(limit);
                 if result.worst.is_none_or(|(_, worst)| lost > worst) {
                     result.worst = Some((vertex, lost));
@@ -73,9 +73,9 @@ pub struct Reduction {
     pub influences: Influences,
     /// Largest number of bones on a vertex before.
     pub most: usize,
-    /// Vertices that lost bones.
-    pub reduced: Vec<u32>,
-    /// Vertex that lost the largest share of its weight, and that share (0..1).
+    /// Vertices that lost bones, and the share of its weight that each lost (0..1).
+    pub reduced: Vec<(u32, f32)>,
+    /// Vertex that lost the largest share of its weight, and that share.
     pub worst: Option<(u32, f32)>,
 }
 

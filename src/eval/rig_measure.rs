@@ -38,10 +38,8 @@ pub struct BoneMeasure {
 pub struct WeightMeasure {
     /// Most bones on one vertex.
     pub most: usize,
-    /// Vertices with more than [`ENGINE_INFLUENCES`].
-    pub over: Vec<u32>,
-    /// Vertex and share that it loses when reduced to [`ENGINE_INFLUENCES`].
-    pub worst_reduction: Option<(u32, f32)>,
+    /// Vertices with more than [`ENGINE_INFLUENCES`], and the share of its weight that each loses when reduced to them.
+    pub over: Vec<(u32, f32)>,
     /// Pairs of bones (left, right by number) whose weights are not mirrored: vertices and largest difference.
     pub asymmetric: Vec<AsymmetricPair>,
     /// Bones whose weights are on the other half of the mesh than their name says, and their joints lie.
@@ -109,7 +107,6 @@ pub fn weights(
     Some(WeightMeasure {
         most: reduction.most,
         over: reduction.reduced,
-        worst_reduction: reduction.worst,
         asymmetric: pairs.iter().filter_map(asymmetry).collect(),
         wrong_side: (loaded.bones.iter().filter(|list| is_across(list, skeleton, positions, &sides)))
             .map(|list| list.bone)

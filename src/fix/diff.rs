@@ -33,7 +33,7 @@ fn lines(text: &[u8]) -> Vec<&[u8]> {
 const EMPTY: &str = "e69de29bb2d1d6434b8b29ae775ad8c2e48c5391";
 
 /// An empty file has no line that could go: only a header in git's own manner says that it does, and `patch` wants
-/// names with blanks in quotes there, and to be told that it is empty. Git takes the lines of a file that comes next for
+/// names with spaces in quotes there, and to be told that it is empty. Git takes the lines of a file that comes next for
 /// a part of it: in a patch such files come last.
 fn removal_of_empty(path: &str) -> String {
     let name = |side: &str| {
@@ -68,7 +68,7 @@ fn write_lines(out: &mut Vec<u8>, sign: u8, lines: Option<&[&[u8]]>) {
     }
 }
 
-/// A path as git writes it in a header. Behind a name with a blank stands a tab, or `patch` would take it for shorter.
+/// A path as git writes it in a header. Behind a name with a space stands a tab, or `patch` would take it for shorter.
 fn header(path: &str) -> String {
     let tab = if path.contains(' ') { "\t" } else { "" };
     quoted(path) + tab

@@ -64,7 +64,7 @@ fn field(body: &str, span: Range<usize>, numbering: &mut Numbering, results: Opt
         return Err(Fault { span, kind: FaultKind::Endless, what: format!("asks for a width of {digits} digits") });
     }
     let results = if conversion.is_some() { Some(Results::TEXT) } else { results };
-    Layout::read(layout).refused(results).map_or(Ok(()), |what| Err(Fault { span, kind: FaultKind::Layout, what }))
+    Layout::read(layout).rejected(results).map_or(Ok(()), |what| Err(Fault { span, kind: FaultKind::Layout, what }))
 }
 
 /// What a layout asks for.
@@ -104,8 +104,8 @@ impl Layout {
         Self { is_of_numbers: sign || grouping || fills_inside, precision, code, is_unknown }
     }
 
-    /// Why Python refuses a value of these types; of unknown ones if it refuses all.
-    fn refused(&self, results: Option<Results>) -> Option<String> {
+    /// Why Python rejects a value of these types; of unknown ones if it rejects all.
+    fn rejected(&self, results: Option<Results>) -> Option<String> {
         let whole = self.code.is_none_or(|code| "bcdoxXneEfFgG%".contains(code))
             && !(self.precision && self.code.is_none_or(|code| "bcdoxXn".contains(code)));
         let fraction = self.code.is_none_or(|code| "neEfFgG%".contains(code));
@@ -114,12 +114,12 @@ impl Layout {
             return Some("has an unknown layout".to_owned());
         }
         let types = results?;
-        let refused = [
+        let rejected = [
             (types.text && !text, "a string"),
             (types.fraction && !fraction, "a decimal number"),
             ((types.whole || types.truth) && !whole, "a whole number"),
         ];
-        let (_, value) = refused.into_iter().find(|(is_refused, _)| *is_refused)?;
+        let (_, value) = rejected.into_iter().find(|(is_refused, _)| *is_refused)?;
         Some(match self.code {
             Some(code) => format!("formats {value} as `{code}`, which Python rejects"),
             None => format!("has a layout that Python rejects for {value}"),

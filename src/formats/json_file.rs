@@ -10,7 +10,7 @@ use crate::source::Encoding;
 pub enum JsonFault {
     /// Nothing in it.
     Empty,
-    /// A byte order mark, which Python's reader refuses.
+    /// A byte order mark, which Python's reader rejects.
     ByteOrderMark,
     /// Bytes that are no UTF-8.
     NotUtf8,

@@ -18,7 +18,7 @@ pub enum MeshFault {
     Archive(ArchiveFault),
     /// It unpacks beyond the limits.
     Oversized,
-    /// Members that it lacks: the application refuses it.
+    /// Members that it lacks: the application rejects it.
     Missing(Vec<&'static str>),
     /// A member that cannot be used.
     Member(&'static str, NpyFault),

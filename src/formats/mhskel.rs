@@ -1,6 +1,6 @@
 //! `.mhskel`: joints, planes and bones of a skeleton (formats/makehuman2.md §10).
 //!
-//! Keeps what the loader would see and, beside it, which values have a shape that the schema refuses:
+//! Keeps what the loader would see and, beside it, which values have a shape that the schema rejects:
 //! what hangs on those must not be checked again.
 
 use super::macro_json::{text, texts};
@@ -37,7 +37,7 @@ pub enum Section {
     /// No such key.
     #[default]
     Absent,
-    /// Something else than an object, which the schema refuses.
+    /// Something else than an object, which the schema rejects.
     Misshapen,
     /// An object.
     Present,
@@ -100,7 +100,7 @@ pub enum RotationPlane {
     Absent,
     /// The name of a plane.
     Named(String),
-    /// Something that is no text, which the schema refuses.
+    /// Something that is no text, which the schema rejects.
     Malformed,
 }
 

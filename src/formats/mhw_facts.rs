@@ -69,10 +69,8 @@ pub struct SumFacts {
     pub far_off: [u64; 2],
     /// Smallest and largest of their sums.
     pub range: (f32, f32),
-    /// The vertex farthest from 1, and its sum.
-    pub worst: Option<(u32, f32)>,
-    /// All of them.
-    pub vertices: Vec<u32>,
+    /// All of them with their sums, in order.
+    pub vertices: Vec<(u32, f32)>,
 }
 
 /// Counts pairs: how many, the first few as bone and position.
@@ -232,10 +230,7 @@ impl SumFacts {
             *count += u64::from(deviation > far);
         }
         self.range = (self.range.0.min(sum), self.range.1.max(sum));
-        if self.worst.is_none_or(|(_, worst)| deviation > (worst - 1.0).abs()) {
-            self.worst = Some((vertex, sum));
-        }
-        self.vertices.push(vertex);
+        self.vertices.push((vertex, sum));
     }
 }
 
@@ -298,8 +293,8 @@ mod tests {
         let facts = weights(text, 6).facts;
         let sum = facts.sum;
         assert_eq!(sum.reached, [0, 1, 2, 3]);
-        assert_eq!((sum.off, sum.far_off, sum.worst), (2, [1, 1], Some((1, 1.25))));
-        assert_eq!((sum.vertices, sum.range), (vec![1, 2], (0.995, 1.25)));
+        assert_eq!((sum.off, sum.far_off), (2, [1, 1]));
+        assert_eq!((sum.vertices, sum.range), (vec![(1, 1.25), (2, 0.995)], (0.995, 1.25)));
     }
 
     #[test]

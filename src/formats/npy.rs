@@ -1,7 +1,7 @@
 //! `.npy`: an array as `NumPy` stores it, read without `NumPy`'s dangers.
 //!
 //! Gets the bytes of a stream, returns what the array is made of, and its bytes where they are asked for, or why it
-//! cannot be used. Object arrays are refused by their header: loading them would mean running a pickle. No size in the
+//! cannot be used. Object arrays are rejected by their header: loading them would mean running a pickle. No size in the
 //! header is trusted.
 
 use std::io::{ErrorKind, Read};
@@ -13,7 +13,7 @@ use super::npy_header::{Literal, parse_header};
 pub enum NpyFault {
     /// No array of `NumPy`.
     NotNpy,
-    /// A header that `NumPy` refuses.
+    /// A header that `NumPy` rejects.
     Header,
     /// Holds Python objects; `NumPy` refuses to unpickle them.
     Object,

@@ -1,7 +1,7 @@
 //! Numbers as Python's `int()` and `float()` read them, which is what all loaders use.
 //!
 //! Beyond plain decimals: underscores between digits, a leading `+`, `nan`, `inf`, digits of other
-//! scripts. A decimal comma and hexadecimal are refused.
+//! scripts. A decimal comma and hexadecimal are rejected.
 
 /// Zeros of the digit blocks that people really type numbers in.
 const OTHER_ZEROS: [char; 8] =

@@ -135,7 +135,7 @@ pub(super) fn mesh_archive(input: &Input<'_>) -> Parsed {
     parsed
 }
 
-/// Weights are read without a tree; the tree is made only to explain what the typed reader refused.
+/// Weights are read without a tree; the tree is made only to explain what the typed reader rejected.
 pub(super) fn weights(input: &Input<'_>) -> Parsed {
     let weights = match mhw::parse(input.bytes, input.encoding, input.mesh.map(|mesh| mesh.vertices)) {
         Ok(weights) => weights,

@@ -190,7 +190,7 @@ mod tests {
     }
 
     fn wrong_type(found: Found, wanted: &[Shape]) -> Misfit {
-        Misfit::Type { found, wanted: wanted.to_vec() }
+        Misfit::Type { found, wanted: wanted.to_vec(), elements: None }
     }
 
     fn lacks(key: &str, and_more: bool) -> Misfit {

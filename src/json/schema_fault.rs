@@ -23,7 +23,7 @@ pub struct SchemaFault {
     pub fault: Misfit,
     /// Forms that the schema allows besides the one that the fault is about.
     pub other_forms: usize,
-    /// What the schema says about the value.
+    /// What the schema says about the value, or about the key that is missing.
     pub description: Option<String>,
 }
 
@@ -43,6 +43,8 @@ pub enum Misfit {
         found: Found,
         /// The types that would fit, the usual one first.
         wanted: Vec<JsonType>,
+        /// The type of the elements of a list that would fit, where the schema gives one.
+        elements: Option<JsonType>,
     },
     /// A text of another form.
     Pattern {
@@ -138,13 +140,13 @@ pub(super) fn describe(error: &ValidationError<'_>, schema: &Value) -> SchemaFau
     let (closest, hidden) = closest(error);
     let keyword = closest.schema_path().to_string();
     let (fault, other_forms) = match alternatives(error) {
-        Some(wanted) => (Misfit::Type { found: found(error.instance()), wanted }, 0),
+        Some(wanted) => (Misfit::Type { found: found(error.instance()), wanted, elements: None }, 0),
         None => (misfit(closest, schema), hidden),
     };
     SchemaFault {
         pointer: closest.instance_path().to_string(),
         name: String::new(),
-        description: text_at(schema, &keyword, "description"),
+        description: description(&fault, schema, &keyword),
         keyword,
         fault,
         other_forms,
@@ -188,7 +190,7 @@ fn is_type(error: &ValidationError<'_>) -> bool {
     matches!(error.kind(), ValidationErrorKind::Type { .. })
 }
 
-/// If every branch refuses the type of the value itself, the types of all.
+/// If every branch rejects the type of the value itself, the types of all.
 fn alternatives(error: &ValidationError<'_>) -> Option<Vec<JsonType>> {
     let types = branches(error).iter().map(|branch| match branch.as_slice() {
         [inner] if inner.instance_path() == error.instance_path() => types(inner.kind()),
@@ -202,7 +204,10 @@ fn misfit(error: &ValidationError<'_>, schema: &Value) -> Misfit {
     let found = found(error.instance());
     let length = || error.instance().as_array().map_or(0, Vec::len);
     match error.kind() {
-        kind @ ValidationErrorKind::Type { .. } => Misfit::Type { found, wanted: types(kind).unwrap_or_default() },
+        kind @ ValidationErrorKind::Type { .. } => {
+            let elements = elements(schema, &error.schema_path().to_string());
+            Misfit::Type { found, wanted: types(kind).unwrap_or_default(), elements }
+        }
         ValidationErrorKind::Required { property } => {
             Misfit::Missing { key: property.as_str().unwrap_or_default().to_owned(), and_more: false }
         }
@@ -252,8 +257,27 @@ fn found(value: &Value) -> Found {
     }
 }
 
+fn description(fault: &Misfit, schema: &Value, keyword: &str) -> Option<String> {
+    let Misfit::Missing { key, .. } = fault else { return text_at(schema, keyword, "description") };
+    let of_key = owner(schema, keyword)?.get("properties")?.get(key)?;
+    of_key.get("description")?.as_str().map(str::to_owned)
+}
+
+/// The type of the elements of the list that the schema wants.
+fn elements(schema: &Value, pointer: &str) -> Option<JsonType> {
+    let items = owner(schema, pointer)?.get("items")?;
+    let definition = items.get("$ref").and_then(Value::as_str).and_then(|place| place.strip_prefix('#'));
+    let items = definition.map_or(Some(items), |place| schema.pointer(place))?;
+    items.get("type")?.as_str()?.parse().ok()
+}
+
+/// The schema object that holds the keyword at `pointer`.
+fn owner<'s>(schema: &'s Value, pointer: &str) -> Option<&'s Value> {
+    let (object, _) = pointer.rsplit_once('/')?;
+    schema.pointer(object)
+}
+
 /// A text of the schema object that holds the keyword at `pointer`.
 fn text_at(schema: &Value, pointer: &str, member: &str) -> Option<String> {
-    let (object, _) = pointer.rsplit_once('/')?;
-    schema.pointer(object)?.get(member)?.as_str().map(str::to_owned)
+    owner(schema, pointer)?.get(member)?.as_str().map(str::to_owned)
 }

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Display;
 use std::sync::OnceLock;
 
-use super::landmarks::{Landmarks, Unreached};
+use super::landmarks::{Landmarks, Region, Unreached};
 use super::{FileFacts, Layers, Reference, ReferenceKind, View, Worn, parent};
 use crate::formats::bvh::Motion;
 use crate::formats::macro_json::MacroFile;
@@ -206,6 +206,12 @@ impl<'v> Body<'v> {
         let mesh = self.whole_mesh().filter(|mesh| reached.len() < mesh.positions.len())?;
         let unreached = self.landmarks(mesh).unreached(reached, |group| self.shows(group));
         (unreached.count > 0).then_some(unreached)
+    }
+
+    /// What a vertex is part of; `None` where the mesh, or what of it is shown, is not known.
+    pub(crate) fn region(&self, vertex: u32) -> Option<Region> {
+        let mesh = self.whole_mesh().filter(|_| self.visible_groups.is_some())?;
+        Some(self.landmarks(mesh).region(vertex))
     }
 
     fn landmarks(&self, mesh: &'v Mesh) -> &Landmarks<'v> {

@@ -17,8 +17,21 @@ pub(super) struct Landmarks<'m> {
     used: BTreeMap<&'m str, usize>,
     /// How many of them are in groups that are shown.
     shown: usize,
+    /// Whether the group of a number is shown.
+    is_shown: Vec<bool>,
     /// Bones from head to tail.
     bones: Vec<(&'m str, [Point; 2])>,
+}
+
+/// The part of a body that a vertex belongs to, the one that everybody sees first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Region {
+    /// A group that is shown.
+    Visible,
+    /// Any other group: helpers and joint cubes.
+    Helper,
+    /// None: no face uses it.
+    Faceless,
 }
 
 /// Vertices that a face uses and a file does not reach. Costs what is reached: files times vertices have no end.
@@ -40,7 +53,8 @@ impl<'m> Landmarks<'m> {
     pub(super) fn of(mesh: &'m Mesh, skeleton: Option<&'m Skeleton>, is_shown: impl Fn(&str) -> bool) -> Self {
         let homes = mesh.homes();
         let bones = skeleton.map_or_else(Vec::new, |skeleton| bones(mesh, skeleton));
-        let mut landmarks = Self { mesh, homes, used: BTreeMap::new(), shown: 0, bones };
+        let shown = mesh.groups.iter().map(|group| is_shown(&group.name)).collect();
+        let mut landmarks = Self { mesh, homes, used: BTreeMap::new(), shown: 0, is_shown: shown, bones };
         landmarks.used = landmarks.tally(0..u32::try_from(landmarks.homes.len()).unwrap_or(u32::MAX));
         landmarks.shown = count(&landmarks.used, is_shown);
         landmarks
@@ -48,8 +62,20 @@ impl<'m> Landmarks<'m> {
 
     /// Name of the group of a vertex; `None` if no face uses it.
     pub(super) fn group(&self, vertex: u32) -> Option<&'m str> {
-        let home = self.homes.get(vertex as usize).copied().flatten()?;
-        self.mesh.groups.get(home as usize).map(|group| group.name.as_str())
+        self.mesh.groups.get(self.home(vertex)?).map(|group| group.name.as_str())
+    }
+
+    fn home(&self, vertex: u32) -> Option<usize> {
+        self.homes.get(vertex as usize).copied().flatten().map(|home| home as usize)
+    }
+
+    /// What a vertex is part of.
+    pub(super) fn region(&self, vertex: u32) -> Region {
+        match self.home(vertex).and_then(|home| self.is_shown.get(home)) {
+            Some(true) => Region::Visible,
+            Some(false) => Region::Helper,
+            None => Region::Faceless,
+        }
     }
 
     fn tally(&self, vertices: impl IntoIterator<Item = u32>) -> BTreeMap<&'m str, usize> {
@@ -174,5 +200,7 @@ mod tests {
         assert_eq!(told(&[]), (vec![0, 1, 2, 4, 5], vec![group("a", 2), group("b", 3)], true));
         assert_eq!(told(&[1, 3, 4, 5, 77]), (vec![0, 2], vec![group("b", 2)], false));
         assert_eq!(told(&[0, 1, 2, 4, 5]), (vec![], vec![], false));
+        let regions = [4, 0, 3, 99].map(|vertex| landmarks.region(vertex));
+        assert_eq!(regions, [Region::Visible, Region::Helper, Region::Faceless, Region::Faceless]);
     }
 }

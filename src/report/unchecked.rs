@@ -9,12 +9,21 @@ use crate::diag::{NotChecked, Outcome, Unchecked};
 /// Extensions that are named.
 const NAMED: usize = 5;
 
+/// What people call the files of an extension: one, and several.
+const KINDS: [(&str, &str, &str); 5] = [
+    ("bvh", "pose", "poses"),
+    ("mhclo", "clothes file", "clothes"),
+    ("mhm", "model", "models"),
+    ("proxy", "proxy", "proxies"),
+    ("thumb", "thumbnail", "thumbnails"),
+];
+
 /// A clause for each reason, not made harmless yet.
 pub(super) fn unchecked(outcome: &Outcome) -> impl Iterator<Item = String> {
     outcome.not_checked.iter().map(clause)
 }
 
-/// `Not checked: 3 .blend, 12 .bvh (no rules yet); …`, not made harmless yet.
+/// `Not checked: 12 .bvh poses, 3 .blend (no rules yet); …`, not made harmless yet.
 pub fn unchecked_line(outcome: &Outcome) -> Option<String> {
     let clauses: Vec<String> = unchecked(outcome).collect();
     (!clauses.is_empty()).then(|| format!("Not checked: {}.", clauses.join("; ")))
@@ -44,7 +53,7 @@ fn clause(entry: &NotChecked) -> String {
     }
 }
 
-/// `12 .bvh, 3 .blend and 5 more files`.
+/// `12 .bvh poses, 3 .blend and 5 more files`.
 fn by_extension(entry: &NotChecked) -> String {
     let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
     for path in &entry.paths {
@@ -55,7 +64,7 @@ fn by_extension(entry: &NotChecked) -> String {
     counts.sort_by_key(|(_, count)| Reverse(*count));
     let named = counts.iter().take(NAMED).map(|(extension, count)| match *extension {
         "" => format!("{count} without extension"),
-        extension => format!("{count} .{extension}"),
+        extension => format!("{count} .{extension}{}", kind(extension, *count)),
     });
     let mut words = named.collect::<Vec<_>>().join(", ");
     let more: usize = counts.iter().skip(NAMED).map(|(_, count)| count).sum();
@@ -63,6 +72,12 @@ fn by_extension(entry: &NotChecked) -> String {
         words = format!("{words} and {}", count(more, "more file"));
     }
     words
+}
+
+/// The kind of files with an extension, with a space before it; empty where the extension says it best.
+fn kind(extension: &str, count: usize) -> String {
+    let known = KINDS.iter().find(|(known, ..)| known.eq_ignore_ascii_case(extension));
+    known.map_or_else(String::new, |(_, one, several)| format!(" {}", if count == 1 { one } else { several }))
 }
 
 /// How many names there are, and the first.
@@ -91,9 +106,17 @@ mod tests {
         let paths = ["a.bvh", "x/b.bvh", "c.blend", "README", "a.1", "a.2", "a.3", "a.4"];
         assert_eq!(
             line(Unchecked::Kind, &paths),
-            "Not checked: 2 .bvh, 1 without extension, 1 .1, 1 .2, 1 .3 and 2 more files (no rules yet)."
+            "Not checked: 2 .bvh poses, 1 without extension, 1 .1, 1 .2, 1 .3 and 2 more files (no rules yet)."
         );
         assert_eq!(unchecked_line(&Outcome::default()), None);
+    }
+
+    #[test]
+    fn files_are_named_as_people_call_them() {
+        let paths = ["a.mhclo", "b.mhclo", "c.PROXY", "d.mhm", "e.blend"];
+        let words = "2 .mhclo clothes, 1 .PROXY proxy, 1 .blend, 1 .mhm model (no rules yet).";
+        assert_eq!(line(Unchecked::Kind, &paths), format!("Not checked: {words}"));
+        assert_eq!(line(Unchecked::Kind, &paths[..1]), "Not checked: 1 .mhclo clothes file (no rules yet).");
     }
 
     #[test]

@@ -201,7 +201,7 @@ impl<'a> Gravest<'a> {
             _ if self.findings.is_empty() => nothing_found(outcome),
             Level::Error => format!("{who} would crash, reject a file or lose data"),
             Level::Warning => format!("{who} loads the data, but the result differs from the files"),
-            Level::Info => format!("harmless in {who} today"),
+            Level::Info => format!("{who} shows the right result today"),
         }
     }
 

@@ -4,6 +4,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::scratch::{assert_refused, content, edit, example, findings, mhlint, project, stderr, stdout};
+use mhlint::config::TEMPLATE;
+use mhlint::eval::settings::DEFAULT_SAMPLES;
 use mhlint::{Config, Tree, lint_trees, rule_infos};
 
 const OVAL: &str = "data/target/figure/head/head-oval.target";
@@ -377,6 +379,12 @@ fn the_schema_has_the_keys_that_the_reader_knows_and_no_others() {
     }
 }
 
+/// The file of `init` with all settings in effect.
+fn every_setting() -> String {
+    let bare = |line: &str| line.strip_prefix('#').filter(|rest| !rest.starts_with(' ')).unwrap_or(line).to_owned();
+    TEMPLATE.lines().map(bare).collect::<Vec<String>>().join("\n")
+}
+
 #[test]
 fn the_template_fits_the_schema() {
     let schema: serde_json::Value =
@@ -384,9 +392,20 @@ fn the_template_fits_the_schema() {
     let validator = jsonschema::validator_for(&schema).unwrap();
     let fits =
         |text: &str| validator.is_valid(&serde_json::to_value(toml::from_str::<toml::Table>(text).unwrap()).unwrap());
-    let bare = |line: &str| line.strip_prefix('#').filter(|rest| !rest.starts_with(' ')).unwrap_or(line).to_owned();
-    let lines: Vec<String> = mhlint::config::TEMPLATE.lines().map(bare).collect();
-    let text = lines.join("\n").replace("2027-06-30", "\"2027-06-30\"");
+    let text = every_setting().replace("2027-06-30", "\"2027-06-30\"");
     assert!(fits(&text));
     assert!(!fits("skip = ['macro-nope']") && !fits("[rule.macro-nope]") && !fits("[[ignore]]"));
+}
+
+#[test]
+fn the_numbers_in_the_file_of_init_are_the_defaults() {
+    let config = Config::parse(&every_setting(), "mhlint.toml", &rule_infos()).unwrap();
+    assert_eq!((config.samples, config.rule_options.len()), (Some(DEFAULT_SAMPLES), 2));
+    for ((rule, name), value) in &config.rule_options {
+        let rules = rule_infos();
+        let options = rules.iter().filter(|known| known.id == rule).flat_map(|known| known.options);
+        let defaults: Vec<f64> =
+            options.filter(|option| option.name == name.as_str()).map(|option| option.default).collect();
+        assert_eq!(defaults, [*value], "{rule}.{name}");
+    }
 }

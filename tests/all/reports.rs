@@ -115,11 +115,11 @@ fn human_report_begins_with_the_gravest_and_ends_with_a_line_for_each_info() {
     edit(repository.path(), "data/target/figure/head/head-oval.target", "340 -.001 .001 .001", "340 0 0 0");
     let text = run(repository.path(), &[]);
     let at = |part: &str| text.find(part).unwrap_or_else(|| panic!("no `{part}` in:\n{text}"));
-    assert!(at("error[macro-steps-length]") < at("1 info (harmless today;"));
+    assert!(at("error[macro-steps-length]") < at("1 info (right on screen today;"));
     assert!(text.contains("\n  data/target/figure/head/head-oval.target:6:1: info[target-zero-delta] "), "{text}");
     assert!(!text.contains("explain target-zero-delta"), "{text}");
     let full = run(repository.path(), &["--full"]);
-    assert!(full.contains("explain target-zero-delta") && !full.contains("harmless today;"), "{full}");
+    assert!(full.contains("explain target-zero-delta") && !full.contains("right on screen today;"), "{full}");
 }
 
 #[test]
@@ -310,7 +310,10 @@ fn the_verdict_on_settings_says_nothing_of_an_application() {
     assert_eq!(last(&["--fail-on", "warning"]), text);
     edit(repository.path(), "data/target/figure/head/head-oval.target", "339 0 .001 .001", "339 0 0 0");
     let text = run(repository.path(), &[]).replace('\n', " ");
-    assert!(text.contains("1 info: harmless in MakeHuman 2 today. Also 1 warning about mhlint's settings."), "{text}");
+    assert!(
+        text.contains("1 info: MakeHuman 2 shows the right result today. Also 1 warning about mhlint's settings."),
+        "{text}"
+    );
 }
 
 /// A copy of the example repository with `count` targets that cannot be read.

@@ -37,16 +37,16 @@ macOS ARM64 aarch64-apple-darwin.tar.gz
 Windows X64 x86_64-pc-windows-msvc.zip
 END
 install Linux RISCV64 ''
-expect "a runner without archive is told so" says "no archive is built for Linux on RISCV64"
+expect "a runner without an archive is named" says "no archive is built for Linux on RISCV64"
 expect "and the step ends" ended_with 2
 cp "$sums" "$action/sums"
 sed -i 's/^......../00000000/' "$sums"
 install Linux X64 ''
-expect "another archive than the release lists is refused" says "is not what the release lists"
+expect "another archive than the release lists is rejected" says "is not what the release lists"
 expect "and not installed" [ ! -e "$action/path" ]
 echo "0 something-else" >"$sums"
 install Linux X64 ''
-expect "an archive that the release does not list is refused" says "does not name $archive"
+expect "an archive that the release does not list is rejected" says "does not name $archive"
 cp "$action/sums" "$sums"
 
 # Windows has an archive of its own, and backslashes in the path of its temporary folder.
@@ -59,7 +59,7 @@ run env RUNNER_OS=Windows RUNNER_ARCH=X64 RUNNER_TEMP="$temp" GITHUB_PATH="$acti
     MHLINT_VERSION="$version" MHLINT_RELEASES="file://$releases" bash action/install.sh
 expect "a temporary folder with backslashes is no obstacle" ended_with 0
 
-# The run: a stand-in shows the arguments, then the real command judges.
+# The run: a stand-in shows the arguments, then the real command checks.
 check() { # folder of the command, paths, arguments
     rm -rf "$action/temp" "$action/out" "$action/summary" && mkdir "$action/temp"
     touch "$action/summary" "$action/out"

@@ -14,7 +14,7 @@ export PRE_COMMIT_HOME=$hook/cache PRE_COMMIT_COLOR=never
 cp "$venv"/wheels/setuptools-*.whl "$wheels"
 export PIP_NO_INDEX=1 PIP_FIND_LINKS=$wheels VIRTUALENV_NO_PERIODIC_UPDATE=1
 
-# No compiler: each of these would tell and fail. pip asks `rustc --version` for its own statistics, that does not count.
+# No compiler: each of these would leave a trace and fail. pip asks `rustc --version` for its own statistics, that does not count.
 for compiler in cargo rustc cc gcc clang; do
     printf '#!/bin/sh\n[ "$*" = --version ] || echo "$0 $*" >>"%s/called"\nexit 1\n' "$hook" >"$hook/no-compiler/$compiler"
     chmod +x "$hook/no-compiler/$compiler"
@@ -49,9 +49,9 @@ damage() { sed -i 's/"steps": \[0.0, 0.25, 0.5, 1.0\]/"steps": [0.0, 0.25, 0.5, 
 damage
 git add data
 run git commit --message "Damaged example data"
-expect "a damaged first commit is refused" ended_with 1
-expect "the refusal of the first commit names the fault" says 'error[macro-steps-length]'
-echo "hook: a damaged first commit refused in $took"
+expect "a damaged first commit is rejected" ended_with 1
+expect "the rejection of the first commit names the fault" says 'error[macro-steps-length]'
+echo "hook: a damaged first commit rejected in $took"
 cp "$project/fixtures/makehuman2/data/target/figure/macro.json" data/target/figure
 git add data
 run git commit --message "Example data"
@@ -63,13 +63,13 @@ before=$(git rev-parse HEAD)
 damage
 expect "the example is damaged" test -n "$(git status --short)"
 run git commit --all --message "A step less"
-echo "hook: a damaged commit refused in $took; what the artist sees:"
+echo "hook: a damaged commit rejected in $took; what the artist sees:"
 echo "$output" | sed 's/^/    /'
-expect "the damaged commit is refused" ended_with 1
+expect "the damaged commit is rejected" ended_with 1
 expect "nothing was committed" [ "$(git rev-parse HEAD)" = "$before" ]
 for words in 'data/target/figure/macro.json' 'error[macro-steps-length]' 'component `age` has 4 values but 5 steps' \
     'MakeHuman 2: crashes with `IndexError`' 'help: add a value for every step' 'Failed: 1 new error'; do
-    expect "the refusal names fault, consequence and remedy" says "$words"
+    expect "the rejection names fault, consequence and help" says "$words"
 done
 git restore --staged --worktree .
 
@@ -94,9 +94,9 @@ hook_with '        always_run: true
 '
 git rm --quiet data/target/figure/head/head-oval.target
 run git commit --message "A target less, and always_run"
-expect "with always_run a deletion that matters is refused" ended_with 1
-echo "hook: a deletion alone is skipped, with always_run refused in $took"
-expect "the refusal names the target that is gone" says "head-oval"
+expect "with always_run a deletion that matters is rejected" ended_with 1
+echo "hook: a deletion alone is skipped, with always_run rejected in $took"
+expect "the rejection names the target that is gone" says "head-oval"
 git reset --quiet --hard HEAD
 
 # Narrowed to what is staged: an old fault elsewhere does not stand in the way, one of the commit does.
@@ -110,10 +110,10 @@ expect "an old fault elsewhere does not stand in the way" ended_with 0
 echo "hook: a sound commit beside an old fault in $took"
 echo '337 nothing 0 0' >>$oval
 run git commit --all --message "Unsound, beside an old fault"
-expect "a fault of the commit is refused" ended_with 1
-expect "the refusal names the changed file" says "$oval"
-expect "the refusal does not name the old fault" does_not_say "macro-steps-length"
-echo "hook: an unsound commit beside an old fault refused in $took"
+expect "a fault of the commit is rejected" ended_with 1
+expect "the rejection names the changed file" says "$oval"
+expect "the rejection does not name the old fault" does_not_say "macro-steps-length"
+echo "hook: an unsound commit beside an old fault rejected in $took"
 sed -i 's/^338 .002 /338 .003 /' data/target/figure/head/head-side-in.target
 run git commit --message "Sound, beside a fault that stays behind" -- data/target/figure/head/head-side-in.target
 expect "what is not in the commit is put aside" ended_with 0
@@ -121,7 +121,7 @@ git checkout --quiet -- $oval
 
 # With nothing staged everything is reported: what CI asks for.
 run pre-commit run --all-files
-expect "with nothing staged an old fault is refused" ended_with 1
+expect "with nothing staged an old fault is rejected" ended_with 1
 expect "with nothing staged the old fault is named" says 'error[macro-steps-length]'
 expect "with nothing staged the hook says what it reports" says 'nothing is staged; reporting all findings'
 echo "hook: all files in $took"

@@ -21,7 +21,7 @@ mhlint=$work/fresh/bin/mhlint
 run "$mhlint" --version
 expect "the installed command is this version" says "mhlint $version"
 run "$mhlint" fixtures/makehuman2
-expect "the installed command judges" ended_with 0
-echo "wheel: the example repository judged in $took"
+expect "the installed command checks" ended_with 0
+echo "wheel: the example repository checked in $took"
 run "$mhlint" explain macro-steps-length
 expect "the fixtures are inside the installed command" says "4 values but 5 steps"

@@ -29,7 +29,7 @@ pub(in crate::engine) enum Standing {
 }
 
 impl Standing {
-    /// What is to be told of a finding: of one that is worse what is worse.
+    /// What is to be reported of a finding: of one that is worse, what is worse.
     pub(in crate::engine) fn of(self, mut finding: Finding) -> Option<Finding> {
         match self {
             Self::New => Some(finding),
@@ -44,12 +44,12 @@ impl Standing {
 pub(in crate::engine) struct Comparison {
     /// Of each finding now.
     pub(in crate::engine) now: Vec<Standing>,
-    /// Numbers of those before that are there no more.
+    /// Numbers of those before that no longer occur.
     pub(in crate::engine) gone: Vec<usize>,
 }
 
-/// Compares findings. Several may have asset and key in common: what a rule tells now of each part, now of all
-/// together. Together they speak for one, and one for them. One without parts stands for one.
+/// Compares findings. Several may have asset and key in common: a rule may report each part, or all together. Together
+/// they count as one, and one counts as them. One without parts stands for one.
 pub(in crate::engine) fn compare(before: &[Claim<'_>], now: &[Claim<'_>]) -> Comparison {
     let met = vec![Cell::new(false); before.len()];
     let known = before.iter().zip(&met);
@@ -58,8 +58,8 @@ pub(in crate::engine) fn compare(before: &[Claim<'_>], now: &[Claim<'_>]) -> Com
     Comparison { now: now.collect(), gone: (0..).zip(&met).filter(|(_, met)| !met.get()).map(|(at, _)| at).collect() }
 }
 
-/// Those that are new, and those that are worse with what is worse of them. Of files that are not `compared` all is told:
-/// what they were is not known.
+/// Those that are new, and those that are worse with what is worse of them. Of files that are not `compared` everything is
+/// reported: what they were is not known.
 pub(in crate::engine) fn new_or_worse(
     before: &[Finding],
     found: Vec<Finding>,
@@ -73,7 +73,7 @@ pub(in crate::engine) fn new_or_worse(
     told.collect()
 }
 
-/// How many of those before are there no more.
+/// How many of those before no longer occur.
 pub(in crate::engine) fn gone(before: &[Finding], now: &[Finding]) -> usize {
     compare(&claims(before), &claims(now)).gone.len()
 }

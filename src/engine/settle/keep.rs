@@ -1,6 +1,6 @@
 //! Which findings on some layers are reported, at which level, and which files of their fixes stay as they are.
 //!
-//! Levels, exclusions and ignores are for files, a finding may speak for several.
+//! Levels, exclusions and ignores are for files, a finding may be about several.
 
 use super::identify::{Placed, Root, identify};
 use super::ignore::Ignores;
@@ -77,7 +77,7 @@ impl Keeper<'_> {
         if cannot_be_ignored(finding.rule) {
             return Verdict::At(finding.level);
         }
-        // What is excluded is hidden; but what is dangerous is told wherever the run looks.
+        // What is excluded is hidden; but what is dangerous is reported wherever the run looks.
         if self.scope.excludes(path) {
             return Verdict::Excluded;
         }
@@ -105,7 +105,7 @@ impl Keeper<'_> {
         }
         let bases = self.root.layer.bases_at(&finding.path);
         let is_of_asked = bases.is_empty() || bases.iter().any(|base| self.options.asks_for_base(base));
-        // One finding may speak for several files; who names one of them is told.
+        // One finding may be about several files; who names one of them gets it.
         let mut files = std::iter::once(&finding.path).chain(finding.files());
         files.any(|file| (self.is_asked_for)(file)) && is_of_asked
     }

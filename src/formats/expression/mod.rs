@@ -33,7 +33,7 @@ pub enum FaultKind {
     Foreign,
     /// Python may never come to an end, or run out of memory.
     Endless,
-    /// Python refuses the text each time.
+    /// Python rejects the text each time.
     Syntax,
     /// Python raises an exception each time.
     Raises,
@@ -46,7 +46,7 @@ pub enum FaultKind {
 }
 
 impl FaultKind {
-    /// Whether `str.format` refuses such a text without running anything of it.
+    /// Whether `str.format` rejects such a text without running anything of it.
     pub const fn is_of_layout(self) -> bool {
         matches!(self, Self::Layout | Self::Raises | Self::Syntax)
     }

@@ -49,7 +49,7 @@ impl<'a, T> Candidate<'a, T> {
         }
     }
 
-    /// Whether the file is there and refused.
+    /// Whether the file is there and rejected.
     pub(crate) fn is_refused(&self) -> bool {
         matches!(self, Self::Refused(_))
     }
@@ -66,7 +66,7 @@ impl<'a, T> Overlaid<'a, T> {
         self.contarget.accepted().is_some()
     }
 
-    /// Whether a file that would be in use is refused; what depends on it cannot be checked.
+    /// Whether a file that would be in use is rejected; what depends on it cannot be checked.
     pub(crate) fn is_broken(&self) -> bool {
         self.winner().is_none() && (self.contarget.is_refused() || self.system.is_refused())
     }

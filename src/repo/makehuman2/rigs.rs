@@ -46,7 +46,7 @@ pub(super) fn rigs<'a>(
 
 /// Weights are searched as `rigs/<base>/<weights_file>`, never beside the skeleton.
 fn weights<'a>(base: &'a str, layers: Layers<'a>, from: &'a FileFacts) -> Option<Reference<'a>> {
-    // Anything but a text is refused by the schema; what it would lead to is not known.
+    // Anything but a text is rejected by the schema; what it would lead to is not known.
     let skeleton = from.skeleton().filter(|skeleton| !skeleton.weights_file_misshapen)?;
     let text = skeleton.weights_file.as_deref().unwrap_or(DEFAULT_WEIGHTS);
     let place = skeleton.weights_file.as_ref().map_or(Place::File, |_| Place::pointer(["weights_file"]));

@@ -121,7 +121,7 @@ fn write_infos(
         return Ok(());
     }
     let paint = Paint { color: view.color };
-    let hint = if view.quiet { "" } else { " (harmless today; `--full` shows consequences and help)" };
+    let hint = if view.quiet { "" } else { " (right on screen today; `--full` shows consequences and help)" };
     let total = infos.len() + picked.left(Level::Info);
     writeln!(out, "{}{}", paint.bold(&count(total, "info")), paint.dim(hint))?;
     for file in infos.chunk_by(|a, b| a.path == b.path) {

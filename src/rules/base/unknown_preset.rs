@@ -29,7 +29,8 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
     let names = Names::of(view, base, &cx.suggestions);
     let mut found = Vec::new();
     for (pattern, _) in &settings.presets {
-        found.extend(names.pattern(pattern).map(|unknown| unknown_name(file, &["modifier-presets", pattern], unknown)));
+        let at = ["modifier-presets", pattern];
+        found.extend(names.pattern(pattern).map(|unknown| at_key(unknown_name(file, &at, unknown), &at)));
     }
     measures(file, &names, settings, &mut found);
     for (index, head) in settings.head_pattern.iter().flatten().enumerate() {
@@ -51,6 +52,11 @@ fn finding(file: &FileFacts, at: &[&str], message: String, name: &str) -> Findin
         key.push(name);
     }
     RULE.at(file, Place::Pointer(pointer(at)), message).key(key.join(" "))
+}
+
+/// Marks the key: the value beside it is sound.
+fn at_key(finding: Finding, at: &[&str]) -> Finding {
+    Finding { place: Place::Key(pointer(at)), ..finding }
 }
 
 fn unknown_name(file: &FileFacts, at: &[&str], unknown: Unknown) -> Finding {
@@ -102,13 +108,15 @@ fn randomizer(file: &FileFacts, names: &Names<'_, '_>, random: &Random, out: &mu
     }
     for (key, conditions) in &random.rules {
         if let Some(unknown) = names.entry(key) {
-            out.push(unknown_name(file, &["random", "rules", key], unknown));
+            let at = ["random", "rules", key];
+            out.push(at_key(unknown_name(file, &at, unknown), &at));
             continue;
         }
         for condition in conditions {
             let Some(unknown) = names.entry(&condition.slider) else { continue };
             let at = ["random", "rules", key, &condition.slider];
-            out.push(unknown_name(file, &at, unknown).effect("always resets the slider of the rule to 0"));
+            let finding = unknown_name(file, &at, unknown).effect("always resets the slider of the rule to 0");
+            out.push(at_key(finding, &at));
         }
     }
 }
@@ -116,19 +124,20 @@ fn randomizer(file: &FileFacts, names: &Names<'_, '_>, random: &Random, out: &mu
 fn random_group(file: &FileFacts, names: &Names<'_, '_>, group: &str, selected: bool) -> Option<Finding> {
     let at = ["random", "groups", group];
     if group.matches('|').count() < 2 {
-        return names.group(group).map(|unknown| unknown_name(file, &at, unknown));
+        return names.group(group).map(|unknown| at_key(unknown_name(file, &at, unknown), &at));
     }
     let message = format!("random group `{group}` has more than two parts");
     let when = if selected { "at start, because the group is preselected" } else { "when the group is selected" };
     let effect = format!("crashes with `ValueError` {when}");
     let finding = finding(file, &at, message, group).level(Level::Error).effect(effect);
-    Some(finding.help("write `category` or `category|subcategory`"))
+    Some(at_key(finding, &at).help("write `category` or `category|subcategory`"))
 }
 
 /// A whole category that stands before one of its own groups.
 fn nested(file: &FileFacts, group: &str, category: &str, selected: bool) -> Finding {
     let message = format!("random group `{group}` comes after its category `{category}`");
-    let finding = finding(file, &["random", "groups", group], message, group);
+    let at = ["random", "groups", group];
+    let finding = at_key(finding(file, &at, message, group), &at);
     let finding = if selected {
         finding.level(Level::Error).effect("crashes with `AttributeError` at start, because both are preselected")
     } else {

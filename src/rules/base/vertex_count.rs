@@ -19,7 +19,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         cannot be combined with those of other assets: MakeHuman 2 crashes with `ValueError` as soon as two such \
         assets are worn together. Nothing warns when the binaries are built.\n\nA number that is too large is a \
         warning; with one that is too small, `compile_meshes.py` itself crashes, too. Without the key, \
-        `compile_meshes.py` refuses the base.\n\nIf the weights for poses agree with `numverts`, it is the mesh \
+        `compile_meshes.py` rejects the base.\n\nIf the weights for poses agree with `numverts`, it is the mesh \
         that has changed. With fewer vertices MakeHuman 2 crashes at start; with more, everything from the first \
         added vertex on moves the wrong vertices. Nothing else is checked against such a mesh. If `base.mhbin` \
         exists, it is the mesh; one packed from another base crashes MakeHuman 2 at start with `IndexError` \

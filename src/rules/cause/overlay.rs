@@ -4,7 +4,7 @@ use super::schema::is_of_wrong_type;
 use crate::repo::makehuman2::{Base, Overlaid, View};
 use crate::repo::{Layer, fold};
 
-/// Whether one of the files is refused. What is then in use is not what the author meant, and everything
+/// Whether one of the files is rejected. What is then in use is not what the author meant, and everything
 /// that follows from it follows from the damage.
 pub(in crate::rules) fn is_damaged<T>(overlaid: &Overlaid<'_, T>) -> bool {
     overlaid.contarget.is_refused() || overlaid.is_broken()

@@ -2,6 +2,7 @@
 
 pub(super) mod duplicate_key;
 pub(super) mod schema;
+mod schema_help;
 mod schema_words;
 pub(super) mod syntax;
 mod told_keys;

@@ -5,6 +5,7 @@ use super::super::cause::schema::stands_for;
 use super::super::cause::{counts_as_missing, is_ignored_override};
 use super::super::{Check, Rule, RuleCx};
 use super::left_out;
+use super::schema_help::edit;
 use super::schema_words::{lack, sentence};
 use crate::diag::{Application::Makehuman2, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo, grouped};
 use crate::json::{SchemaFault, UnknownKey};
@@ -71,5 +72,5 @@ fn help(file: &FileFacts, fault: &SchemaFault) -> String {
     if let Some((meant, missing)) = file.schema.unknown.iter().find(is_meant).zip(missing) {
         return format!("did you mean `{missing}` instead of `{}`?", meant.key);
     }
-    fault.description.clone().unwrap_or_else(|| "run `mhlint schema` to see what the format allows".to_owned())
+    edit(fault)
 }

@@ -54,14 +54,14 @@ fn others(fault: &SchemaFault) -> String {
     }
 }
 
-fn limit(bound: &Bound) -> String {
+pub(super) fn limit(bound: &Bound) -> String {
     match bound {
         Bound::Least(limit) => format!("at least {limit}"),
         Bound::Most(limit) => format!("at most {limit}"),
     }
 }
 
-fn shape(shape: Shape) -> &'static str {
+pub(super) fn shape(shape: Shape) -> &'static str {
     match shape {
         Shape::Null => "null",
         Shape::Boolean => "true or false",

@@ -12,7 +12,10 @@ use crate::repo::makehuman2::{Base, BoundSlider, Pattern, View};
 use std::collections::{BTreeMap, BTreeSet};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "is not affected: it evaluates all macrodefs and only checks whether the list is empty")],
+    breaks: &[(
+        Makehuman2,
+        "evaluates all macrodefs whatever the list holds; only readers and other programs are misled",
+    )],
     docs: "`macro_influence` of a macro slider should list the macrodefs that read the slider, counted from 0, \
         but lists others.\n\nMakeHuman 2 always evaluates all macrodefs and only checks whether the list is \
         empty. A wrong list is therefore harmless, but it misleads readers and other programs (an info). A macro \
@@ -84,7 +87,7 @@ fn doubled<'b>(base: &'b Base<'_>) -> BTreeSet<&'b [String]> {
     base.sliders.iter().map(|bound| bound.pattern.names()).filter(|names| !seen.insert(*names)).collect()
 }
 
-/// Whether the schema refuses an element of the list, or the list.
+/// Whether the schema rejects an element of the list, or the list.
 fn is_misshapen(bound: &BoundSlider<'_>) -> bool {
     !is_sound(bound.file, &pointer(&[&bound.slider.key, "macro_influence"]))
 }

@@ -53,7 +53,7 @@ pub(super) fn survey<'s>(
     // One table holds all names: what another definition lists is found for this one too.
     let elsewhere = macros.macrodefs.iter().filter(|other| other.index != macrodef.index);
     listing.claimed.extend(elsewhere.flat_map(|other| &other.links).filter_map(|link| space.parse(&link.name)));
-    // Entries that the schema refuses, or with names that nobody understands, stand for combinations.
+    // Entries that the schema rejects, or with names that nobody understands, stand for combinations.
     let faulty = file.schema.inside(&format!("/macrodef/{}/targets", macrodef.index)).count();
     let lost = listing.strangers.iter().filter(|stranger| stranger.intended.is_none()).count();
     let listed = listing.found.len();

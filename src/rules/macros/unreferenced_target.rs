@@ -64,7 +64,7 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
     }
 }
 
-/// Whether the schema refuses the entries of a definition whose folder holds the file, or one of them while no listed
+/// Whether the schema rejects the entries of a definition whose folder holds the file, or one of them while no listed
 /// name fits: that entry was probably the one for the file.
 fn is_for_faulty_entry(file: &FileFacts, holders: &[&Macrodef], fits_listed: bool) -> bool {
     let own = |macrodef: &&Macrodef| format!("/macrodef/{}", macrodef.index);

@@ -30,7 +30,7 @@ impl<'v, 'a> Advice<'v, 'a> {
         let otherwise = "correct the name, add the picture, or remove the line";
         let Some(folders) = self.view.picture_folders(reference) else { return otherwise.to_owned() };
         if let Some(name) = with_blanks(reference).filter(|name| self.is_near(name, &folders)) {
-            return format!("rename `{name}` without blanks, and write that name: a name ends at the first blank");
+            return format!("rename `{name}` without spaces, and write that name: a name ends at the first space");
         }
         if let Some(name) = self.moved(reference, &folders) {
             return format!("write `{name}`, where the picture is");

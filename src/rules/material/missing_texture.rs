@@ -11,7 +11,7 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "silently drops the keyword and goes without this texture")],
     docs: "A material names a picture that does not exist, in `diffuseTexture`, `normalmapTexture`, \
         `aomapTexture`, `metallicRoughnessTexture` or `emissiveTexture`. MakeHuman 2 does not know other keywords, \
-        such as `specularmapTexture`. A name is one word: it ends at the first blank.\n\n\
+        such as `specularmapTexture`. A name is one word: it ends at the first space.\n\n\
         MakeHuman 2 silently drops a keyword whose picture it does not find: the surface shows the colour of the \
         material instead, and exports have no texture either. If a keyword has several lines, the last one with a \
         picture wins.\n\n\

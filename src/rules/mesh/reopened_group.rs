@@ -23,6 +23,11 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 
 const VANISHING: Case = &[(Makehuman2, Level::Error, "hides visible faces: they end up in a group that is not shown")];
 
+const SHOW_THEM: &str =
+    "give the later faces a new group name, and list it in `visible groups`; do not reorder the faces";
+const IF_SEEN: &str =
+    "give the later faces a new group name if they show in the wrong group; among hidden groups leave them as they are";
+
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, mesh)) = body.obj else { return };
     // An archive that was packed from this OBJ has the faces where it put them.
@@ -32,9 +37,9 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let (vanishing, others): (Vec<&Reopened>, Vec<&Reopened>) = mesh.facts.reopened.iter().partition(vanishes);
     let weighed = |finding: Finding, case| finding.case(if is_in_use { case } else { UNREAD_MESH });
     if let Some(finding) = finding(file, &vanishing, mesh.faces.len()) {
-        out.push(weighed(finding.key("visible"), VANISHING));
+        out.push(weighed(finding.key("visible").help(SHOW_THEM), VANISHING));
     }
-    out.extend(finding(file, &others, mesh.faces.len()).map(|finding| weighed(finding, &[])));
+    out.extend(finding(file, &others, mesh.faces.len()).map(|finding| weighed(finding.help(IF_SEEN), &[])));
 }
 
 /// Whether one mesh has as many faces in each group as another.
@@ -68,13 +73,5 @@ fn finding(file: &FileFacts, groups: &[&Reopened], faces: usize) -> Option<Findi
     let evidence = Evidence::of_groups(cases, strayed as u64).out_of(faces);
     let place = Place::Line(first.line);
     let parts = groups.iter().map(|group| &group.name);
-    Some(
-        RULE.at(file, place, message)
-            .parts(parts)
-            .help(
-                "leave it if both groups are hidden; otherwise give the later faces a new group name, listed in \
-                 `visible groups` if they should be shown",
-            )
-            .evidence(evidence),
-    )
+    Some(RULE.at(file, place, message).parts(parts).evidence(evidence))
 }

@@ -1,4 +1,4 @@
-//! Names of user targets, and patterns, must not hold a blank.
+//! Names of user targets, and patterns, must not hold a space.
 
 use std::collections::BTreeMap;
 

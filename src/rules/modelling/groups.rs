@@ -155,7 +155,7 @@ pub(super) fn whose<'a>(view: &View<'_>, base: &Base<'a>, slider: &BoundSlider<'
     base.categories.winner().map(|(file, _)| (file, Place::File))
 }
 
-/// The item that shows the group, if it is the item that has blanks at an end.
+/// The item that shows the group, if it is the item that has spaces at an end.
 pub(super) fn item_with_blanks<'a>(view: &View<'_>, base: &Base<'a>, group: &str) -> Option<(&'a FileFacts, Place)> {
     let (file, model) = base.categories.winner().filter(|(file, _)| view.layers.is_checked(file))?;
     if group.split('|').all(|part| part.trim() == part) {

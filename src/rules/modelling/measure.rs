@@ -1,7 +1,7 @@
 //! The vertices of a measuring line must exist, and a line around something must close.
 
 use super::super::cause::schema::is_sound;
-use super::super::units::centimetres;
+use super::super::units::length;
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo, pointer};
 use crate::eval::measure::{chain_length, closing_gap};
@@ -84,18 +84,17 @@ fn is_circumference(bound: &BoundSlider<'_>) -> bool {
 /// The gap of a line that should close, on the unmorphed mesh.
 fn open_line(bound: &BoundSlider<'_>, line: &[i64], positions: &[[f32; 3]]) -> Option<Finding> {
     let line: Vec<u32> = line.iter().map(|vertex| u32::try_from(*vertex).ok()).collect::<Option<_>>()?;
-    let (length, gap) = (chain_length(positions, &line).ok()?, closing_gap(positions, &line).ok()?);
+    let (whole, gap) = (chain_length(positions, &line).ok()?, closing_gap(positions, &line).ok()?);
     let (first, last) = (line.first()?, line.last()?);
-    if gap <= SAME_PLACE || !length.is_finite() {
+    if gap <= SAME_PLACE || !whole.is_finite() {
         return None;
     }
-    // Shown as the program shows lengths: a unit is 10 cm.
-    let (gap_cm, length_cm) = (centimetres(gap), centimetres(length));
-    let message =
-        format!("does not close: its ends are {gap_cm:.2} cm apart ({gap:.3}), its length is {length_cm:.1} cm");
+    // The message names the place of the evidence, whose number has no unit.
+    let ends = format!("vertices {first} and {last}");
+    let message = format!("does not close: {ends} are {} apart, its length is {}", length(gap), length(whole));
     let effect = "shows a length without the missing piece";
     let help = format!("add vertex {first} again after {last}, with the vertices between them if there are any");
-    let evidence = Evidence::counted(1).with_worst(gap, format!("vertices {first} and {last}"));
+    let evidence = Evidence::counted(1).with_worst(gap, ends);
     // Another fault than a vertex that does not exist: it must not be taken for the same.
     let key = format!("{} gap", bound.slider.key);
     Some(finding(bound, &message, effect).key(key).level(Level::Warning).help(help).evidence(evidence))

@@ -68,7 +68,7 @@ pub(super) fn nearest<'a>(view: &View<'a>, reference: &Reference<'_>, suggestion
     let wanted = reference.rel.rsplit('/').next().unwrap_or_default();
     let files = view.layers.strongest_first().flat_map(|layer| layer.below(folder));
     let free = files.filter(|file| !file.kind.is_json() && !is_used(view, file));
-    suggestions.nearest(wanted, free.map(FileFacts::file_name))
+    suggestions.nearest_file(wanted, free.map(FileFacts::file_name))
 }
 
 /// Whether something uses a target already. It is not meant: the other side or the other direction often has nearly the

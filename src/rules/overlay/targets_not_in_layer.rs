@@ -29,7 +29,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
 });
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    // A macro.json that is refused is the cause, and `overlay-broken-override` says so; without any folder
+    // A macro.json that is rejected is the cause, and `overlay-broken-override` says so; without any folder
     // to load from the program does not get as far as the targets (`overlay-partial-override`).
     if base.macros.contarget.is_refused() || has_misnamed_override(view, base) || lacks_folder(view, base) {
         return;

@@ -16,7 +16,7 @@ pub(super) const LOST_AND_WEIGHTED: &[(Application, &str)] = &[(
     "silently drops these bones; entering pose mode then crashes with `KeyError`, because the weights use them",
 )];
 
-const REFUSED: Case = &[(Makehuman2, Level::Error, "refuses the skeleton: none of its bones is a root")];
+const REFUSED: Case = &[(Makehuman2, Level::Error, "rejects the skeleton: none of its bones is a root")];
 const LOST: Case = &[(Makehuman2, Level::Warning, "silently drops these bones")];
 
 /// One finding of `rule` for every circle that it is for.

@@ -9,7 +9,7 @@ use crate::repo::Body;
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "crashes with `TypeError` or `KeyError` when it computes the bones that use the plane")],
     docs: "A plane is not a list of three joint names. Only the first three count.\n\n\
-        MakeHuman 2 refuses a skeleton if a bone uses the plane `[null, null, null]` (old exporters wrote it for \
+        MakeHuman 2 rejects a skeleton if a bone uses the plane `[null, null, null]` (old exporters wrote it for \
         \"no plane\"). It crashes if there are fewer than three joints, if one of them is not a name, or if the \
         plane is not a list. A plane that no bone uses is never read and is reported as info.\n\n\
         Name three joints that are not in line, or remove the plane and the `rotation_plane` of its bones.",
@@ -19,7 +19,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 const EXCEPTION: Case = &[(Makehuman2, Level::Error, "crashes")];
 const TYPE_ERROR: Case = &[(Makehuman2, Level::Error, "crashes with `TypeError`")];
 const KEY_ERROR: Case = &[(Makehuman2, Level::Error, "crashes with `KeyError`")];
-const REFUSED: Case = &[(Makehuman2, Level::Error, "refuses the skeleton and logs a line")];
+const REFUSED: Case = &[(Makehuman2, Level::Error, "rejects the skeleton and logs a line")];
 const NOT_USED: Case = &[(Makehuman2, Level::Info, "never reads the plane: no bone uses it")];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {

@@ -8,9 +8,9 @@ use crate::formats::mhskel::Section;
 use crate::repo::{Body, FileFacts};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "refuses the skeleton and logs a line; poses and exports cannot use it")],
+    breaks: &[(Makehuman2, "rejects the skeleton and logs a line; poses and exports cannot use it")],
     docs: "A skeleton without `bones` or `joints`, or a bone without `head` or `tail`.\n\n\
-        MakeHuman 2 checks for them before anything else and refuses the whole skeleton if one is missing. An \
+        MakeHuman 2 checks for them before anything else and rejects the whole skeleton if one is missing. An \
         empty file (`{}`) is worse: the scan of all assets crashes on it at start.\n\n\
         Add what is missing. A bone without an end of its own can end at the joint where the next bone begins.",
     ..RuleInfo::new("skeleton-missing-section", Level::Error, "a required part of a skeleton is missing")

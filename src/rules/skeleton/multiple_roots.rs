@@ -7,9 +7,9 @@ use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, Rule
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "refuses the skeleton and logs a line")],
+    breaks: &[(Makehuman2, "rejects the skeleton and logs a line")],
     docs: "More than one bone of a skeleton has no parent.\n\n\
-        MakeHuman 2 needs exactly one root and refuses the whole skeleton if there is a second one, even if only \
+        MakeHuman 2 needs exactly one root and rejects the whole skeleton if there is a second one, even if only \
         `parent` was forgotten. MakeHuman 1 accepts several roots.\n\n\
         Give every bone but one a parent; an unattached bone can hang on the root.",
     ..RuleInfo::new("skeleton-multiple-roots", Level::Error, "more than one bone of a skeleton has no parent")

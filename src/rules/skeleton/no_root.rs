@@ -8,9 +8,9 @@ use crate::formats::mhskel::Section;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "refuses the skeleton and logs a line")],
+    breaks: &[(Makehuman2, "rejects the skeleton and logs a line")],
     docs: "No bone of a skeleton is the root: a bone whose `parent` is null or missing.\n\n\
-        MakeHuman 2 refuses a skeleton in which every bone has a parent (their parents then form a cycle), and one \
+        MakeHuman 2 rejects a skeleton in which every bone has a parent (their parents then form a cycle), and one \
         without bones.\n\n\
         Set `parent` of the bone that carries all others to null. For a cycle of parents beside a root see \
         `skeleton-cycle`; for parents that do not exist see `skeleton-unknown-parent`.",

@@ -7,10 +7,10 @@ use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, Rule
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "refuses the skeleton and logs a line")],
+    breaks: &[(Makehuman2, "rejects the skeleton and logs a line")],
     docs: "A bone names a parent that does not exist. `parent` is the name of another bone of the same file; only \
         the root has none.\n\n\
-        MakeHuman 2 refuses the whole skeleton.\n\n\
+        MakeHuman 2 rejects the whole skeleton.\n\n\
         Correct the name, or add the missing bone. Names must match exactly, including capitals.",
     ..RuleInfo::new("skeleton-unknown-parent", Level::Error, "a bone names a parent that does not exist")
 });

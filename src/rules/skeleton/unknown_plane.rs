@@ -11,10 +11,10 @@ use crate::json::UnknownKey;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "refuses the skeleton and logs a line")],
+    breaks: &[(Makehuman2, "rejects the skeleton and logs a line")],
     docs: "A bone names a plane that does not exist. `rotation_plane` names one of `planes`, whose normal \
         determines the roll of the bone.\n\n\
-        MakeHuman 2 refuses the whole skeleton.\n\n\
+        MakeHuman 2 rejects the whole skeleton.\n\n\
         Correct the name, add the plane, or remove the key: without `rotation_plane` the bone uses the vertical.",
     ..RuleInfo::new("skeleton-unknown-plane", Level::Error, "a bone names a plane that does not exist")
 });

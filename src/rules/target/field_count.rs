@@ -6,7 +6,7 @@ use crate::repo::{FileFacts, View};
 
 pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "silently skips the line: the vertex does not move")],
-    docs: "A line of a target does not have exactly four fields. A row is `INDEX X Y Z`, separated by blanks.\n\n\
+    docs: "A line of a target does not have exactly four fields. A row is `INDEX X Y Z`, separated by spaces.\n\n\
         MakeHuman 2 silently skips every line without four fields, comments included. A remark behind a row (`12 \
         .1 .2 .3 # nose`) makes five or more fields, and the row is lost; a missing number makes three.\n\n\
         A line that does not begin with a number is reported as info if the target has rows. The markers of a \

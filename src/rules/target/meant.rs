@@ -30,7 +30,7 @@ pub(super) fn meant_by_missing<'a>(
     }
     for (folder, names) in &missing {
         let Some(beside) = by_folder.get(folder.as_str()) else { continue };
-        meant.extend(names.iter().filter_map(|name| suggestions.nearest(name, beside.iter().copied())));
+        meant.extend(names.iter().filter_map(|name| suggestions.nearest_file(name, beside.iter().copied())));
         // Of the one nothing is there, the other nobody asks for.
         if let ([only], 1) = (beside.as_slice(), names.len()) {
             meant.insert(*only);

@@ -13,7 +13,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
          start",
     )],
     docs: "A vertex index in a target is negative.\n\n\
-        MakeHuman 2 stores indices as unsigned 32-bit numbers. NumPy 2 refuses a negative one, which crashes the \
+        MakeHuman 2 stores indices as unsigned 32-bit numbers. NumPy 2 rejects a negative one, which crashes the \
         program at start, whether the target is used or not. NumPy 1 turns it into an index of about 4 thousand \
         million, and the program crashes when the target is applied. While MakeHuman 2 uses a sound archive in \
         place of the text, the text is not parsed: a warning.\n\n\

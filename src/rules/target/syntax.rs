@@ -16,7 +16,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     docs: "A field of a target row is not a number. A row is a vertex index and three decimal numbers with a \
         point.\n\n\
         MakeHuman 2 parses every target below the folder at start, used or not, with Python's `int()` and \
-        `float()`. What they refuse (words, `1.0` as an index, a decimal comma) crashes it. The empty archive that \
+        `float()`. What they reject (words, `1.0` as an index, a decimal comma) crashes it. The empty archive that \
         stays behind must be deleted by hand, even after the target was fixed. While MakeHuman 2 uses a sound \
         archive in place of the text, the text is not parsed: a warning.\n\n\
         Write the field as a number, or remove the row. For a target that nothing uses see `target-breaks-start`.",

@@ -111,7 +111,7 @@ fn part_of<'f>(finding: Finding, layer: &Layer, folder: &str, files: impl Iterat
 fn single(base: &Base<'_>, sliders: &BTreeMap<&str, &str>, file: &FileFacts, name: &str) -> Finding {
     let finding = RULE.at(file, Place::File, format!("no slider and no macro uses `{name}`"));
     finding.help(match slider_without(base, sliders, name) {
-        // A slider with a blank in its name cannot be saved.
+        // A slider with a space in its name cannot be saved.
         _ if name.contains(char::is_whitespace) => "remove the file, or remove the spaces from its name".to_owned(),
         Some(key) => format!("add `\"decr\": \"{name}\"` to the slider `{key}` in modelling.json, or remove the file"),
         None => format!("add a slider with `\"incr\": \"{name}\"` to modelling.json, or remove the file"),

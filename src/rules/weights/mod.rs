@@ -12,6 +12,7 @@ pub(super) mod metadata;
 pub(super) mod negative;
 pub(super) mod non_finite;
 pub(super) mod not_normalized;
+mod places;
 pub(super) mod too_many_influences;
 pub(super) mod unbound;
 pub(super) mod unknown_bone;

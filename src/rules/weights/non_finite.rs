@@ -21,7 +21,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     docs: "A weight is NaN, infinite, or too large for a 32-bit float, which makes it infinite.\n\n\
         Python's JSON reader accepts NaN and Infinity. MakeHuman 2 then divides by a sum that is not finite \
         either and drops every entry of the vertex, without assigning it to the root bone as it does with other \
-        unweighted vertices. Entering pose mode pulls the vertex to the origin. Other readers refuse the file.\n\n\
+        unweighted vertices. Entering pose mode pulls the vertex to the origin. Other readers reject the file.\n\n\
         Paint the weight of the vertex again.",
     ..RuleInfo::new("weights-non-finite", Level::Error, "a weight is not finite")
 });

@@ -1,15 +1,14 @@
 //! The weights of a vertex should add up to 1.
 
-use std::fmt::Write as _;
-
-use super::super::units::centimetres;
+use super::super::units::length;
 use super::super::{Check, Rule, RuleCx};
+use super::places::{self, Worst};
 use super::{readable_own, unusable_entries};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Change, Evidence, Finding, Fix, FixKind, Level, Place, Rewrite, RuleInfo,
 };
-use crate::formats::mhw::{FAR_SUMS, Weights};
+use crate::formats::mhw::{FAR_SUMS, SumFacts, Weights};
 use crate::formats::obj::Mesh;
 use crate::repo::Body;
 
@@ -25,7 +24,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     fix: FixKind::Unsafe,
     docs: "The weights of a vertex over all bones do not add up to 1. A sum within 0.0001 of 1 counts as 1. \
         Vertices without weights, and those with a negative, infinite, too large or repeated entry, have their own \
-        rules and are not counted here.\n\n\
+        rules and are not counted here. The worst sum is that of a vertex of the visible body, if one is affected.\n\n\
         MakeHuman 2 divides by the sum when it loads the file, so this is only an info. A program that reads the \
         file without dividing pulls the vertex towards the origin (less than 1) or pushes it away (more) as soon \
         as a skeleton is used.\n\n\
@@ -39,42 +38,50 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let is_explained = |weights: &Weights| unusable_entries(weights).is_none_or(|lost| weights.facts.sum.off <= lost);
     for (own, weights) in readable_own(body).filter(|(_, weights)| !is_explained(weights)) {
         let (sums, vertices) = (&weights.facts.sum, weights.facts.vertices);
-        let Some((vertex, sum)) = sums.worst else { continue };
-        let at = body.vertex(vertex);
-        let message = if sums.off == 1 {
-            format!("the weights of {at} add up to {sum}, not 1")
-        } else {
-            format!("the weights of {} of {vertices} vertices do not add up to 1, worst {at} with {sum:.3}", sums.off)
-        };
-        let (least, most) = sums.range;
-        let [far, farther] = sums.far_off;
-        let range = if most - least < 5e-4 {
-            format!("all these sums are {least:.3}")
-        } else {
-            format!("the sums are {least:.3} to {most:.3}")
-        };
-        let mut help = format!(
-            "normalise them; {range}, {far} off by more than {}, {farther} by more than {}",
-            FAR_SUMS[0], FAR_SUMS[1]
-        );
-        if let Some(distance) = body.mesh.and_then(|(_, mesh)| shift(mesh, vertex, sum)) {
-            let centimetres = centimetres(distance);
-            let _ = write!(
-                help,
-                "; a program that does not normalise moves vertex {vertex} by {centimetres:.1} cm ({distance:.2})"
-            );
-        }
-        let evidence =
-            Evidence::of_cases(&sums.vertices).out_of(vertices).with_worst(f64::from(sum), format!("vertex {vertex}"));
+        let Some(worst) = places::worst(body, &sums.vertices, deviation) else { continue };
+        let evidence = Evidence::of_cases(sums.vertices.iter().map(|(vertex, _)| *vertex)).out_of(vertices);
+        let evidence = evidence.with_worst(f64::from(worst.value), format!("vertex {}", worst.vertex));
         let fix = Fix::new(RULE.info.fix, "divide the weights of these vertices by their sum");
         let fix = fix.step(&own.file.path, Change::Rewrite(Rewrite::NormalizeWeights));
-        out.push(RULE.at(own.file, Place::pointer(["weights"]), message).help(help).evidence(evidence).fix(fix));
+        let finding = RULE.at(own.file, Place::pointer(["weights"]), message(body, weights, &worst));
+        out.push(finding.help(help(body, sums, &worst)).evidence(evidence).fix(fix));
     }
+}
+
+fn deviation(sum: f32) -> f32 {
+    (sum - 1.0).abs()
+}
+
+fn message(body: &Body<'_>, weights: &Weights, worst: &Worst) -> String {
+    let (off, vertices, at, sum) =
+        (weights.facts.sum.off, weights.facts.vertices, body.vertex(worst.vertex), worst.value);
+    if off == 1 {
+        return format!("the weights of {at} add up to {sum}, not 1");
+    }
+    let places = worst.places.as_ref().map(|places| format!(" ({places})")).unwrap_or_default();
+    format!("the weights of {off} of {vertices} vertices{places} do not add up to 1, worst {at} with {sum:.3}")
+}
+
+fn help(body: &Body<'_>, sums: &SumFacts, worst: &Worst) -> String {
+    let (least, most) = sums.range;
+    let [(far, limit), (farther, high_limit)] = [0, 1].map(|at| (sums.far_off[at], FAR_SUMS[at] * 100.0));
+    let range = if most - least < 5e-4 {
+        format!("all these sums are {least:.3}")
+    } else {
+        format!("the sums are {least:.3} to {most:.3}")
+    };
+    let off = format!("{far} off by more than {limit:.0} %, {farther} by more than {high_limit:.0} %");
+    let shift = body.mesh.and_then(|(_, mesh)| shift(mesh, worst.vertex, worst.value));
+    let moved = shift.map(|distance| {
+        let (vertex, distance) = (worst.vertex, length(distance));
+        format!("; a program that does not normalise moves vertex {vertex} by {distance}")
+    });
+    format!("normalise them; {range}, {off}{}", moved.unwrap_or_default())
 }
 
 /// How far skinning moves a vertex at rest if its weights are used as they are: v' = sum * v.
 fn shift(mesh: &Mesh, vertex: u32, sum: f32) -> Option<f32> {
     let [x, y, z] = mesh.positions.get(vertex as usize)?;
-    let distance = (sum - 1.0).abs() * (x * x + y * y + z * z).sqrt();
+    let distance = deviation(sum) * (x * x + y * y + z * z).sqrt();
     distance.is_finite().then_some(distance)
 }

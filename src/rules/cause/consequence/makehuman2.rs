@@ -152,8 +152,8 @@ const ROWS: &[Row] = &[
     anywhere(Kind::Model, Scan, &[DROPS, cell(Empty, Warning, "loads a model without any settings")]),
     anywhere(Kind::Motion, Use, &[
         cell(Empty, Error, "crashes with `IndexError` when the pose is used"),
-        cell(MarkedWord, Error, "refuses the file: it must begin with `HIERARCHY`"),
-        cell(MarkedComment, Error, "refuses the file: it must begin with `HIERARCHY`"),
+        cell(MarkedWord, Error, "rejects the file: it must begin with `HIERARCHY`"),
+        cell(MarkedComment, Error, "rejects the file: it must begin with `HIERARCHY`"),
     ]),
     anywhere(Kind::MotionMeta, Scan, &[DROPS, cell(Empty, Warning, "names the pose after its file")]),
     anywhere(Kind::AssetMesh, Use, &[NO_ATTACHMENT]),
@@ -194,7 +194,7 @@ const UNFOUND: &[(&[ReferenceKind], Consequence)] = &[
         "does not find the target and crashes with `AttributeError` when its slider moves, or at start if the start \
          model sets it")),
     (&[Icon], Consequence::new(Warning, "shows the button without a picture")),
-    (&[WeightsFile], Consequence::new(Error, "refuses the skeleton and logs a line")),
+    (&[WeightsFile], Consequence::new(Error, "rejects the skeleton and logs a line")),
     (&[PoseSkeleton], Consequence::new(Error, NO_POSE_SKELETON)),
     (&[Model], Consequence::new(Error, TYPE_ERROR)),
     (&[Texture], Consequence::new(Warning, "silently goes without the texture")),

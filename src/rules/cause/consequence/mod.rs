@@ -50,7 +50,7 @@ pub(in crate::rules) enum Damage {
     Empty,
     /// Nothing is in it, and nothing needs it.
     Needless,
-    /// A JSON that is refused before its syntax matters: nothing is in it, or a byte order mark before it.
+    /// A JSON that is rejected before its syntax matters: nothing is in it, or a byte order mark before it.
     Refused,
     /// A byte order mark before a line of data.
     MarkedRow,
