@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx, counted};
 use super::REJECTED;
-use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::bvh::{Fault, FaultKind, Motion};
 use crate::repo::{Body, FileFacts};
 
@@ -17,6 +17,9 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         same order.",
     ..RuleInfo::new("bvh-channels", Level::Error, "the channels of a BVH joint do not fit")
 });
+
+const UNUSED: Case =
+    &[(Makehuman2, Level::Warning, "reads the numbers of the channel and does not use them: the joint does not turn")];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (file, motion) in &body.motions {
@@ -49,8 +52,7 @@ fn unknown(file: &FileFacts, motion: &Motion) -> Option<Finding> {
         1 => format!("channel `{first}` does not exist"),
         count => format!("{count} of {} channels do not exist, first `{first}`", motion.channels),
     };
-    let finding = RULE.at(file, Place::Line(*line), message).level(Level::Warning).key("unknown");
-    let finding = finding.effect("reads the numbers of the channel and does not use them: the joint does not turn");
+    let finding = RULE.at(file, Place::Line(*line), message).case(UNUSED).key("unknown");
     let evidence = Evidence::of_unnamed(unknown.iter().map(|(line, name)| format!("{name} (line {line})")));
     Some(finding.help("write the name as `Xrotation`, with these capitals").evidence(evidence.out_of(motion.channels)))
 }

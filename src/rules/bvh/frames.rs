@@ -19,6 +19,9 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 
 const NOT_SHOWN: Case = &[(Makehuman2, Level::Error, "crashes with `IndexError` when the pose is shown or exported")];
 
+const FRAMES_IGNORED: Case = &[(Makehuman2, Level::Warning, "ignores the frames after the announced ones")];
+const NUMBERS_IGNORED: Case = &[(Makehuman2, Level::Warning, "ignores the surplus numbers at the end of the line")];
+
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for (file, motion) in &body.motions {
         out.extend(motion.fault.as_ref().and_then(|fault| at_fault(file, motion, fault)));
@@ -72,8 +75,7 @@ fn surplus_frames(file: &FileFacts, motion: &Motion) -> Option<Finding> {
     let surplus = Some(motion.surplus_frames).filter(|surplus| *surplus > 0)?;
     let there = usize::try_from(announced).ok()? + surplus;
     let message = format!("`Frames: {announced}`, but the file has {there} frames");
-    let finding = RULE.at(file, Place::Line(line), message).key("surplus").level(Level::Warning);
-    let finding = finding.effect("ignores the frames behind the announced ones");
+    let finding = RULE.at(file, Place::Line(line), message).key("surplus").case(FRAMES_IGNORED);
     Some(finding.help(format!("write `Frames: {there}`, or remove the surplus lines")))
 }
 
@@ -82,7 +84,6 @@ fn surplus_numbers(file: &FileFacts, motion: &Motion) -> Option<Finding> {
     let message = format!("more numbers than the {} in a frame", counted(motion.channels, "channel"));
     let lines = motion.surplus_numbers.first.iter().map(|line| format!("line {line}"));
     let evidence = Evidence { count: motion.surplus_numbers.count as u64, ..Evidence::of_unnamed(lines) };
-    let finding = RULE.at(file, Place::Line(line), message).key("numbers").level(Level::Warning).evidence(evidence);
-    let finding = finding.effect("ignores the surplus numbers at the end of the line");
+    let finding = RULE.at(file, Place::Line(line), message).key("numbers").case(NUMBERS_IGNORED).evidence(evidence);
     Some(finding.help("remove them, or add the missing channels to the joints"))
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
-use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::bvh::Joint;
 use crate::repo::Body;
 
@@ -16,6 +16,8 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         Rename the joint, or export the motion for the rig of this base.",
     ..RuleInfo::new("pose-unknown-bone", Level::Warning, "a joint of a BVH file is not a bone of the skeleton")
 });
+
+const REST_POSE: Case = &[(Makehuman2, Level::Warning, "shows the rest pose: no joint is a bone")];
 
 fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((rig, skeleton)) = body.default_rig().and_then(|rig| Some((rig, rig.skeleton()?))) else { return };
@@ -36,6 +38,6 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let help = did_you_mean(near, "export the motion for the rig of this base, or rename the joints");
         let finding = RULE.at(file, Place::Span(first.span.clone()), message);
         let finding = finding.against(&rig.file.path).evidence(evidence).help(help);
-        out.push(if count == all { finding.effect("shows the rest pose: no joint has a bone") } else { finding });
+        out.push(if count == all { finding.case(REST_POSE) } else { finding });
     }
 }
