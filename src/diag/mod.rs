@@ -31,7 +31,7 @@ pub use outcome::{
     Timed, Timing, Unchecked, Untouched, Verdict,
 };
 pub use parts::{Name, NameIndex, Parts};
-pub use place::{Element, Excerpt, Location, Place, add_step, pointer, steps};
+pub use place::{Element, Excerpt, Folder, Location, Place, add_step, pointer, steps};
 pub use rule_info::{Case, FixKind, OptionInfo, RuleInfo};
 pub use subject::Subject;
 pub use upkeep::{BaselineUse, IdleGlob, IgnoreState, IgnoreUse, UnknownRule, Upkeep};

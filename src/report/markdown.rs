@@ -130,7 +130,7 @@ fn blocks(findings: &[&Finding]) -> Vec<String> {
     let mut blocks = Vec::with_capacity(findings.len());
     for finding in findings {
         let is_new = path.replace(&finding.path) != Some(finding.path.as_str());
-        let heading = if is_new { format!("\n### {}\n\n", code(&phrase::path(&finding.path))) } else { String::new() };
+        let heading = if is_new { format!("\n### {}\n\n", code(&phrase::path_of(finding))) } else { String::new() };
         blocks.push(heading + &item(finding));
     }
     blocks

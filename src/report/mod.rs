@@ -15,6 +15,7 @@ mod phrase;
 mod printable;
 mod sarif;
 mod snippet;
+mod standing;
 mod unchecked;
 mod verdict;
 mod wrap;

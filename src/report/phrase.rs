@@ -25,7 +25,8 @@ pub(super) fn lines(finding: &Finding) -> Vec<Line> {
         lines.push(line("seen", &evidence));
     }
     for related in finding.related.iter().take(RELATED) {
-        lines.push(line("see", &format!("{}{}: {}", related.path, colons(&related.location), related.message)));
+        let place = format!("{}{}", path(&related.path, &related.location), colons(&related.location));
+        lines.push(line("see", &format!("{place}: {}", related.message)));
     }
     if finding.related.len() > RELATED {
         lines.push(line("see", &count(finding.related.len() - RELATED, "more place")));
@@ -119,9 +120,16 @@ pub(super) fn pieces(text: &str) -> Vec<Piece<'_>> {
     pieces
 }
 
-/// The path of a finding; the working directory has a name as well.
-pub(super) fn path(path: &str) -> String {
-    if path.is_empty() { ".".to_owned() } else { printable(path) }
+/// The path of a place; the working directory has a name as well, and a folder ends in a slash.
+pub(super) fn path(path: &str, location: &Location) -> String {
+    let path = if path.is_empty() { "." } else { path };
+    let slash = if location.folder.is_some() && !path.ends_with('/') { "/" } else { "" };
+    printable(&format!("{path}{slash}"))
+}
+
+/// The path of a finding.
+pub(super) fn path_of(finding: &Finding) -> String {
+    path(&finding.path, &finding.location)
 }
 
 /// A place without source text: line and element.
@@ -138,7 +146,7 @@ pub(super) fn bare_place(location: &Location) -> Option<String> {
 
 /// `path:line:column: level[rule] message`.
 pub(super) fn one_line(finding: &Finding) -> String {
-    let place = format!("{}{}", printable(&finding.path), colons(&finding.location));
+    let place = format!("{}{}", path_of(finding), colons(&finding.location));
     format!("{place}: {}[{}] {}", finding.level, finding.rule, printable(&message(finding)))
 }
 

@@ -7,6 +7,7 @@ use serde::{Serialize, Serializer};
 use serde_json::{Map, Value, json};
 
 use super::note::step;
+use super::standing::{Standing, folder};
 use super::{View, phrase, printable, unchecked_line};
 use crate::diag::{Finding, Level, Location, Outcome, Related, RuleInfo};
 
@@ -108,7 +109,7 @@ fn result(finding: &Finding, rules: &[&RuleInfo]) -> Value {
         "ruleId": finding.rule,
         "level": level(finding.level),
         "message": { "text": message(finding) },
-        "locations": [place(&finding.path, &finding.location)],
+        "locations": [standing_place(finding)],
         "partialFingerprints": fingerprints(finding),
         "properties": { "confidence": finding.confidence },
     });
@@ -124,7 +125,8 @@ fn result(finding: &Finding, rules: &[&RuleInfo]) -> Value {
 
 /// Message, consequences, evidence and help. Other places have their own member.
 fn message(finding: &Finding) -> String {
-    let mut parts = vec![format!("{}{}", printable(&phrase::message(finding)), phrase::doubt(finding.confidence))];
+    let said = printable(&phrase::message(finding));
+    let mut parts = vec![format!("{}{said}{}", folder(finding), phrase::doubt(finding.confidence))];
     let lines = phrase::lines(finding).into_iter().filter(|line| line.label != "see");
     parts.extend(lines.map(|line| format!("{}: {}", line.label, line.text)));
     text(&parts.join(".\n"))
@@ -135,10 +137,18 @@ fn message(finding: &Finding) -> String {
 fn fingerprints(finding: &Finding) -> Value {
     let mut fingerprints = Map::new();
     fingerprints.insert("mhlint/v1".to_owned(), json!(finding.fingerprint));
-    if finding.location.line.is_none() {
+    if Standing::of(finding).location.line.is_none() {
         fingerprints.insert("primaryLocationLineHash".to_owned(), json!(finding.fingerprint));
     }
     Value::Object(fingerprints)
+}
+
+/// The place of a finding; code scanning shows alerts at files only.
+fn standing_place(finding: &Finding) -> Value {
+    match Standing::of(finding) {
+        Standing { file: Some(file), location } => place(file, location),
+        Standing { file: None, location } => place(&finding.path, location),
+    }
 }
 
 fn related_place(id: usize, related: &Related) -> Value {
@@ -149,7 +159,7 @@ fn related_place(id: usize, related: &Related) -> Value {
 }
 
 fn place(path: &str, location: &Location) -> Value {
-    let mut physical = json!({ "artifactLocation": artifact(path) });
+    let mut physical = json!({ "artifactLocation": artifact(path, location.folder.is_some()) });
     if let Some(region) = region(location) {
         physical["region"] = region;
     }
@@ -166,9 +176,10 @@ fn place(path: &str, location: &Location) -> Value {
 }
 
 /// Absolute paths are outside of the repository and stand for themselves.
-fn artifact(path: &str) -> Value {
+fn artifact(path: &str, is_folder: bool) -> Value {
     let path = if path.is_empty() { "." } else { path };
-    let encoded = utf8_percent_encode(path, PATH).to_string();
+    let slash = if is_folder && !path.ends_with('/') { "/" } else { "" };
+    let encoded = format!("{}{slash}", utf8_percent_encode(path, PATH));
     let has_drive = path.as_bytes().get(1) == Some(&b':');
     match (path.starts_with('/'), has_drive) {
         (true, _) => json!({ "uri": format!("file://{encoded}") }),
@@ -259,10 +270,10 @@ mod tests {
 
     #[test]
     fn paths_become_uris() {
-        assert_eq!(artifact("a b/\u{e4}#%.x")["uri"], "a%20b/%C3%A4%23%25.x");
-        assert_eq!(artifact("/tmp/x"), json!({ "uri": "file:///tmp/x" }));
-        assert_eq!(artifact("C:/x")["uri"], "file:///C%3A/x");
-        assert_eq!(artifact("")["uri"], ".");
+        assert_eq!(artifact("a b/\u{e4}#%.x", false)["uri"], "a%20b/%C3%A4%23%25.x");
+        assert_eq!(artifact("/tmp/x", false), json!({ "uri": "file:///tmp/x" }));
+        assert_eq!(artifact("C:/x", false)["uri"], "file:///C%3A/x");
+        assert_eq!((&artifact("", true)["uri"], &artifact("a", true)["uri"]), (&json!("./"), &json!("a/")));
     }
 
     #[test]

@@ -18,6 +18,7 @@ mod eval;
 mod files;
 #[cfg(unix)]
 mod fixes;
+mod folders;
 mod generated;
 mod honest;
 mod hostile;

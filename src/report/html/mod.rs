@@ -221,7 +221,7 @@ fn list(findings: &[&Finding], out: &mut dyn Write) -> io::Result<()> {
 }
 
 fn path_of(file: &[&Finding]) -> String {
-    file.first().map_or_else(String::new, |first| phrase::path(&first.path))
+    file.first().map_or_else(String::new, |first| phrase::path_of(first))
 }
 
 /// Two data roots may hold the same asset with the same fault; an id stands once in a page.

@@ -59,7 +59,8 @@ fn write_heading(
     let path = file.first().map_or("", |first| first.path.as_str());
     let words = tallies.get(path).map(tally).unwrap_or_default();
     let paint = Paint { color: view.color };
-    writeln!(out, "{}{}", paint.bold(&phrase::path(path)), paint.dim(&words))
+    let path = file.first().map(|first| phrase::path_of(first)).unwrap_or_default();
+    writeln!(out, "{}{}", paint.bold(&path), paint.dim(&words))
 }
 
 /// Numbers of findings, by level.
