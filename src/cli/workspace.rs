@@ -30,6 +30,9 @@ pub(super) fn placed(outcome: &Outcome, format: Format) -> Cow<'_, Outcome> {
         for related in &mut finding.related {
             related.path = workspace.path(&related.path);
         }
+        for replaced in finding.fix.iter_mut().flat_map(|fix| &mut fix.replaced) {
+            replaced.path = workspace.path(&replaced.path);
+        }
     }
     Cow::Owned(placed)
 }

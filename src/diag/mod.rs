@@ -21,7 +21,7 @@ mod upkeep;
 pub use baseline::{Baseline, Entry};
 pub use evidence::{Cases, EXAMPLES, Evidence, Few, Tally, Worst};
 pub use finding::{Break, Finding, IgnoredFiles, NewParts, Related};
-pub use fix::{Change, Edit, Fix, Rewrite, Step};
+pub use fix::{Change, Edit, Fix, Replaced, Rewrite, Step};
 pub use key::{fingerprint, structural};
 pub use level::{Application, Confidence, Level};
 pub use nearest::{Sought, Suggestions, nearest};

@@ -117,6 +117,11 @@ impl Format {
         matches!(self, Self::Human)
     }
 
+    /// Whether the format holds what fixes replace.
+    pub const fn shows_replacements(self) -> bool {
+        matches!(self, Self::Sarif)
+    }
+
     /// Whether the format has room for what was not checked.
     pub const fn shows_unchecked(self) -> bool {
         !matches!(self, Self::Gitlab)

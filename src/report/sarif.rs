@@ -9,7 +9,7 @@ use serde_json::{Map, Value, json};
 use super::note::step;
 use super::standing::{Standing, folder};
 use super::{View, phrase, printable, unchecked_line};
-use crate::diag::{Finding, Level, Location, Outcome, Related, RuleInfo};
+use crate::diag::{Finding, Fix, Level, Location, Outcome, Related, Replaced, RuleInfo};
 
 /// Results that GitHub accepts in one run; it refuses the whole file beyond.
 const RESULTS: usize = 25_000;
@@ -36,6 +36,8 @@ pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> 
             "toolExecutionNotifications": notifications(outcome, findings.len()),
         }],
         "columnKind": "unicodeCodePoints",
+        // As Python counts lines, and with it the applications.
+        "newlineSequences": ["\r\n", "\n", "\r"],
         "originalUriBaseIds": { "%SRCROOT%": {
             "description": { "text": "The top of the repository where the CI system names it, the folder in which mhlint was run elsewhere." },
         }},
@@ -120,7 +122,33 @@ fn result(finding: &Finding, rules: &[&RuleInfo]) -> Value {
         let related = finding.related.iter().take(PLACES).enumerate();
         result["relatedLocations"] = related.map(|(id, related)| related_place(id, related)).collect();
     }
+    if let Some(fix) = finding.fix.as_ref().filter(|fix| !fix.replaced.is_empty()) {
+        result["fixes"] = json!([as_fix(fix)]);
+    }
     result
+}
+
+/// The edits of a fix, file by file.
+fn as_fix(fix: &Fix) -> Value {
+    let files = fix.replaced.chunk_by(|a, b| a.path == b.path);
+    let changes = files.filter_map(|file| {
+        let path = &file.first()?.path;
+        let replacements: Vec<Value> = file.iter().map(replacement).collect();
+        Some(json!({ "artifactLocation": artifact(path, false), "replacements": replacements }))
+    });
+    json!({
+        "description": { "text": text(&printable(&fix.title)) },
+        "artifactChanges": changes.collect::<Vec<_>>(),
+    })
+}
+
+fn replacement(replaced: &Replaced) -> Value {
+    let Replaced { from: [line, column], to: [end_line, end_column], text, .. } = replaced;
+    let region = json!({ "startLine": line, "startColumn": column, "endLine": end_line, "endColumn": end_column });
+    if text.is_empty() {
+        return json!({ "deletedRegion": region });
+    }
+    json!({ "deletedRegion": region, "insertedContent": { "text": text } })
 }
 
 /// Message, consequences, evidence and help. Other places have their own member.

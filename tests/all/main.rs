@@ -27,6 +27,7 @@ mod listing;
 mod overlay;
 #[cfg(unix)]
 mod pictures;
+mod replacements;
 mod reports;
 mod rules;
 mod scratch;

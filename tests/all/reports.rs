@@ -247,7 +247,9 @@ fn sarif_fits_its_schema_and_refers_to_its_rules() {
     let text = fs::read_to_string(project("tests/schemas/sarif-2.1.0.json")).unwrap().replace("]?$\"", "$\"");
     let validator = jsonschema::validator_for(&serde_json::from_str(&text).unwrap()).unwrap();
     let empty = tempfile::tempdir().unwrap();
-    for root in [broken().path(), hostile().path(), empty.path(), &project("fixtures/makehuman2")] {
+    let fixable = example();
+    edit(fixable.path(), "data/target/figure/head/head-oval.target", "339 0 .001 .001", "339 0 0 0");
+    for root in [broken().path(), hostile().path(), fixable.path(), empty.path(), &project("fixtures/makehuman2")] {
         let log = json(root, "sarif");
         let faults: Vec<String> =
             validator.iter_errors(&log).map(|fault| format!("{}: {fault}", fault.instance_path())).collect();
