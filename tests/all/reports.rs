@@ -144,6 +144,16 @@ fn markdown_folds_infos() {
 }
 
 #[test]
+fn markdown_marks_the_place_and_names_explain() {
+    let text = run(broken().path(), &["--report", "markdown", "--only", "macro-steps-length"]);
+    let marked =
+        "     11 |             \"steps\": [0.0, 0.25, 0.5, 0.75, 1.0],\n        |                      ^^^^^^^^^^";
+    assert!(text.contains(marked), "{text}");
+    assert!(text.ends_with("\n`mhlint explain RULE` explains a rule.\n"), "{text}");
+    assert!(!run(&project("fixtures/makehuman2"), &["--report", "markdown"]).contains("explain"));
+}
+
+#[test]
 fn human_report_names_what_passes() {
     let level = "macro-steps-length=warning";
     let text = run(broken().path(), &["--only", "macro-steps-length", "--level", level]);
