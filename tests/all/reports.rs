@@ -9,6 +9,8 @@ use std::process::Command;
 use crate::scratch::{assert_refused, command, edit, example, lose_a_step, mhlint, project, stderr, stdout};
 use serde_json::Value;
 
+const FOLDER: &str = "data/target/figure/head/";
+
 /// A copy of the example repository with two errors in two files.
 fn broken() -> tempfile::TempDir {
     let repository = crate::scratch::broken();
@@ -120,6 +122,19 @@ fn human_report_begins_with_the_gravest_and_ends_with_a_line_for_each_info() {
     assert!(!text.contains("explain target-zero-delta"), "{text}");
     let full = run(repository.path(), &["--full"]);
     assert!(full.contains("explain target-zero-delta") && !full.contains("harmless today;"), "{full}");
+}
+
+#[test]
+fn infos_of_one_rule_in_a_folder_share_a_line() {
+    let repository = many(14);
+    let args = ["--only", "target-breaks-start", "--level", "target-breaks-start=info"];
+    let text = run(repository.path(), &args);
+    let names: Vec<String> = [0, 1, 10, 11, 12].map(|number| format!("`broken{number}.target`")).into();
+    let line = format!("  {FOLDER}: info[target-breaks-start] 14 files: {} and 9 more; the first: ", names.join(", "));
+    assert!(text.contains(&line) && text.contains("14 infos (harmless today;"), "{text}");
+    assert_eq!(text.matches("info[").count(), 1, "{text}");
+    let full = run(repository.path(), &[&args[..], &["--full"]].concat());
+    assert_eq!(full.matches("info[target-breaks-start]").count(), 14, "{full}");
 }
 
 #[test]
