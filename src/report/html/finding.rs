@@ -99,7 +99,7 @@ fn related(related: &[Related]) -> Markup {
                         @for one in related.iter().take(RELATED) {
                             li {
                                 code { (phrase::path(&one.path, &one.location)) (colons(&one.location)) }
-                                " " (inline(&printable(&one.message)))
+                                ": " (inline(&printable(&one.message)))
                             }
                         }
                         @if left > 0 { li { (left) " places more" } }
