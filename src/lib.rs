@@ -54,6 +54,7 @@ pub use diag::{Application, Finding, Level, Outcome};
 #[doc(hidden)]
 pub use engine::trial;
 pub use engine::{
-    BaselineFault, Error, Fixed, PathFault, SelectorFault, lint, lint_and_fix, lint_trees, open_base, rule_infos,
+    BaselineFault, Error, Fixed, PathFault, SelectorFault, lint, lint_and_fix, lint_trees, lint_with_replacements,
+    open_base, rule_infos,
 };
 pub use source::{Encoding, Limits, Tree};

@@ -36,7 +36,7 @@ pub(super) fn run(
     config.compare = compared(args, paths, err)?;
     let new_baseline = new_baseline(&config)?;
     let progress = Progress::start("reading and evaluating");
-    let checked = fix::check(paths, &config, args.fixes);
+    let checked = fix::check(paths, &config, args.fixes, &targets);
     drop(progress);
     let checked = checked.map_err(|error| explained(error, paths, args, &config))?;
     let outcome = &checked.outcome;

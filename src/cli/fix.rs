@@ -6,6 +6,7 @@ use std::path::PathBuf;
 
 use super::args::CheckArgs;
 use super::exit::Failure;
+use super::output::Target;
 use super::patch::{Names, names};
 use super::terminal::Terminal;
 use crate::config::Config;
@@ -32,12 +33,19 @@ pub(super) struct FixArgs {
     unsafe_fixes: bool,
 }
 
-/// Checks, and fixes if that was asked for; with `--diff` in memory only.
-pub(super) fn check(paths: &[PathBuf], options: &Config, args: FixArgs) -> Result<Fixed, engine::Error> {
-    if !args.fix && !args.diff {
-        return Ok(Fixed { outcome: engine::lint(paths, options)?, ..Fixed::default() });
+/// Checks, and fixes if that was asked for; with `--diff` in memory only. Some reports say what fixes replace.
+pub(super) fn check(
+    paths: &[PathBuf],
+    options: &Config,
+    args: FixArgs,
+    targets: &[Target],
+) -> Result<Fixed, engine::Error> {
+    if args.fix || args.diff {
+        return engine::lint_and_fix(paths, options, args.unsafe_fixes);
     }
-    engine::lint_and_fix(paths, options, args.unsafe_fixes)
+    let with_replacements = targets.iter().any(|target| target.format.shows_replacements());
+    let lint = if with_replacements { engine::lint_with_replacements } else { engine::lint };
+    Ok(Fixed { outcome: lint(paths, options)?, ..Fixed::default() })
 }
 
 /// Brings the changes to disk.

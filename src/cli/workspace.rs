@@ -24,8 +24,14 @@ pub(super) fn placed(outcome: &Outcome, format: Format) -> Cow<'_, Outcome> {
     let mut placed = outcome.clone();
     for finding in &mut placed.findings {
         finding.path = workspace.path(&finding.path);
+        if let Some(file) = finding.location.folder.as_mut().and_then(|folder| folder.file.as_mut()) {
+            *file = workspace.path(file);
+        }
         for related in &mut finding.related {
             related.path = workspace.path(&related.path);
+        }
+        for replaced in finding.fix.iter_mut().flat_map(|fix| &mut fix.replaced) {
+            replaced.path = workspace.path(&replaced.path);
         }
     }
     Cow::Owned(placed)

@@ -18,6 +18,21 @@ pub struct Fix {
     pub steps: Vec<Step>,
     /// Files of the steps that are not to be written, because of an ignore or of the PATHs; filled by the engine.
     pub left_out: Vec<String>,
+    /// The texts that it replaces, by file and place; filled by the engine where somebody asks for them.
+    pub replaced: Vec<Replaced>,
+}
+
+/// A part of a file and what comes in its place, for programs that edit the text themselves.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Replaced {
+    /// File, as in [`super::Finding::path`].
+    pub path: String,
+    /// Line and column of its first character, from 1.
+    pub from: [u32; 2],
+    /// Line and column behind its last character.
+    pub to: [u32; 2],
+    /// What stands there instead.
+    pub text: String,
 }
 
 /// A change of one file.
@@ -76,7 +91,7 @@ pub struct Edit {
 impl Fix {
     /// A fix of the kind that a rule declares, without steps.
     pub fn new(kind: FixKind, title: impl Into<String>) -> Self {
-        Self { kind, title: title.into(), steps: Vec::new(), left_out: Vec::new() }
+        Self { kind, title: title.into(), steps: Vec::new(), left_out: Vec::new(), replaced: Vec::new() }
     }
 
     /// Adds a step.

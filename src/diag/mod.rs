@@ -22,7 +22,7 @@ mod upkeep;
 pub use baseline::{Baseline, Entry};
 pub use evidence::{Cases, EXAMPLES, Evidence, Few, Tally, Worst};
 pub use finding::{Break, Finding, IgnoredFiles, NewParts, Related};
-pub use fix::{Change, Edit, Fix, Rewrite, Step};
+pub use fix::{Change, Edit, Fix, Replaced, Rewrite, Step};
 pub(crate) use grouped::grouped;
 pub use key::{fingerprint, structural};
 pub use level::{Application, Confidence, Level};
@@ -33,7 +33,7 @@ pub use outcome::{
     Timed, Timing, Unchecked, Untouched, Verdict,
 };
 pub use parts::{Name, NameIndex, Parts};
-pub use place::{Element, Excerpt, Location, Place, add_step, pointer, steps};
+pub use place::{Element, Excerpt, Folder, Location, Place, add_step, pointer, steps};
 pub use rule_info::{Case, FixKind, OptionInfo, RuleInfo};
 pub use subject::Subject;
 pub use upkeep::{BaselineUse, IdleGlob, IgnoreState, IgnoreUse, UnknownRule, Upkeep};

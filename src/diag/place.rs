@@ -49,6 +49,16 @@ pub struct Location {
     /// The text around the place, for readers. Not part of the JSON report.
     #[serde(skip)]
     pub excerpt: Option<Excerpt>,
+    /// Set where the path is that of a folder. Not part of the JSON report.
+    #[serde(skip)]
+    pub folder: Option<Folder>,
+}
+
+/// A folder in the place of a file.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Folder {
+    /// A file that stands in for it where a reader of the report knows only files; none if the folder has none.
+    pub file: Option<String>,
 }
 
 /// A few lines of source text with the marked part.

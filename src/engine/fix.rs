@@ -45,14 +45,7 @@ pub struct Fixed {
 pub fn lint_and_fix(paths: &[PathBuf], options: &Config, with_unsafe: bool) -> Result<Fixed, Error> {
     let (mut now, before) = sides(paths, options, &CHECKED)?;
     now.inputs.iter_mut().for_each(|input| input.tree.watch());
-    let mut work = Work {
-        limits: options.limits,
-        with_unsafe,
-        system: options.system.clone(),
-        changed: before.as_ref().map(|before| changed(&now, before, &options.limits)),
-        unstaged: options.compare.as_ref().map(|compare| now.shown(compare.now.keys())).unwrap_or_default(),
-        checked: BTreeMap::new(),
-    };
+    let mut work = Work::new(&now, before.as_ref(), options, with_unsafe);
     let mut all = Fixed::default();
     for turn in 0.. {
         all.outcome = lint_sides(&now, before.as_ref(), options, &CHECKED)?;
@@ -76,7 +69,7 @@ pub fn lint_and_fix(paths: &[PathBuf], options: &Config, with_unsafe: bool) -> R
 }
 
 /// What is kept from turn to turn.
-struct Work {
+pub(super) struct Work {
     limits: Limits,
     with_unsafe: bool,
     system: Option<PathBuf>,
@@ -98,6 +91,17 @@ struct Checked {
 }
 
 impl Work {
+    pub(super) fn new(now: &Side, before: Option<&Side>, options: &Config, with_unsafe: bool) -> Self {
+        Self {
+            limits: options.limits,
+            with_unsafe,
+            system: options.system.clone(),
+            changed: before.map(|before| changed(now, before, &options.limits)),
+            unstaged: options.compare.as_ref().map(|compare| now.shown(compare.now.keys())).unwrap_or_default(),
+            checked: BTreeMap::new(),
+        }
+    }
+
     /// The fixes that can be done together, with the rules of their findings.
     fn plan(&self, now: &Side, outcome: &Outcome) -> (Plan, Vec<&'static str>) {
         let mut plan = Plan::default();
@@ -118,8 +122,17 @@ impl Work {
         fix.kind == FixKind::Safe || self.with_unsafe
     }
 
+    /// What one fix alone does to each file; nothing if it cannot be done.
+    pub(super) fn alone(&self, now: &Side, fix: &Fix, texts: &mut Texts) -> BTreeMap<String, Patch> {
+        let mut plan = Plan::default();
+        if let Some(patches) = self.patches(now, fix, texts) {
+            plan.accept(patches);
+        }
+        plan.into_files()
+    }
+
     /// The steps in files that may be written. Operations on whole files stand each for itself, others belong together.
-    fn steps<'f>(&self, fix: &'f Fix) -> Vec<&'f Step> {
+    pub(super) fn steps<'f>(&self, fix: &'f Fix) -> Vec<&'f Step> {
         let (inside, outside): (Vec<&Step>, Vec<&Step>) =
             fix.steps.iter().partition(|step| self.is_changed(&step.path) && !fix.left_out.contains(&step.path));
         let are_apart = fix.steps.iter().all(|step| matches!(step.change, Change::Rewrite(_)));
@@ -225,7 +238,7 @@ fn disk_path(tree: &Tree, rel: &str) -> Option<PathBuf> {
 
 /// The text of the file that was changed last: mostly the next fix is one in the same file.
 #[derive(Default)]
-struct Texts {
+pub(super) struct Texts {
     last: Option<(String, Text)>,
 }
 

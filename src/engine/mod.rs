@@ -10,6 +10,7 @@ mod error;
 mod fix;
 mod load;
 mod measure;
+mod replaced;
 mod run;
 mod settle;
 mod summary;
@@ -21,6 +22,7 @@ pub use catalogue::rule_infos;
 pub use error::{BaselineFault, Error, PathFault, SelectorFault};
 pub use fix::{Fixed, lint_and_fix};
 pub use load::open_base;
+pub use replaced::lint_with_replacements;
 pub use run::{lint, lint_trees};
 
 pub(crate) use crate::eval::settings::DEFAULT_SAMPLES;

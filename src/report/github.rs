@@ -5,6 +5,7 @@
 
 use std::io::{self, Write};
 
+use super::standing::{Standing, folder};
 use super::{View, count, phrase, printable, unchecked_line, verdict};
 use crate::diag::{Finding, Level, Outcome};
 
@@ -44,15 +45,16 @@ fn command(finding: &Finding) -> String {
         Level::Warning => "warning",
         Level::Info => "notice",
     };
-    let numbers = [("line", finding.location.line), ("col", finding.location.column)];
+    let Standing { file, location } = Standing::of(finding);
+    let file = file.map(|file| format!("file={},", property(&phrase::path(file, location)))).unwrap_or_default();
+    let numbers = [("line", location.line), ("col", location.column)];
     let place: Vec<String> =
-        numbers.into_iter().filter_map(|(name, number)| Some(format!(",{name}={}", number?))).collect();
+        numbers.into_iter().filter_map(|(name, number)| Some(format!("{name}={},", number?))).collect();
     format!(
-        "::{word} file={}{},title={}::{}",
-        property(&phrase::path(&finding.path)),
+        "::{word} {file}{}title={}::{}",
         place.concat(),
         property(&format!("mhlint: {}", finding.rule)),
-        data(&phrase::plain(finding))
+        data(&format!("{}{}", folder(finding), phrase::plain(finding)))
     )
 }
 

@@ -1,11 +1,13 @@
 //! The code quality report of GitLab: shown in merge requests, with what is new and what is gone.
 
+use std::borrow::Cow;
 use std::collections::BTreeSet;
 use std::io::{self, Write};
 
 use serde::Serialize;
 
 use super::phrase;
+use super::standing::{Standing, folder};
 use crate::diag::{Finding, Level, Outcome, fingerprint};
 
 #[derive(Serialize)]
@@ -19,7 +21,7 @@ struct Issue<'a> {
 
 #[derive(Serialize)]
 struct Location<'a> {
-    path: &'a str,
+    path: Cow<'a, str>,
     lines: Lines,
 }
 
@@ -37,14 +39,15 @@ pub(super) fn write(outcome: &Outcome, out: &mut dyn Write) -> io::Result<()> {
 }
 
 fn issue<'a>(finding: &'a Finding, seen: &mut BTreeSet<String>) -> Issue<'a> {
+    let Standing { file, location } = Standing::of(finding);
     Issue {
-        description: phrase::plain(finding).replace('\n', ". "),
+        description: format!("{}{}", folder(finding), phrase::plain(finding).replace('\n', ". ")),
         check_name: finding.rule,
         fingerprint: unique(finding, seen),
         severity: severity(finding.level),
         location: Location {
-            path: if finding.path.is_empty() { "." } else { &finding.path },
-            lines: Lines { begin: finding.location.line.unwrap_or(1) },
+            path: file.map_or_else(|| Cow::Owned(phrase::path_of(finding)), Cow::Borrowed),
+            lines: Lines { begin: location.line.unwrap_or(1) },
         },
     }
 }

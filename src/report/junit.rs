@@ -8,6 +8,7 @@ use std::io::{self, Write};
 use quick_xml::Writer;
 use quick_xml::events::{BytesDecl, BytesText, Event};
 
+use super::standing::Standing;
 use super::{View, phrase, printable, unchecked_line, verdict};
 use crate::diag::{Finding, Outcome};
 
@@ -58,7 +59,7 @@ fn write_run<W: Write>(outcome: &Outcome, view: &View<'_>, run_fails: bool, writ
 }
 
 fn write_file<W: Write>(file: &[Finding], view: &View<'_>, writer: &mut Writer<W>) -> io::Result<()> {
-    let path = file.first().map_or_else(String::new, |first| phrase::path(&first.path));
+    let path = file.first().map_or_else(String::new, phrase::path_of);
     let failures = file.iter().filter(|finding| fails(finding, view)).count();
     suite(&path, file.len(), failures, writer, |writer| {
         file.iter().try_for_each(|finding| write_finding(finding, &path, view, writer))
@@ -85,10 +86,13 @@ fn suite<W: Write>(
 fn write_finding<W: Write>(finding: &Finding, path: &str, view: &View<'_>, writer: &mut Writer<W>) -> io::Result<()> {
     let place = phrase::bare_place(&finding.location).map_or_else(String::new, |place| format!(" ({place})"));
     let name = format!("{}{}", finding.rule, printable(&place));
-    let line = finding.location.line.map(|line| line.to_string());
-    let attributes = [("name", name.as_str()), ("classname", path), ("file", path)];
-    let line = line.iter().map(|line| ("line", line.as_str()));
-    let case = writer.create_element("testcase").with_attributes(attributes).with_attributes(line);
+    let Standing { file, location } = Standing::of(finding);
+    let file = file.map(|file| phrase::path(file, location));
+    let line = location.line.filter(|_| file.is_some()).map(|line| line.to_string());
+    let attributes = [("name", name.as_str()), ("classname", path)];
+    let places = [("file", &file), ("line", &line)].into_iter();
+    let places = places.filter_map(|(name, value)| Some((name, value.as_deref()?)));
+    let case = writer.create_element("testcase").with_attributes(attributes).with_attributes(places);
     let text = phrase::plain(finding);
     case.write_inner_content(|writer| {
         if fails(finding, view) {

@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use super::files::{by_file, for_page};
 use super::phrase::{self, Piece, pieces};
-use super::snippet::snippet;
+use super::snippet::{Snippet, snippet};
 use super::unchecked::unchecked;
 use super::{View, count, printable, verdict};
 use crate::diag::{Finding, Level, Outcome};
@@ -15,6 +15,9 @@ const WIDTH: usize = 100;
 /// Room kept for the words on what was left out.
 const RESERVE: usize = 400;
 
+/// The last line of a report with findings.
+const EXPLAIN: &str = "\n`mhlint explain RULE` explains a rule.\n";
+
 /// Writes the report.
 pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> io::Result<()> {
     out.write_all(summary(outcome, view, usize::MAX).as_bytes())
@@ -24,7 +27,8 @@ pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> 
 /// number of the others is said. Empty if there is no room for anything.
 pub fn summary(outcome: &Outcome, view: &View<'_>, room: usize) -> String {
     let mut text = head(outcome, view);
-    let tail = notes(outcome);
+    let explain = if outcome.findings.is_empty() { "" } else { EXPLAIN };
+    let tail = notes(outcome) + explain;
     let fixed = text.len() + tail.len() + RESERVE;
     if fixed > room {
         return if text.len() <= room { text } else { String::new() };
@@ -130,7 +134,7 @@ fn blocks(findings: &[&Finding]) -> Vec<String> {
     let mut blocks = Vec::with_capacity(findings.len());
     for finding in findings {
         let is_new = path.replace(&finding.path) != Some(finding.path.as_str());
-        let heading = if is_new { format!("\n### {}\n\n", code(&phrase::path(&finding.path))) } else { String::new() };
+        let heading = if is_new { format!("\n### {}\n\n", code(&phrase::path_of(finding))) } else { String::new() };
         blocks.push(heading + &item(finding));
     }
     blocks
@@ -153,15 +157,29 @@ fn item(finding: &Finding) -> String {
     [message, quoted(finding)].into_iter().chain(lines).collect::<Vec<_>>().concat()
 }
 
-/// The source lines as a block of code, its fence longer than any in them.
+/// The source lines as a block of code, its fence longer than any in them. Infos are folded and do without.
 fn quoted(finding: &Finding) -> String {
-    let Some(found) = finding.location.excerpt.as_ref().and_then(|excerpt| snippet(excerpt, WIDTH)) else {
+    let excerpt = finding.location.excerpt.as_ref().filter(|_| finding.level > Level::Info);
+    let Some(found) = excerpt.and_then(|excerpt| snippet(excerpt, WIDTH)) else {
         return String::new();
     };
     let fence = "`".repeat(longest_run(&found.text).max(2) + 1);
-    let lines = (found.first_line..).zip(found.text.split('\n'));
-    let lines: Vec<String> = lines.map(|(number, line)| format!("  {number:>5} | {line}\n")).collect();
+    let (marked, mark) = mark(&found);
+    let numbered = |(at, line): (usize, &str)| {
+        let below = if at == marked { format!("  {:>5} | {mark}\n", "") } else { String::new() };
+        format!("  {:>5} | {line}\n{below}", found.first_line + at)
+    };
+    let lines: Vec<String> = found.text.split('\n').enumerate().map(numbered).collect();
     format!("\n  {fence}text\n{}  {fence}\n\n", lines.concat())
+}
+
+/// The line of the mark, from 0, and what stands below it.
+fn mark(found: &Snippet) -> (usize, String) {
+    let before = found.text.get(..found.mark.start).unwrap_or_default();
+    let lead = before.rsplit('\n').next().unwrap_or_default();
+    let marked = found.text.get(found.mark.clone()).unwrap_or_default();
+    let length = |text: &str| text.chars().count();
+    (before.matches('\n').count(), format!("{}{}", " ".repeat(length(lead)), "^".repeat(length(marked).max(1))))
 }
 
 fn longest_run(text: &str) -> usize {
@@ -226,6 +244,15 @@ mod tests {
     fn code_keeps_its_back_quotes_inside() {
         assert_eq!(code("plain"), "`plain`");
         assert_eq!(code("a``b`"), "``` a``b` ```");
+    }
+
+    #[test]
+    fn the_mark_stands_below_its_text() {
+        let marked = |text: &str, range: std::ops::Range<usize>| {
+            mark(&Snippet { text: text.to_owned(), first_line: 1, mark: range })
+        };
+        assert_eq!(marked("a\n\u{e4}bc\nd", 4..6), (1, " ^^".to_owned()));
+        assert_eq!(marked("ab", 2..2), (0, "  ^".to_owned()), "the end of a line");
     }
 
     fn outcome(count: usize) -> Outcome {

@@ -15,6 +15,7 @@ mod phrase;
 mod printable;
 mod sarif;
 mod snippet;
+mod standing;
 mod unchecked;
 mod verdict;
 mod wrap;
@@ -114,6 +115,11 @@ impl Format {
     /// Whether the notes of a run are part of the format.
     pub const fn shows_notes(self) -> bool {
         matches!(self, Self::Human)
+    }
+
+    /// Whether the format holds what fixes replace.
+    pub const fn shows_replacements(self) -> bool {
+        matches!(self, Self::Sarif)
     }
 
     /// Whether the format has room for what was not checked.

@@ -25,7 +25,8 @@ pub(super) fn lines(finding: &Finding) -> Vec<Line> {
         lines.push(line("seen", &evidence));
     }
     for related in finding.related.iter().take(RELATED) {
-        lines.push(line("see", &format!("{}{}: {}", related.path, colons(&related.location), related.message)));
+        let place = format!("{}{}", path(&related.path, &related.location), colons(&related.location));
+        lines.push(line("see", &format!("{place}: {}", related.message)));
     }
     if finding.related.len() > RELATED {
         lines.push(line("see", &count(finding.related.len() - RELATED, "more place")));
@@ -39,10 +40,30 @@ pub(super) fn lines(finding: &Finding) -> Vec<Line> {
     lines
 }
 
-/// The evidence in words, without a worst case that the message names.
+/// The evidence in words, without a number and a worst case that the message names.
 pub(super) fn evidence_of(finding: &Finding) -> Option<String> {
     let evidence = finding.evidence.as_ref()?;
-    evidence_line(evidence, evidence.worst.as_ref().filter(|worst| !names(&finding.message, &worst.place)))
+    let number = counted(evidence);
+    let number = (!counts(&message(finding), &number)).then_some(number);
+    evidence_line(evidence, number, evidence.worst.as_ref().filter(|worst| !names(&finding.message, &worst.place)))
+}
+
+/// `108 of 216`. What is counted only the message says.
+fn counted(evidence: &Evidence) -> String {
+    let of = evidence.of.map_or_else(String::new, |of| format!(" of {of}"));
+    format!("{}{of}", evidence.count)
+}
+
+/// Whether a text has a number that is not part of a larger one.
+fn counts(text: &str, number: &str) -> bool {
+    let is_part = |next: char| next.is_ascii_alphanumeric() || matches!(next, '.' | '-' | '_');
+    let behind = |text: &str| {
+        let text = text.strip_prefix('.').unwrap_or(text);
+        text.starts_with(is_part)
+    };
+    let found = text.match_indices(number);
+    let mut sides = found.map(|(at, _)| (text.get(..at), text.get(at + number.len()..)));
+    sides.any(|(before, after)| !before.is_some_and(|text| text.ends_with(is_part)) && !after.is_some_and(behind))
 }
 
 /// Whether a text names a place: `vertex 17`, not only `vertex 170`.
@@ -119,9 +140,16 @@ pub(super) fn pieces(text: &str) -> Vec<Piece<'_>> {
     pieces
 }
 
-/// The path of a finding; the working directory has a name as well.
-pub(super) fn path(path: &str) -> String {
-    if path.is_empty() { ".".to_owned() } else { printable(path) }
+/// The path of a place; the working directory has a name as well, and a folder ends in a slash.
+pub(super) fn path(path: &str, location: &Location) -> String {
+    let path = if path.is_empty() { "." } else { path };
+    let slash = if location.folder.is_some() && !path.ends_with('/') { "/" } else { "" };
+    printable(&format!("{path}{slash}"))
+}
+
+/// The path of a finding.
+pub(super) fn path_of(finding: &Finding) -> String {
+    path(&finding.path, &finding.location)
 }
 
 /// A place without source text: line and element.
@@ -138,7 +166,7 @@ pub(super) fn bare_place(location: &Location) -> Option<String> {
 
 /// `path:line:column: level[rule] message`.
 pub(super) fn one_line(finding: &Finding) -> String {
-    let place = format!("{}{}", printable(&finding.path), colons(&finding.location));
+    let place = format!("{}{}", path_of(finding), colons(&finding.location));
     format!("{place}: {}[{}] {}", finding.level, finding.rule, printable(&message(finding)))
 }
 
@@ -152,23 +180,22 @@ pub(super) fn colons(location: &Location) -> String {
 }
 
 /// `108 of 216: a, b, c and 105 more; worst 0.5 at vertex 7`. Nothing for a single case: the message says it.
-fn evidence_line(evidence: &Evidence, worst: Option<&Worst>) -> Option<String> {
+fn evidence_line(evidence: &Evidence, count: Option<String>, worst: Option<&Worst>) -> Option<String> {
     if evidence.count < 2 && worst.is_none() {
         return None;
     }
-    let worst = worst.map(|worst| format!("worst {} at {}", number(worst.value), worst.place));
-    if evidence.count < 2 && evidence.examples.is_empty() && evidence.of.is_none() {
-        return worst;
-    }
-    let of = evidence.of.map_or_else(String::new, |of| format!(" of {of}"));
+    let is_single = evidence.count < 2 && evidence.examples.is_empty() && evidence.of.is_none();
     let left = evidence.groups.unwrap_or(evidence.count).saturating_sub(evidence.examples.len() as u64);
     let examples = match (evidence.examples.is_empty(), left) {
-        (true, _) => String::new(),
-        (false, 0) => format!(": {}", evidence.examples.join(", ")),
-        (false, left) => format!(": {} and {left} more", evidence.examples.join(", ")),
+        (true, _) => None,
+        (false, 0) => Some(evidence.examples.join(", ")),
+        (false, left) => Some(format!("{} and {left} more", evidence.examples.join(", "))),
     };
-    let worst = worst.map_or_else(String::new, |worst| format!("; {worst}"));
-    Some(format!("{}{of}{examples}{worst}", evidence.count))
+    let cases: Vec<String> = [count.filter(|_| !is_single), examples].into_iter().flatten().collect();
+    let worst = worst.map(|worst| format!("worst {} at {}", number(worst.value), worst.place));
+    let parts: Vec<String> =
+        [Some(cases.join(": ")), worst].into_iter().flatten().filter(|part| !part.is_empty()).collect();
+    (!parts.is_empty()).then(|| parts.join("; "))
 }
 
 /// A number with about four digits that matter.
@@ -192,11 +219,28 @@ mod tests {
     #[test]
     fn groups_of_elements_are_not_taken_for_elements() {
         let named = Evidence::of_groups(["a-*", "b-*"], 108).out_of(216);
-        assert_eq!(evidence_line(&named, named.worst.as_ref()).as_deref(), Some("108 of 216: a-*, b-*"));
+        assert_eq!(said("it", named).as_deref(), Some("108 of 216: a-*, b-*"));
         let cut = Evidence::of_groups(["a"; 7], 99);
-        assert_eq!(evidence_line(&cut, cut.worst.as_ref()).as_deref(), Some("99: a, a, a, a, a and 2 more"));
+        assert_eq!(said("it", cut).as_deref(), Some("99: a, a, a, a, a and 2 more"));
         let single = Evidence::counted(1).with_worst(0.5, "vertex 3");
-        assert_eq!(evidence_line(&single, single.worst.as_ref()).as_deref(), Some("worst 0.5 at vertex 3"));
+        assert_eq!(said("it", single).as_deref(), Some("worst 0.5 at vertex 3"));
+    }
+
+    fn said(message: &str, evidence: Evidence) -> Option<String> {
+        let finding = Finding::new(&RuleInfo::new("a-rule", Level::Error, ""), "a", Place::File, message);
+        evidence_of(&finding.evidence(evidence))
+    }
+
+    #[test]
+    fn a_number_that_the_message_says_is_not_repeated() {
+        let rows = || Evidence::counted(3).out_of(20);
+        assert_eq!(said("3 of 20 rows are empty", rows()), None);
+        assert_eq!(said("3 rows are empty", rows()).as_deref(), Some("3 of 20"));
+        assert_eq!(said("13 of 20 rows, 3 of 200, 3 of 20.5, a-3 of 20", rows()).as_deref(), Some("3 of 20"));
+        let worst = || rows().with_worst(0.5, "vertex 7");
+        assert_eq!(said("3 of 20 rows are empty", worst()).as_deref(), Some("worst 0.5 at vertex 7"));
+        let named = || Evidence::of_unnamed(["a", "b", "c"]);
+        assert_eq!(said("there are 3.", named()).as_deref(), Some("a, b, c"));
     }
 
     #[test]

@@ -7,8 +7,9 @@ use serde::{Serialize, Serializer};
 use serde_json::{Map, Value, json};
 
 use super::note::step;
+use super::standing::{Standing, folder};
 use super::{View, phrase, printable, unchecked_line};
-use crate::diag::{Finding, Level, Location, Outcome, Related, RuleInfo};
+use crate::diag::{Finding, Fix, Level, Location, Outcome, Related, Replaced, RuleInfo};
 
 /// Results that GitHub accepts in one run; it refuses the whole file beyond.
 const RESULTS: usize = 25_000;
@@ -35,6 +36,8 @@ pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> 
             "toolExecutionNotifications": notifications(outcome, findings.len()),
         }],
         "columnKind": "unicodeCodePoints",
+        // As Python counts lines, and with it the applications.
+        "newlineSequences": ["\r\n", "\n", "\r"],
         "originalUriBaseIds": { "%SRCROOT%": {
             "description": { "text": "The top of the repository where the CI system names it, the folder in which mhlint was run elsewhere." },
         }},
@@ -108,7 +111,7 @@ fn result(finding: &Finding, rules: &[&RuleInfo]) -> Value {
         "ruleId": finding.rule,
         "level": level(finding.level),
         "message": { "text": message(finding) },
-        "locations": [place(&finding.path, &finding.location)],
+        "locations": [standing_place(finding)],
         "partialFingerprints": fingerprints(finding),
         "properties": { "confidence": finding.confidence },
     });
@@ -119,12 +122,39 @@ fn result(finding: &Finding, rules: &[&RuleInfo]) -> Value {
         let related = finding.related.iter().take(PLACES).enumerate();
         result["relatedLocations"] = related.map(|(id, related)| related_place(id, related)).collect();
     }
+    if let Some(fix) = finding.fix.as_ref().filter(|fix| !fix.replaced.is_empty()) {
+        result["fixes"] = json!([as_fix(fix)]);
+    }
     result
+}
+
+/// The edits of a fix, file by file.
+fn as_fix(fix: &Fix) -> Value {
+    let files = fix.replaced.chunk_by(|a, b| a.path == b.path);
+    let changes = files.filter_map(|file| {
+        let path = &file.first()?.path;
+        let replacements: Vec<Value> = file.iter().map(replacement).collect();
+        Some(json!({ "artifactLocation": artifact(path, false), "replacements": replacements }))
+    });
+    json!({
+        "description": { "text": text(&printable(&fix.title)) },
+        "artifactChanges": changes.collect::<Vec<_>>(),
+    })
+}
+
+fn replacement(replaced: &Replaced) -> Value {
+    let Replaced { from: [line, column], to: [end_line, end_column], text, .. } = replaced;
+    let region = json!({ "startLine": line, "startColumn": column, "endLine": end_line, "endColumn": end_column });
+    if text.is_empty() {
+        return json!({ "deletedRegion": region });
+    }
+    json!({ "deletedRegion": region, "insertedContent": { "text": text } })
 }
 
 /// Message, consequences, evidence and help. Other places have their own member.
 fn message(finding: &Finding) -> String {
-    let mut parts = vec![format!("{}{}", printable(&phrase::message(finding)), phrase::doubt(finding.confidence))];
+    let said = printable(&phrase::message(finding));
+    let mut parts = vec![format!("{}{said}{}", folder(finding), phrase::doubt(finding.confidence))];
     let lines = phrase::lines(finding).into_iter().filter(|line| line.label != "see");
     parts.extend(lines.map(|line| format!("{}: {}", line.label, line.text)));
     text(&parts.join(".\n"))
@@ -135,10 +165,18 @@ fn message(finding: &Finding) -> String {
 fn fingerprints(finding: &Finding) -> Value {
     let mut fingerprints = Map::new();
     fingerprints.insert("mhlint/v1".to_owned(), json!(finding.fingerprint));
-    if finding.location.line.is_none() {
+    if Standing::of(finding).location.line.is_none() {
         fingerprints.insert("primaryLocationLineHash".to_owned(), json!(finding.fingerprint));
     }
     Value::Object(fingerprints)
+}
+
+/// The place of a finding; code scanning shows alerts at files only.
+fn standing_place(finding: &Finding) -> Value {
+    match Standing::of(finding) {
+        Standing { file: Some(file), location } => place(file, location),
+        Standing { file: None, location } => place(&finding.path, location),
+    }
 }
 
 fn related_place(id: usize, related: &Related) -> Value {
@@ -149,7 +187,7 @@ fn related_place(id: usize, related: &Related) -> Value {
 }
 
 fn place(path: &str, location: &Location) -> Value {
-    let mut physical = json!({ "artifactLocation": artifact(path) });
+    let mut physical = json!({ "artifactLocation": artifact(path, location.folder.is_some()) });
     if let Some(region) = region(location) {
         physical["region"] = region;
     }
@@ -166,9 +204,10 @@ fn place(path: &str, location: &Location) -> Value {
 }
 
 /// Absolute paths are outside of the repository and stand for themselves.
-fn artifact(path: &str) -> Value {
+fn artifact(path: &str, is_folder: bool) -> Value {
     let path = if path.is_empty() { "." } else { path };
-    let encoded = utf8_percent_encode(path, PATH).to_string();
+    let slash = if is_folder && !path.ends_with('/') { "/" } else { "" };
+    let encoded = format!("{}{slash}", utf8_percent_encode(path, PATH));
     let has_drive = path.as_bytes().get(1) == Some(&b':');
     match (path.starts_with('/'), has_drive) {
         (true, _) => json!({ "uri": format!("file://{encoded}") }),
@@ -259,10 +298,10 @@ mod tests {
 
     #[test]
     fn paths_become_uris() {
-        assert_eq!(artifact("a b/\u{e4}#%.x")["uri"], "a%20b/%C3%A4%23%25.x");
-        assert_eq!(artifact("/tmp/x"), json!({ "uri": "file:///tmp/x" }));
-        assert_eq!(artifact("C:/x")["uri"], "file:///C%3A/x");
-        assert_eq!(artifact("")["uri"], ".");
+        assert_eq!(artifact("a b/\u{e4}#%.x", false)["uri"], "a%20b/%C3%A4%23%25.x");
+        assert_eq!(artifact("/tmp/x", false), json!({ "uri": "file:///tmp/x" }));
+        assert_eq!(artifact("C:/x", false)["uri"], "file:///C%3A/x");
+        assert_eq!((&artifact("", true)["uri"], &artifact("a", true)["uri"]), (&json!("./"), &json!("a/")));
     }
 
     #[test]

@@ -66,7 +66,7 @@ pub(super) fn first_errors(outcome: &Outcome) -> Vec<String> {
         return Vec::new();
     }
     let errors = || outcome.findings.iter().filter(|finding| finding.level == Level::Error);
-    let place = |finding: &Finding| format!("{}{}", phrase::path(&finding.path), phrase::colons(&finding.location));
+    let place = |finding: &Finding| format!("{}{}", phrase::path_of(finding), phrase::colons(&finding.location));
     let mut lines: Vec<String> =
         errors().take(NAMED).map(|finding| format!("{}: {}", place(finding), finding.rule)).collect();
     let left = errors().count().saturating_sub(NAMED);

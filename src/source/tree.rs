@@ -171,6 +171,19 @@ impl Tree {
         self.entries.get(self.place(path).ok()?)
     }
 
+    /// Whether there is a folder at `path`. The top of the tree is one.
+    pub fn is_folder(&self, path: &str) -> bool {
+        path.is_empty() || self.entry(path).is_some_and(|entry| entry.kind == EntryKind::Folder)
+    }
+
+    /// The first file in a folder or below it.
+    pub fn first_file_in(&self, folder: &str) -> Option<&str> {
+        let inside = if folder.is_empty() { String::new() } else { format!("{folder}/") };
+        let start = self.entries.partition_point(|entry| entry.path < inside);
+        let mut inside = self.entries.iter().skip(start).take_while(|entry| entry.path.starts_with(&inside));
+        inside.find(|entry| entry.kind == EntryKind::File).map(|entry| entry.path.as_str())
+    }
+
     /// The bytes of a listed file, as they are.
     ///
     /// # Errors

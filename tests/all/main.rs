@@ -18,6 +18,7 @@ mod eval;
 mod files;
 #[cfg(unix)]
 mod fixes;
+mod folders;
 mod generated;
 mod honest;
 mod hostile;
@@ -26,6 +27,7 @@ mod listing;
 mod overlay;
 #[cfg(unix)]
 mod pictures;
+mod replacements;
 mod reports;
 mod rules;
 mod scratch;

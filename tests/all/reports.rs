@@ -9,6 +9,8 @@ use std::process::Command;
 use crate::scratch::{assert_refused, command, edit, example, lose_a_step, mhlint, project, stderr, stdout};
 use serde_json::Value;
 
+const FOLDER: &str = "data/target/figure/head/";
+
 /// A copy of the example repository with two errors in two files.
 fn broken() -> tempfile::TempDir {
     let repository = crate::scratch::broken();
@@ -123,6 +125,19 @@ fn human_report_begins_with_the_gravest_and_ends_with_a_line_for_each_info() {
 }
 
 #[test]
+fn infos_of_one_rule_in_a_folder_share_a_line() {
+    let repository = many(14);
+    let args = ["--only", "target-breaks-start", "--level", "target-breaks-start=info"];
+    let text = run(repository.path(), &args);
+    let names: Vec<String> = [0, 1, 10, 11, 12].map(|number| format!("`broken{number}.target`")).into();
+    let line = format!("  {FOLDER}: info[target-breaks-start] 14 files: {} and 9 more; the first: ", names.join(", "));
+    assert!(text.contains(&line) && text.contains("14 infos (harmless today;"), "{text}");
+    assert_eq!(text.matches("info[").count(), 1, "{text}");
+    let full = run(repository.path(), &[&args[..], &["--full"]].concat());
+    assert_eq!(full.matches("info[target-breaks-start]").count(), 14, "{full}");
+}
+
+#[test]
 fn statistics_count_the_findings_of_each_rule() {
     let text = run(broken().path(), &["--statistics"]);
     let row = text.lines().find(|line| line.contains("macro-steps-length")).unwrap();
@@ -141,6 +156,16 @@ fn markdown_folds_infos() {
     let (loud, folded) = text.split_once("<details><summary>1 info</summary>\n").unwrap();
     assert!(loud.contains("macro-steps-length") && !loud.contains("target-zero-delta"), "{text}");
     assert!(folded.contains("target-zero-delta") && folded.contains("</details>"), "{text}");
+}
+
+#[test]
+fn markdown_marks_the_place_and_names_explain() {
+    let text = run(broken().path(), &["--report", "markdown", "--only", "macro-steps-length"]);
+    let marked =
+        "     11 |             \"steps\": [0.0, 0.25, 0.5, 0.75, 1.0],\n        |                      ^^^^^^^^^^";
+    assert!(text.contains(marked), "{text}");
+    assert!(text.ends_with("\n`mhlint explain RULE` explains a rule.\n"), "{text}");
+    assert!(!run(&project("fixtures/makehuman2"), &["--report", "markdown"]).contains("explain"));
 }
 
 #[test]
@@ -247,7 +272,9 @@ fn sarif_fits_its_schema_and_refers_to_its_rules() {
     let text = fs::read_to_string(project("tests/schemas/sarif-2.1.0.json")).unwrap().replace("]?$\"", "$\"");
     let validator = jsonschema::validator_for(&serde_json::from_str(&text).unwrap()).unwrap();
     let empty = tempfile::tempdir().unwrap();
-    for root in [broken().path(), hostile().path(), empty.path(), &project("fixtures/makehuman2")] {
+    let fixable = example();
+    edit(fixable.path(), "data/target/figure/head/head-oval.target", "339 0 .001 .001", "339 0 0 0");
+    for root in [broken().path(), hostile().path(), fixable.path(), empty.path(), &project("fixtures/makehuman2")] {
         let log = json(root, "sarif");
         let faults: Vec<String> =
             validator.iter_errors(&log).map(|fault| format!("{}: {fault}", fault.instance_path())).collect();

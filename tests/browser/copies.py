@@ -17,6 +17,23 @@ SEVERITIES = {"info", "minor", "major", "critical", "blocker"}
 LEVELS = {"error": "error", "warning": "warning", "info": "note"}
 
 
+class Known:
+    """What a copy holds: files, and folders, which end in a slash."""
+
+    def __init__(self, files):
+        self.files = set(files)
+        parents = (parent for path in self.files for parent in pathlib.PurePosixPath(path).parents)
+        self.folders = {f"{parent}/" for parent in parents}
+
+    def holds(self, path, rule):
+        # What is missing is told where it has to be.
+        return path in self.files or path in self.folders or rule == "base-missing-file"
+
+    def is_for_files(self, path, rule):
+        """Whether a reader that knows only files can show it: a folder only where it has no file."""
+        return self.holds(path, rule) and path not in self.folders
+
+
 def sarif(text, known, schema):
     log = json.loads(text)
     errors = [f"{error.json_path}: {error.message[:200]}" for error in schema.iter_errors(log)]
@@ -28,14 +45,14 @@ def sarif(text, known, schema):
     for result in run["results"]:
         assert rules[result["ruleIndex"]]["id"] == result["ruleId"], "the index leads to the rule"
         places = result["locations"] + result.get("relatedLocations", [])
-        assert len(result["locations"]) == 1
+        (standing,) = result["locations"]
+        path = unquoted(standing["physicalLocation"]["artifactLocation"]["uri"])
+        assert known.is_for_files(path, result["ruleId"]), f"code scanning is led to {path}"
         for place in places:
             artifact = place["physicalLocation"]["artifactLocation"]
             assert artifact["uriBaseId"] in run["originalUriBaseIds"], artifact
             path = unquoted(artifact["uri"])
-            # What is missing is told where it has to be.
-            there = path in known or result["ruleId"] == "base-missing-file"
-            assert there, f"SARIF leads to {path}, which is not there"
+            assert known.holds(path, result["ruleId"]), f"SARIF leads to {path}, which is not there"
             region = place["physicalLocation"].get("region", {})
             assert all(number >= 1 for number in region.values() if isinstance(number, int)), region
         (fingerprint,) = set(result["partialFingerprints"].values())
@@ -56,8 +73,7 @@ def gitlab(text, known):
         assert one["severity"] in SEVERITIES and one["description"], one
         assert isinstance(one["location"]["lines"]["begin"], int) and one["location"]["lines"]["begin"] >= 1
         path = one["location"]["path"]
-        there = path in known or one["check_name"] == "base-missing-file"
-        assert there and not path.startswith("./"), f"GitLab is led to {path}"
+        assert known.is_for_files(path, one["check_name"]) and not path.startswith("./"), f"GitLab is led to {path}"
         found.append((one["check_name"], one["fingerprint"]))
     return found
 
@@ -81,8 +97,7 @@ def page(text):
 
 def read(folder, schema):
     text = {path.suffix[1:]: path.read_text() for path in folder.glob("report.*")}
-    known = set((folder / "files.txt").read_text().split("\n"))
-    known |= {str(parent) for path in known for parent in pathlib.PurePosixPath(path).parents}
+    known = Known((folder / "files.txt").read_text().split("\n"))
     report = json.loads(text["json"])
     findings = report["findings"]
     rules = sorted((one["rule"], one["level"]) for one in findings)

@@ -5,6 +5,7 @@ use std::ops::Range;
 
 use rayon::prelude::*;
 
+use super::folder;
 use crate::diag::{FailedStep, Finding, Location, Place, Related};
 use crate::engine::caught::caught;
 use crate::json::{self, Finder};
@@ -36,7 +37,7 @@ pub(in crate::engine) fn place_and_sort(
 fn locate(findings: &mut [Finding], trees: &[&Tree], limits: &Limits) {
     // Each text is read once, whichever findings point into it.
     let mut by_path: BTreeMap<&str, Vec<(&Place, &mut Location)>> = BTreeMap::new();
-    for finding in findings {
+    for finding in &mut *findings {
         let Finding { path, place, location, related, .. } = finding;
         by_path.entry(path).or_default().push((place, location));
         for Related { path, place, location, .. } in related {
@@ -44,6 +45,7 @@ fn locate(findings: &mut [Finding], trees: &[&Tree], limits: &Limits) {
         }
     }
     by_path.into_par_iter().for_each(|(path, places)| {
+        let folder = folder::at(path, trees);
         let is_in_text = places.iter().any(|(place, _)| !matches!(place, Place::File | Place::Element(_)));
         let bytes = if is_in_text { read(path, trees, limits) } else { None };
         let is_in_json = places.iter().any(|(place, _)| matches!(place, Place::Pointer(_) | Place::Key(_)));
@@ -51,6 +53,7 @@ fn locate(findings: &mut [Finding], trees: &[&Tree], limits: &Limits) {
         let mut text = bytes.as_ref().map(|bytes| Text { lines: Lines::of(bytes), finder });
         for (place, location) in places {
             *location = symbolic(place);
+            location.folder.clone_from(&folder);
             if let Some(text) = &mut text
                 && let Some(span) = text.span(place)
             {
@@ -61,6 +64,7 @@ fn locate(findings: &mut [Finding], trees: &[&Tree], limits: &Limits) {
             }
         }
     });
+    findings.iter_mut().for_each(folder::stand_in);
 }
 
 /// What is known of a place without the text.

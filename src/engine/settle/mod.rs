@@ -5,6 +5,7 @@
 mod answered;
 mod baseline;
 mod compare;
+mod folder;
 mod identify;
 mod idle;
 mod ignore;

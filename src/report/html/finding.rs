@@ -20,13 +20,13 @@ pub(super) fn article(finding: &Finding, id: &str, open: bool) -> Markup {
     let applications: Vec<&str> = finding.breaks.iter().map(|one| one.application.word()).collect();
     html! {
         article .finding .(level) #(id) data-level=(level) data-rule=(finding.rule)
-            data-path=(phrase::path(&finding.path)) data-applications=(applications.join(" ")) {
+            data-path=(phrase::path_of(finding)) data-applications=(applications.join(" ")) {
             details open[open] {
                 summary {
                     span .chip .(level) { (level) }
                     " "
                     h3 { (inline(&printable(&phrase::message(finding)))) (doubt(finding.confidence)) }
-                    span .at { span .of { (phrase::path(&finding.path)) " " } (short_place(&finding.location)) }
+                    span .at { span .of { (phrase::path_of(finding)) " " } (short_place(&finding.location)) }
                 }
                 (source(finding))
                 dl {
@@ -57,7 +57,7 @@ fn short_place(location: &Location) -> String {
 
 /// Path and place, and below it the source lines where there are any.
 fn source(finding: &Finding) -> Markup {
-    let path = phrase::path(&finding.path);
+    let path = phrase::path_of(finding);
     let found = finding.location.excerpt.as_ref().and_then(|excerpt| snippet(excerpt, WIDTH));
     let parts = found.as_ref().and_then(|found| {
         let lead = found.text.get(..found.mark.start)?;
@@ -98,8 +98,8 @@ fn related(related: &[Related]) -> Markup {
                     ul {
                         @for one in related.iter().take(RELATED) {
                             li {
-                                code { (phrase::path(&one.path)) (colons(&one.location)) }
-                                " " (inline(&printable(&one.message)))
+                                code { (phrase::path(&one.path, &one.location)) (colons(&one.location)) }
+                                ": " (inline(&printable(&one.message)))
                             }
                         }
                         @if left > 0 { li { (left) " places more" } }

@@ -21,7 +21,7 @@ const SCRIPT: &str = include_str!("page.js");
 
 /// What the browser may do: nothing but use the style and the script with these hashes.
 const POLICY: &str = "default-src 'none'; base-uri 'none'; form-action 'none'; img-src data:; \
-    style-src 'sha256-zQpap0ZzCpw+cdoUQP1X0Z3ZTAX7Opv0kvsKur+i0LY='; script-src 'sha256-IizRmeWnv7wyt1MgkAm2DcJ75/gnKrsLN7VJ49b0+cI='";
+    style-src 'sha256-7EmbfGW3uXs7PlY73kIQsvpm2AnVII05E7a4Jq2DjmQ='; script-src 'sha256-IizRmeWnv7wyt1MgkAm2DcJ75/gnKrsLN7VJ49b0+cI='";
 
 /// Where the list of the findings goes. No text of an asset can hold it: there `<` is escaped.
 const LIST: &str = "<!--list-->";
@@ -221,7 +221,7 @@ fn list(findings: &[&Finding], out: &mut dyn Write) -> io::Result<()> {
 }
 
 fn path_of(file: &[&Finding]) -> String {
-    file.first().map_or_else(String::new, |first| phrase::path(&first.path))
+    file.first().map_or_else(String::new, |first| phrase::path_of(first))
 }
 
 /// Two data roots may hold the same asset with the same fault; an id stands once in a page.

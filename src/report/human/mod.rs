@@ -4,6 +4,7 @@
 //! Long lists are cut with a word on what was left out. Readable at eighty columns and without colour.
 
 mod block;
+mod groups;
 mod pick;
 mod statistics;
 
@@ -14,6 +15,7 @@ use std::io::{self, Write};
 use super::files::by_file;
 use super::{Paint, View, count, hang, phrase, printable, verdict};
 use crate::diag::{Application, Break, Finding, Level, Note, Outcome};
+use groups::Group;
 use pick::Picked;
 
 /// Writes the report.
@@ -39,8 +41,9 @@ pub(super) fn write(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> 
 /// Files with errors, files with warnings, infos.
 fn write_findings(outcome: &Outcome, view: &View<'_>, out: &mut dyn Write) -> io::Result<()> {
     let picked = pick::pick(&outcome.findings, view.full);
-    let is_block = |finding: &&Finding| view.full || finding.level > Level::Info;
-    let (blocks, infos): (Vec<&Finding>, Vec<&Finding>) = picked.shown.iter().copied().partition(is_block);
+    let is_block = |group: &&Group<'_>| view.full || group.first.level > Level::Info;
+    let (blocks, infos): (Vec<&Group<'_>>, Vec<&Group<'_>>) = picked.shown.iter().partition(is_block);
+    let blocks: Vec<&Finding> = blocks.iter().map(|group| group.first).collect();
     let mut explained = BTreeSet::new();
     let tallies = tallies(&outcome.findings, view);
     for file in by_file(&blocks) {
@@ -59,7 +62,8 @@ fn write_heading(
     let path = file.first().map_or("", |first| first.path.as_str());
     let words = tallies.get(path).map(tally).unwrap_or_default();
     let paint = Paint { color: view.color };
-    writeln!(out, "{}{}", paint.bold(&phrase::path(path)), paint.dim(&words))
+    let path = file.first().map(|first| phrase::path_of(first)).unwrap_or_default();
+    writeln!(out, "{}{}", paint.bold(&path), paint.dim(&words))
 }
 
 /// Numbers of findings, by level.
@@ -109,9 +113,9 @@ fn write_file(
     }
 }
 
-/// A line for each info. What more there is in a file is said here, unless its findings stand in `blocks`.
+/// A line for each info, or for many that say the same. What more there is in a file is said here, unless its findings stand in `blocks`.
 fn write_infos(
-    infos: &[&Finding],
+    infos: &[&Group<'_>],
     blocks: &[&Finding],
     picked: &Picked<'_>,
     view: &View<'_>,
@@ -122,16 +126,16 @@ fn write_infos(
     }
     let paint = Paint { color: view.color };
     let hint = if view.quiet { "" } else { " (right on screen today; `--full` shows consequences and help)" };
-    let total = infos.len() + picked.left(Level::Info);
+    let total = infos.iter().map(|group| group.len()).sum::<usize>() + picked.left(Level::Info);
     writeln!(out, "{}{}", paint.bold(&count(total, "info")), paint.dim(hint))?;
-    for file in infos.chunk_by(|a, b| a.path == b.path) {
-        for finding in file {
-            writeln!(out, "  {}", phrase::one_line(finding))?;
-            if let Some(more) = picked.more_like(finding) {
+    for file in infos.chunk_by(|a, b| a.first.path == b.first.path) {
+        for group in file {
+            writeln!(out, "  {}", group.line())?;
+            if let Some(more) = picked.more_like(group.first) {
                 writeln!(out, "  {}", paint.bold(&more))?;
             }
         }
-        let path = file.first().map_or("", |first| first.path.as_str());
+        let path = file.first().map_or("", |group| group.first.path.as_str());
         if let Some(more) = picked.more_in(path).filter(|_| !blocks.iter().any(|finding| finding.path == path)) {
             writeln!(out, "  {}", paint.bold(&more))?;
         }

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use super::groups::{Group, groups};
 use crate::diag::{Finding, Level};
 
 /// Findings of one rule in a report; the eleventh says nothing that ten did not.
@@ -13,40 +14,42 @@ const PER_FILE: usize = 20;
 #[derive(Default)]
 pub(super) struct Picked<'a> {
     /// The findings to show, in the order of the report.
-    pub(super) shown: Vec<&'a Finding>,
+    pub(super) shown: Vec<Group<'a>>,
     left_of_rule: BTreeMap<&'static str, usize>,
     left_in_file: BTreeMap<&'a str, usize>,
     left_of_level: BTreeMap<Level, usize>,
 }
 
-/// Picks from all findings, which come in the order of the report; with `full` all of them.
+/// Picks from all findings, which come in the order of the report; with `full` all of them. Those that share a line count
+/// as one.
 pub(super) fn pick(findings: &[Finding], full: bool) -> Picked<'_> {
+    let groups = groups(findings, full);
     if full {
-        return Picked { shown: findings.iter().collect(), ..Picked::default() };
+        return Picked { shown: groups, ..Picked::default() };
     }
-    let mut by_level: Vec<(usize, &Finding)> = findings.iter().enumerate().collect();
-    by_level.sort_by_key(|(_, finding)| std::cmp::Reverse(finding.level));
+    let mut by_level: Vec<(usize, Group<'_>)> = groups.into_iter().enumerate().collect();
+    by_level.sort_by_key(|(_, group)| std::cmp::Reverse(group.first.level));
     let mut of_rule: BTreeMap<&str, usize> = BTreeMap::new();
     let mut in_file: BTreeMap<&str, usize> = BTreeMap::new();
     let mut picked = Picked::default();
     let mut shown = Vec::new();
-    for (at, finding) in by_level {
-        let rule = of_rule.entry(finding.rule).or_default();
-        let file = in_file.entry(&finding.path).or_default();
-        if *rule >= PER_RULE || *file >= PER_FILE {
-            *picked.left_of_level.entry(finding.level).or_default() += 1;
+    for (at, group) in by_level {
+        let Finding { rule, path, level, .. } = group.first;
+        let (of_rule, in_file) = (of_rule.entry(rule).or_default(), in_file.entry(path).or_default());
+        if *of_rule >= PER_RULE || *in_file >= PER_FILE {
+            *picked.left_of_level.entry(*level).or_default() += group.len();
         }
-        if *rule >= PER_RULE {
-            *picked.left_of_rule.entry(finding.rule).or_default() += 1;
-        } else if *file >= PER_FILE {
-            *picked.left_in_file.entry(&finding.path).or_default() += 1;
+        if *of_rule >= PER_RULE {
+            *picked.left_of_rule.entry(rule).or_default() += group.len();
+        } else if *in_file >= PER_FILE {
+            *picked.left_in_file.entry(path).or_default() += group.len();
         } else {
-            (*rule, *file) = (*rule + 1, *file + 1);
-            shown.push((at, finding));
+            (*of_rule, *in_file) = (*of_rule + 1, *in_file + 1);
+            shown.push((at, group));
         }
     }
     shown.sort_by_key(|(at, _)| *at);
-    picked.shown = shown.into_iter().map(|(_, finding)| finding).collect();
+    picked.shown = shown.into_iter().map(|(_, group)| group).collect();
     picked
 }
 
@@ -59,8 +62,8 @@ impl Picked<'_> {
     /// What to say below a finding that is the last shown of its rule while more were left out.
     pub(super) fn more_like(&self, finding: &Finding) -> Option<String> {
         let left = self.left_of_rule.get(finding.rule)?;
-        let last = self.shown.iter().rfind(|other| other.rule == finding.rule)?;
-        std::ptr::eq(*last, finding)
+        let last = self.shown.iter().rfind(|other| other.first.rule == finding.rule)?;
+        std::ptr::eq(last.first, finding)
             .then(|| format!("and {left} more like it; `--only {} --full` shows all", finding.rule))
     }
 
@@ -91,17 +94,17 @@ mod tests {
     }
 
     #[test]
-    fn an_error_is_shown_before_the_file_is_full_of_infos() {
+    fn an_error_is_shown_before_the_file_is_full_of_warnings() {
         let mut all = Vec::new();
         for rule in ["a", "b", "c"] {
-            all.extend(findings(rule, Level::Info, PER_RULE));
+            all.extend(findings(rule, Level::Warning, PER_RULE));
         }
         all.extend(findings("d", Level::Error, 1));
         for finding in &mut all {
             finding.path = "same".to_owned();
         }
         let picked = pick(&all, false);
-        assert_eq!(picked.shown.last().unwrap().rule, "d");
+        assert_eq!(picked.shown.last().unwrap().first.rule, "d");
         assert!(picked.more_in("same").unwrap().starts_with("and 11 more"));
     }
 }

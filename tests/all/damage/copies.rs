@@ -17,11 +17,11 @@ pub(crate) fn write(name: &str, files: &Files, new: &Outcome, config: &Config) {
     fs::create_dir_all(&folder).unwrap();
     let paths: Vec<&str> = files.keys().map(String::as_str).collect();
     fs::write(folder.join("files.txt"), paths.join("\n")).unwrap();
-    one(&folder.join("new.txt"), Format::Human, new, config);
+    one(&folder.join("new.txt"), Format::Human, false, new, config);
     let plain = Config { baseline: None, fail_on: Some(Level::Error), ..config.clone() };
     let outcome = run(files, "", &plain);
     for (format, number) in Format::ALL {
-        one(&folder.join(format!("report.{format}")), *number, &outcome, &plain);
+        one(&folder.join(format!("report.{format}")), *number, true, &outcome, &plain);
     }
 }
 
@@ -35,7 +35,7 @@ fn folder_of(name: &str) -> Option<PathBuf> {
     (number % every == 0).then_some(folder)
 }
 
-fn one(file: &Path, format: Format, outcome: &Outcome, config: &Config) {
+fn one(file: &Path, format: Format, full: bool, outcome: &Outcome, config: &Config) {
     let rules = rule_infos();
     let view = View {
         pass: outcome.passes(config),
@@ -45,7 +45,7 @@ fn one(file: &Path, format: Format, outcome: &Outcome, config: &Config) {
         unicode: true,
         width: 100,
         quiet: false,
-        full: false,
+        full,
         statistics: false,
         rules: &rules,
     };
