@@ -117,11 +117,11 @@ fn human_report_begins_with_the_gravest_and_ends_with_a_line_for_each_info() {
     edit(repository.path(), "data/target/figure/head/head-oval.target", "340 -.001 .001 .001", "340 0 0 0");
     let text = run(repository.path(), &[]);
     let at = |part: &str| text.find(part).unwrap_or_else(|| panic!("no `{part}` in:\n{text}"));
-    assert!(at("error[macro-steps-length]") < at("1 info (right on screen today;"));
+    assert!(at("error[macro-steps-length]") < at("1 info (no visible effect today;"));
     assert!(text.contains("\n  data/target/figure/head/head-oval.target:6:1: info[target-zero-delta] "), "{text}");
     assert!(!text.contains("explain target-zero-delta"), "{text}");
     let full = run(repository.path(), &["--full"]);
-    assert!(full.contains("explain target-zero-delta") && !full.contains("right on screen today;"), "{full}");
+    assert!(full.contains("explain target-zero-delta") && !full.contains("no visible effect today;"), "{full}");
 }
 
 #[test]
@@ -131,7 +131,7 @@ fn infos_of_one_rule_in_a_folder_share_a_line() {
     let text = run(repository.path(), &args);
     let names: Vec<String> = [0, 1, 10, 11, 12].map(|number| format!("`broken{number}.target`")).into();
     let line = format!("  {FOLDER}: info[target-breaks-start] 14 files: {} and 9 more; the first: ", names.join(", "));
-    assert!(text.contains(&line) && text.contains("14 infos (harmless today;"), "{text}");
+    assert!(text.contains(&line) && text.contains("14 infos (no visible effect today;"), "{text}");
     assert_eq!(text.matches("info[").count(), 1, "{text}");
     let full = run(repository.path(), &[&args[..], &["--full"]].concat());
     assert_eq!(full.matches("info[target-breaks-start]").count(), 14, "{full}");

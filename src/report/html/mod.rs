@@ -30,7 +30,7 @@ const LIST: &str = "<!--list-->";
 const LEVELS: [(Level, &str); 3] = [
     (Level::Error, "crash, rejected file or lost data"),
     (Level::Warning, "the result differs from the files"),
-    (Level::Info, "right on screen today"),
+    (Level::Info, "no visible effect today"),
 ];
 
 /// Writes the page.

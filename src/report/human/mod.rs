@@ -125,7 +125,7 @@ fn write_infos(
         return Ok(());
     }
     let paint = Paint { color: view.color };
-    let hint = if view.quiet { "" } else { " (right on screen today; `--full` shows consequences and help)" };
+    let hint = if view.quiet { "" } else { " (no visible effect today; `--full` shows consequences and help)" };
     let total = infos.iter().map(|group| group.len()).sum::<usize>() + picked.left(Level::Info);
     writeln!(out, "{}{}", paint.bold(&count(total, "info")), paint.dim(hint))?;
     for file in infos.chunk_by(|a, b| a.first.path == b.first.path) {
