@@ -214,13 +214,11 @@ impl<'t, L: Iterator<Item = (Range<usize>, &'t [u8])>> Reader<'t, L> {
     }
 
     fn frames(&mut self, announced: i64) -> Result<(), FaultKind> {
-        let mut there = 0_usize;
-        while (there as i64) < announced {
+        for there in 0..usize::try_from(announced).unwrap_or(usize::MAX) {
             if !self.next() {
                 return Err(FaultKind::TooFew(announced, there));
             }
             self.frame(announced, there)?;
-            there += 1;
         }
         while self.next() {
             self.motion.surplus_frames += usize::from(!self.words.is_empty());
@@ -344,7 +342,7 @@ mod tests {
             let text = [&HEAD.as_bytes()[..cut], &bytes, &HEAD.as_bytes()[cut..]].concat();
             let motion = read(&text);
             for joint in motion.joints {
-                let name = String::from_utf8_lossy(text.get(joint.span).unwrap());
+                let name = String::from_utf8_lossy(&text[joint.span]);
                 prop_assert_eq!(&*joint.name, &*name);
             }
         }
