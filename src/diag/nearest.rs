@@ -43,7 +43,12 @@ impl Suggestions {
         self.best(name, candidates, |candidate| {
             let other = words_of_file(candidate);
             let cost = candidate.len() + words.len() * other.len();
-            if is_short { (words_between(&words, &other), cost) } else { (None, 0) }
+            // Of another kind it is another file, not another name.
+            if is_short && suffix(name).eq_ignore_ascii_case(suffix(candidate)) {
+                (words_between(&words, &other), cost)
+            } else {
+                (None, 0)
+            }
         })
     }
 
@@ -111,6 +116,12 @@ fn words_of_file(name: &str) -> Vec<&str> {
     let name = name.rsplit('/').next().unwrap_or_default();
     let stem = name.split('.').next().unwrap_or_default();
     stem.split(['-', '_']).collect()
+}
+
+/// What is behind the stem of a name.
+fn suffix(name: &str) -> &str {
+    let name = name.rsplit('/').next().unwrap_or_default();
+    name.split_once('.').map_or("", |(_, suffix)| suffix)
 }
 
 /// How many words one name has more than the other, if these come before or after all words of the other and are no more

@@ -7,7 +7,7 @@ use std::ops::Range;
 
 use super::fields::fields;
 use super::number::{python_float, python_int};
-use crate::diag::{EXAMPLES, Few};
+use crate::diag::EXAMPLES;
 use crate::source::{BYTE_ORDER_MARK, lines};
 
 /// The file, as far as the loader gets.
@@ -15,14 +15,16 @@ use crate::source::{BYTE_ORDER_MARK, lines};
 pub struct Motion {
     /// Joints in file order, the root first. End sites are none.
     pub joints: Vec<Joint>,
-    /// Channels whose names mean nothing, with their joints: their numbers are read and not used.
-    pub unknown_channels: Few<(u32, Box<str>)>,
+    /// Channels whose names mean nothing: their numbers are read and not used.
+    pub unknown_channels: Lines,
+    /// The first of their names.
+    pub first_unknown: Option<Box<str>>,
     /// How many channels all joints have.
     pub channels: usize,
     /// The first line at which the loader stops, and why.
     pub fault: Option<Fault>,
-    /// `Frames`, if it is a number, and its line.
-    pub frames: Option<(i64, u32)>,
+    /// `Frames` as it is written, if it is a whole number, and its line.
+    pub frames: Option<(Box<str>, u32)>,
     /// Lines with something in them behind the announced frames.
     pub surplus_frames: usize,
     /// Frames with more numbers than there are channels.
@@ -52,7 +54,7 @@ pub struct Lines {
 /// What stops the loader.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Fault {
-    /// The line; behind the last one at the end of the file.
+    /// The line; the last one at the end of the file.
     pub line: u32,
     /// Whether the hierarchy has begun.
     pub is_inside: bool,
@@ -73,6 +75,8 @@ pub enum FaultKind {
     Missing(&'static str),
     /// A word that is not a number.
     NotANumber(&'static str, Box<str>),
+    /// A number of channels that is not a whole number.
+    ChannelsNotWhole(Box<str>),
     /// A joint without channels.
     NoChannels,
     /// Another number of channels than announced: announced, listed.
@@ -81,8 +85,8 @@ pub enum FaultKind {
     NotWhole(Box<str>),
     /// `Frames` is 0 or less.
     NoFrames(i64),
-    /// Fewer frames than announced: announced, there.
-    TooFew(i64, usize),
+    /// Fewer frames than announced: how many there are.
+    TooFew(usize),
     /// A frame that is a blank line.
     BlankFrame,
     /// A frame with fewer numbers than channels: there, needed.
@@ -102,15 +106,27 @@ struct Reader<'t, L> {
     line: u32,
     start: usize,
     words: Words<'t>,
+    /// Whether the number of each channel is used: rotations, and the places of the root.
+    used: Vec<bool>,
     motion: Motion,
 }
 
 /// Reads a file up to the first fault. Costs what is announced or what is there, whichever is less.
 pub fn read(text: &[u8]) -> Motion {
-    let mut reader = Reader { lines: lines(text), line: 0, start: 0, words: Vec::new(), motion: Motion::default() };
+    let mut reader = Reader {
+        lines: lines(text),
+        line: 0,
+        start: 0,
+        words: Vec::new(),
+        used: Vec::new(),
+        motion: Motion::default(),
+    };
     if let Err(kind) = reader.file() {
         let is_inside = !reader.motion.joints.is_empty();
-        reader.motion.fault = Some(Fault { line: reader.line, is_inside, kind });
+        // Behind the last line there is nothing to show.
+        let is_end = matches!(kind, FaultKind::End(_) | FaultKind::TooFew(_));
+        reader.motion.fault =
+            Some(Fault { line: reader.line.saturating_sub(u32::from(is_end)).max(1), is_inside, kind });
     }
     reader.motion
 }
@@ -185,15 +201,21 @@ impl<'t, L: Iterator<Item = (Range<usize>, &'t [u8])>> Reader<'t, L> {
 
     fn channels(&mut self) -> Result<(), FaultKind> {
         let (_, word) = *self.words.get(1).ok_or(FaultKind::Missing("`CHANNELS`"))?;
-        let announced = python_int(word).ok_or_else(|| FaultKind::NotANumber("`CHANNELS`", text(word)))?;
+        let announced = python_int(word).ok_or_else(|| FaultKind::ChannelsNotWhole(text(word)))?;
         let listed = self.words.get(2..).unwrap_or_default();
         match usize::try_from(announced) {
             Ok(0) => return Err(FaultKind::NoChannels),
             Ok(count) if count == listed.len() => {}
             _ => return Err(FaultKind::Channels(announced, listed.len())),
         }
-        for (_, name) in listed.iter().filter(|(_, name)| !CHANNELS.contains(name)) {
-            self.motion.unknown_channels.add_long(name.len(), || (self.line, text(name)));
+        let is_root = self.motion.joints.len() == 1;
+        for (_, name) in listed {
+            let is_known = CHANNELS.contains(name);
+            self.used.push(is_known && (is_root || name.ends_with(b"rotation")));
+            if !is_known {
+                self.motion.unknown_channels.add(self.line);
+                self.motion.first_unknown.get_or_insert_with(|| text(name));
+            }
         }
         self.motion.channels += listed.len();
         Ok(())
@@ -209,16 +231,16 @@ impl<'t, L: Iterator<Item = (Range<usize>, &'t [u8])>> Reader<'t, L> {
         self.keyword("`Frames:`", &["Frames:"])?;
         let (_, word) = *self.words.get(1).ok_or(FaultKind::Missing("`Frames:`"))?;
         let count = python_int(word).ok_or_else(|| FaultKind::NotWhole(text(word)))?;
-        self.motion.frames = Some((count, self.line));
+        self.motion.frames = Some((text(word), self.line));
         if count > 0 { Ok(count) } else { Err(FaultKind::NoFrames(count)) }
     }
 
     fn frames(&mut self, announced: i64) -> Result<(), FaultKind> {
         for there in 0..usize::try_from(announced).unwrap_or(usize::MAX) {
             if !self.next() {
-                return Err(FaultKind::TooFew(announced, there));
+                return Err(FaultKind::TooFew(there));
             }
-            self.frame(announced, there)?;
+            self.frame(there)?;
         }
         while self.next() {
             self.motion.surplus_frames += usize::from(!self.words.is_empty());
@@ -226,17 +248,17 @@ impl<'t, L: Iterator<Item = (Range<usize>, &'t [u8])>> Reader<'t, L> {
         Ok(())
     }
 
-    fn frame(&mut self, announced: i64, there: usize) -> Result<(), FaultKind> {
+    fn frame(&mut self, there: usize) -> Result<(), FaultKind> {
         if self.words.is_empty() {
             // Blank lines up to the end are no frames; one between frames is taken for one.
             let is_last = self.lines.all(|(_, line)| fields(line).is_empty());
-            return Err(if is_last { FaultKind::TooFew(announced, there) } else { FaultKind::BlankFrame });
+            return Err(if is_last { FaultKind::TooFew(there) } else { FaultKind::BlankFrame });
         }
         let needed = self.motion.channels;
         let mut is_finite = true;
-        for (_, word) in self.words.iter().take(needed) {
+        for (at, (_, word)) in self.words.iter().enumerate() {
             let number = python_float(word).ok_or_else(|| FaultKind::WordInFrame(text(word)))?;
-            is_finite &= number.is_finite();
+            is_finite &= number.is_finite() || !self.used.get(at).is_some_and(|is_used| *is_used);
         }
         if self.words.len() < needed {
             return Err(FaultKind::ShortFrame(self.words.len(), needed));
@@ -256,14 +278,15 @@ impl FaultKind {
     pub fn is_of_frames(&self) -> bool {
         match self {
             Self::NotANumber(of, _) | Self::Missing(of) => of.starts_with("`Frame"),
-            Self::Expected(..) | Self::Blank(_) | Self::End(_) | Self::NoChannels | Self::Channels(..) => false,
+            Self::Expected(..) | Self::Blank(_) | Self::End(_) => false,
+            _ if self.is_of_channels() => false,
             _ => true,
         }
     }
 
     /// Whether the channels of a joint are at fault.
     pub fn is_of_channels(&self) -> bool {
-        matches!(self, Self::NoChannels | Self::Channels(..))
+        matches!(self, Self::NoChannels | Self::Channels(..) | Self::ChannelsNotWhole(_))
     }
 }
 
@@ -303,8 +326,8 @@ mod tests {
         let motion = read(text.as_bytes());
         let names = motion.joints.iter().map(|joint| (&*joint.name, &text[joint.span.clone()]));
         assert_eq!(names.collect::<Vec<_>>(), [("a", "a"), ("b", "b")]);
-        assert_eq!((motion.fault, motion.channels, motion.frames), (None, 3, Some((2, 17))));
-        assert_eq!(motion.unknown_channels.names(), [(9, "yrotation".into())]);
+        assert_eq!((motion.fault, motion.channels, motion.frames), (None, 3, Some(("2".into(), 17))));
+        assert_eq!((motion.unknown_channels.first, motion.first_unknown), (vec![9], Some("yrotation".into())));
         assert_eq!(
             (motion.non_finite.first, motion.surplus_numbers.first, motion.surplus_frames),
             (vec![20], vec![20], 1)
@@ -321,10 +344,10 @@ mod tests {
             of("Frames: 1\nFrame Time: 0,1\n"),
             Some((18, FaultKind::NotANumber("`Frame Time:`", "0,1".into())))
         );
-        assert_eq!(of("Frames: 9\nFrame Time: 1\n1 2 3\n \n"), Some((20, FaultKind::TooFew(9, 1))));
+        assert_eq!(of("Frames: 9\nFrame Time: 1\n1 2 3\n \n"), Some((19, FaultKind::TooFew(1))));
         assert_eq!(of("Frames: 9\nFrame Time: 1\n1 2 3\n \n1 2 3\n"), Some((20, FaultKind::BlankFrame)));
         assert_eq!(of("Frames: 1\nFrame Time: 1\n1 2\n"), Some((19, FaultKind::ShortFrame(2, 3))));
-        assert_eq!(of("Frames: 99999999999999999999\nFrame Time: 1\n"), Some((19, FaultKind::TooFew(i64::MAX, 0))));
+        assert_eq!(of("Frames: 99999999999999999999\nFrame Time: 1\n"), Some((18, FaultKind::TooFew(0))));
     }
 
     #[test]

@@ -47,7 +47,9 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
 }
 
 fn at(file: &FileFacts, message: String) -> Finding {
-    RULE.at(file, Place::File, message).help("delete the archive; MakeHuman 2 rebuilds it at the next start")
+    RULE.at(file, Place::File, message).help(
+        "delete the archive if the `.target` files are there: MakeHuman 2 rebuilds it from them at the next start",
+    )
 }
 
 fn members(file: &FileFacts, archive: &Archive) -> Option<Finding> {

@@ -59,7 +59,9 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
     let finding = RULE
         .at(file, Place::pointer(["numverts"]), message)
         .key("numverts")
-        .help(format!("write `\"numverts\": {vertices}`, and rebuild the binary assets of this base"))
+        .help(format!(
+            "check that this is the right mesh, then write `\"numverts\": {vertices}` and rebuild the binary assets"
+        ))
         .related(mesh_file.path.clone(), Place::File, format!("has {vertices} vertices"));
     out.push(if is_larger {
         finding.level(Level::Warning).effect(
@@ -95,7 +97,7 @@ fn foreign(
         "rebuild the archive with compile_meshes.py from the mesh that the other data is for, or delete it if base.obj \
          is that mesh"
     } else {
-        "export the mesh again with the same vertices in the same order"
+        "restore the original mesh, or export it again with the same vertices in the same order"
     };
     let finding = RULE.at(at, place, message).key("mesh").effect(effect).help(help);
     finding.related(file.path.clone(), Place::pointer(["numverts"]), format!("`numverts` is {claimed}"))

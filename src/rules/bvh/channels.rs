@@ -1,7 +1,7 @@
 //! The channels of a joint must be as many as announced, and have known names.
 
 use super::super::{Check, Rule, RuleCx, counted};
-use super::REJECTED;
+use super::{REJECTED, VALUE};
 use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::bvh::{Fault, FaultKind, Motion};
 use crate::repo::{Body, FileFacts};
@@ -31,13 +31,17 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 fn miscounted(file: &FileFacts, fault: &Fault) -> Option<Finding> {
     let (message, help) = match fault.kind {
         FaultKind::NoChannels => ("the joint has no channels".to_owned(), "give the joint three rotations".to_owned()),
+        FaultKind::ChannelsNotWhole(ref word) => {
+            (format!("`CHANNELS {word}` is not a whole number"), "write the number of channels".to_owned())
+        }
         FaultKind::Channels(announced, listed) => {
             let message = format!("`CHANNELS {announced}`, but {} listed", are(listed));
             (message, format!("write `CHANNELS {listed}`, and a number for each channel in every frame"))
         }
         _ => return None,
     };
-    Some(RULE.at(file, Place::Line(fault.line), message).case(REJECTED).help(help))
+    let case = if matches!(fault.kind, FaultKind::ChannelsNotWhole(_)) { VALUE } else { REJECTED };
+    Some(RULE.at(file, Place::Line(fault.line), message).case(case).help(help))
 }
 
 fn are(channels: usize) -> String {
@@ -46,13 +50,14 @@ fn are(channels: usize) -> String {
 }
 
 fn unknown(file: &FileFacts, motion: &Motion) -> Option<Finding> {
-    let unknown = motion.unknown_channels.names();
-    let (line, first) = unknown.first()?;
-    let message = match unknown.len() {
+    let unknown = &motion.unknown_channels;
+    let (line, first) = unknown.first.first().zip(motion.first_unknown.as_deref())?;
+    let message = match unknown.count {
         1 => format!("channel `{first}` does not exist"),
         count => format!("{count} of {} channels do not exist, first `{first}`", motion.channels),
     };
     let finding = RULE.at(file, Place::Line(*line), message).case(UNUSED).key("unknown");
-    let evidence = Evidence::of_unnamed(unknown.iter().map(|(line, name)| format!("{name} (line {line})")));
+    let lines = unknown.first.iter().map(|line| format!("line {line}"));
+    let evidence = Evidence { count: unknown.count as u64, ..Evidence::of_unnamed(lines) };
     Some(finding.help("write the name as `Xrotation`, with these capitals").evidence(evidence.out_of(motion.channels)))
 }

@@ -31,15 +31,15 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 }
 
 fn at_fault(file: &FileFacts, motion: &Motion, fault: &Fault) -> Option<Finding> {
-    let (message, case, help) = words(fault)?;
+    let (message, case, help) = words(motion, fault)?;
     // What is missing at the end is told where it is announced.
-    let announced = motion.frames.filter(|_| matches!(fault.kind, FaultKind::TooFew(..)));
-    let line = announced.map_or(fault.line, |(_, line)| line);
+    let announced = motion.frames.as_ref().filter(|_| matches!(fault.kind, FaultKind::TooFew(_)));
+    let line = announced.map_or(fault.line, |(_, line)| *line);
     Some(RULE.at(file, Place::Line(line), message).case(case).help(help))
 }
 
 /// Message, consequence and help.
-fn words(fault: &Fault) -> Option<(String, Case, String)> {
+fn words(motion: &Motion, fault: &Fault) -> Option<(String, Case, String)> {
     let again = || "export the motion again, or correct the line".to_owned();
     Some(match &fault.kind {
         FaultKind::NotWhole(word) => {
@@ -47,7 +47,8 @@ fn words(fault: &Fault) -> Option<(String, Case, String)> {
         }
         FaultKind::NoFrames(0) => ("`Frames: 0`: the motion has no frame".to_owned(), NOT_SHOWN, again()),
         FaultKind::NoFrames(count) => (format!("`Frames: {count}` is negative"), VALUE, again()),
-        FaultKind::TooFew(announced, there) => {
+        FaultKind::TooFew(there) => {
+            let (announced, _) = motion.frames.as_ref()?;
             let help = format!("write `Frames: {there}`, or add the missing frames");
             (format!("`Frames: {announced}`, but the file has {}", counted(there, "frame")), INDEX, help)
         }
@@ -71,11 +72,11 @@ fn words(fault: &Fault) -> Option<(String, Case, String)> {
 }
 
 fn surplus_frames(file: &FileFacts, motion: &Motion) -> Option<Finding> {
-    let (announced, line) = motion.frames?;
+    let (announced, line) = motion.frames.as_ref()?;
     let surplus = Some(motion.surplus_frames).filter(|surplus| *surplus > 0)?;
-    let there = usize::try_from(announced).ok()? + surplus;
+    let there = announced.parse::<usize>().ok()? + surplus;
     let message = format!("`Frames: {announced}`, but the file has {there} frames");
-    let finding = RULE.at(file, Place::Line(line), message).key("surplus").case(FRAMES_IGNORED);
+    let finding = RULE.at(file, Place::Line(*line), message).key("surplus").case(FRAMES_IGNORED);
     Some(finding.help(format!("write `Frames: {there}`, or remove the surplus lines")))
 }
 

@@ -35,10 +35,14 @@ fn words(fault: &Fault) -> Option<(String, Case, String)> {
     Some(match &fault.kind {
         FaultKind::Expected(expected, found) => {
             let case = if fault.is_inside { REJECTED } else { BEFORE_ROOT };
-            (format!("`{found}` instead of {expected}"), case, format!("write {expected} on a line of its own here"))
+            (
+                format!("expected {expected}, found `{found}`"),
+                case,
+                format!("write {expected} on a line of its own here"),
+            )
         }
         FaultKind::Blank(expected) => {
-            (format!("blank line instead of {expected}"), INDEX, "remove the blank line".to_owned())
+            (format!("expected {expected}, found a blank line"), INDEX, "remove the blank line".to_owned())
         }
         FaultKind::End(expected) => {
             let help = "export the motion again: the end of the file is missing";

@@ -92,6 +92,6 @@ fn advice(view: &View<'_>, first: &FileFacts, others: &[&FileFacts]) -> String {
             counted(more, "other reference"),
             reference.from.file_name()
         ),
-        (None, _) => "use one file in all references, and remove the others".to_owned(),
+        (None, _) => "leave them if saved models use both; otherwise use one file, and remove the others".to_owned(),
     }
 }

@@ -35,6 +35,8 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     let help = match file.kind {
         Kind::TargetArchive => "delete it; MakeHuman 2 rebuilds it from the targets",
         Kind::BaseJson | Kind::BaseMesh => "restore the content",
+        Kind::MeshArchive => "delete the archive, or rebuild it with compile_meshes.py",
+        kind if kind.is_json() => "restore the content from a backup or the original download",
         _ => "restore the content, or remove the file and all references to it",
     };
     out.push(loss.of(view, RULE.at(file, Place::File, message)).help(help));

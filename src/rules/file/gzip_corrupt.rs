@@ -32,7 +32,9 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     };
     let help = if moment(view, &file.rel) == Moment::Never {
         let application = view.application().title();
-        format!("replace it with the unpacked target, or remove it: {application} reads only plain targets")
+        format!(
+            "get the file again and unpack it, or export the target as a plain `.target`: {application} reads no other"
+        )
     } else {
         "pack the file again from its source".to_owned()
     };

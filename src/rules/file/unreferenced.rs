@@ -47,7 +47,7 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
             }
             [] => continue,
         };
-        let help = "correct the file name, add a reference to the file, or remove it";
+        let help = "correct the file name, or name the file where it should be used; keep a copy if you remove it";
         let asset = view.layers.checked.display(folder);
         let is_lost = reason.0.ends_with(".target") && base.user_targets.is_some() && folder.starts_with("target/");
         let finding = if is_lost { finding.case(NO_SLIDER) } else { finding };

@@ -42,9 +42,9 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
                 .effect("loads the target, but the slider moves nothing")
                 .help("save the intended shape in the file; the macro could use `null`, but the slider needs the file")
                 .related(&slider.from.path, slider.place.clone(), "also uses it"),
-            None => RULE
-                .at(file, first.place(), format!("`{text}` {what}{more}"))
-                .help("write `null` and remove the file, or save the intended shape in it"),
+            None => RULE.at(file, first.place(), format!("`{text}` {what}{more}")).help(
+                "export the shape again; if the combination should change nothing, write `null` and remove the file",
+            ),
         };
         out.push(
             finding

@@ -11,7 +11,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
         Makehuman2,
         "uses the folder of the previous macrodef, or crashes at start in the first one; a missing target crashes \
-         it with `AttributeError` as soon as its combination has weight",
+         it with `AttributeError` as soon as the sliders reach its combination",
     )],
     docs: "A macrodef has no `folder`, or one without its targets. `folder` is the folder of the targets, below \
         the target folder of the base mesh.\n\nWithout `folder`, MakeHuman 2 uses the folder of the previous \
@@ -41,14 +41,15 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
                     _ => format!("folder `{folder}` is missing or empty"),
                 };
                 RULE.at(file, place, message)
-                    .effect("finds no target and crashes with `AttributeError` as soon as a combination has weight")
+                    .effect(
+                        "finds no target and crashes with `AttributeError` as soon as the sliders reach a combination",
+                    )
                     .help(folder_of_files(base, own).unwrap_or_else(|| nearest_folder(base, folder, cx)))
             }
             (Some(_), _) => continue,
             (None, Some(folder)) => {
                 let message = format!("the macrodef has no `folder`, so `{folder}` of the previous one is used");
-                let effect =
-                    "looks for the targets there and crashes with `AttributeError` as soon as a missing one has weight";
+                let effect = "looks for the targets there and crashes with `AttributeError` as soon as the sliders reach a missing one";
                 let finding = RULE.at(file, Place::pointer(["macrodef", &index]), message).effect(effect);
                 if own.iter().all(|link| link.found().is_some()) {
                     let effect = "finds the targets, because they are in the folder of the previous macrodef";

@@ -10,7 +10,7 @@ use std::collections::{BTreeMap, BTreeSet};
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
         Makehuman2,
-        "logs a line and crashes with `AttributeError` as soon as the combination has weight, at start \
+        "logs a line and crashes with `AttributeError` as soon as the sliders reach the combination, or at start \
          if the default character uses it",
     )],
     docs: "A combination names a target that does not exist. `t` is a file in the `folder` of the macrodef, \

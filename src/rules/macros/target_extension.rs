@@ -16,13 +16,13 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     fix: FixKind::Safe,
     breaks: &[(
         Makehuman2,
-        "adds `.target` again, does not find the file and crashes with `AttributeError` as soon as the combination \
-         has weight",
+        "adds `.target` again, does not find the file and crashes with `AttributeError` as soon as the sliders reach \
+         the combination",
     )],
     docs: "`t` ends in `.target` or `.gz`, or is empty.\n\nMakeHuman 2 adds `.target` to every `t`: for \
         `x.target` it looks for `x.target.target`. It never reads packed targets (`.target.gz`), and an empty \
         `t` leads to a file named `.target`. A file that is not found crashes it with `AttributeError` as soon \
-        as its combination has weight.\n\nRemove the suffix. Replace an empty `t` with the name of the file, or \
+        as the sliders reach its combination.\n\nRemove the suffix. Replace an empty `t` with the name of the file, or \
         with `null`.",
     ..RuleInfo::new("macro-target-extension", Level::Error, "`t` ends in `.target` or `.gz`, or is empty")
 });

@@ -23,7 +23,7 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
         let finding = RULE
             .at(file, Place::Line(group.line), message)
             .key(&group.name)
-            .help("unwrap all faces of the group, or none of them")
+            .help("unwrap only the faces without texture coordinates, or move them to a group of their own: skins need the others")
             .evidence(evidence.out_of(group.faces));
         out.push(weigh(view, file, finding));
     }

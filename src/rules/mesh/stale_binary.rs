@@ -53,11 +53,23 @@ struct Told<'m> {
     difference: &'m MeshDifference,
 }
 
+impl Told<'_> {
+    /// With other counts, either of the two may be the mesh that everything else was made for.
+    fn help(&self) -> &'static str {
+        if self.difference.vertices.is_some() || self.difference.faces.is_some() {
+            "find out which mesh the targets and weights are for (`numverts` of base.json); then restore base.obj, or \
+             rebuild base.mhbin from it with compile_meshes.py"
+        } else {
+            "move base.mhbin away, or rebuild it from base.obj with compile_meshes.py"
+        }
+    }
+}
+
 fn finding(at: &FileFacts, archive: &FileFacts, text: &UnreadMesh<'_>, told: &Told<'_>) -> Finding {
     let kinds = told.kinds();
     let what: Vec<&str> = kinds.iter().map(|(_, what)| what.as_str()).collect();
     let (case, help, other): (Case, _, _) = match text.lies {
-        Lies::Beside => (&[], "delete base.mhbin, or rebuild it from base.obj with compile_meshes.py", text.file),
+        Lies::Beside => (&[], told.help(), text.file),
         Lies::Above => (ABOVE, "pack the user's base.obj with compile_meshes.py as well", archive),
         Lies::Below => (
             BELOW,

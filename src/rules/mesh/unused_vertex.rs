@@ -31,5 +31,6 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
         1 => format!("no face uses vertex {vertex}"),
         count => format!("{count} of {} vertices are not used by any face, first vertex {vertex}", mesh.facts.vertices),
     };
-    out.push(RULE.at(file, Place::File, message).evidence(tally.evidence(mesh.facts.vertices)));
+    let help = "leave it: without the vertex all later ones have other numbers, and targets, weights and clothes no longer fit";
+    out.push(RULE.at(file, Place::File, message).help(help).evidence(tally.evidence(mesh.facts.vertices)));
 }

@@ -58,7 +58,9 @@ fn without_user(base: &Base<'_>) -> Option<Finding> {
             .key("generated")
             .level(Level::Error)
             .effect("crashes at start with `KeyError`")
-            .help("delete both generated JSON files; MakeHuman 2 writes them again from the user targets")
+            .help(
+                "save your own changes elsewhere, then delete both generated JSON files: MakeHuman 2 writes them again",
+            )
     })
 }
 

@@ -11,7 +11,7 @@ use crate::repo::{Reference, ReferenceKind};
 /// What becomes of an entry of the generated file whose target is gone.
 pub(super) const OF_GENERATED: &str = "crashes with `AttributeError` when the slider moves; if the folder is newer \
      than the file, it writes the file again and the slider disappears";
-pub(super) const ANEW: &str = "delete both generated JSON files; MakeHuman 2 writes them again from the user targets";
+pub(super) const ANEW: &str = "delete both generated JSON files: MakeHuman 2 writes them again from the user targets";
 
 /// Sliders of the system that say that their targets are a user's.
 pub(super) fn needless(rule: &Rule, marked: &[&Reference<'_>]) -> Option<Finding> {
@@ -44,6 +44,6 @@ pub(super) fn missing(rule: &Rule, base: &Base<'_>, first: &Reference<'_>, count
     Some(
         finding
             .effect(effect)
-            .help(format!("{ANEW}; put sliders and macros of your own into `contarget/{}`", base.name)),
+            .help(format!("move sliders and macros of your own to `contarget/{}`, then {ANEW}", base.name)),
     )
 }

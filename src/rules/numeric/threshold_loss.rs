@@ -43,7 +43,7 @@ fn run(body: &Body<'_>, measures: &Measures, cx: &RuleCx<'_>, out: &mut Vec<Find
         RULE.at(file, Place::pointer(["macrodef", &macrodef.index.to_string(), "comp"]), message)
             .key("loss")
             .parts(over().map(|(number, ..)| named(number)))
-            .help("leave it, or use fewer components in the macrodef to lose less")
+            .help("leave it if the loss is too small to see; otherwise use fewer components in this macrodef")
             .evidence(Evidence::of_cases(cases).out_of(macros.macrodefs.len()).with_worst(*lost, title)),
     );
 }

@@ -5,6 +5,7 @@ use super::super::cause::is_ignored_override;
 use super::super::{Check, Rule, RuleCx};
 use super::overrides;
 use crate::diag::{Application::Makehuman2, Change, Finding, Fix, FixKind, Level, Place, Rewrite, RuleInfo};
+use crate::discover::Kind;
 use crate::formats::Content;
 use crate::formats::json_file::JsonFault;
 use crate::repo::FileFacts;
@@ -55,6 +56,11 @@ fn fault(file: &FileFacts) -> (Place, String, &'static str) {
             (Place::Span(fault.span.clone()), fault.to_string(), "fix the JSON at this place, or remove the file")
         }
         Content::Broken(_) => (Place::File, "it is empty".to_owned(), "write its content, or remove the file"),
+        _ if file.kind != Kind::MacroJson => (
+            Place::Pointer(String::new()),
+            "an empty value counts as a missing file".to_owned(),
+            "write its content, or remove the file",
+        ),
         _ => (
             Place::Pointer(String::new()),
             "an empty value counts as a missing file".to_owned(),

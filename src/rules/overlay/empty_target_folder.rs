@@ -37,7 +37,7 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
     {
         let message = format!("`{}` contains no `.target` file", folder.layer.display(&rel));
         out.push(
-            RULE.in_layer(folder.layer, &rel, message).key(base.name).help("add any `.target` file to the folder"),
+            RULE.in_layer(folder.layer, &rel, message).key(base.name).help("copy a target of this base into the folder; if MakeHuman 2 was started before, also delete compressedtargets.npz there"),
         );
     }
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
-use crate::formats::bvh::Joint;
+use crate::formats::bvh::{Joint, Motion};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
@@ -23,13 +23,15 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((rig, skeleton)) = body.default_rig().and_then(|rig| Some((rig, rig.skeleton()?))) else { return };
     let bones: BTreeSet<&str> = skeleton.bones.iter().map(|bone| bone.name.as_str()).collect();
     // A skeleton without bones has a finding of its own.
-    for (file, motion) in body.motions.iter().filter(|_| !bones.is_empty()) {
+    // One of which not all joints could be read, too.
+    let is_read = |motion: &Motion| motion.fault.as_ref().is_none_or(|fault| fault.kind.is_of_frames());
+    for (file, motion) in body.motions.iter().filter(|(_, motion)| !bones.is_empty() && is_read(motion)) {
         let is_unknown = |joint: &&Joint| !bones.contains(&*joint.name);
         let unknown: Vec<&Joint> = motion.joints.iter().filter(is_unknown).collect();
         let Some(first) = unknown.first() else { continue };
         let (count, all, name) = (unknown.len(), motion.joints.len(), rig.file.file_name());
         let message = match count {
-            _ if count == all => format!("no joint is a bone of `{name}`, first `{}`", first.name),
+            _ if count == all => format!("none of the {all} joints is a bone of `{name}`, first `{}`", first.name),
             1 => format!("joint `{}` is not a bone of `{name}`", first.name),
             _ => format!("{count} of {all} joints are not bones of `{name}`, first `{}`", first.name),
         };

@@ -26,6 +26,9 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     )
 });
 
+const WITHOUT: &str = "give these bones a `rotation_plane` through three joints of their limb";
+const WITH: &str = "choose three other joints for the `rotation_plane` of these bones";
+
 fn run(body: &Body<'_>, measures: &Measures, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let cosine = cx.option(&RULE, "cosine");
     let sine = (1.0 - cosine * cosine).max(0.0).sqrt();
@@ -38,8 +41,8 @@ fn run(body: &Body<'_>, measures: &Measures, cx: &RuleCx<'_>, out: &mut Vec<Find
         let Some((bone, measure)) = worst else { continue };
         let without = bones.iter().filter(|(bone, _)| plane_of(bone).is_none()).count();
         let message = format!(
-            "unstable roll: {} of {} bones within {:.1}° of their normal, `{}` closest ({:.2}°); {without} without \
-             `rotation_plane`",
+            "the roll of {} of {} bones is unstable: they are within {:.1}° of their normal, `{}` closest ({:.2}°); \
+             {without} without `rotation_plane`",
             bones.len(),
             rig.skeleton.bones.len(),
             cosine.acos().to_degrees(),
@@ -49,7 +52,7 @@ fn run(body: &Body<'_>, measures: &Measures, cx: &RuleCx<'_>, out: &mut Vec<Find
         let evidence = Evidence::of_cases(bones.iter().map(|(bone, _)| &bone.name)).out_of(rig.skeleton.bones.len());
         out.push(
             RULE.at(rig.file, Place::key(["bones", &bone.name]), message)
-                .help("give these bones a `rotation_plane` through three joints of their limb")
+                .help(if without > 0 { WITHOUT } else { WITH })
                 .evidence(evidence.with_worst(measure.roll_sine, &bone.name)),
         );
     }

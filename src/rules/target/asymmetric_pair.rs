@@ -53,7 +53,7 @@ fn finding(body: &Body<'_>, pair: &PairMeasure) -> Option<Finding> {
         .parts(&difference.different)
         .between([&left.path, &right.path])
         .related(&right.path, Place::File, "its counterpart")
-        .help("mirror one of the two and save it over the other")
+        .help("leave them if the difference is intended; otherwise mirror the better one, and keep a copy of the other")
         .evidence(evidence.out_of(difference.compared).with_worst(worst, format!("vertex {vertex}")));
     Some(if on_body { finding } else { finding.case(ON_HELPERS) })
 }

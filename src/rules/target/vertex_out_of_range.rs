@@ -85,7 +85,7 @@ fn beyond(file: &FileFacts, facts: &TargetFacts, vertices: Option<usize>) -> Fin
         }
     };
     RULE.at(file, first_row(tally), message)
-        .help("make the target for the mesh of its folder, or remove the rows")
+        .help("export the target again from the base mesh of its folder; its other rows may be for another mesh, too")
         .evidence(tally.evidence(facts.rows))
 }
 

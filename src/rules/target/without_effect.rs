@@ -29,7 +29,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         };
         out.push(
             RULE.at(file, Place::File, message)
-                .help("export the shape again, or remove the target and its slider")
+                .help("apply the shape and export it again; without the slider, saved models lose its value")
                 .evidence(facts.zero.evidence(facts.rows)),
         );
     }

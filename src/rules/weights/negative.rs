@@ -8,8 +8,8 @@ use crate::diag::{
 };
 use crate::repo::Body;
 
-const USUAL: &str = "drops the weight and makes the others of the vertex too large, for -0.25 by a third; divides by \
-    zero if the sum becomes 0";
+const USUAL: &str = "drops the weight, so that the other bones pull the vertex too strongly; divides by zero if no weight is \
+    left";
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman2, USUAL), (Makehuman1, USUAL), (Mpfb, "reads the weight as 0")],

@@ -76,7 +76,10 @@ fn help(body: &Body<'_>, sums: &SumFacts, worst: &Worst) -> String {
         let (vertex, distance) = (worst.vertex, length(distance));
         format!("; a program that does not normalise moves vertex {vertex} by {distance}")
     });
-    format!("normalise them; {range}, {off}{}", moved.unwrap_or_default())
+    if sums.off == 1 {
+        return format!("normalise the weights{}", moved.unwrap_or_default());
+    }
+    format!("normalise the weights: {range}, {off}{}", moved.unwrap_or_default())
 }
 
 /// How far skinning moves a vertex at rest if its weights are used as they are: v' = sum * v.

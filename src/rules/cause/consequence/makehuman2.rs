@@ -188,7 +188,7 @@ const IN_GENERAL: &[Cell] = &[
 #[rustfmt::skip]
 const UNFOUND: &[(&[ReferenceKind], Consequence)] = &[
     (&[MacroTarget], Consequence::new(Error,
-        "does not find the target and crashes with `AttributeError` as soon as the combination has weight, at start if \
+        "does not find the target and crashes with `AttributeError` as soon as the sliders reach the combination, or at start if \
          the default character uses it")),
     (&[Incr, Decr], Consequence::new(Error,
         "does not find the target and crashes with `AttributeError` when its slider moves, or at start if the start \
