@@ -37,6 +37,20 @@ const OPERATORS: [&str; 38] = [
 /// Keywords that may follow a number without a blank.
 const AFTER_NUMBER: [&str; 8] = ["if", "else", "and", "or", "in", "is", "not", "for"];
 
+#[cfg(test)]
+thread_local! {
+    static PASSED: std::cell::Cell<usize> = const { std::cell::Cell::new(0) };
+}
+
+/// Bytes that were gone through, counted in tests.
+#[cfg(test)]
+fn went_through(bytes: usize) {
+    PASSED.set(PASSED.get() + bytes);
+}
+
+#[cfg(not(test))]
+const fn went_through(_: usize) {}
+
 /// Splits an expression.
 #[derive(Debug, Clone)]
 pub(super) struct Lexer<'a> {
@@ -50,6 +64,7 @@ pub(super) struct Lexer<'a> {
 
 impl<'a> Lexer<'a> {
     pub(super) fn new(text: &'a str) -> Self {
+        went_through(text.len());
         let inner = text.len() - text.trim_start().len()..text.trim_end().len();
         Self { text, at: 0, inner, open: 0 }
     }
@@ -96,6 +111,7 @@ impl<'a> Lexer<'a> {
         loop {
             let rest = self.rest();
             let blanks = rest.len() - rest.trim_start_matches([' ', '\t', '\x0c']).len();
+            went_through(blanks + 1);
             self.at += blanks;
             match self.peek() {
                 Some('#') => self.at += self.rest().find(['\n', '\r']).unwrap_or(self.rest().len()),
@@ -268,6 +284,15 @@ fn is_name_start(character: char) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn line_ends_are_gone_through_once_however_many_there_are() {
+        let text = "\n".repeat(30_000);
+        let before = PASSED.get();
+        assert_eq!(Lexer::new(&text).next().map(|lexeme| lexeme.token), Ok(Token::End));
+        let passed = PASSED.get() - before;
+        assert!(passed <= 3 * text.len(), "{passed}");
+    }
 
     #[test]
     fn line_ends_mean_nothing_before_after_and_inside_parentheses() {
