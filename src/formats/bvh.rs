@@ -1,13 +1,14 @@
 //! `.bvh`: a pose or a motion, line by line as MakeHuman 2 reads it (formats/makehuman2.md §14).
 //!
 //! Every line begins with the one keyword that is expected there, or with one of few; the loader stops at the first line
-//! that does not. A byte order mark is looked through: it has a finding of its own. What is behind the announced frames is passed over.
+//! that does not. A byte order mark is looked through: it has a finding of its own. What is behind the announced frames is
+//! passed over.
 
 use std::ops::Range;
 
 use super::fields::fields;
 use super::number::{python_float, python_int};
-use crate::diag::EXAMPLES;
+use crate::diag::{EXAMPLES, Evidence};
 use crate::source::{BYTE_ORDER_MARK, lines};
 
 /// The file, as far as the loader gets.
@@ -25,7 +26,9 @@ pub struct Motion {
     pub fault: Option<Fault>,
     /// `Frames` as it is written, if it is a whole number, and its line.
     pub frames: Option<(Box<str>, u32)>,
-    /// Lines with something in them behind the announced frames.
+    /// Frames that there are.
+    pub frames_there: usize,
+    /// How many of them are behind the announced ones.
     pub surplus_frames: usize,
     /// Frames with more numbers than there are channels.
     pub surplus_numbers: Lines,
@@ -71,6 +74,8 @@ pub enum FaultKind {
     Blank(&'static str),
     /// The end of the file.
     End(&'static str),
+    /// A joint without a name.
+    NoName,
     /// A word too few on a line.
     Missing(&'static str),
     /// A word that is not a number.
@@ -85,8 +90,8 @@ pub enum FaultKind {
     NotWhole(Box<str>),
     /// `Frames` is 0 or less.
     NoFrames(i64),
-    /// Fewer frames than announced: how many there are.
-    TooFew(usize),
+    /// Fewer frames than announced.
+    TooFew,
     /// A frame that is a blank line.
     BlankFrame,
     /// A frame with fewer numbers than channels: there, needed.
@@ -124,7 +129,7 @@ pub fn read(text: &[u8]) -> Motion {
     if let Err(kind) = reader.file() {
         let is_inside = !reader.motion.joints.is_empty();
         // Behind the last line there is nothing to show.
-        let is_end = matches!(kind, FaultKind::End(_) | FaultKind::TooFew(_));
+        let is_end = matches!(kind, FaultKind::End(_) | FaultKind::TooFew);
         reader.motion.fault =
             Some(Fault { line: reader.line.saturating_sub(u32::from(is_end)).max(1), is_inside, kind });
     }
@@ -185,7 +190,7 @@ impl<'t, L: Iterator<Item = (Range<usize>, &'t [u8])>> Reader<'t, L> {
 
     /// The name of a joint, which its line has already, and what is between its braces in front of other joints.
     fn joint(&mut self) -> Result<(), FaultKind> {
-        let (at, name) = *self.words.get(1).ok_or(FaultKind::Missing("the name of the joint"))?;
+        let (at, name) = *self.words.get(1).ok_or(FaultKind::NoName)?;
         let at = self.start + at;
         self.motion.joints.push(Joint { name: String::from_utf8_lossy(name).into(), span: at..at + name.len() });
         self.keyword("`{`", &["{"])?;
@@ -236,23 +241,25 @@ impl<'t, L: Iterator<Item = (Range<usize>, &'t [u8])>> Reader<'t, L> {
     }
 
     fn frames(&mut self, announced: i64) -> Result<(), FaultKind> {
-        for there in 0..usize::try_from(announced).unwrap_or(usize::MAX) {
+        for _ in 0..announced {
             if !self.next() {
-                return Err(FaultKind::TooFew(there));
+                return Err(FaultKind::TooFew);
             }
-            self.frame(there)?;
+            self.frame()?;
+            self.motion.frames_there += 1;
         }
         while self.next() {
             self.motion.surplus_frames += usize::from(!self.words.is_empty());
         }
+        self.motion.frames_there += self.motion.surplus_frames;
         Ok(())
     }
 
-    fn frame(&mut self, there: usize) -> Result<(), FaultKind> {
+    fn frame(&mut self) -> Result<(), FaultKind> {
         if self.words.is_empty() {
             // Blank lines up to the end are no frames; one between frames is taken for one.
             let is_last = self.lines.all(|(_, line)| fields(line).is_empty());
-            return Err(if is_last { FaultKind::TooFew(there) } else { FaultKind::BlankFrame });
+            return Err(if is_last { FaultKind::TooFew } else { FaultKind::BlankFrame });
         }
         let needed = self.motion.channels;
         let mut is_finite = true;
@@ -278,7 +285,7 @@ impl FaultKind {
     pub fn is_of_frames(&self) -> bool {
         match self {
             Self::NotANumber(of, _) | Self::Missing(of) => of.starts_with("`Frame"),
-            Self::Expected(..) | Self::Blank(_) | Self::End(_) => false,
+            Self::Expected(..) | Self::Blank(_) | Self::End(_) | Self::NoName => false,
             _ if self.is_of_channels() => false,
             _ => true,
         }
@@ -296,6 +303,12 @@ impl Lines {
         if self.first.len() < EXAMPLES {
             self.first.push(line);
         }
+    }
+
+    /// As evidence, told by the first lines.
+    pub fn evidence(&self) -> Evidence {
+        let lines = Evidence::of_unnamed(self.first.iter().map(|line| format!("line {line}")));
+        Evidence { count: self.count as u64, ..lines }
     }
 }
 
@@ -344,10 +357,10 @@ mod tests {
             of("Frames: 1\nFrame Time: 0,1\n"),
             Some((18, FaultKind::NotANumber("`Frame Time:`", "0,1".into())))
         );
-        assert_eq!(of("Frames: 9\nFrame Time: 1\n1 2 3\n \n"), Some((19, FaultKind::TooFew(1))));
+        assert_eq!(of("Frames: 9\nFrame Time: 1\n1 2 3\n \n"), Some((19, FaultKind::TooFew)));
         assert_eq!(of("Frames: 9\nFrame Time: 1\n1 2 3\n \n1 2 3\n"), Some((20, FaultKind::BlankFrame)));
         assert_eq!(of("Frames: 1\nFrame Time: 1\n1 2\n"), Some((19, FaultKind::ShortFrame(2, 3))));
-        assert_eq!(of("Frames: 99999999999999999999\nFrame Time: 1\n"), Some((18, FaultKind::TooFew(0))));
+        assert_eq!(of("Frames: 99999999999999999999\nFrame Time: 1\n"), Some((18, FaultKind::TooFew)));
     }
 
     #[test]

@@ -15,7 +15,8 @@ pub(super) struct Landmarks<'m> {
     homes: Vec<Option<u32>>,
     /// How many vertices that a face uses are in each group.
     used: BTreeMap<&'m str, usize>,
-    /// How many of them are in groups that are shown.
+    /// How many they are together, and how many of them in groups that are shown.
+    all: usize,
     shown: usize,
     /// Whether the group of a number is shown.
     is_shown: Vec<bool>,
@@ -54,8 +55,9 @@ impl<'m> Landmarks<'m> {
         let homes = mesh.homes();
         let bones = skeleton.map_or_else(Vec::new, |skeleton| bones(mesh, skeleton));
         let shown = mesh.groups.iter().map(|group| is_shown(&group.name)).collect();
-        let mut landmarks = Self { mesh, homes, used: BTreeMap::new(), shown: 0, is_shown: shown, bones };
+        let mut landmarks = Self { mesh, homes, used: BTreeMap::new(), all: 0, shown: 0, is_shown: shown, bones };
         landmarks.used = landmarks.tally(0..u32::try_from(landmarks.homes.len()).unwrap_or(u32::MAX));
+        landmarks.all = landmarks.used.values().sum();
         landmarks.shown = count(&landmarks.used, is_shown);
         landmarks
     }
@@ -89,7 +91,7 @@ impl<'m> Landmarks<'m> {
     /// Vertices that a face uses, without those in `reached`, which are in order.
     pub(super) fn unreached<'b>(&'b self, reached: &'b [u32], is_shown: impl Fn(&str) -> bool) -> Unreached<'b> {
         let taken = self.tally(reached.iter().copied());
-        let missing = count(&self.used, |_| true).saturating_sub(count(&taken, |_| true));
+        let missing = self.all.saturating_sub(taken.values().sum());
         let is_shown = count(&taken, is_shown) < self.shown;
         Unreached { landmarks: self, reached, taken, count: missing, is_shown }
     }
@@ -123,7 +125,9 @@ impl<'b> Unreached<'b> {
 
     /// How many are in each group, by name.
     pub(crate) fn groups(&self) -> impl Iterator<Item = (&'b str, usize)> {
-        let left = |(group, used): (&&'b str, &usize)| (*group, used - self.taken.get(group).copied().unwrap_or(0));
+        let left = |(group, used): (&&'b str, &usize)| {
+            (*group, used.saturating_sub(self.taken.get(group).copied().unwrap_or(0)))
+        };
         self.landmarks.used.iter().map(left).filter(|(_, count)| *count > 0)
     }
 }

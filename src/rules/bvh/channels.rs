@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx, counted};
 use super::{REJECTED, VALUE};
-use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo};
 use crate::formats::bvh::{Fault, FaultKind, Motion};
 use crate::repo::{Body, FileFacts};
 
@@ -57,7 +57,6 @@ fn unknown(file: &FileFacts, motion: &Motion) -> Option<Finding> {
         count => format!("{count} of {} channels do not exist, first `{first}`", motion.channels),
     };
     let finding = RULE.at(file, Place::Line(*line), message).case(UNUSED).key("unknown");
-    let lines = unknown.first.iter().map(|line| format!("line {line}"));
-    let evidence = Evidence { count: unknown.count as u64, ..Evidence::of_unnamed(lines) };
+    let evidence = unknown.evidence();
     Some(finding.help("write the name as `Xrotation`, with these capitals").evidence(evidence.out_of(motion.channels)))
 }

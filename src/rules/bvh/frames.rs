@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx, counted};
 use super::{INDEX, VALUE};
-use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo};
 use crate::formats::bvh::{Fault, FaultKind, Motion};
 use crate::repo::{Body, FileFacts};
 
@@ -33,7 +33,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 fn at_fault(file: &FileFacts, motion: &Motion, fault: &Fault) -> Option<Finding> {
     let (message, case, help) = words(motion, fault)?;
     // What is missing at the end is told where it is announced.
-    let announced = motion.frames.as_ref().filter(|_| matches!(fault.kind, FaultKind::TooFew(_)));
+    let announced = motion.frames.as_ref().filter(|_| matches!(fault.kind, FaultKind::TooFew));
     let line = announced.map_or(fault.line, |(_, line)| *line);
     Some(RULE.at(file, Place::Line(line), message).case(case).help(help))
 }
@@ -47,8 +47,8 @@ fn words(motion: &Motion, fault: &Fault) -> Option<(String, Case, String)> {
         }
         FaultKind::NoFrames(0) => ("`Frames: 0`: the motion has no frame".to_owned(), NOT_SHOWN, again()),
         FaultKind::NoFrames(count) => (format!("`Frames: {count}` is negative"), VALUE, again()),
-        FaultKind::TooFew(there) => {
-            let (announced, _) = motion.frames.as_ref()?;
+        FaultKind::TooFew => {
+            let ((announced, _), there) = (motion.frames.as_ref()?, motion.frames_there);
             let help = format!("write `Frames: {there}`, or add the missing frames");
             (format!("`Frames: {announced}`, but the file has {}", counted(there, "frame")), INDEX, help)
         }
@@ -72,9 +72,8 @@ fn words(motion: &Motion, fault: &Fault) -> Option<(String, Case, String)> {
 }
 
 fn surplus_frames(file: &FileFacts, motion: &Motion) -> Option<Finding> {
-    let (announced, line) = motion.frames.as_ref()?;
-    let surplus = Some(motion.surplus_frames).filter(|surplus| *surplus > 0)?;
-    let there = announced.parse::<usize>().ok()? + surplus;
+    let (announced, line) = motion.frames.as_ref().filter(|_| motion.surplus_frames > 0)?;
+    let there = motion.frames_there;
     let message = format!("`Frames: {announced}`, but the file has {there} frames");
     let finding = RULE.at(file, Place::Line(*line), message).key("surplus").case(FRAMES_IGNORED);
     Some(finding.help(format!("write `Frames: {there}`, or remove the surplus lines")))
@@ -83,8 +82,7 @@ fn surplus_frames(file: &FileFacts, motion: &Motion) -> Option<Finding> {
 fn surplus_numbers(file: &FileFacts, motion: &Motion) -> Option<Finding> {
     let line = *motion.surplus_numbers.first.first()?;
     let message = format!("more numbers than the {} in a frame", counted(motion.channels, "channel"));
-    let lines = motion.surplus_numbers.first.iter().map(|line| format!("line {line}"));
-    let evidence = Evidence { count: motion.surplus_numbers.count as u64, ..Evidence::of_unnamed(lines) };
+    let evidence = motion.surplus_numbers.evidence();
     let finding = RULE.at(file, Place::Line(line), message).key("numbers").case(NUMBERS_IGNORED).evidence(evidence);
     Some(finding.help("remove them, or add the missing channels to the joints"))
 }

@@ -11,8 +11,7 @@ use crate::diag::{Application::Makehuman2, Case, Level};
 const REJECTED: Case = &[(
     Makehuman2,
     Level::Error,
-    "rejects the file with a message; playing or exporting it \
-    then crashes with `TypeError`",
+    "rejects the file with a message; playing or exporting it then crashes with `TypeError`",
 )];
 /// What becomes of a file at which an index or a number fails.
 const INDEX: Case = &[(Makehuman2, Level::Error, "crashes with `IndexError` when the pose is chosen")];

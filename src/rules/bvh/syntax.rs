@@ -48,6 +48,7 @@ fn words(fault: &Fault) -> Option<(String, Case, String)> {
             let help = "export the motion again: the end of the file is missing";
             (format!("the file ends before {expected}"), INDEX, help.to_owned())
         }
+        FaultKind::NoName => ("the joint has no name".to_owned(), INDEX, "write the name of its bone".to_owned()),
         FaultKind::Missing(of) => (format!("{of} has too few values"), INDEX, "add the missing value".to_owned()),
         FaultKind::NotANumber(of, word) => {
             (format!("`{word}` of {of} is not a number"), VALUE, "write the number with a decimal point".to_owned())

@@ -1,7 +1,7 @@
 //! The numbers of a pose must be finite.
 
 use super::super::{Check, Rule, RuleCx, counted};
-use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
@@ -20,8 +20,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             1 => "a frame has NaN or infinity".to_owned(),
             count => format!("{} have NaN or infinity", counted(count, "frame")),
         };
-        let lines = motion.non_finite.first.iter().map(|line| format!("line {line}"));
-        let evidence = Evidence { count: motion.non_finite.count as u64, ..Evidence::of_unnamed(lines) };
+        let evidence = motion.non_finite.evidence();
         let finding = RULE.at(file, Place::Line(*line), message).evidence(evidence);
         out.push(finding.help("export the motion again, or replace the number"));
     }

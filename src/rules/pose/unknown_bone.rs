@@ -22,8 +22,7 @@ const REST_POSE: Case = &[(Makehuman2, Level::Warning, "shows the rest pose: no 
 fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((rig, skeleton)) = body.default_rig().and_then(|rig| Some((rig, rig.skeleton()?))) else { return };
     let bones: BTreeSet<&str> = skeleton.bones.iter().map(|bone| bone.name.as_str()).collect();
-    // A skeleton without bones has a finding of its own.
-    // One of which not all joints could be read, too.
+    // A skeleton without bones, and a motion of which not all joints could be read, have findings of their own.
     let is_read = |motion: &Motion| motion.fault.as_ref().is_none_or(|fault| fault.kind.is_of_frames());
     for (file, motion) in body.motions.iter().filter(|(_, motion)| !bones.is_empty() && is_read(motion)) {
         let is_unknown = |joint: &&Joint| !bones.contains(&*joint.name);
