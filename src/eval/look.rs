@@ -3,7 +3,9 @@
 use std::collections::BTreeSet;
 
 use super::skeleton::PARALLEL_SINE;
-use super::survey::{DRIFT_STANDS, EXPLOSION_DIAGONALS, FLIPPED_SHARE, Fault, SHORTEST_BONE, Survey, Worst};
+use super::survey::{
+    DRIFT_STANDS, EXPLOSION_DIAGONALS, FLIPPED_SHARE, Fault, SHORTEST_BONE, Survey, Trouble, Worst, add,
+};
 use super::surveyor::{FaceAtRest, Surveyor, flatness, stand};
 use super::vector::{Point, distance, dot};
 use super::walk::{Stop, Walk};
@@ -35,9 +37,7 @@ struct Look<'s> {
     collapsed: BTreeSet<u32>,
     flipped: BTreeSet<u32>,
     /// Joints and bones at fault, whatever the setting.
-    drifted: Fault,
-    short_bone: Fault,
-    flat_plane: Fault,
+    skeleton: Survey,
     survey: Survey,
 }
 
@@ -52,10 +52,8 @@ impl<'s> Look<'s> {
             strays: BTreeSet::new(),
             collapsed: BTreeSet::new(),
             flipped: BTreeSet::new(),
-            drifted: Fault::default(),
-            short_bone: Fault::default(),
-            flat_plane: Fault::default(),
-            survey: Survey::default(),
+            skeleton: Survey::new(),
+            survey: Survey::new(),
         }
     }
 
@@ -116,7 +114,7 @@ impl<'s> Look<'s> {
     }
 
     fn skeleton(&mut self) {
-        (self.drifted, self.short_bone, self.flat_plane) = Default::default();
+        self.skeleton.clear();
         let positions = self.walk.positions();
         let Some((skeleton, joints)) = self.surveyor.scene.skeleton.as_ref().zip(self.surveyor.joints(positions))
         else {
@@ -126,7 +124,7 @@ impl<'s> Look<'s> {
             let Some(joint) = joints.get(anchor.joint) else { continue };
             let value = (stand(*joint, &anchor.skin, positions) - anchor.distance) / anchor.stand;
             if value > DRIFT_STANDS {
-                add_one(&mut self.drifted, value, anchor.joint);
+                add_one(&mut self.skeleton, Trouble::Drifted, value, anchor.joint);
             }
         }
         for (element, bone) in skeleton.bones.iter().enumerate() {
@@ -134,12 +132,12 @@ impl<'s> Look<'s> {
             let length = distance(*head, *tail);
             let known = |list: &[bool]| list.get(element).is_some_and(|known| *known);
             if length < SHORTEST_BONE && !known(&self.surveyor.short_at_rest) {
-                add_one(&mut self.short_bone, 1.0 / length, element);
+                add_one(&mut self.skeleton, Trouble::ShortBone, 1.0 / length, element);
             }
             let sine = bone.plane.map_or(1.0, |plane| flatness(&joints, plane));
             // A coincidence of joints is not finite: it counts as in line.
             if !(sine > PARALLEL_SINE || known(&self.surveyor.flat_at_rest)) {
-                add_one(&mut self.flat_plane, 1.0 / sine.max(0.0), element);
+                add_one(&mut self.skeleton, Trouble::FlatPlane, 1.0 / sine.max(0.0), element);
             }
         }
     }
@@ -153,21 +151,22 @@ impl<'s> Look<'s> {
         let collapsed = Faces::of(self.surveyor, &self.collapsed);
         if collapsed.count > 0 {
             let worst = collapsed.worst(f64::from(collapsed.count), setting);
-            self.survey.collapsed.add(worst, numbers(self.surveyor, &self.collapsed));
+            add(&mut self.survey, Trouble::Collapsed, worst, numbers(self.surveyor, &self.collapsed));
         }
         let flipped = Faces::of(self.surveyor, &self.flipped);
         let share = flipped.area / self.surveyor.area;
         if share > FLIPPED_SHARE {
-            self.survey.flipped.add(flipped.worst(share, setting), numbers(self.surveyor, &self.flipped));
+            add(
+                &mut self.survey,
+                Trouble::Flipped,
+                flipped.worst(share, setting),
+                numbers(self.surveyor, &self.flipped),
+            );
         }
         self.explosion(setting);
-        let pairs = [
-            (&mut self.survey.drifted, &self.drifted),
-            (&mut self.survey.short_bone, &self.short_bone),
-            (&mut self.survey.flat_plane, &self.flat_plane),
-        ];
-        for (fault, Fault { worst, elements }) in pairs {
-            worst.iter().for_each(|worst| fault.add(Worst { setting, ..worst.clone() }, elements.iter().copied()));
+        for (trouble, Fault { worst, elements }) in &self.skeleton {
+            let worst = worst.iter().map(|worst| Worst { setting, ..worst.clone() });
+            worst.for_each(|worst| add(&mut self.survey, *trouble, worst, elements.iter().copied()));
         }
     }
 
@@ -180,7 +179,7 @@ impl<'s> Look<'s> {
         let bad = self.strays().filter(|(_, point)| !(point[0] + point[1] + point[2]).is_finite());
         let bad: Vec<usize> = bad.map(|(vertex, _)| vertex).collect();
         let (Some(element), count) = (bad.first().copied(), bad.len()) else { return false };
-        self.survey.non_finite.add(Worst { value: count as f64, element, count, setting }, bad);
+        add(&mut self.survey, Trouble::NonFinite, Worst { value: count as f64, element, count, setting }, bad);
         true
     }
 
@@ -202,13 +201,13 @@ impl<'s> Look<'s> {
         }
         if !far.is_empty() {
             let value = f64::from(worst.0 / surveyor.diagonal);
-            self.survey.exploded.add(Worst { value, element: worst.1, count: far.len(), setting }, far);
+            add(&mut self.survey, Trouble::Exploded, Worst { value, element: worst.1, count: far.len(), setting }, far);
         }
     }
 }
 
-fn add_one(fault: &mut Fault, value: f64, element: usize) {
-    fault.add(Worst { value, element, count: 1, setting: 0 }, [element]);
+fn add_one(survey: &mut Survey, trouble: Trouble, value: f64, element: usize) {
+    add(survey, trouble, Worst { value, element, count: 1, setting: 0 }, [element]);
 }
 
 fn mark(set: &mut BTreeSet<u32>, number: u32, is_in: bool) {
@@ -281,6 +280,7 @@ mod tests {
     use super::super::macros::MacroWork;
     use super::super::scene::{MorphTarget, Scene, SceneSlider, Setting, SliderKind};
     use super::super::skeleton::{Bone, SceneSkeleton};
+    use super::super::survey::merge;
     use super::super::walk::in_order;
     use super::*;
 
@@ -337,13 +337,18 @@ mod tests {
         let surveyor = Surveyor::new(&scene).unwrap();
         let settings: [&[f64]; 4] = [&[1.0, 0.0, 0.0], &[0.0, 1.0, 0.0], &[0.0, 0.0, 1.0], &[0.0, 0.0, 0.0]];
         let survey = look(&surveyor, &stops(&surveyor, &settings));
-        let seen = |fault: Fault| fault.worst.map(|worst| (worst.setting, worst.element, worst.count));
-        assert_eq!(seen(survey.collapsed), Some((0, 0, 1)));
-        assert_eq!(seen(survey.exploded), Some((1, 55, 1)));
-        assert_eq!(seen(survey.short_bone), Some((2, 0, 1)));
-        assert_eq!(seen(survey.non_finite), None);
+        let seen = |trouble| {
+            survey
+                .get(&trouble)
+                .and_then(|fault: &Fault| fault.worst.as_ref())
+                .map(|worst| (worst.setting, worst.element, worst.count))
+        };
+        assert_eq!(seen(Trouble::Collapsed), Some((0, 0, 1)));
+        assert_eq!(seen(Trouble::Exploded), Some((1, 55, 1)));
+        assert_eq!(seen(Trouble::ShortBone), Some((2, 0, 1)));
+        assert_eq!(seen(Trouble::NonFinite), None);
         let healthy = look(&surveyor, &stops(&surveyor, &settings)[3..]);
-        assert_eq!(healthy, Survey::default());
+        assert_eq!(healthy, Survey::new());
     }
 
     #[test]
@@ -354,11 +359,15 @@ mod tests {
         let settings: Vec<Vec<f64>> =
             (0..125).map(|at| vec![values[at % 5], values[at / 5 % 5], values[at / 25]]).collect();
         let settings: Vec<&[f64]> = settings.iter().map(Vec::as_slice).collect();
-        let mut alone = Survey::default();
+        let mut alone = Survey::new();
         for stop in stops(&surveyor, &settings) {
-            alone.merge(look(&surveyor, &[stop]));
+            merge(&mut alone, look(&surveyor, &[stop]));
         }
-        assert!([&alone.collapsed, &alone.exploded, &alone.short_bone].iter().all(|fault| fault.worst.is_some()));
+        assert!(
+            [Trouble::Collapsed, Trouble::Exploded, Trouble::ShortBone]
+                .iter()
+                .all(|trouble| alone.contains_key(trouble))
+        );
         assert_eq!(look(&surveyor, &in_order(stops(&surveyor, &settings))), alone);
     }
 
@@ -367,7 +376,8 @@ mod tests {
         let scene = scene(&[&[(1, [f32::INFINITY, 0.0, 0.0])], FAULTS[0]]);
         let surveyor = Surveyor::new(&scene).unwrap();
         let survey = look(&surveyor, &stops(&surveyor, &[&[1.0, 1.0]]));
-        assert_eq!(survey.non_finite.worst.map(|worst| (worst.element, worst.count)), Some((1, 1)));
-        assert_eq!(survey.collapsed, Fault::default());
+        let seen = survey.get(&Trouble::NonFinite).and_then(|fault| fault.worst.as_ref());
+        assert_eq!(seen.map(|worst| (worst.element, worst.count)), Some((1, 1)));
+        assert_eq!(survey.len(), 1);
     }
 }

@@ -1,7 +1,10 @@
 //! What evaluation measures on a scene, in plain data with names, which outlives the scene. Rules judge it.
 
+use std::collections::BTreeMap;
+
 use super::rig_measure::{BoneMeasure, WeightMeasure};
 use super::settings::SliderSetting;
+use super::survey::Trouble;
 use super::symmetry::MirrorDifference;
 use super::target_measure::TargetMeasure;
 
@@ -11,7 +14,7 @@ pub struct Measures {
     /// Whether some settings of the macros were left out: there are more than anybody waits for.
     pub lacks_settings: bool,
     /// What happens over the slider space; `None` if the default character cannot be made.
-    pub space: Option<SpaceMeasure>,
+    pub space: Option<BTreeMap<Trouble, Seen>>,
     /// What the macros do over the range of their sliders.
     pub macros: MacroMeasure,
     /// Every target in use.
@@ -28,25 +31,6 @@ pub struct Measures {
     pub bones: Vec<String>,
     /// Whether something was left out because it was too much work.
     pub is_cut: bool,
-}
-
-/// What was seen over the slider space.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct SpaceMeasure {
-    /// Vertices that are not finite.
-    pub non_finite: Option<Seen>,
-    /// Visible faces without area.
-    pub collapsed: Option<Seen>,
-    /// Visible faces that look the other way; the value is their part of the visible area.
-    pub flipped: Option<Seen>,
-    /// Vertex outside the figure; the value is in diagonals of its box.
-    pub exploded: Option<Seen>,
-    /// Joint away from its skin; the value is in stands (distance plus radius of that skin at rest).
-    pub drifted: Option<Seen>,
-    /// Bone without length; the value is 1 / length.
-    pub short_bone: Option<Seen>,
-    /// Bone whose plane has no normal; the value is 1 / sine.
-    pub flat_plane: Option<Seen>,
 }
 
 /// The worst that was seen of one thing.

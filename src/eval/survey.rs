@@ -4,7 +4,7 @@
 //! Of equally bad settings the first of the plan is kept, whatever the order in which they were looked at, so that the
 //! outcome depends neither on threads nor on the order that costs least.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A face whose area falls to this part of what it is on the default character, or below, has collapsed. The faces of
 /// hm08 keep more than that at every setting; two of its smallest babies' faces come below a thousandth.
@@ -44,53 +44,42 @@ pub struct Fault {
     pub elements: BTreeSet<usize>,
 }
 
-/// What a survey found.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct Survey {
+/// What can go wrong with the shape, the gravest first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Trouble {
     /// Vertices that are not finite though no row is; the value is their number.
-    pub non_finite: Fault,
-    /// Visible faces without area; the value is their number.
-    pub collapsed: Fault,
-    /// Visible faces that look the other way where these are too many; the value is their part of the visible area.
-    pub flipped: Fault,
-    /// Vertices far outside the box; the value is in diagonals.
-    pub exploded: Fault,
-    /// Joints away from their place in the skin; the value is in stands.
-    pub drifted: Fault,
+    NonFinite,
+    /// Vertices far outside the box; the value is in diagonals of it.
+    Exploded,
     /// Bones without length; the value is 1 / length.
-    pub short_bone: Fault,
+    ShortBone,
     /// Bones whose planes have no normal; the value is 1 / sine.
-    pub flat_plane: Fault,
+    FlatPlane,
+    /// Visible faces without area; the value is their number.
+    Collapsed,
+    /// Visible faces that look the other way where these are too many; the value is their part of the visible area.
+    Flipped,
+    /// Joints away from their place in the skin; the value is in stands (distance plus radius of that skin at rest).
+    Drifted,
 }
 
-impl Survey {
-    /// Adds what was found at other settings.
-    pub fn merge(&mut self, other: Self) {
-        let pairs = [
-            (&mut self.non_finite, other.non_finite),
-            (&mut self.collapsed, other.collapsed),
-            (&mut self.flipped, other.flipped),
-            (&mut self.exploded, other.exploded),
-            (&mut self.drifted, other.drifted),
-            (&mut self.short_bone, other.short_bone),
-            (&mut self.flat_plane, other.flat_plane),
-        ];
-        for (fault, Fault { worst, elements }) in pairs {
-            if let Some(worst) = worst {
-                fault.add(worst, elements);
-            }
-        }
+/// What a survey found.
+pub type Survey = BTreeMap<Trouble, Fault>;
+
+/// Adds elements. Keeps the worse; of equals that of the earlier setting, and at one setting the one seen first.
+pub(super) fn add(survey: &mut Survey, trouble: Trouble, found: Worst, elements: impl IntoIterator<Item = usize>) {
+    let fault = survey.entry(trouble).or_default();
+    let is_worse =
+        |known: &Worst| found.value > known.value || (found.value >= known.value && found.setting < known.setting);
+    if fault.worst.as_ref().is_none_or(is_worse) {
+        fault.worst = Some(found);
     }
+    fault.elements.extend(elements);
 }
 
-impl Fault {
-    /// Adds elements. Keeps the worse; of equals that of the earlier setting, and at one setting the one seen first.
-    pub(super) fn add(&mut self, found: Worst, elements: impl IntoIterator<Item = usize>) {
-        let is_worse =
-            |known: &Worst| found.value > known.value || (found.value >= known.value && found.setting < known.setting);
-        if self.worst.as_ref().is_none_or(is_worse) {
-            self.worst = Some(found);
-        }
-        self.elements.extend(elements);
+/// Adds what was found at other settings.
+pub fn merge(survey: &mut Survey, other: Survey) {
+    for (trouble, Fault { worst, elements }) in other {
+        worst.into_iter().for_each(|worst| add(survey, trouble, worst, elements.iter().copied()));
     }
 }

@@ -9,14 +9,14 @@ use crate::diag::Few;
 use crate::eval::culprit::most_moving;
 use crate::eval::look::look;
 use crate::eval::macros::MacroWork;
-use crate::eval::measures::{Measures, PairMeasure, Received, Seen, SkeletonMeasure, SpaceMeasure};
+use crate::eval::measures::{Measures, PairMeasure, Received, Seen, SkeletonMeasure};
 use crate::eval::mesh::bounding_box;
 use crate::eval::rig_measure::{bone_pairs, bones, weights};
 use crate::eval::scene::{MorphTarget, Scene, Setting};
 use crate::eval::settings::{DEFAULT_SAMPLES, moved, plan};
 use crate::eval::side::{self, Side};
 use crate::eval::skeleton::SceneSkeleton;
-use crate::eval::survey::{Fault, Survey};
+use crate::eval::survey::{Fault, Survey, Trouble, merge};
 use crate::eval::surveyor::Surveyor;
 use crate::eval::symmetry::{MirrorComparison, MirrorMap};
 use crate::eval::target_measure::{Parts, TargetMeasure, cubes_of};
@@ -120,38 +120,17 @@ fn stops(surveyor: &Surveyor<'_>, settings: &[Setting], mut work: u64) -> (Vec<S
     (stops, false)
 }
 
+/// The name of a face, joint or bone.
+type Name<'n> = &'n dyn Fn(usize) -> String;
+
 /// What is seen over the slider space, and whether something was left out of it.
-fn survey(scene: &Scene, settings: &[Setting], work: u64) -> Option<(SpaceMeasure, bool)> {
+fn survey(scene: &Scene, settings: &[Setting], work: u64) -> Option<(BTreeMap<Trouble, Seen>, bool)> {
     let surveyor = Surveyor::new(scene)?;
     let (stops, is_cut) = stops(&surveyor, settings, work);
     let stops = in_order(stops);
     let parts: Vec<Survey> = stops.par_chunks(CHUNK).map(|stops| look(&surveyor, stops)).collect();
-    let mut survey = Survey::default();
-    parts.into_iter().for_each(|part| survey.merge(part));
-    let told = |number: usize| settings.get(number).map(|setting| moved(scene, setting)).unwrap_or_default();
-    let blame = |setting: usize, vertices: &[u32]| {
-        let target = most_moving(scene, settings.get(setting)?, vertices)?;
-        scene.targets.get(target).map(|target| target.path.clone())
-    };
-    let seen = |Fault { worst, elements }: Fault, vertices: &dyn Fn(usize) -> Vec<u32>| {
-        worst.map(|worst| Seen {
-            value: worst.value,
-            element: worst.element,
-            name: String::new(),
-            count: worst.count,
-            elements: elements.into_iter().collect(),
-            all: Vec::new(),
-            setting: told(worst.setting),
-            target: blame(worst.setting, &vertices(worst.element)),
-        })
-    };
-    let named = |seen: Option<Seen>, name: &dyn Fn(usize) -> String, each: &dyn Fn(usize) -> String| {
-        seen.map(|seen| Seen {
-            name: name(seen.element),
-            all: few(seen.elements.iter().map(|element| each(*element))),
-            ..seen
-        })
-    };
+    let mut survey = Survey::new();
+    parts.into_iter().for_each(|part| merge(&mut survey, part));
     let group = |face: usize| {
         let group = scene.face_groups.get(face).and_then(|group| scene.groups.get(*group as usize));
         group.cloned().unwrap_or_default()
@@ -170,15 +149,29 @@ fn survey(scene: &Scene, settings: &[Setting], work: u64) -> Option<(SpaceMeasur
         joints.into_iter().flatten().flat_map(of_joint).collect()
     };
     let in_group = |face: usize| format!("{} {face}", group(face));
-    let space = SpaceMeasure {
-        non_finite: seen(survey.non_finite, &vertex),
-        collapsed: named(seen(survey.collapsed, &face), &group, &in_group),
-        flipped: named(seen(survey.flipped, &face), &group, &group),
-        exploded: seen(survey.exploded, &vertex),
-        drifted: named(seen(survey.drifted, &of_cube), &joint, &joint),
-        short_bone: named(seen(survey.short_bone, &of_bone), &bone, &bone),
-        flat_plane: named(seen(survey.flat_plane, &of_bone), &bone, &bone),
-    };
+    let space = survey.into_iter().filter_map(|(trouble, Fault { worst, elements })| {
+        let (worst, setting) = worst.and_then(|worst| settings.get(worst.setting).map(|setting| (worst, setting)))?;
+        let (vertices, named): (Vec<u32>, Option<[Name<'_>; 2]>) = match trouble {
+            Trouble::NonFinite | Trouble::Exploded => (vertex(worst.element), None),
+            Trouble::Collapsed => (face(worst.element), Some([&group, &in_group])),
+            Trouble::Flipped => (face(worst.element), Some([&group, &group])),
+            Trouble::Drifted => (of_cube(worst.element), Some([&joint, &joint])),
+            Trouble::ShortBone | Trouble::FlatPlane => (of_bone(worst.element), Some([&bone, &bone])),
+        };
+        let target = most_moving(scene, setting, &vertices).and_then(|target| scene.targets.get(target));
+        let seen = Seen {
+            value: worst.value,
+            element: worst.element,
+            name: named.map_or_else(String::new, |[name, _]| name(worst.element)),
+            count: worst.count,
+            all: named.map_or_else(Vec::new, |[_, each]| few(elements.iter().map(|element| each(*element)))),
+            elements: elements.into_iter().collect(),
+            setting: moved(scene, setting),
+            target: target.map(|target| target.path.clone()),
+        };
+        Some((trouble, seen))
+    });
+    let space = space.collect();
     Some((space, is_cut || surveyor.is_without_anchors))
 }
 

@@ -1,55 +1,34 @@
 //! The code quality report of GitLab: shown in merge requests, with what is new and what is gone.
 
-use std::borrow::Cow;
 use std::collections::BTreeSet;
 use std::io::{self, Write};
 
-use serde::Serialize;
+use serde_json::{Value, json};
 
 use super::phrase;
 use super::standing::{Standing, folder};
 use crate::diag::{Finding, Level, Outcome, fingerprint};
 
-#[derive(Serialize)]
-struct Issue<'a> {
-    description: String,
-    check_name: &'a str,
-    fingerprint: String,
-    severity: &'static str,
-    location: Location<'a>,
-}
-
-#[derive(Serialize)]
-struct Location<'a> {
-    path: Cow<'a, str>,
-    lines: Lines,
-}
-
-#[derive(Serialize)]
-struct Lines {
-    begin: u32,
-}
-
 /// Writes the list of issues, an empty one if there are none.
 pub(super) fn write(outcome: &Outcome, out: &mut dyn Write) -> io::Result<()> {
     let mut seen = BTreeSet::new();
-    let issues: Vec<Issue<'_>> = outcome.findings.iter().map(|finding| issue(finding, &mut seen)).collect();
+    let issues: Vec<Value> = outcome.findings.iter().map(|finding| issue(finding, &mut seen)).collect();
     serde_json::to_writer_pretty(&mut *out, &issues)?;
     writeln!(out)
 }
 
-fn issue<'a>(finding: &'a Finding, seen: &mut BTreeSet<String>) -> Issue<'a> {
+fn issue(finding: &Finding, seen: &mut BTreeSet<String>) -> Value {
     let Standing { file, location } = Standing::of(finding);
-    Issue {
-        description: format!("{}{}", folder(finding), phrase::plain(finding).replace('\n', ". ")),
-        check_name: finding.rule,
-        fingerprint: unique(finding, seen),
-        severity: severity(finding.level),
-        location: Location {
-            path: file.map_or_else(|| Cow::Owned(phrase::path_of(finding)), Cow::Borrowed),
-            lines: Lines { begin: location.line.unwrap_or(1) },
+    json!({
+        "description": format!("{}{}", folder(finding), phrase::plain(finding).replace('\n', ". ")),
+        "check_name": finding.rule,
+        "fingerprint": unique(finding, seen),
+        "severity": severity(finding.level),
+        "location": {
+            "path": file.map_or_else(|| phrase::path_of(finding), str::to_owned),
+            "lines": { "begin": location.line.unwrap_or(1) },
         },
-    }
+    })
 }
 
 /// GitLab shows one issue for a fingerprint, and two data roots may hold the same asset with the same fault.

@@ -4,6 +4,7 @@ use super::super::{Check, Rule, RuleCx};
 use super::{at_setting, percent, untold};
 use crate::diag::{Application::Makehuman2, Case, Confidence, Evidence, Finding, Level, RuleInfo};
 use crate::eval::measures::{Measures, Seen};
+use crate::eval::survey::Trouble;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
@@ -28,14 +29,13 @@ const FLIPPED: Case =
     &[(Makehuman2, Level::Warning, "shows the inside of the skin, or holes where backfaces are not drawn")];
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(space) = &measures.space else { return };
-    if let Some(seen) = untold(body, space, space.collapsed.as_ref()) {
+    if let Some(seen) = untold(body, measures, Trouble::Collapsed) {
         let (faces, lose) = if seen.count == 1 { ("face", "loses its") } else { ("faces", "lose their") };
         let message = format!("{} {faces} of `{}` {lose} area", seen.count, seen.name);
         let evidence = Evidence { examples: vec![format!("face {}", seen.element)], ..Evidence::counted(seen.count) };
         out.push(finding(body, seen, &message, "collapsed").evidence(evidence));
     }
-    if let Some(seen) = untold(body, space, space.flipped.as_ref()) {
+    if let Some(seen) = untold(body, measures, Trouble::Flipped) {
         let share = percent(seen.value);
         let (faces, turn) = if seen.count == 1 { ("face", "turns") } else { ("faces", "turn") };
         let message =

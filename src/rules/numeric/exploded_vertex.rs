@@ -4,6 +4,7 @@ use super::super::{Check, Rule, RuleCx};
 use super::{at_setting, untold};
 use crate::diag::{Application::Makehuman2, Confidence, Evidence, Finding, Level, RuleInfo};
 use crate::eval::measures::Measures;
+use crate::eval::survey::Trouble;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
@@ -23,8 +24,7 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
 });
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(space) = &measures.space else { return };
-    let Some(seen) = untold(body, space, space.exploded.as_ref()) else { return };
+    let Some(seen) = untold(body, measures, Trouble::Exploded) else { return };
     let (vertex, by) = (body.vertex(seen.element), seen.value);
     let message = match seen.count {
         1 => format!("{vertex} lies outside the figure by {by:.1} times the figure's diagonal"),

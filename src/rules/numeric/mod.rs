@@ -2,11 +2,14 @@
 //!
 //! A finding names the setting in the application's slider names and stands at the target that moves the thing most,
 //! because that is where an author can act. What a damaged target does to several things at once is told once: by the
-//! first rule in the order of [`in_order`].
+//! first rule in the order of [`Trouble`].
+
+use std::collections::BTreeMap;
 
 use crate::diag::{Finding, Place};
-use crate::eval::measures::{Seen, SpaceMeasure};
+use crate::eval::measures::{Measures, Seen};
 use crate::eval::settings::SliderSetting;
+use crate::eval::survey::Trouble;
 use crate::formats::macro_json::{Component, MacroFile, Macrodef};
 use crate::repo::Body;
 
@@ -54,30 +57,18 @@ fn short(value: f64) -> String {
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
-/// What was seen, the gravest first.
-fn in_order(space: &SpaceMeasure) -> [&Option<Seen>; 7] {
-    [
-        &space.non_finite,
-        &space.exploded,
-        &space.short_bone,
-        &space.flat_plane,
-        &space.collapsed,
-        &space.flipped,
-        &space.drifted,
-    ]
-}
-
-/// What a rule may tell: `seen`, unless something graver is told of the same target, or the setting moves a slider
-/// whose steps are at fault.
-fn untold<'s>(body: &Body<'_>, space: &SpaceMeasure, seen: Option<&'s Seen>) -> Option<&'s Seen> {
-    gravest(space, seen.filter(|seen| !is_of_unsound_steps(body, &seen.setting))?)
+/// What was seen, unless something graver was seen of the same target, or the setting moves a slider whose steps are at
+/// fault.
+fn untold<'m>(body: &Body<'_>, measures: &'m Measures, trouble: Trouble) -> Option<&'m Seen> {
+    let space = measures.space.as_ref()?;
+    gravest(space, trouble).filter(|seen| !is_of_unsound_steps(body, &seen.setting))
 }
 
 /// What was seen, unless something graver was seen of the same target.
-fn gravest<'s>(space: &SpaceMeasure, seen: &'s Seen) -> Option<&'s Seen> {
-    let mut graver = in_order(space).into_iter().flatten().take_while(|other| !std::ptr::eq(*other, seen));
+fn gravest(space: &BTreeMap<Trouble, Seen>, trouble: Trouble) -> Option<&Seen> {
+    let seen = space.get(&trouble)?;
     let same = |other: &Seen| other.target.is_some() && other.target == seen.target;
-    (!graver.any(same)).then_some(seen)
+    (!space.range(..trouble).any(|(_, other)| same(other))).then_some(seen)
 }
 
 /// Whether a setting moves a slider of a component whose steps have a finding of their own: outside of them, weights
@@ -104,9 +95,9 @@ fn title(macrodef: &Macrodef) -> String {
 mod tests {
     use super::*;
 
-    #[expect(clippy::unnecessary_wraps, reason = "stands where measures have an option")]
-    fn seen(target: &str) -> Option<Seen> {
-        Some(Seen {
+    #[test]
+    fn one_target_is_told_once_by_the_gravest() {
+        let seen = |target: &str| Seen {
             elements: Vec::new(),
             value: 1.0,
             element: 0,
@@ -115,17 +106,14 @@ mod tests {
             all: Vec::new(),
             setting: Vec::new(),
             target: Some(target.to_owned()),
-        })
+        };
+        let space = [(Trouble::ShortBone, "a"), (Trouble::FlatPlane, "b"), (Trouble::Drifted, "a")];
+        let space = space.map(|(trouble, target)| (trouble, seen(target))).into();
+        assert!(gravest(&space, Trouble::ShortBone).is_some());
+        assert!(gravest(&space, Trouble::FlatPlane).is_some());
+        assert!(gravest(&space, Trouble::Drifted).is_none());
     }
 
-    #[test]
-    fn one_target_is_told_once_by_the_gravest() {
-        let space =
-            SpaceMeasure { short_bone: seen("a"), flat_plane: seen("b"), drifted: seen("a"), ..Default::default() };
-        assert!(space.short_bone.as_ref().and_then(|seen| gravest(&space, seen)).is_some());
-        assert!(space.flat_plane.as_ref().and_then(|seen| gravest(&space, seen)).is_some());
-        assert!(space.drifted.as_ref().and_then(|seen| gravest(&space, seen)).is_none());
-    }
     #[test]
     fn a_setting_is_worded_by_what_differs() {
         assert_eq!(worded(&[]), "all sliders at their defaults");

@@ -5,6 +5,7 @@ use super::{at_setting, untold};
 use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::eval::skeleton::PARALLEL_SINE;
+use crate::eval::survey::Trouble;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
@@ -21,8 +22,7 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
 });
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(space) = &measures.space else { return };
-    if let Some(seen) = untold(body, space, space.non_finite.as_ref()) {
+    if let Some(seen) = untold(body, measures, Trouble::NonFinite) {
         let vertex = body.vertex(seen.element);
         let message = match seen.count {
             1 => format!("the position of {vertex} is not finite"),
@@ -36,8 +36,7 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
                 .evidence(Evidence::counted(seen.count)),
         );
     }
-    if let Some(seen) =
-        untold(body, space, space.flat_plane.as_ref()).filter(|seen| !is_flat_at_rest(measures, &seen.name))
+    if let Some(seen) = untold(body, measures, Trouble::FlatPlane).filter(|seen| !is_flat_at_rest(measures, &seen.name))
     {
         let message = format!("the rotation plane of bone `{}` has no normal: its three joints are in line", seen.name);
         out.push(

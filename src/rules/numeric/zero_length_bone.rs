@@ -5,6 +5,7 @@ use super::super::{Check, Rule, RuleCx};
 use super::{at_setting, untold};
 use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, RuleInfo};
 use crate::eval::measures::Measures;
+use crate::eval::survey::Trouble;
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
@@ -23,8 +24,7 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
 });
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(space) = &measures.space else { return };
-    let Some(seen) = untold(body, space, space.short_bone.as_ref()) else { return };
+    let Some(seen) = untold(body, measures, Trouble::ShortBone) else { return };
     let length = 1.0 / seen.value;
     let message = format!("bone `{}` has no length ({:.5} cm)", seen.name, centimetres(length));
     out.push(
