@@ -137,6 +137,7 @@ fn survey(scene: &Scene, settings: &[Setting], work: u64) -> Option<(SpaceMeasur
         worst.map(|worst| Seen {
             value: worst.value,
             element: worst.element,
+            length: None,
             name: String::new(),
             count: worst.count,
             elements: elements.into_iter().collect(),
@@ -174,8 +175,10 @@ fn survey(scene: &Scene, settings: &[Setting], work: u64) -> Option<(SpaceMeasur
         non_finite: seen(survey.non_finite, &vertex),
         collapsed: named(seen(survey.collapsed, &face), &group, &in_group),
         flipped: named(seen(survey.flipped, &face), &group, &group),
-        exploded: seen(survey.exploded, &vertex),
-        drifted: named(seen(survey.drifted, &of_cube), &joint, &joint),
+        exploded: seen(survey.exploded, &vertex)
+            .map(|seen| Seen { length: Some(surveyor.length_outside(seen.value)), ..seen }),
+        drifted: named(seen(survey.drifted, &of_cube), &joint, &joint)
+            .map(|seen| Seen { length: surveyor.length_away(seen.element, seen.value), ..seen }),
         short_bone: named(seen(survey.short_bone, &of_bone), &bone, &bone),
         flat_plane: named(seen(survey.flat_plane, &of_bone), &bone, &bone),
     };

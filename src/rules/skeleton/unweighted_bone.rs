@@ -18,6 +18,7 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         `weights_reference`. The skeleton's own weights file is loaded but not used.\n\n\
         The root and bones with children are not reported; they may only hold others together.\n\n\
         List the default bones in `reference`. A bone that is only a handle or a socket may stay without.",
+    counts: "bones",
     ..RuleInfo::new("skeleton-unweighted-bone", Level::Warning, "a bone gets no weights through its references")
 });
 
