@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::named::differs_in_form;
-use crate::diag::{Application::Makehuman2, Finding, Level, RuleInfo};
+use crate::diag::{Application::Makehuman2, Case, Finding, Level, RuleInfo};
 use crate::repo::{Resolution, View};
 use crate::source::is_below;
 
@@ -35,7 +35,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 continue;
             }
             let finding = RULE.in_layer(layer, path, format!("`{name}` {}", fault.what));
-            out.push(finding.effect(fault.effect).help(format!("{}, and update the references to it", fault.edit)));
+            out.push(finding.case(fault.case).help(format!("{}, and update the references to it", fault.edit)));
         }
     }
 }
@@ -51,18 +51,27 @@ fn named_in_another_form<'a>(view: &View<'a>) -> Vec<&'a str> {
     files.collect()
 }
 
+const UNNAMED: Case =
+    &[(Makehuman2, Level::Warning, "does not find it: JSON and text files cannot contain such a name")];
+const NOT_ON_WINDOWS: Case =
+    &[(Makehuman2, Level::Warning, "does not find it on Windows, where it cannot be unpacked or checked out")];
+const SHORTENED: Case = &[(Makehuman2, Level::Warning, "does not find it on Windows, where it has another name")];
+const IN_ANOTHER_FORM: Case = &[(
+    Makehuman2,
+    Level::Warning,
+    "finds it only where a reference writes the accents in the same way; copies may get another name",
+)];
+
 /// What is wrong with a name, what comes of it, and what to do.
 struct Fault {
     what: String,
-    effect: &'static str,
+    case: Case,
     edit: &'static str,
 }
 
 /// What is wrong with a name, if anything.
 fn fault(name: &str) -> Option<Fault> {
-    const UNNAMED: &str = "finds it under no name that another file can hold";
-    const NOT_ON_WINDOWS: &str = "does not find it on Windows, where it cannot be unpacked or checked out";
-    let fault = |what: &str, effect, edit| Some(Fault { what: what.to_owned(), effect, edit });
+    let fault = |what: &str, case, edit| Some(Fault { what: what.to_owned(), case, edit });
     if name.contains(char::REPLACEMENT_CHARACTER) {
         return fault("is not valid Unicode", UNNAMED, "rename it with letters a to z and digits");
     }
@@ -75,13 +84,15 @@ fn fault(name: &str) -> Option<Fault> {
     }
     if name.ends_with(['.', ' ']) {
         let what = "ends with a dot or space, which Windows removes";
-        return fault(what, "does not find it on Windows, where it has another name", "remove the end of the name");
+        return fault(what, SHORTENED, "remove the end of the name");
     }
     if is_reserved(name) {
         return fault("is a reserved name on Windows", NOT_ON_WINDOWS, "give it another name");
     }
-    let effect = "finds it only where a reference writes the accents in the same way; copying it may change its name";
-    is_decomposed(name).then(|| fault(DECOMPOSED, effect, "rename it with letters without accents")).flatten()
+    if is_decomposed(name) {
+        return fault(DECOMPOSED, IN_ANOTHER_FORM, "rename it with letters without accents");
+    }
+    None
 }
 
 fn is_reserved(name: &str) -> bool {
@@ -112,7 +123,7 @@ mod tests {
             assert!(fault(name).is_some(), "{name}");
         }
         for name in ["console", "com0", "com10", "a.b", " a", "J\u{f6}rg", "nullify.target", "日本"] {
-            assert_eq!(fault(name), None, "{name}");
+            assert!(fault(name).is_none(), "{name}");
         }
     }
 }

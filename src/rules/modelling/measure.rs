@@ -89,11 +89,11 @@ fn is_circumference(bound: &BoundSlider<'_>) -> bool {
 }
 
 /// The gap of a line that should close, on the unmorphed mesh.
-fn open_line<'m>(
+fn open_line(
     bound: &BoundSlider<'_>,
     line: &[i64],
     positions: &[[f32; 3]],
-    landmarks: &Option<Landmarks<'m>>,
+    landmarks: &Option<Landmarks<'_>>,
 ) -> Option<Finding> {
     let line: Vec<u32> = line.iter().map(|vertex| u32::try_from(*vertex).ok()).collect::<Option<_>>()?;
     let (whole, gap) = (chain_length(positions, &line).ok()?, closing_gap(positions, &line).ok()?);

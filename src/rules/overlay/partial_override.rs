@@ -98,7 +98,8 @@ fn categories_alone(base: &Base<'_>, system: SystemFolder) -> Gap {
         let message = "only target_cat.json is overridden: sliders and targets come from the system data".to_owned();
         (Level::Info, message, shown, help)
     } else if system == SystemFolder::Unknown {
-        let message = "only target_cat.json is overridden: it must match the system's sliders (`--system`)".to_owned();
+        let message =
+            "only target_cat.json is overridden: it must match the sliders of the system data (`--system`)".to_owned();
         (Level::Info, message, shown, help)
     } else {
         let message = "modelling.json is missing here and in the system data: categories have no sliders".to_owned();

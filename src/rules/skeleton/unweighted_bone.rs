@@ -50,8 +50,8 @@ fn names_nothing(bone: &Bone, defaults: &BTreeSet<&str>) -> bool {
 fn finding(rig: &Measured<'_>, bones: &[&str]) -> Option<Finding> {
     let first = bones.first()?;
     let message = match bones.len() {
-        1 => format!("{} gets no weights: no default bone has its name, and it has no references", named(bones)),
-        _ => format!("{} get no weights: no default bone has their names, and they have no references", named(bones)),
+        1 => format!("{} gets no weights: it has no references, and no default bone has its name", named(bones)),
+        _ => format!("{} get no weights: they have neither references nor names of default bones", named(bones)),
     };
     Some(
         RULE.at(rig.file, Place::key(["bones", first]), message)

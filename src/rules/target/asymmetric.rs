@@ -70,7 +70,7 @@ fn one_sided(body: &Body<'_>, file: &FileFacts, target: &TargetMeasure) -> Optio
             let regions = regions(body, mirror.different.iter().copied());
             let regions = regions.map(|regions| format!(" ({regions})")).unwrap_or_default();
             let (vertex, worst) = (body.vertex(vertex), length(worst));
-            format!("{count} vertices{regions} differ from their mirror images, {vertex} most, by {worst}")
+            format!("{count} vertices{regions} are asymmetric, worst {vertex} by {worst}")
         }
     };
     let evidence = Evidence::counted(different).out_of(mirror.compared);
@@ -87,14 +87,11 @@ fn uneven(body: &Body<'_>, slight: &[(&FileFacts, &TargetMeasure)], checked: usi
     let worst = |target: &TargetMeasure| target.own_mirror.worst.map_or(0.0, |(_, worst)| worst);
     let (file, target) = slight.iter().max_by(|a, b| worst(a.1).total_cmp(&worst(b.1)))?;
     let (vertex, distance) = target.own_mirror.worst?;
-    let are = if slight.len() == 1 { "is" } else { "are" };
-    let message = format!(
-        "{} of {checked} targets without a side {are} slightly asymmetric, `{}` most: {} by {}",
-        slight.len(),
-        target.name,
-        body.vertex(vertex),
-        length(distance)
-    );
+    let (name, by) = (&target.name, format!("{} by {}", body.vertex(vertex), length(distance)));
+    let message = match slight.len() {
+        1 => format!("`{name}` is slightly asymmetric: {by}"),
+        count => format!("{count} of {checked} targets without a side are slightly asymmetric, worst `{name}`: {by}"),
+    };
     let evidence = Evidence::of_cases(slight.iter().map(|(_, target)| {
         format!("{} ({} of {} vertices)", target.name, target.own_mirror.different.len(), target.own_mirror.compared)
     }));

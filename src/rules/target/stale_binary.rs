@@ -80,7 +80,7 @@ fn finding(file: &FileFacts, archive: &Archive, stale: &Stale<'_>) -> Option<Fin
     let groups = [
         (&stale.differing, ["differs from its text file", "differ from their text files"], DIFFERING),
         (&stale.without_text, ["has no text file", "have no text file"], WITHOUT_TEXT),
-        (&stale.without_member, ["is missing from it", "are missing from it"], WITHOUT_MEMBER),
+        (&stale.without_member, ["is missing", "are missing"], WITHOUT_MEMBER),
     ];
     let found = groups.iter().filter(|(names, ..)| !names.is_empty());
     let parts = found.clone().map(|(names, [one, several], _)| match names.as_slice() {
