@@ -16,7 +16,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         face, joint and garment that depends on it. While an archive with other numbers is used in place of the \
         text, this is a warning.\n\n\
         Usually an export divided by zero. Write the right numbers, or remove the rows.",
-    counts: "rows",
+    counts: "rows, by vertex",
     ..RuleInfo::new("target-non-finite", Level::Error, "a displacement is not finite")
 });
 

@@ -17,7 +17,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         duplicate with its original, so a row for one moves nothing: a warning.\n\n\
         Usually the target was made for another mesh, or for one exported with other vertices. Make it for this \
         mesh.",
-    counts: "rows",
+    counts: "rows, by vertex",
     ..RuleInfo::new(
         "target-vertex-out-of-range",
         Level::Error,

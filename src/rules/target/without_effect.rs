@@ -12,7 +12,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         was made, or compared with itself.\n\n\
         Export it again, or remove the target and its slider. A file without rows is `file-empty`; a target of a \
         macro is `macro-empty-target`.",
-    counts: "rows",
+    counts: "rows, by vertex",
     ..RuleInfo::new("target-without-effect", Level::Warning, "a target moves nothing")
 });
 
