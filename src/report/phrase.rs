@@ -219,7 +219,8 @@ fn number(value: f64) -> String {
     }
     if !(1e-3..1e7).contains(&size) {
         let text = format!("{value:.3e}");
-        let (digits, power) = text.split_once('e').unwrap_or((&text, "0"));
+        // What is not finite has no power.
+        let Some((digits, power)) = text.split_once('e') else { return text };
         return format!("{}e{power}", digits.trim_end_matches('0').trim_end_matches('.'));
     }
     let text = format!("{value:.4}");
