@@ -1,4 +1,4 @@
-//! Checks asset repositories of the `MakeHuman` family before an application meets them.
+//! Checks asset repositories of `MakeHuman` 2 before the program loads them; those of `MakeHuman` 1 and MPFB are to come.
 //!
 //! The library reads everything an application would read, resolves every name the way that application
 //! resolves it, and says what would happen to its user: a crash, a vanished asset, a dead slider. The

@@ -32,6 +32,8 @@ pub struct Finding {
     pub breaks: Vec<Break>,
     /// Counts, examples, worst value.
     pub evidence: Option<Evidence>,
+    /// What that counts, in the plural; empty where the message alone says it.
+    pub counts: &'static str,
     /// Other places that belong to the same fault.
     pub related: Vec<Related>,
     /// How it can be fixed without a person.
@@ -116,6 +118,7 @@ impl Finding {
             help: None,
             breaks: breaks.collect(),
             evidence: None,
+            counts: rule.counts,
             related: Vec::new(),
             fix: None,
             subject: Subject::default(),

@@ -24,6 +24,8 @@ pub struct RuleInfo {
     pub told_apart: bool,
     /// What each application does with it.
     pub breaks: &'static [(Application, &'static str)],
+    /// What its evidence counts, in the plural; empty where findings of it count different things.
+    pub counts: &'static str,
     /// Typed options with their defaults.
     pub options: &'static [OptionInfo],
     /// What it means, why it matters, what to do: plain paragraphs for `mhlint explain`.
@@ -71,8 +73,8 @@ impl RuleInfo {
     /// A rule with nothing but the obligatory parts; the rest by struct update.
     pub const fn new(id: &'static str, level: Level, summary: &'static str) -> Self {
         let (fix, cannot_be_ignored, told_apart) = (FixKind::None, false, false);
-        let (levels, breaks, options) = (&[], &[], &[]);
-        Self { id, summary, level, levels, fix, cannot_be_ignored, told_apart, breaks, options, docs: "" }
+        let (levels, breaks, options, counts) = (&[], &[], &[], "");
+        Self { id, summary, level, levels, fix, cannot_be_ignored, told_apart, breaks, counts, options, docs: "" }
     }
 
     /// The usual level in an application.

@@ -40,6 +40,8 @@ pub struct Seen {
     pub value: f64,
     /// Number of the vertex, face, joint or bone.
     pub element: usize,
+    /// The value as a length in mesh units, where it is one in other units.
+    pub length: Option<f64>,
     /// Its name: group of a face, joint, bone.
     pub name: String,
     /// How many elements are concerned at that setting.

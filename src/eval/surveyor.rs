@@ -183,6 +183,17 @@ impl<'s> Surveyor<'s> {
         self.faces_of.of(vertex as usize)
     }
 
+    /// How far outside of the box of the default character that many of its diagonals are, mesh units.
+    pub fn length_outside(&self, diagonals: f64) -> f64 {
+        diagonals * f64::from(self.diagonal)
+    }
+
+    /// How far away from its skin a joint is that has moved by so many stands, mesh units.
+    pub fn length_away(&self, joint: usize, stands: f64) -> Option<f64> {
+        let anchor = self.anchors.iter().find(|anchor| anchor.joint == joint)?;
+        Some(stands * anchor.stand)
+    }
+
     /// Whether a vertex is neither exploded nor infinite; in doubt it is not.
     pub(super) fn in_range(&self, point: Point) -> bool {
         let (low, high) = self.range;

@@ -158,10 +158,16 @@ fn survey(scene: &Scene, settings: &[Setting], work: u64) -> Option<(BTreeMap<Tr
             Trouble::Drifted => (of_cube(worst.element), Some([&joint, &joint])),
             Trouble::ShortBone | Trouble::FlatPlane => (of_bone(worst.element), Some([&bone, &bone])),
         };
+        let length = match trouble {
+            Trouble::Exploded => Some(surveyor.length_outside(worst.value)),
+            Trouble::Drifted => surveyor.length_away(worst.element, worst.value),
+            _ => None,
+        };
         let target = most_moving(scene, setting, &vertices).and_then(|target| scene.targets.get(target));
         let seen = Seen {
             value: worst.value,
             element: worst.element,
+            length,
             name: named.map_or_else(String::new, |[name, _]| name(worst.element)),
             count: worst.count,
             all: named.map_or_else(Vec::new, |[_, each]| few(elements.iter().map(|element| each(*element)))),

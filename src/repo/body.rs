@@ -194,9 +194,8 @@ impl<'v> Body<'v> {
 
     /// A vertex with its place on the body: ``vertex 17960 (`helper-tights`, near `pelvis.L`)``.
     pub(crate) fn vertex(&self, vertex: impl TryInto<u32> + Display + Copy) -> String {
-        let in_words = |vertex| self.whole_mesh().and_then(|mesh| self.landmarks(mesh).place(vertex));
-        let place = vertex.try_into().ok().and_then(in_words);
-        place.map_or_else(|| format!("vertex {vertex}"), |place| format!("vertex {vertex} ({place})"))
+        let known = self.whole_mesh().map(|mesh| self.landmarks(mesh).vertex(vertex));
+        known.unwrap_or_else(|| format!("vertex {vertex}"))
     }
 
     /// Vertices that a face uses, without those in `reached`, which are in order. None without a whole mesh, or if all are

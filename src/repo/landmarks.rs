@@ -1,6 +1,7 @@
 //! Where on a body a vertex lies, in words: its group, and the bone nearest to it.
 
 use std::collections::BTreeMap;
+use std::fmt::Display;
 
 use crate::formats::mhskel::Skeleton;
 use crate::formats::obj::Mesh;
@@ -9,7 +10,7 @@ type Point = [f32; 3];
 
 /// What the vertices of a mesh are told by.
 #[derive(Debug)]
-pub(super) struct Landmarks<'m> {
+pub(crate) struct Landmarks<'m> {
     mesh: &'m Mesh,
     /// Number of the group of each vertex.
     homes: Vec<Option<u32>>,
@@ -98,14 +99,20 @@ impl<'m> Landmarks<'m> {
 
     /// Name of the bone nearest to a vertex.
     fn bone(&self, vertex: u32) -> Option<&'m str> {
-        let at = *self.mesh.positions.get(vertex as usize)?;
+        let at = *self.mesh.positions.get(vertex as usize).filter(|at| at.iter().all(|part| part.is_finite()))?;
         let distance = |[head, tail]: &[Point; 2]| from_segment(at, *head, *tail);
         let nearest = self.bones.iter().min_by(|(_, a), (_, b)| distance(a).total_cmp(&distance(b)));
         nearest.map(|(name, _)| *name)
     }
 
+    /// ``vertex 17960 (`helper-tights`, near `pelvis.L`)``, as far as it is known.
+    pub(crate) fn vertex(&self, vertex: impl TryInto<u32> + Display + Copy) -> String {
+        let place = vertex.try_into().ok().and_then(|vertex| self.place(vertex));
+        place.map_or_else(|| format!("vertex {vertex}"), |place| format!("vertex {vertex} ({place})"))
+    }
+
     /// `` `helper-tights`, near `pelvis.L` ``, as far as it is known.
-    pub(super) fn place(&self, vertex: u32) -> Option<String> {
+    pub(crate) fn place(&self, vertex: u32) -> Option<String> {
         let bone = self.bone(vertex).map(|bone| format!("near `{bone}`"));
         let parts: Vec<String> = self.group(vertex).map(|group| format!("`{group}`")).into_iter().chain(bone).collect();
         (!parts.is_empty()).then(|| parts.join(", "))

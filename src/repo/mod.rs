@@ -20,7 +20,7 @@ mod worn;
 
 pub(crate) use body::{Body, BodyWeights, Rig, Shown, Target, WeightsUse};
 pub(crate) use facts::FileFacts;
-pub(crate) use landmarks::{Region, Unreached};
+pub(crate) use landmarks::{Landmarks, Region, Unreached};
 pub(crate) use layer::{Layer, composed, fold};
 pub(crate) use layers::Layers;
 pub(crate) use path::shortened;

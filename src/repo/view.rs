@@ -1,7 +1,8 @@
 //! The data of one application as it sees them.
 
 use super::{
-    Body, FileFacts, Layers, PictureFolders, Reference, References, Shown, Target, makehuman1, makehuman2, mpfb,
+    Body, FileFacts, Landmarks, Layers, PictureFolders, Reference, References, Shown, Target, makehuman1, makehuman2,
+    mpfb,
 };
 use crate::diag::Application;
 use crate::discover::{Kind, Layout};
@@ -91,6 +92,14 @@ impl<'a> View<'a> {
     /// Folders of the checked layer in which that of a base mesh is left out, each with a file that shows it.
     pub(crate) fn unsorted(&self) -> Vec<(&'static str, &'a FileFacts)> {
         self.makehuman2().map(|view| view.unsorted().collect()).unwrap_or_default()
+    }
+
+    /// Where on a body the vertices of a mesh are: the mesh of a body, or any other with its groups alone. `None` where its
+    /// lines cannot be read.
+    pub(crate) fn landmarks<'m>(&'m self, file: &'m FileFacts) -> Option<Landmarks<'m>> {
+        let of_body = self.makehuman2().and_then(|view| view.landmarks(file));
+        let mesh = || file.mesh().filter(|mesh| mesh.facts.unreadable_lines == 0);
+        of_body.or_else(|| Some(Landmarks::of(mesh()?, None, |_| true)))
     }
 
     /// The names of its bodies.

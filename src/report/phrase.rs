@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use super::{count, printable};
-use crate::diag::{Confidence, Evidence, Finding, Fix, FixKind, IgnoredFiles, Location, NewParts, Worst};
+use crate::diag::{Confidence, Evidence, Finding, Fix, FixKind, IgnoredFiles, Location, NewParts, Related, Worst};
 
 /// Related places that a text names; formats with room for more have their own bound.
 pub(super) const RELATED: usize = 5;
@@ -25,8 +25,7 @@ pub(super) fn lines(finding: &Finding) -> Vec<Line> {
         lines.push(line("seen", &evidence));
     }
     for related in finding.related.iter().take(RELATED) {
-        let place = format!("{}{}", path(&related.path, &related.location), colons(&related.location));
-        lines.push(line("see", &format!("{place}: {}", related.message)));
+        lines.push(line("see", &note(finding, related)));
     }
     if finding.related.len() > RELATED {
         lines.push(line("see", &count(finding.related.len() - RELATED, "more place")));
@@ -40,15 +39,30 @@ pub(super) fn lines(finding: &Finding) -> Vec<Line> {
     lines
 }
 
+/// Whether another place is no other: the words are about the file of the finding as a whole.
+pub(super) fn is_note(finding: &Finding, related: &Related) -> bool {
+    related.path == finding.path && colons(&related.location).is_empty()
+}
+
+/// Another place and what is there.
+fn note(finding: &Finding, related: &Related) -> String {
+    let place = || format!("{}{}", path(&related.path, &related.location), colons(&related.location));
+    if is_note(finding, related) { related.message.clone() } else { format!("{}: {}", place(), related.message) }
+}
+
 /// The evidence in words, without a number and a worst case that the message names.
 pub(super) fn evidence_of(finding: &Finding) -> Option<String> {
     let evidence = finding.evidence.as_ref()?;
     let number = counted(evidence);
-    let number = (!counts(&message(finding), &number)).then_some(number);
-    evidence_line(evidence, number, evidence.worst.as_ref().filter(|worst| !names(&finding.message, &worst.place)))
+    let things = if finding.counts.is_empty() { String::new() } else { format!(" {}", finding.counts) };
+    let number = (!counts(&message(finding), &number)).then(|| number + &things);
+    // Of one case the message says how bad it is.
+    let worst = evidence.worst.as_ref().filter(|_| evidence.count > 1);
+    let mut texts = finding.related.iter().map(|one| &one.message).chain([&finding.message]);
+    evidence_line(evidence, number, worst.filter(|worst| !texts.any(|text| names(text, &worst.place))))
 }
 
-/// `108 of 216`. What is counted only the message says.
+/// `108 of 216`.
 fn counted(evidence: &Evidence) -> String {
     let of = evidence.of.map_or_else(String::new, |of| format!(" of {of}"));
     format!("{}{of}", evidence.count)
@@ -181,17 +195,16 @@ pub(super) fn colons(location: &Location) -> String {
 
 /// `108 of 216: a, b, c and 105 more; worst 0.5 at vertex 7`. Nothing for a single case: the message says it.
 fn evidence_line(evidence: &Evidence, count: Option<String>, worst: Option<&Worst>) -> Option<String> {
-    if evidence.count < 2 && worst.is_none() {
+    if evidence.count < 2 {
         return None;
     }
-    let is_single = evidence.count < 2 && evidence.examples.is_empty() && evidence.of.is_none();
     let left = evidence.groups.unwrap_or(evidence.count).saturating_sub(evidence.examples.len() as u64);
     let examples = match (evidence.examples.is_empty(), left) {
         (true, _) => None,
         (false, 0) => Some(evidence.examples.join(", ")),
         (false, left) => Some(format!("{} and {left} more", evidence.examples.join(", "))),
     };
-    let cases: Vec<String> = [count.filter(|_| !is_single), examples].into_iter().flatten().collect();
+    let cases: Vec<String> = [count, examples].into_iter().flatten().collect();
     let worst = worst.map(|worst| format!("worst {} at {}", number(worst.value), worst.place));
     let parts: Vec<String> =
         [Some(cases.join(": ")), worst].into_iter().flatten().filter(|part| !part.is_empty()).collect();
@@ -205,7 +218,10 @@ fn number(value: f64) -> String {
         return format!("{value}");
     }
     if !(1e-3..1e7).contains(&size) {
-        return format!("{value:.3e}");
+        let text = format!("{value:.3e}");
+        // What is not finite has no power.
+        let Some((digits, power)) = text.split_once('e') else { return text };
+        return format!("{}e{power}", digits.trim_end_matches('0').trim_end_matches('.'));
     }
     let text = format!("{value:.4}");
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
@@ -223,7 +239,16 @@ mod tests {
         let cut = Evidence::of_groups(["a"; 7], 99);
         assert_eq!(said("it", cut).as_deref(), Some("99: a, a, a, a, a and 2 more"));
         let single = Evidence::counted(1).with_worst(0.5, "vertex 3");
-        assert_eq!(said("it", single).as_deref(), Some("worst 0.5 at vertex 3"));
+        assert_eq!(said("it", single), None);
+    }
+
+    #[test]
+    fn what_is_counted_has_a_noun_where_the_rule_has_one() {
+        let rule = RuleInfo { counts: "rows", ..RuleInfo::new("a-rule", Level::Error, "") };
+        let finding = Finding::new(&rule, "a", Place::File, "it").evidence(Evidence::of_unnamed(["x", "y"]).out_of(9));
+        assert_eq!(evidence_of(&finding).as_deref(), Some("2 of 9 rows: x, y"));
+        let noted = finding.related("a", Place::File, "set it").related("b", Place::File, "the other");
+        assert!(plain(&noted).ends_with("see: set it\nsee: b: the other"), "{}", plain(&noted));
     }
 
     fn said(message: &str, evidence: Evidence) -> Option<String> {
@@ -275,6 +300,6 @@ mod tests {
     #[test]
     fn numbers_keep_the_digits_that_matter() {
         let shown = [2.0, 0.25, 1.0 / 3.0, 1e-7, f64::NAN, -12.5].map(number);
-        assert_eq!(shown, ["2", "0.25", "0.3333", "1.000e-7", "NaN", "-12.5"]);
+        assert_eq!(shown, ["2", "0.25", "0.3333", "1e-7", "NaN", "-12.5"]);
     }
 }

@@ -17,14 +17,16 @@ mod modelling;
 mod numeric;
 mod overlay;
 mod pose;
+mod regions;
 mod rule;
 mod skeleton;
 mod target;
 mod units;
+mod unpacking;
 mod weights;
 
 pub(crate) use rule::{Check, Rule, RuleCx};
-use rule::{counted, did_you_mean};
+use rule::{counted, did_you_mean, either, enumerated};
 
 /// Every rule, sorted by id. A rule that is not listed here does not exist.
 pub(crate) static RULES: &[&Rule] = &[

@@ -91,6 +91,30 @@ pub(super) fn counted(count: impl ToString, thing: &str) -> String {
     format!("{count} {thing}{}", if count == "1" { "" } else { "s" })
 }
 
+/// `a`, `a and b`, `a, b and c`; of more than five names the first five, `and 25 more`.
+pub(super) fn enumerated<T: AsRef<str>>(names: &[T]) -> String {
+    let names: Vec<&str> = names.iter().map(AsRef::as_ref).collect();
+    match names.as_slice() {
+        [] => String::new(),
+        [only] => (*only).to_owned(),
+        [first, second, third, fourth, fifth, _, ..] => {
+            let more = names.len() - 5;
+            format!("{first}, {second}, {third}, {fourth}, {fifth} and {more} more")
+        }
+        [others @ .., last] => format!("{} and {last}", others.join(", ")),
+    }
+}
+
+/// `a`, `a or b`, `a, b or c`.
+pub(super) fn either<T: AsRef<str>>(names: &[T]) -> String {
+    let names: Vec<&str> = names.iter().map(AsRef::as_ref).collect();
+    match names.as_slice() {
+        [] => String::new(),
+        [only] => (*only).to_owned(),
+        [others @ .., last] => format!("{} or {last}", others.join(", ")),
+    }
+}
+
 /// The help on a name that is unknown: a known one that is near, or else what to do.
 pub(super) fn did_you_mean(near: Option<&str>, otherwise: impl Into<String>) -> String {
     near.map_or_else(|| otherwise.into(), |near| format!("did you mean `{near}`?"))

@@ -70,7 +70,9 @@ fn a_bomb_is_given_up_at_the_ratio() {
     let packed = fs::metadata(root.path().join("data/target/figure/head/zeros.target.gz")).unwrap().len();
     let path = "data/target/figure/head/zeros.target.gz";
     let limit = packed * 200 + 1;
-    let expected = format!("{path}: info[file-decompression-bomb] {packed} bytes unpack to {limit} bytes or more");
+    let (kilobytes, megabytes) = (packed as f64 / 1e3, limit as f64 / 1e6);
+    let sizes = format!("{kilobytes:.1} kB unpack to {megabytes:.1} MB or more");
+    let expected = format!("{path}: info[file-decompression-bomb] {sizes}");
     assert_eq!(check(root.path(), &["."]), [expected.as_str()]);
     assert_eq!(check(root.path(), &[".", "--skip", "*"]), [expected.as_str()]);
 }
@@ -89,9 +91,8 @@ fn is_checked_by_its_directory(path: &str) {
     zip.start_file("coord.npy", zip::write::SimpleFileOptions::default()).unwrap();
     zip.write_all(&vec![0; 17 << 20]).unwrap();
     zip.finish().unwrap();
-    let packed = fs::metadata(root.path().join(path)).unwrap().len();
-    let expected =
-        format!("{path}: error[file-decompression-bomb] {packed} bytes unpack to {} bytes or more", 17 << 20);
+    let packed = fs::metadata(root.path().join(path)).unwrap().len() as f64 / 1e3;
+    let expected = format!("{path}: error[file-decompression-bomb] {packed:.1} kB unpack to 17.8 MB or more");
     assert_eq!(check(root.path(), &["."]), [expected]);
 }
 

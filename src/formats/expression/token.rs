@@ -139,9 +139,11 @@ impl<'a> Lexer<'a> {
         match prefix.as_str() {
             "r" => self.string(start, true),
             "u" => self.string(start, false),
-            "f" | "fr" | "rf" | "t" | "tr" | "rt" => {
-                Err(Fault::new(FaultKind::Foreign, start..self.at + 1, "contains a formatted string, which is code"))
-            }
+            "f" | "fr" | "rf" | "t" | "tr" | "rt" => Err(Fault::new(
+                FaultKind::Foreign,
+                start..self.at + 1,
+                "contains a string that begins with `f`: its braces are code",
+            )),
             "b" | "br" | "rb" => Err(Fault::new(FaultKind::Foreign, start..self.at + 1, "contains a bytes literal")),
             _ => Ok(Token::Name),
         }

@@ -17,7 +17,7 @@ use crate::formats::mhskel::Skeleton;
 use crate::formats::modelling::Modelling;
 use crate::formats::obj::Mesh;
 use crate::formats::target_cat::TargetCategories;
-use crate::repo::{FileFacts, Layers, Reference, Rig};
+use crate::repo::{FileFacts, Landmarks, Layers, Reference, Rig};
 
 /// A base mesh over all layers.
 #[derive(Debug)]
@@ -257,6 +257,14 @@ impl<'a> Base<'a> {
     /// The rig that poses the base, if its skeleton could be read.
     pub(crate) fn pose_rig(&self) -> Option<(&Rig<'a>, &'a Skeleton)> {
         self.rigs.iter().find(|rig| rig.is_default).and_then(|rig| Some((rig, rig.skeleton()?)))
+    }
+
+    /// Where on the body its vertices are. `None` where lines of the mesh cannot be read: then they have other numbers.
+    pub(crate) fn landmarks(&self) -> Option<Landmarks<'_>> {
+        let (_, mesh) = self.mesh.filter(|(_, mesh)| mesh.facts.unreadable_lines == 0)?;
+        let shown = self.settings().and_then(|(_, settings)| settings.shown.as_ref());
+        let is_shown = |group: &str| shown.is_none_or(|shown| shown.contains(group));
+        Some(Landmarks::of(mesh, self.pose_rig().map(|(_, skeleton)| skeleton), is_shown))
     }
 
     /// The OBJ of the mesh: the mesh itself, or what lies beside an archive to be packed anew.

@@ -11,7 +11,7 @@ use super::{Base, OWN, target_folder, textures, weights, worn};
 use crate::diag::grouped;
 use crate::discover::Kind;
 use crate::formats::base_json::BaseJson;
-use crate::repo::{Body, FileFacts, Layers, Reference, References, Target, Worn, parent};
+use crate::repo::{Body, FileFacts, Landmarks, Layers, Reference, References, Target, Worn, parent};
 
 /// `MakeHuman` 2's data, connected.
 #[derive(Debug)]
@@ -65,6 +65,12 @@ impl<'a> View<'a> {
     pub(in crate::repo) fn draws(&self, mesh: &FileFacts, group: &str) -> bool {
         let base = self.bases.iter().find(|base| Some(base.name) == mesh.base_in(OWN));
         base.and_then(Base::settings).is_none_or(|(_, settings)| settings.shows(group))
+    }
+
+    /// Where on its body the vertices of a mesh are, if it is the mesh of a base.
+    pub(crate) fn landmarks<'m>(&'m self, mesh: &FileFacts) -> Option<Landmarks<'m>> {
+        let base = mesh.base_in(OWN).and_then(|name| self.base(name))?;
+        base.mesh.filter(|(file, _)| std::ptr::eq(*file, mesh)).and_then(|_| base.landmarks())
     }
 
     /// Whether a path lies in the target folder of a user, whose JSON `MakeHuman` 2 writes itself.

@@ -3,7 +3,7 @@
 use maud::{Markup, html};
 
 use super::inline;
-use crate::diag::{Finding, Location, Related};
+use crate::diag::{Finding, Location};
 use crate::report::phrase::{self, bare_place, colons, doubt, evidence_of, fixed_by};
 use crate::report::printable;
 use crate::report::snippet::snippet;
@@ -40,7 +40,7 @@ pub(super) fn article(finding: &Finding, id: &str, open: bool) -> Markup {
                         div .help { dt { "Fix" } dd { (inline(&printable(&fixed_by(fix)))) } }
                     }
                     (evidence(finding))
-                    (related(&finding.related))
+                    (related(finding))
                 }
                 p .quiet {
                     a href={ "#rule-" (finding.rule) } { (finding.rule) }
@@ -88,7 +88,8 @@ fn evidence(finding: &Finding) -> Markup {
     }
 }
 
-fn related(related: &[Related]) -> Markup {
+fn related(finding: &Finding) -> Markup {
+    let related = &finding.related;
     let left = related.len().saturating_sub(RELATED);
     html! {
         @if !related.is_empty() {
@@ -98,8 +99,11 @@ fn related(related: &[Related]) -> Markup {
                     ul {
                         @for one in related.iter().take(RELATED) {
                             li {
-                                code { (phrase::path(&one.path, &one.location)) (colons(&one.location)) }
-                                ": " (inline(&printable(&one.message)))
+                                @if !phrase::is_note(finding, one) {
+                                    code { (phrase::path(&one.path, &one.location)) (colons(&one.location)) }
+                                    ": "
+                                }
+                                (inline(&printable(&one.message)))
                             }
                         }
                         @if left > 0 { li { (left) " places more" } }

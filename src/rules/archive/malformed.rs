@@ -21,6 +21,7 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
         that do not fit together with `IndexError`. One that lacks a member is rejected. At a position that is \
         not a copy of any vertex the surface tears (a warning). All else is up to the rules for meshes. Delete \
         the archive, or rebuild it.",
+    counts: "members",
     ..RuleInfo::new(
         "archive-malformed",
         Level::Error,
@@ -41,7 +42,7 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
         Some(ArchiveFault::Empty) => {
             out.push(at(file, "the archive is empty (0 bytes)".to_owned()).case(EMPTY));
         }
-        Some(ArchiveFault::NotZip(reason)) => out.push(at(file, format!("not a zip archive: {reason}"))),
+        Some(ArchiveFault::NotZip(reason)) => out.push(at(file, words::not_zip(reason))),
         None => out.extend(members(file, archive)),
     }
 }

@@ -1,6 +1,7 @@
 //! What is wrong with an archive, in words.
 
 use super::super::counted;
+use super::super::unpacking::plain;
 use crate::diag::{Application::Makehuman2, Case, Level};
 use crate::formats::mhbin::{MeshFault, Misfit, Part};
 use crate::formats::npz::{ArchiveFault, NpyFault};
@@ -18,7 +19,7 @@ const TORN: Case = &[(
 pub(super) fn of_mesh(fault: &MeshFault) -> Option<(String, Case)> {
     Some(match fault {
         MeshFault::Archive(ArchiveFault::Empty) => return None,
-        MeshFault::Archive(ArchiveFault::NotZip(reason)) => (format!("not a zip archive: {reason}"), &[]),
+        MeshFault::Archive(ArchiveFault::NotZip(reason)) => (not_zip(reason), &[]),
         MeshFault::Oversized => ("unpacks to more data than any mesh of its size".to_owned(), &[]),
         MeshFault::Missing(members) => (missing(members), REFUSED),
         MeshFault::Member(name, NpyFault::Shape) => (format!("member `{name}` has rows of the wrong length"), &[]),
@@ -35,6 +36,15 @@ pub(super) fn help_with_mesh(view: &View<'_>, file: &FileFacts) -> &'static str 
         Some(_) => "delete the archive, so that MakeHuman 2 reads base.obj, or rebuild it with compile_meshes.py",
         None => "restore it, or rebuild it from base.obj with compile_meshes.py",
     }
+}
+
+/// A file that no reader of archives takes. What the library says of it is for those who know zip.
+pub(super) fn not_zip(reason: &str) -> String {
+    // The directory of a zip is at its end.
+    if reason.contains("EOCD") || reason.contains("end of central directory") {
+        return "not a zip archive, or its end is missing".to_owned();
+    }
+    format!("not a readable zip archive ({reason})")
 }
 
 fn missing(members: &[&str]) -> String {
@@ -71,13 +81,13 @@ fn short(part: Part, there: usize, needed: usize) -> String {
 pub(super) fn of_member(fault: &NpyFault) -> String {
     match fault {
         NpyFault::NotNpy => "is not a NumPy array".to_owned(),
-        NpyFault::Header => "has a header that NumPy rejects".to_owned(),
+        NpyFault::Header => "has a header that NumPy, the array library of MakeHuman, rejects".to_owned(),
         NpyFault::Object => "contains Python objects, which are never unpickled".to_owned(),
         NpyFault::MissingField(name) => format!("has no field `{name}`"),
         NpyFault::WrongType("", kind) => format!("has values of the wrong type `{kind}`"),
         NpyFault::WrongType(name, kind) => format!("has a field `{name}` of the wrong type `{kind}`"),
         NpyFault::Shape => "is not a plain list of rows".to_owned(),
         NpyFault::Truncated => "ends before its last row".to_owned(),
-        NpyFault::Damaged(reason) => format!("cannot be unpacked: {reason}"),
+        NpyFault::Damaged(reason) => format!("cannot be unpacked: {}", plain(reason)),
     }
 }

@@ -15,6 +15,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         and 0.34 and so changes the character. Presets count only without a start model (`mhm`), because loading \
         one resets them; with a start model nothing is reported.\n\nChange the presets so that they sum to 1, \
         such as 0.33, 0.33 and 0.34.",
+    counts: "presets",
     ..RuleInfo::new("base-barycentric-presets", Level::Warning, "the presets of a triangle slider do not sum to 1")
 });
 

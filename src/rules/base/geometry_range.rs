@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::super::cause::consequence::{NEVER_OPENED, is_opened_by_scripts};
-use super::super::{Check, Rule, RuleCx, did_you_mean};
+use super::super::{Check, Rule, RuleCx, counted, did_you_mean};
 use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo, Suggestions};
 use crate::formats::Content;
 use crate::formats::geometry::{Geometry, Range};
@@ -23,6 +23,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         group.\n\nMakeHuman 2 itself never reads the file, but its scripts that align joint cubes move exactly \
         these vertices of the base `hm08`. No program opens the file of any other base; all its faults are one \
         finding.\n\nCorrect the name or the range, or remove the file.",
+    counts: "ranges",
     ..RuleInfo::new("base-geometry-range", Level::Info, "a range in `geometry.json` differs from the mesh")
 });
 
@@ -90,7 +91,7 @@ fn without_joints(file: &FileFacts, base: &Base<'_>, ranges: &[Range], mesh: &Me
     let shown = base.settings().and_then(|(_, settings)| settings.shown.as_ref());
     let is_shown = |group: &String| shown.is_some_and(|shown| shown.contains(group));
     let is_told = mesh.groups.iter().all(|group| group.name == DEFAULT_GROUP && !is_shown(&group.name));
-    let message = format!("{} joint ranges, but the mesh has no `{PREFIX}…` groups", ranges.len());
+    let message = format!("{}, but the mesh has no `{PREFIX}…` groups", counted(ranges.len(), "joint range"));
     let names = ranges.iter().map(|range| &range.name);
     let finding = RULE.at(file, Place::key([JOINTS, &first.name]), message).key(JOINTS);
     let finding = finding.help("export the mesh with its groups, or remove the ranges");

@@ -19,7 +19,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         warning).\n\nThe sliders come from `modelling.json` in `target/<base>/`, their macros from `macro.json` \
         beside it. Without the first all targets are lost, without the second those of the macros; only a log \
         line says so. Both are errors. A base whose sliders need no macros may do without `macro.json`. The \
-        finding is a warning where the folder may be a user's whose system has the file, and an info where \
+        finding is a warning where the folder may be a user's whose system data has the file, and an info where \
         `base.json` only has `target-opposites` and there are no targets.\n\nWithout the key `mhm` the base \
         loads, but silently applies no targets (a warning). Without `pose-skeleton` the skeletons in \
         `rigs/<base>/` are not used for poses, as if the named one did not exist (an error).\n\nAdd the file or \

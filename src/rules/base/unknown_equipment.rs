@@ -15,12 +15,13 @@ const MEMBER: &str = "visible groups";
 const INVISIBLE: &str = "silently shows nothing and a height of 0 cm; the glTF export crashes with `ValueError`";
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "crashes with `KeyError` at start if `visible groups` is missing")],
+    breaks: &[(Makehuman2, "crashes with `KeyError` at start")],
     docs: "`visible groups` lists the groups of the OBJ that are drawn and measured. `equipment` lists the kinds \
         of assets that the base can wear.\n\nWithout `visible groups` MakeHuman 2 crashes at start. If none of \
         the groups exists, the character is invisible and has height 0. Both are errors. A single unknown group \
         is only not drawn. A string instead of a list draws every group whose name is part of it. Unknown \
         equipment is ignored.\n\nCorrect the name, or remove it.",
+    counts: "groups",
     ..RuleInfo::new(
         "base-unknown-equipment",
         Level::Error,

@@ -54,14 +54,21 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
     if base.mesh_files.unread.iter().filter_map(UnreadMesh::sound).any(has_claimed) {
         return;
     }
-    let message = format!("`numverts` is {claimed}, but the base mesh has {vertices} vertices");
+    let message = format!("`numverts` is {claimed}, but {} has {vertices} vertices", mesh_file.file_name());
     let is_larger = i64::try_from(vertices).is_ok_and(|vertices| vertices < claimed);
     let finding = RULE
         .at(file, Place::pointer(["numverts"]), message)
         .key("numverts")
-        .help(format!(
-            "check that this is the right mesh, then write `\"numverts\": {vertices}` and rebuild the binary assets"
-        ))
+        .help(if mesh_file.kind == Kind::MeshArchive {
+            format!(
+                "rebuild base.mhbin with compile_meshes.py if it is out of date; otherwise write `\"numverts\": \
+                 {vertices}` and rebuild the binary assets"
+            )
+        } else {
+            format!(
+                "check that this is the right mesh, then write `\"numverts\": {vertices}` and rebuild the binary assets"
+            )
+        })
         .related(mesh_file.path.clone(), Place::File, format!("has {vertices} vertices"));
     out.push(if is_larger {
         finding.level(Level::Warning).effect(

@@ -11,6 +11,7 @@ pub(in crate::rules) static RULE: Rule = Check::Upkeep(run).rule(RuleInfo {
         baseline probably belongs to another repository.\n\nIf there are errors, fix them first. A file that \
         cannot be read hides the findings in it and in what it names, and all of them would be new once the file \
         is restored.",
+    counts: "findings",
     ..RuleInfo::new("baseline-stale", Level::Info, "baseline entries that no longer occur")
 });
 

@@ -11,6 +11,7 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
         file is missing.\n\nWrite the path relative to its folder: targets and icons to the target folder, \
         weights and skeletons to `rigs/<base>/`, models to `base/<base>/`, textures to the folder of their \
         material.",
+    counts: "references",
     ..RuleInfo::new("file-absolute-path", Level::Error, "a reference with an absolute path or a drive letter")
 });
 

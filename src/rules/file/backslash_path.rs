@@ -14,6 +14,7 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
         part of the name, and the file is not found. The keys of `compressedtargets.npz` use `/` \
         everywhere.\n\nThe consequence is that of a missing file, such as a crash when the slider moves or a \
         rejected skeleton. A file that does not exist with `/` either is not found on any system.\n\nWrite `/`.",
+    counts: "references",
     ..RuleInfo::new("file-backslash-path", Level::Warning, "a backslash in the path of a file")
 });
 
@@ -24,8 +25,14 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         _ => None,
     }) {
         let exists = cause.key.starts_with(key(true));
+        // A picture may be found with `/` where no system looks for it with a backslash.
+        let has_backslash = cause.references.first().is_some_and(|first| first.rel.contains('\\'));
         let finding = cause.finding(&RULE, |text| {
-            let also = if exists { "" } else { " and does not exist with `/` either" };
+            let also = match (exists, has_backslash) {
+                (false, _) => " and does not exist with `/` either",
+                (true, true) => ", which fail on Linux and macOS",
+                (true, false) => "",
+            };
             format!("`{text}` uses backslashes{also}")
         });
         let Some(finding) = finding else { continue };
@@ -48,9 +55,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         for ((path, pointer), text) in folders {
             fix = fix.step(path, Change::Value { pointer: pointer.clone(), text: Some(text) });
         }
-        // A picture may be found with `/` where no system looks for it with a backslash.
-        let has_backslash = cause.references.first().is_some_and(|first| first.rel.contains('\\'));
-        let systems = if has_backslash { "on Linux and macOS" } else { "" };
+        let systems = if exists && has_backslash { "on Linux and macOS" } else { "" };
         out.push(cause.unfound(view, finding.fix(fix), systems).help(format!("write `{slashed}`")));
     }
 }

@@ -1,6 +1,7 @@
 //! Packed files that unpack to more than anybody wants in memory.
 
 use super::super::cause::consequence::{Moment, moment};
+use super::super::units::bytes;
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
 use crate::repo::{FileFacts, View};
@@ -20,7 +21,7 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(GzipFault::Bomb { packed, unpacked }) = file.gzip_fault else { return };
-    let message = format!("{packed} bytes unpack to {unpacked} bytes or more");
+    let message = format!("{} unpack to {} or more", bytes(packed), bytes(unpacked));
     let help = "do not open it; remove it unless you know where it comes from";
     let finding = RULE.at(file, Place::File, message).help(help);
     // An application without gzip never opens it; people may.

@@ -12,6 +12,7 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
         by their numbers, not their comments. Targets that move nothing and files below 200 bytes are left out. \
         Only files of the same base mesh and category are compared, because others cannot be shared.\n\nUse one \
         of the files in all references, and remove the others.",
+    counts: "files",
     ..RuleInfo::new("file-duplicate-content", Level::Info, "several files with the same content")
 });
 

@@ -1,7 +1,9 @@
 //! Packed files that cannot be unpacked.
 
 use super::super::cause::consequence::{Damage, Moment, consequence, moment};
-use super::super::{Check, Rule, RuleCx, counted};
+use super::super::units::bytes as size;
+use super::super::unpacking::plain;
+use super::super::{Check, Rule, RuleCx};
 use crate::diag::{
     Application::{Makehuman2, Mpfb},
     Finding, Level, Place, RuleInfo,
@@ -18,15 +20,15 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
     ..RuleInfo::new(
         "file-gzip-corrupt",
         Level::Error,
-        "a packed file that is truncated, damaged or followed by garbage",
+        "a packed file that is cut off, damaged or followed by other data",
     )
 });
 
 fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let message = match &file.gzip_fault {
-        Some(GzipFault::Corrupt(reason)) => format!("cannot be unpacked: {reason}"),
+        Some(GzipFault::Corrupt(reason)) => format!("cannot be unpacked: {}", plain(reason)),
         Some(GzipFault::TrailingGarbage { bytes }) => {
-            format!("{} of garbage after the packed data", counted(bytes, "byte"))
+            format!("{} of other data after the end of the packed data", size(*bytes as u64))
         }
         Some(GzipFault::Bomb { .. }) | None => return,
     };

@@ -19,6 +19,7 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
         counts the pointers of a data root, folder by folder. It is an error if some of the files must be parsed \
         (JSON, targets, meshes, weights, skeletons), and a warning for pictures and the rest. Nothing else is \
         reported for these files.\n\nRun `git lfs pull`, or switch on LFS for the checkout of a CI job.",
+    counts: "files",
     ..RuleInfo::new("file-lfs-pointer", Level::Warning, "a Git LFS pointer instead of the content")
 });
 

@@ -13,6 +13,7 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
         may work; on any other it finds nothing, or a file that was never meant.\n\n`mhlint` neither follows nor \
         reads what is outside. A link or `..` that stays inside the data folder is fine. This finding cannot be \
         ignored.\n\nCopy the file into the data folder.",
+    counts: "references",
     ..RuleInfo::new("file-path-escape", Level::Error, "a reference or link that leaves the data root")
 });
 

@@ -43,7 +43,7 @@ fn run(_: &View<'_>, file: &FileFacts, cx: &RuleCx<'_>, out: &mut Vec<Finding>) 
     let message = if unread {
         format!("{} too large to check: {:.1} MB", file.kind.title(), size / MB)
     } else {
-        format!("unusually large {}: {:.1} MB (limit {limit} MB)", file.kind.title(), size / MB)
+        format!("unusually large {}: {} MB, more than {limit} MB", file.kind.title(), above(size / MB, limit))
     };
     let help = if unread {
         "make it smaller: mhlint reads no file of more than 512 MiB".to_owned()
@@ -51,6 +51,13 @@ fn run(_: &View<'_>, file: &FileFacts, cx: &RuleCx<'_>, out: &mut Vec<Finding>) 
         format!("make it smaller, or raise the option `{}` of this rule", option(file))
     };
     out.push(RULE.at(file, Place::File, message).help(help));
+}
+
+/// A number with as many decimals as show that it is larger than a limit, at least one.
+fn above(size: f64, limit: f64) -> String {
+    let shown = (1..=6).map(|decimals| format!("{size:.decimals$}"));
+    let mut differing = shown.filter(|text| text.parse::<f64>().is_ok_and(|shown| shown > limit));
+    differing.next().unwrap_or_else(|| size.to_string())
 }
 
 fn option(file: &FileFacts) -> &'static str {

@@ -2,15 +2,12 @@
 
 use super::super::{Check, Rule, RuleCx};
 use super::named::differs_in_form;
-use crate::diag::{Application::Makehuman2, Finding, Level, RuleInfo};
+use crate::diag::{Application::Makehuman2, Case, Finding, Level, RuleInfo};
 use crate::repo::{Resolution, View};
 use crate::source::is_below;
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(
-        Makehuman2,
-        "does not find it on Windows, where it cannot be unpacked or checked out; elsewhere its name may change",
-    )],
+    breaks: &[(Makehuman2, "does not find the file on a system that cannot hold its name")],
     docs: "Windows reserves the names `CON`, `PRN`, `AUX`, `NUL`, `COM1` to `COM9` and `LPT1` to `LPT9`, with \
         any extension, and the characters `< > : \" | ? * \\`. It removes a dot or space at the end.\n\nControl \
         characters and names that are not valid Unicode cannot be written in JSON or in an asset's text. A name \
@@ -34,11 +31,11 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let name = path.rsplit('/').next().unwrap_or(path);
         if let Some(fault) = fault(name) {
             // That something names it in another form and does not find it is the worse news.
-            if fault == DECOMPOSED && not_found.iter().any(|file| is_below(file, path)) {
+            if fault.what == DECOMPOSED && not_found.iter().any(|file| is_below(file, path)) {
                 continue;
             }
-            let finding = RULE.in_layer(layer, path, format!("`{name}` {fault}"));
-            out.push(finding.help("give it another name in plain letters, and update the references to it"));
+            let finding = RULE.in_layer(layer, path, format!("`{name}` {}", fault.what));
+            out.push(finding.case(fault.case).help(format!("{}, and update the references to it", fault.edit)));
         }
     }
 }
@@ -54,24 +51,48 @@ fn named_in_another_form<'a>(view: &View<'a>) -> Vec<&'a str> {
     files.collect()
 }
 
+const UNNAMED: Case =
+    &[(Makehuman2, Level::Warning, "does not find it: JSON and text files cannot contain such a name")];
+const NOT_ON_WINDOWS: Case =
+    &[(Makehuman2, Level::Warning, "does not find it on Windows, where it cannot be unpacked or checked out")];
+const SHORTENED: Case = &[(Makehuman2, Level::Warning, "does not find it on Windows, where it has another name")];
+const IN_ANOTHER_FORM: Case = &[(
+    Makehuman2,
+    Level::Warning,
+    "finds it only where a reference writes the accents in the same way; copies may get another name",
+)];
+
+/// What is wrong with a name, what comes of it, and what to do.
+struct Fault {
+    what: String,
+    case: Case,
+    edit: &'static str,
+}
+
 /// What is wrong with a name, if anything.
-fn fault(name: &str) -> Option<String> {
+fn fault(name: &str) -> Option<Fault> {
+    let fault = |what: &str, case, edit| Some(Fault { what: what.to_owned(), case, edit });
     if name.contains(char::REPLACEMENT_CHARACTER) {
-        return Some("is not valid Unicode".to_owned());
+        return fault("is not valid Unicode", UNNAMED, "rename it with letters a to z and digits");
     }
     if name.chars().any(char::is_control) {
-        return Some("contains a control character".to_owned());
+        return fault("contains a control character", UNNAMED, "rename it without the character");
     }
     if let Some(character) = name.chars().find(|character| FORBIDDEN.contains(character)) {
-        return Some(format!("contains `{character}`, which Windows does not allow"));
+        let what = format!("contains `{character}`, which Windows does not allow");
+        return fault(&what, NOT_ON_WINDOWS, "rename it without the character");
     }
     if name.ends_with(['.', ' ']) {
-        return Some("ends with a dot or space, which Windows removes".to_owned());
+        let what = "ends with a dot or space, which Windows removes";
+        return fault(what, SHORTENED, "remove the end of the name");
     }
     if is_reserved(name) {
-        return Some("is a reserved name on Windows".to_owned());
+        return fault("is a reserved name on Windows", NOT_ON_WINDOWS, "give it another name");
     }
-    is_decomposed(name).then(|| DECOMPOSED.to_owned())
+    if is_decomposed(name) {
+        return fault(DECOMPOSED, IN_ANOTHER_FORM, "rename it with letters without accents");
+    }
+    None
 }
 
 fn is_reserved(name: &str) -> bool {
@@ -102,7 +123,7 @@ mod tests {
             assert!(fault(name).is_some(), "{name}");
         }
         for name in ["console", "com0", "com10", "a.b", " a", "J\u{f6}rg", "nullify.target", "日本"] {
-            assert_eq!(fault(name), None, "{name}");
+            assert!(fault(name).is_none(), "{name}");
         }
     }
 }

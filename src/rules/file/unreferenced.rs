@@ -17,6 +17,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         rule checks the icons of targets and the folders `target`, `contarget`, `rigs` and `base` of each base \
         mesh. Notes and licences are left out. Targets and weights have their own rules.\n\nRename the file, \
         refer to it, or remove it.",
+    counts: "files",
     ..RuleInfo::new("file-unreferenced", Level::Info, "a file that nothing refers to and no loader opens")
 });
 
@@ -42,7 +43,7 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
             ),
             [first, .., last] => {
                 let (count, first, last) = (files.len(), first.file_name(), last.file_name());
-                let message = format!("{count} files here are not used (`{first}` to `{last}`): {}", reason.1);
+                let message = format!("{count} files (`{first}` to `{last}`) are not used: {}", reason.1);
                 RULE.in_layer(view.layers.checked, folder, message)
             }
             [] => continue,
@@ -50,7 +51,11 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
         let help = "correct the file name, or name the file where it should be used; keep a copy if you remove it";
         let asset = view.layers.checked.display(folder);
         let is_lost = reason.0.ends_with(".target") && base.user_targets.is_some() && folder.starts_with("target/");
-        let finding = if is_lost { finding.case(NO_SLIDER) } else { finding };
+        let finding = match files.len() {
+            _ if is_lost => finding.case(NO_SLIDER),
+            1 => finding,
+            _ => finding.effect("never opens them"),
+        };
         out.push(finding.key(reason.0).asset(asset).parts_in(parts).evidence(Evidence::of_cases(names)).help(help));
     }
 }

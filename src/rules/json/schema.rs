@@ -21,6 +21,7 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
         nothing when it reads a JSON. A string instead of a number, or a missing key, crashes it wherever the \
         value is used first, often at start. In a few places it silently skips the entry instead; that is a \
         warning.\n\nWrite the value as the schema requires.",
+    counts: "values",
     ..RuleInfo::new("json-schema", Level::Error, "a value that does not match the schema of its format")
 });
 

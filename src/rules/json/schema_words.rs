@@ -1,6 +1,6 @@
 //! A schema fault in plain words.
 
-use super::super::counted;
+use super::super::{counted, either};
 use crate::diag::steps;
 use crate::json::{Bound, Found, Misfit, SchemaFault, Shape};
 
@@ -34,10 +34,10 @@ fn predicate(fault: &SchemaFault) -> String {
         Misfit::Missing { key, and_more: true } => format!("is empty, expected at least `{key}`"),
         Misfit::Missing { key, and_more: false } => format!("has no `{key}`"),
         Misfit::Type { wanted, .. } => {
-            format!("is {is}, expected {}", wanted.iter().copied().map(shape).collect::<Vec<_>>().join(" or "))
+            format!("is {is}, expected {}", either(&wanted.iter().copied().map(shape).collect::<Vec<_>>()))
         }
         Misfit::Pattern { form, .. } => format!("is {is}, expected {}", form.as_deref().unwrap_or("another form")),
-        Misfit::Enum { allowed, .. } => format!("is {is}, expected {}", allowed.join(" or ")),
+        Misfit::Enum { allowed, .. } => format!("is {is}, expected {}", either(allowed)),
         Misfit::Length { found: 0, bound } => format!("has no elements, expected {}", limit(bound)),
         Misfit::Length { found, bound } => format!("has {}, expected {}", counted(found, "element"), limit(bound)),
         Misfit::Range { bound, .. } => format!("is {is}, expected {}", limit(bound)),

@@ -19,6 +19,7 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
         the missing key names the misspelt one instead.\n\nA common mistake is `sym`: sliders on the left side \
         have `rsym`, which names the right partner, and sliders on the right side have `lsym`.\n\nCorrect the \
         key, or remove it. Notes can go under `comment` or `description`.",
+    counts: "keys",
     ..RuleInfo::new("json-unknown-key", Level::Info, "a key that no application reads")
 });
 

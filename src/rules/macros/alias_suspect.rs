@@ -14,6 +14,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         need not spell all values of the name; a `t` that only leaves values out is not reported.\n\nMakeHuman 2 \
         applies the file that `t` names: the combination has the shape of another value.\n\nName the file that \
         fits in `t`.",
+    counts: "combinations",
     ..RuleInfo::new(
         "macro-alias-suspect",
         Level::Warning,

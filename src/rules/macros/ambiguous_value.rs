@@ -14,6 +14,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         only compares whole names. While every listed name has one meaning, nothing goes wrong (an info). The \
         target of a name with two meanings is applied to both combinations (a warning).\n\nUse another character \
         inside values.",
+    counts: "names",
     ..RuleInfo::new(
         "macro-ambiguous-value",
         Level::Warning,
@@ -47,6 +48,6 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             format!("value `{value}` of `{}` contains a dash, which separates values in names", component.name);
         let place = Place::pointer(["components", &component.name, "values", &at.to_string()]);
         let finding = RULE.at(file, place, message).key(&component.name).level(Level::Info);
-        out.push(finding.effect("is not affected: every listed name still has one meaning").help(HELP));
+        out.push(finding.effect("no effect in MakeHuman 2: every listed name still has one meaning").help(HELP));
     }
 }

@@ -10,8 +10,8 @@ use crate::repo::makehuman2::{Base, BoundSlider, Pattern, View};
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
         Makehuman2,
-        "crashes with `TypeError` if an entry of `sum` leads to a plain slider; in another order, values get the \
-         weights of other corners",
+        "takes the weights by position, so that values get the weights of other corners; crashes with `TypeError` if \
+         `sum` names a plain slider",
     )],
     docs: "`sum` of a component and `barycentric` of its triangle slider do not list the same corners in the same \
         order. `sum` assigns the corners to the values of the component.\n\nMakeHuman 2 finds the slider by the \
@@ -25,6 +25,9 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     )
 });
 
+const WITHOUT_CORNERS: &str = "crashes with `TypeError`: a plain slider has no weights for corners";
+const BY_POSITION: &str = "takes the weights by position, so that values get the weights of other corners";
+
 fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };
     for component in sound_components(file, macros).filter(|c| c.steps.is_none() && c.sum.is_some() && is_even(c)) {
@@ -37,11 +40,12 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let name = &component.name;
         let (level, message, slider) = fault;
         let place = Place::pointer(["components", name, "sum", &at.to_string()]);
-        let mut finding = RULE.at(file, place, format!("component `{name}`: {message}")).key(name).level(level);
-        finding = finding.help("list the same corners in the same order as `barycentric` of the slider");
-        if level == Level::Warning {
-            finding = finding.effect("takes the weights by position, so that values get the weights of other corners");
-        }
+        let finding = RULE.at(file, place, format!("component `{name}`: {message}")).key(name).level(level);
+        let finding = if level == Level::Error {
+            finding.effect(WITHOUT_CORNERS).help("replace it with a corner of the triangle slider")
+        } else {
+            finding.effect(BY_POSITION).help("list the same corners in the same order as `barycentric` of the slider")
+        };
         let place = Place::key([&slider.slider.key]);
         out.push(weigh(finding.related(&slider.file.path, place, "the slider"), macros, component));
     }

@@ -17,6 +17,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         message. If a shape is expected here, this is the wrong file. A slider that uses the same file does \
         nothing either, and needs the file (a warning).\n\nWrite `null` and remove the file, or save the \
         intended shape in it.",
+    counts: "combinations",
     ..RuleInfo::new("macro-empty-target", Level::Info, "a combination uses a target that moves nothing")
 });
 

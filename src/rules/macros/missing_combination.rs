@@ -26,6 +26,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         names the file.\n\nIn the patterns, `*` is any value, and the number after a pattern is how many \
         combinations it covers; patterns may overlap. Products of more than about a million combinations are \
         only counted.\n\nAdd the entries; write `null` for a combination that should change nothing.",
+    counts: "combinations",
     ..RuleInfo::new(
         "macro-missing-combination",
         Level::Warning,

@@ -17,6 +17,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         without `.target`, in the target folder of the `macro.json` in use.\n\nMakeHuman 2 does not skip a \
         missing file: it keeps an empty placeholder and crashes as soon as the combination has \
         weight.\n\nCorrect the name, add the file, or write `null` where nothing should change.",
+    counts: "combinations",
     ..RuleInfo::new("macro-missing-target", Level::Error, "a combination names a target that does not exist")
 });
 

@@ -18,6 +18,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         error). If both name the same file, or one of them only generates the name, that file is applied twice, \
         so the morph is doubled (a warning). Values with the same name in several components, such as `none`, \
         easily lead to this.\n\nRename a value in one of the components.",
+    counts: "names",
     ..RuleInfo::new("macro-name-collision", Level::Error, "two macrodefs list or generate the same name")
 });
 

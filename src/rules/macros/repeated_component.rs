@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
         Makehuman2,
-        "generates names such as `female-female`, which no entry has, and applies nothing of the macrodef",
+        "generates names such as `female-female`, which no entry has, and applies none of its targets",
     )],
     docs: "`comp` names a component more than once. The names of a macrodef have one value for each entry of \
         `comp`.\n\nMakeHuman 2 then generates names that repeat the value of the component. None of them is \

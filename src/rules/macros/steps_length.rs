@@ -11,7 +11,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         the entry of `steps` at the same place.\n\nMakeHuman 2 does not compare the lengths. With fewer values \
         than steps, it crashes as soon as the slider reaches the interval without a value (an error). With more \
         values than steps, the surplus values and their targets are never used (a warning). With fewer than two \
-        steps, it applies nothing of the macrodef (an error).\n\nGive every value exactly one step.",
+        steps, it applies none of the targets of the macrodef (an error).\n\nGive every value exactly one step.",
     ..RuleInfo::new("macro-steps-length", Level::Error, "`steps` and `values` of a component differ in length")
 });
 

@@ -37,7 +37,9 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             .help("sort the steps together with their values, from 0 to 1, without equal steps");
         if is_dead(steps) && !equal {
             finding = finding.effect("drops every macro of the component unless its slider is at exactly 0");
-        } else if !(equal && at == 0) {
+        } else if equal && at == 0 {
+            finding = finding.effect("crashes with `ZeroDivisionError` when the slider is at or below these steps");
+        } else {
             finding = finding.level(Level::Warning).effect(loss(steps, equal));
         }
         out.push(weigh(finding, macros, component));

@@ -1,7 +1,7 @@
 //! `steps` of a component must run from 0 to 1.
 
 use super::super::cause::component::has_special_step;
-use super::super::{Check, Rule, RuleCx, percent};
+use super::super::{Check, Rule, RuleCx, enumerated, percent};
 use super::component::{is_dead, sound_components, weigh};
 use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
@@ -46,29 +46,33 @@ fn is_increasing(steps: &[f64]) -> bool {
 }
 
 /// Which end is wrong, how, and what comes of it.
-fn fault(steps: &[f64], values: &[String]) -> Option<(&'static str, String, &'static str)> {
+fn fault(steps: &[f64], values: &[String]) -> Option<(&'static str, String, String)> {
     const NO_INTERVAL: &str = "drops the component and never applies its macrodefs";
-    const OUT_OF_REACH: &str = "never applies that value with its full weight";
+    const TOO_EARLY: &str = "never applies the first value with its full weight";
     let ([first, .., last] | [first @ last]) = steps else {
-        return Some(("are", "empty; at least two steps are needed".to_owned(), NO_INTERVAL));
+        return Some(("are", "empty; at least two steps are needed".to_owned(), NO_INTERVAL.to_owned()));
     };
     if steps.len() == 1 {
-        return Some(("hold", format!("only {last}; at least two steps are needed"), NO_INTERVAL));
+        return Some(("hold", format!("only {last}; at least two steps are needed"), NO_INTERVAL.to_owned()));
     }
     if is_dead(steps) {
         let effect = "drops the macrodef unless the slider is at exactly 0";
-        return Some(("end", format!("at {last} instead of 1"), effect));
+        return Some(("end", format!("at {last} instead of 1"), effect.to_owned()));
     }
     if last.total_cmp(&1.0).is_lt() {
         let effect = "drops the macrodef when the slider is above the last step";
-        Some(("end", format!("at {last} instead of 1"), effect))
+        Some(("end", format!("at {last} instead of 1"), effect.to_owned()))
     } else if first.partial_cmp(&0.0) == Some(Ordering::Greater) {
         let effect = "applies the first value with more than its full weight when the slider is below the first step";
-        Some(("begin", format!("at {first} instead of 0"), effect))
+        Some(("begin", format!("at {first} instead of 0"), effect.to_owned()))
     } else if first.partial_cmp(&0.0) == Some(Ordering::Less) {
-        Some(("begin", format!("at {first} instead of 0"), OUT_OF_REACH))
+        Some(("begin", format!("at {first} instead of 0"), TOO_EARLY.to_owned()))
     } else if last.total_cmp(&1.0).is_gt() {
-        Some(("end", format!("at {last} instead of 1: {}", out_of_reach(steps, values)), OUT_OF_REACH))
+        Some((
+            "end",
+            format!("at {last} instead of 1"),
+            format!("stops at slider value 1: {}", out_of_reach(steps, values)),
+        ))
     } else {
         None
     }
@@ -96,6 +100,6 @@ fn out_of_reach(steps: &[f64], values: &[String]) -> String {
     let some = some.iter().map(|(value, share)| format!("`{value}` reaches at most {} of its weight", percent(*share)));
     let names: Vec<String> = none.iter().map(|(value, _)| format!("`{value}`")).collect();
     let verb = if names.len() == 1 { "gets" } else { "get" };
-    let none = (!names.is_empty()).then(|| format!("{} {verb} none", names.join(", ")));
+    let none = (!names.is_empty()).then(|| format!("{} {verb} none", enumerated(&names)));
     some.chain(none).collect::<Vec<_>>().join(", ")
 }

@@ -16,16 +16,22 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     fix: FixKind::Safe,
     breaks: &[(
         Makehuman2,
-        "adds `.target` again, does not find the file and crashes with `AttributeError` as soon as the sliders reach \
-         the combination",
+        "adds `.target`, does not find the file and crashes with `AttributeError` as soon as the sliders reach the \
+         combination",
     )],
     docs: "`t` ends in `.target` or `.gz`, or is empty.\n\nMakeHuman 2 adds `.target` to every `t`: for \
         `x.target` it looks for `x.target.target`. It never reads packed targets (`.target.gz`), and an empty \
         `t` leads to a file named `.target`. A file that is not found crashes it with `AttributeError` as soon \
         as the sliders reach its combination.\n\nRemove the suffix. Replace an empty `t` with the name of the file, or \
         with `null`.",
+    counts: "entries",
     ..RuleInfo::new("macro-target-extension", Level::Error, "`t` ends in `.target` or `.gz`, or is empty")
 });
+
+const SUFFIXED: &str = "looks for `{}.target`, does not find it and crashes with `AttributeError` as soon as the \
+    sliders reach the combination";
+const NAMELESS: &str = "looks for a file named `{}.target`, does not find it and crashes with `AttributeError` as soon \
+    as the sliders reach the combination";
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((file, macros)) = base.macro_file() else { return };
@@ -40,18 +46,20 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
         let text = first.target.as_deref().unwrap_or_default();
         let own = own_target(base, macrodef, first);
         let more = if wrong.len() > 1 { format!(" ({} such entries)", wrong.len()) } else { String::new() };
-        let (message, help) = if without_suffix(text).is_empty() {
+        let (message, help, effect) = if without_suffix(text).is_empty() {
             let what = if text.is_empty() { "is empty".to_owned() } else { format!("is only `{text}`") };
             let help = match own {
                 Some(own) => format!("write `{own}`; a target with this name exists"),
                 None => "write `null`, or the name of the file".to_owned(),
             };
-            (format!("`t` of {} {what}{more}", titles::combination(&first.name)), help)
+            (format!("`t` of {} {what}{more}", titles::combination(&first.name)), help, NAMELESS.replace("{}", text))
         } else {
-            let without = without_suffix(text);
-            (format!("`{text}` has a suffix, but `t` must not have one{more}"), format!("write `{without}`"))
+            let (without, file) = (without_suffix(text), text.rsplit(['/', '\\']).next().unwrap_or(text));
+            let message = format!("`{text}` has a suffix, but `t` must not have one{more}");
+            (message, format!("write `{without}`"), SUFFIXED.replace("{}", file))
         };
-        let finding = RULE.at(file, Place::Pointer(macrodef.link_pointer(first, "t")), message).help(help);
+        let finding = RULE.at(file, Place::Pointer(macrodef.link_pointer(first, "t")), message);
+        let finding = finding.help(help).effect(effect);
         let evidence = Evidence::of_cases(wrong.iter().map(|link| &link.name)).out_of(macrodef.links.len());
         let fix = fix(view, base, file, macrodef, &wrong);
         out.push(finding.key(macrodef.components.join("-")).evidence(evidence).fix(fix));
@@ -67,7 +75,12 @@ fn fix(view: &View<'_>, base: &Base<'_>, file: &FileFacts, macrodef: &Macrodef, 
         let fitting = unused.get_or_init(|| unused_targets(view, base)).fitting(&values_of(&link.name));
         fitting.into_iter().any(|(_, file)| is_in_folder(base, macrodef, file))
     };
-    let title = "remove the suffix; replace an empty `t` with the name of its file, or `null`";
+    let is_nameless = |link: &&Link| without_suffix(link.target.as_deref().unwrap_or_default()).is_empty();
+    let title = match wrong.iter().filter(|link| is_nameless(link)).count() {
+        0 => "remove the suffix",
+        count if count == wrong.len() => "write the name of the target, or `null` if no target has it",
+        _ => "remove the suffix; replace an empty `t` with the name of its target, or `null`",
+    };
     let mut fix = Fix::new(RULE.info.fix, title);
     for link in wrong {
         let text = match without_suffix(link.target.as_deref().unwrap_or_default()) {

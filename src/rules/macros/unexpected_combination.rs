@@ -23,6 +23,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         never finds an entry with a misspelt value, with too many or too few parts, or with its values in \
         another order. A name that only another macrodef generates works, because all macrodefs share one table, \
         but it belongs in the other macrodef (an info).\n\nWrite the name that the help suggests.",
+    counts: "names",
     ..RuleInfo::new(
         "macro-unexpected-combination",
         Level::Error,

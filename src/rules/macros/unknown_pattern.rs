@@ -18,6 +18,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         combinations then lack that part and match nothing: the macrodef is dead. If only one corner of a \
         triangle is unknown, the targets of that corner are lost.\n\nWrite the pattern exactly as in \
         `modelling.json`.",
+    counts: "patterns",
     ..RuleInfo::new("macro-unknown-pattern", Level::Error, "no slider has the pattern of a component")
 });
 

@@ -17,6 +17,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         a slider uses it.\n\nMakeHuman 2 loads the file at start but never applies it. Often a similar \
         combination should name it: its entry was forgotten, or copied without changing `t`.\n\nName the file in \
         `t` of its combination, or remove it.",
+    counts: "combinations",
     ..RuleInfo::new("macro-unreferenced-target", Level::Warning, "a target in a macro folder is unused")
 });
 

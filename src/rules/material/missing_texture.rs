@@ -8,7 +8,7 @@ use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, RuleI
 use crate::repo::{Layer, Reference, ReferenceKind, Resolution, View, parent};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "silently drops the keyword and goes without this texture")],
+    breaks: &[(Makehuman2, "silently drops the keyword and shows the material without this texture")],
     docs: "A material names a picture that does not exist, in `diffuseTexture`, `normalmapTexture`, \
         `aomapTexture`, `metallicRoughnessTexture` or `emissiveTexture`. MakeHuman 2 does not know other keywords, \
         such as `specularmapTexture`. A name is one word: it ends at the first space.\n\n\

@@ -13,6 +13,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         are the same vertex is a triangle, so the surface up to the intended corner is missing. In a group that is \
         not shown, this is reported as info.\n\n\
         Write the intended corner, or make the face a triangle.",
+    counts: "faces",
     ..RuleInfo::new("mesh-degenerate-face", Level::Warning, "a face uses a vertex twice")
 });
 
@@ -25,9 +26,9 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let (told, is_hidden) = if visible.is_empty() { (hidden, true) } else { (visible, false) };
     let Some(first) = told.first() else { return };
     let message = match told.len() {
-        1 => format!("the face uses vertex {} twice", first.vertex),
+        1 => format!("the face uses {} twice", body.vertex(first.vertex)),
         count => {
-            format!("{count} of {} faces use a vertex twice, first vertex {}", mesh.faces.len(), first.vertex)
+            format!("{count} of {} faces use a vertex twice, first {}", mesh.faces.len(), body.vertex(first.vertex))
         }
     };
     // Packed faces have no lines.

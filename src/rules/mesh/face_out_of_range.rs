@@ -14,6 +14,7 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
         MakeHuman 2 crashes on numbers beyond the last one. It also crashes on 0 and on negative numbers, although \
         the OBJ format allows negative numbers for counting backwards.\n\n\
         Usually lines are missing in the file. Export the mesh again, with absolute numbers.",
+    counts: "faces",
     ..RuleInfo::new(
         "mesh-face-out-of-range",
         Level::Error,

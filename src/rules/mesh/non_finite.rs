@@ -12,6 +12,7 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
         vertex is lost: the normals around it, joints and fitted assets that use it, and the height of the \
         body.\n\n\
         Give the vertex a finite position.",
+    counts: "vertices",
     ..RuleInfo::new("mesh-non-finite", Level::Error, "the position of a vertex is not finite")
 });
 
@@ -22,9 +23,10 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     if is_in_archive(view, file, |mesh| mesh.facts.non_finite.count > 0) {
         return;
     }
+    let named = view.landmarks(file).map_or_else(|| format!("vertex {vertex}"), |body| body.vertex(*vertex));
     let message = match tally.count {
-        1 => format!("the position of vertex {vertex} is not finite"),
-        count => format!("the positions of {count} vertices are not finite, first vertex {vertex}"),
+        1 => format!("the position of {named} is not finite"),
+        count => format!("the positions of {count} vertices are not finite, first {named}"),
     };
     let element = Element { kind: "vertex", index: vertex.unsigned_abs() };
     let place = if *line == 0 { Place::Element(element) } else { Place::Row(*line, element) };

@@ -11,6 +11,7 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
         MakeHuman 2 keeps the texture coordinates of a group in a list beside its faces. All faces of a group must \
         have them, or none; in a mixed group it reads beyond the end of the list and crashes.\n\n\
         Unwrap the remaining faces, or move them into a group of their own.",
+    counts: "faces",
     ..RuleInfo::new("mesh-partial-uv", Level::Error, "a group has faces with and without texture coordinates")
 });
 

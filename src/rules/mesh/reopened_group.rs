@@ -18,6 +18,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         If both groups are hidden, leave it as it is. Otherwise give the later faces a group name of their own, \
         and list it in `visible groups` if they should be shown. Do not reorder the faces of a mesh that others \
         already use.",
+    counts: "faces",
     ..RuleInfo::new("mesh-reopened-group", Level::Warning, "a face group appears more than once")
 });
 

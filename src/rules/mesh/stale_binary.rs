@@ -5,28 +5,30 @@ use super::super::{Check, Rule, RuleCx, counted};
 use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::mesh_difference::MeshDifference;
 use crate::formats::obj::Mesh;
-use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, Lies, UnreadMesh, View};
+use crate::repo::{FileFacts, Landmarks};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "loads the mesh from the archive and ignores the OBJ, whichever is newer")],
     docs: "`base.mhbin` differs from the `base.obj` it should have been packed from.\n\n\
-        MakeHuman 2 looks for the user's base.mhbin, then the system's, and only then for a base.obj; a base.mhbin \
+        MakeHuman 2 looks for the user's base.mhbin, then that of the system data, and only then for a base.obj; a base.mhbin \
         beside a chosen OBJ is loaded instead. It does not compare dates: a newly exported OBJ silently has no \
         effect until the archive is deleted or rebuilt.\n\n\
         There is one finding per archive, listing what differs: the number of vertices, moved vertices and the \
         farthest of them, faces, groups, texture coordinates. The order of faces does not count, nor does a \
         distance below 0.001 cm (0.0001). All other rules check the mesh in the archive; a fault of an ignored OBJ \
         is reported as info.\n\n\
-        A user's OBJ is also ignored if the system has an archive. A user's archive over the system's OBJ may be \
+        A user's OBJ is also ignored if the system data has an archive. A user's archive over the OBJ of the system data may be \
         intended and is reported as info. If the archive has another number of vertices than everything else \
         expects, see `base-vertex-count`.\n\n\
         Delete the archive, or rebuild it with `compile_meshes.py`.",
+    counts: "vertices",
     ..RuleInfo::new("mesh-stale-binary", Level::Warning, "a packed base mesh differs from its OBJ")
 });
 
-const ABOVE: Case = &[(Makehuman2, Level::Warning, "loads the system's base.mhbin and ignores the user's base.obj")];
-const BELOW: Case = &[(Makehuman2, Level::Info, "shows the user's mesh instead of the system's")];
+const ABOVE: Case =
+    &[(Makehuman2, Level::Warning, "loads base.mhbin of the system data and ignores the user's base.obj")];
+const BELOW: Case = &[(Makehuman2, Level::Info, "shows the user's mesh instead of that in the system data")];
 
 fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let (Some(archive), Some((_, packed))) = (base.mesh_files.archive(), base.mesh) else { return };
@@ -35,7 +37,8 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
         let Some(mesh) = text.sound().filter(|mesh| is_whole(mesh) && view.layers.is_checked(at)) else { continue };
         let difference = MeshDifference::between(packed, mesh);
         if !difference.is_none() {
-            out.push(finding(at, archive, text, &Told { packed, difference: &difference }));
+            let landmarks = view.landmarks(archive);
+            out.push(finding(at, archive, text, &Told { packed, landmarks, difference: &difference }));
         }
     }
 }
@@ -50,6 +53,8 @@ fn is_whole(mesh: &Mesh) -> bool {
 /// What an archive is reported for.
 struct Told<'m> {
     packed: &'m Mesh,
+    /// Where its vertices are.
+    landmarks: Option<Landmarks<'m>>,
     difference: &'m MeshDifference,
 }
 
@@ -73,7 +78,7 @@ fn finding(at: &FileFacts, archive: &FileFacts, text: &UnreadMesh<'_>, told: &To
         Lies::Above => (ABOVE, "pack the user's base.obj with compile_meshes.py as well", archive),
         Lies::Below => (
             BELOW,
-            "leave it if this mesh is intended; otherwise move base.mhbin out of the folder to use the system's mesh",
+            "leave it if this mesh is intended; otherwise move base.mhbin out of the folder to use the mesh of the system data",
             text.file,
         ),
     };
@@ -108,10 +113,12 @@ impl Told<'_> {
 
     fn moved(&self, (vertex, distance): (u32, f32)) -> String {
         let vertices = self.packed.facts.vertices;
-        let group = self.packed.group_of(vertex).map(|group| format!(" (`{group}`)")).unwrap_or_default();
-        let by = length(distance);
-        let moved = self.difference.moved;
-        format!("{moved} of {vertices} vertices moved, vertex {vertex}{group} farthest, by {by}")
+        let at = self.landmarks.as_ref().map_or_else(|| format!("vertex {vertex}"), |body| body.vertex(vertex));
+        let (moved, by) = (self.difference.moved, length(distance));
+        match moved {
+            1 => format!("{at} moved by {by}"),
+            _ => format!("{moved} of {vertices} vertices moved, {at} farthest, by {by}"),
+        }
     }
 
     fn groups(&self) -> Option<String> {

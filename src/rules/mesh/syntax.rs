@@ -14,6 +14,7 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
         MakeHuman 2 reads the numbers without checking them and crashes on the first one that is missing or not a \
         number.\n\n\
         Export the mesh again, or fix the line.",
+    counts: "lines",
     ..RuleInfo::new("mesh-syntax", Level::Error, "a line of a mesh cannot be read")
 });
 

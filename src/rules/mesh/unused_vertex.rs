@@ -12,6 +12,7 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
         others. Programs that drop them on import number all later vertices differently, so that targets, weights \
         and clothes no longer fit.\n\n\
         Keep them if something refers to them. Do not add new ones: removing one later renumbers the mesh.",
+    counts: "vertices",
     ..RuleInfo::new("mesh-unused-vertex", Level::Info, "no face uses a vertex")
 });
 
@@ -27,9 +28,10 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     let Some(mesh) = file.mesh().filter(is_whole) else { return };
     let tally = &mesh.facts.unused;
     let Some((_, vertex)) = tally.first.first() else { return };
+    let vertex = view.landmarks(file).map_or_else(|| format!("vertex {vertex}"), |body| body.vertex(*vertex));
     let message = match tally.count {
-        1 => format!("no face uses vertex {vertex}"),
-        count => format!("{count} of {} vertices are not used by any face, first vertex {vertex}", mesh.facts.vertices),
+        1 => format!("no face uses {vertex}"),
+        count => format!("{count} of {} vertices are not used by any face, first {vertex}", mesh.facts.vertices),
     };
     let help = "leave it: without the vertex all later ones have other numbers, and targets, weights and clothes no longer fit";
     out.push(RULE.at(file, Place::File, message).help(help).evidence(tally.evidence(mesh.facts.vertices)));

@@ -13,6 +13,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         saved model names a slider by its pattern, which contains the path of its target, and MakeHuman 2 splits \
         the line at spaces. The slider works and the model can be saved, but it can never be loaded again. This \
         is an error, because the user's work is lost.\n\nUse `-` or `_` instead.",
+    counts: "targets",
     ..RuleInfo::new("modelling-blank-in-name", Level::Error, "the name of a user target contains a space")
 });
 

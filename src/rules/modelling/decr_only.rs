@@ -6,11 +6,11 @@ use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "crashes with `AttributeError` when the slider moves to its positive side")],
-    docs: "A slider has `decr`, its negative side, but no `incr`, its positive side.\n\nMakeHuman 2 still shows \
-        both sides. The positive side has no target, so moving the slider there crashes with `AttributeError`. \
+    breaks: &[(Makehuman2, "crashes with `AttributeError` when the slider moves in the increasing direction")],
+    docs: "A slider has `decr`, its decreasing direction, but no `incr`, its increasing one.\n\nMakeHuman 2 still shows \
+        both directions. The increasing one has no target, so moving the slider there crashes with `AttributeError`. \
         The slider also has no pattern: it is never saved, and no model can set it.\n\nAdd `incr`, or rename \
-        `decr` to `incr` to get a slider with one side.",
+        `decr` to `incr` to get a slider with one direction.",
     ..RuleInfo::new("modelling-decr-only", Level::Error, "a slider has `decr` but no `incr`")
 });
 
@@ -22,7 +22,7 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         }
         let help = match slider.misspelt_effect() {
             Some((key, meant)) => format!("did you mean `{meant}` instead of `{key}`?"),
-            None => "add `incr`, or rename `decr` to `incr` for a slider with one side".to_owned(),
+            None => "add `incr`, or rename `decr` to `incr` for a slider with one direction".to_owned(),
         };
         out.push(
             RULE.at(

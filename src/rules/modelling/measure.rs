@@ -1,10 +1,13 @@
 //! The vertices of a measuring line must exist, and a line around something must close.
 
+use std::cell::LazyCell;
+
 use super::super::cause::schema::is_sound;
 use super::super::units::length;
 use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo, pointer};
 use crate::eval::measure::{chain_length, closing_gap};
+use crate::repo::Landmarks;
 use crate::repo::makehuman2::{Base, BoundSlider, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
@@ -18,6 +21,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         circumference (`circ` or `girth` in the name of the slider or its target) that does not end where it \
         began lacks a piece, so the length is too small (a warning, with the gap on the unmorphed mesh).\n\nList \
         vertices of the base mesh, and repeat the first one at the end of a circumference.",
+    counts: "entries",
     ..RuleInfo::new("modelling-measure", Level::Error, "`measure` does not fit the base mesh")
 });
 
@@ -30,6 +34,8 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let vertices = i64::try_from(mesh.facts.vertices).unwrap_or(i64::MAX);
     // Behind the real vertices come the duplicates of seams.
     let end = i64::try_from(mesh.facts.vertices + mesh.facts.seam_duplicates).unwrap_or(i64::MAX);
+    // Made when a place is asked for, and once.
+    let landmarks = LazyCell::new(|| base.landmarks());
     for bound in &base.sliders {
         // The rest of a line with a float says nothing about where it was meant to run.
         let sound = bound.slider.measure_floats.is_empty();
@@ -52,10 +58,11 @@ fn run(_: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             );
         } else if let Some(first) = line.iter().find(|vertex| **vertex >= vertices) {
             let message = format!("measures vertex {first}, a UV-seam duplicate: the mesh has {vertices} vertices");
-            let effect = "measures to the UV-seam duplicate of another vertex and shows a wrong length";
+            let effect = "measures to the copy of another vertex, which it adds where the UV map is cut: the length is \
+                wrong";
             out.push(finding(bound, &message, effect).level(Level::Warning));
         } else if is_circumference(bound) {
-            out.extend(open_line(bound, line, &mesh.positions));
+            out.extend(open_line(bound, line, &mesh.positions, &landmarks));
         }
     }
 }
@@ -82,7 +89,12 @@ fn is_circumference(bound: &BoundSlider<'_>) -> bool {
 }
 
 /// The gap of a line that should close, on the unmorphed mesh.
-fn open_line(bound: &BoundSlider<'_>, line: &[i64], positions: &[[f32; 3]]) -> Option<Finding> {
+fn open_line(
+    bound: &BoundSlider<'_>,
+    line: &[i64],
+    positions: &[[f32; 3]],
+    landmarks: &Option<Landmarks<'_>>,
+) -> Option<Finding> {
     let line: Vec<u32> = line.iter().map(|vertex| u32::try_from(*vertex).ok()).collect::<Option<_>>()?;
     let (whole, gap) = (chain_length(positions, &line).ok()?, closing_gap(positions, &line).ok()?);
     let (first, last) = (line.first()?, line.last()?);
@@ -91,13 +103,14 @@ fn open_line(bound: &BoundSlider<'_>, line: &[i64], positions: &[[f32; 3]]) -> O
     }
     // The message names the place of the evidence, whose number has no unit.
     let ends = format!("vertices {first} and {last}");
-    let message = format!("does not close: {ends} are {} apart, its length is {}", length(gap), length(whole));
-    let effect = "shows a length without the missing piece";
+    let place = landmarks.as_ref().and_then(|body| body.place(*first)).map(|place| format!(" ({place})"));
+    let message = format!("does not close: {ends}{} are {} apart", place.unwrap_or_default(), length(gap));
+    let effect = format!("shows a length without the missing piece: {} on the base mesh", length(whole));
     let help = format!("add vertex {first} again after {last}, with the vertices between them if there are any");
     let evidence = Evidence::counted(1).with_worst(gap, ends);
     // Another fault than a vertex that does not exist: it must not be taken for the same.
     let key = format!("{} gap", bound.slider.key);
-    Some(finding(bound, &message, effect).key(key).level(Level::Warning).help(help).evidence(evidence))
+    Some(finding(bound, &message, &effect).key(key).level(Level::Warning).help(help).evidence(evidence))
 }
 
 fn finding(bound: &BoundSlider<'_>, message: &str, effect: &str) -> Finding {

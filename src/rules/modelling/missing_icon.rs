@@ -12,6 +12,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         folder in use.\n\nMakeHuman 2 does not check whether it exists: the slider then has a button without \
         size, which cannot be clicked. An entry without `icon` has a neutral picture, so no key is better than a \
         wrong one.\n\nCorrect the name, add the picture, or remove the key.",
+    counts: "icons",
     ..RuleInfo::new("modelling-missing-icon", Level::Warning, "`icon` names a picture that does not exist")
 });
 

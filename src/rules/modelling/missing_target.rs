@@ -20,7 +20,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         slider looks normal, but crashes MakeHuman 2 as soon as it moves, or at start if the start model moves \
         it.\n\nThe `macro.json` in use decides which target folder is read. Entries with the key `user`, \
         whatever its value, are read from the user's target folder. That key is for the file that MakeHuman 2 \
-        writes for user targets; a slider of the system that has it loses its target. A target that is only in \
+        writes for user targets; a slider of the system data that has it loses its target. A target that is only in \
         `compressedtargets.npz` counts as existing.\n\nCorrect the path, add the target, or remove the entry.",
     ..RuleInfo::new("modelling-missing-target", Level::Error, "`incr` or `decr` names a target that does not exist")
 });

@@ -6,7 +6,7 @@ use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, BoundSlider, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "mirrors the slider in one direction only, or to the wrong side")],
+    breaks: &[(Makehuman2, "mirrors the slider only one way, or to the wrong side")],
     docs: "The left/right counterpart of a slider does not point back. A left slider names its counterpart with \
         `rsym`, a right slider with `lsym`; if an entry has both, only `rsym` is read.\n\nIf the counterpart \
         does not point back, changes are mirrored in one direction only. If the sides are swapped, \"make \

@@ -1,4 +1,4 @@
-//! A pair of targets makes a two-sided slider only if `base.json` declares its endings.
+//! A pair of targets makes a slider with two directions only if `base.json` declares its endings.
 
 use super::super::cause::schema::is_faulty;
 use super::super::{Check, Rule, RuleCx};
@@ -8,19 +8,21 @@ use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, BoundSlider, Pattern, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "shows a slider with its increasing side only; the other target cannot be reached")],
+    breaks: &[(Makehuman2, "shows a slider that can only increase; the other target cannot be reached")],
     docs: "An entry has `decr` and `incr`, but `target-opposites` of `base.json` has no pair of endings for them. \
-        A slider has two sides only if the two file names end in such a pair, each after a `-`.\n\nMakeHuman 2 \
-        silently drops the negative side, and the pattern of the slider is `incr` alone: presets, symmetry and \
+        A slider has two directions only if the two file names end in such a pair, each after a `-`.\n\nMakeHuman 2 \
+        silently drops the decreasing direction, and the pattern of the slider is `incr` alone: presets, symmetry and \
         saved models that use `<decr>|<ending>` do not find it. If it is the left counterpart of another slider, \
         the random character view looks for it under that pattern and crashes with `KeyError` (an error).\n\nAdd \
         the pair, or correct the names. If `target-opposites` is missing, or none of its pairs matches, no slider \
-        has two sides, and `base.json` has one finding for all of them.",
+        has two directions, and `base.json` has one finding for all of them.",
+    counts: "sliders",
     ..RuleInfo::new("modelling-opposites", Level::Warning, "`target-opposites` does not cover a pair of targets")
 });
 
 /// Who makes a random character looks the partner up by its pattern.
-const HAS_PARTNERS: &str = "crashes with `KeyError` when it makes a random character; the sliders have only one side";
+const HAS_PARTNERS: &str =
+    "crashes with `KeyError` when it makes a random character; the sliders have only one direction";
 
 type Pairs<'r, 'a> = Vec<&'r BoundSlider<'a>>;
 
@@ -51,7 +53,7 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
     }
 }
 
-/// No slider at all has two sides: one thing to say, of `base.json`.
+/// No slider at all has two directions: one thing to say, of `base.json`.
 fn without_pairs(
     base: &Base<'_>,
     file: &FileFacts,
@@ -71,13 +73,13 @@ fn without_pairs(
     let (place, message, help) = match opposites {
         [] => (
             Place::File,
-            format!("`target-opposites` is missing, so {count} sliders have only one side"),
+            format!("`target-opposites` is missing, so {count} sliders have only one direction"),
             "add `\"target-opposites\": {\"decr\": \"incr\"}` with the endings of the target names",
         ),
         _ => (
             Place::key(["target-opposites"]),
             format!(
-                "`target-opposites` covers none of the {count} pairs of targets, so their sliders have only one side"
+                "`target-opposites` covers none of the {count} pairs of targets, so their sliders have only one direction"
             ),
             match (covers(false), covers(true)) {
                 (_, true) => "write the decreasing ending first: `\"decr\": \"incr\"`",
@@ -99,8 +101,10 @@ fn of_endings(
     let first = sliders.first()?;
     let key = first.slider.key.as_str();
     let message = match sliders {
-        [_] => format!("`{key}` has only one side: `target-opposites` has no pair `{decr}`/`{incr}`"),
-        more => format!("{} sliders have only one side: `target-opposites` has no pair `{decr}`/`{incr}`", more.len()),
+        [_] => format!("`{key}` has only one direction: `target-opposites` has no pair `{decr}`/`{incr}`"),
+        more => {
+            format!("{} sliders have only one direction: `target-opposites` has no pair `{decr}`/`{incr}`", more.len())
+        }
     };
     let swapped = opposites.iter().any(|(d, i)| d == incr && i == decr);
     let known = opposites.iter().find(|(d, _)| d == decr);

@@ -16,6 +16,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         no group. Without any `target_cat.json` it shows no slider (an error, as when the file cannot be read). \
         A group with two `|` also crashes the random character view with `ValueError`, even if the slider is \
         shown (an error).\n\nCorrect the group, or add an item for it.",
+    counts: "sliders",
     ..RuleInfo::new("modelling-unknown-group", Level::Warning, "`group` of a slider is not in `target_cat.json`")
 });
 

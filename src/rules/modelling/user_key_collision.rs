@@ -12,6 +12,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         only in case, or in `-` and a space, get the same key. One slider replaces the other, depending on the \
         order of files in the folder. A single target also collides with a pair of the same name, and a folder \
         `user` with the targets beside it.\n\nRename one of the files.",
+    counts: "targets",
     ..RuleInfo::new("modelling-user-key-collision", Level::Error, "two user targets get the same key")
 });
 

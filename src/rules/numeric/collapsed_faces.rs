@@ -18,6 +18,7 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         the area. They are reported from 5 % of the visible area.\n\n\
         The finding is reported at the target that moves the largest of these faces most. Reduce this target, or \
         those that add up with it at this setting.",
+    counts: "faces",
     ..RuleInfo::new(
         "numeric-collapsed-faces",
         Level::Warning,

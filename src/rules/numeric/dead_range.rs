@@ -10,7 +10,7 @@ use crate::formats::macro_json::{Component, MacroFile, Macrodef};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "silently applies nothing of the macrodef in this part of the slider")],
+    breaks: &[(Makehuman2, "silently applies none of the targets of the macrodef in this part of the slider")],
     docs: "A macrodef applies nothing while a slider is at certain values, whatever its other sliders are, \
         although it applies something elsewhere on that slider.\n\n\
         A single value whose combinations are all `null` or not listed is usually intended (a neutral value, or \
@@ -27,7 +27,7 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
 const NARROW: Case = &[(
     Makehuman2,
     Level::Info,
-    "fades the shape out towards this position, and applies nothing of the macrodef there",
+    "fades the shape out towards this position, and applies none of the targets of the macrodef there",
 )];
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {

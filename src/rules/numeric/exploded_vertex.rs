@@ -1,5 +1,6 @@
 //! A vertex far outside the figure at some setting.
 
+use super::super::units::length;
 use super::super::{Check, Rule, RuleCx};
 use super::{at_setting, untold};
 use crate::diag::{Application::Makehuman2, Confidence, Evidence, Finding, Level, RuleInfo};
@@ -16,6 +17,7 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         target that moves the vertex most. A single displacement larger than the whole mesh, or out of proportion \
         to its target, is `target-oversized-delta` instead.\n\n\
         Check the target for a missing decimal point or a wrong unit.",
+    counts: "vertices",
     ..RuleInfo::new(
         "numeric-exploded-vertex",
         Level::Warning,
@@ -25,12 +27,10 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(seen) = untold(body, measures, Trouble::Exploded) else { return };
-    let (vertex, by) = (body.vertex(seen.element), seen.value);
+    let (vertex, by) = (body.vertex(seen.element), length(seen.length.unwrap_or(f64::NAN)));
     let message = match seen.count {
-        1 => format!("{vertex} lies outside the figure by {by:.1} times the figure's diagonal"),
-        count => format!(
-            "{count} vertices lie outside the figure, {vertex} farthest, by {by:.1} times the figure's diagonal"
-        ),
+        1 => format!("{vertex} lies {by} outside the figure"),
+        count => format!("{count} vertices lie outside the figure, {vertex} farthest, by {by}"),
     };
     let evidence = Evidence::counted(seen.count);
     out.push(

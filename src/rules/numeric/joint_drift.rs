@@ -1,5 +1,6 @@
 //! A joint that leaves its limb at some setting.
 
+use super::super::units::length;
 use super::super::{Check, Rule, RuleCx};
 use super::{at_setting, untold};
 use crate::diag::{Application::Makehuman2, Confidence, Evidence, Finding, Level, RuleInfo};
@@ -17,15 +18,15 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         Usually a target moves a joint cube but not the skin, or the skin but not the cube. The finding is \
         reported at the target that moves the joint most at that setting. Move the joint cube and the skin \
         together.",
+    counts: "joints",
     ..RuleInfo::new("numeric-joint-drift", Level::Warning, "a joint leaves its limb at some slider setting")
 });
 
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(seen) = untold(body, measures, Trouble::Drifted) else { return };
-    let message = format!(
-        "joint `{}` leaves the skin around it: it moves away by {:.1} times its normal reach",
-        seen.name, seen.value
-    );
+    let away = seen.length.map(|away| format!(" {}", length(away))).unwrap_or_default();
+    let message =
+        format!("joint `{}` moves{away} away from the skin around it, {:.1} times its reach", seen.name, seen.value);
     out.push(
         at_setting(&RULE, body, seen, &message)
             .parts(&seen.all)

@@ -14,7 +14,7 @@ use crate::formats::macro_json::{Component, MacroFile, Macrodef};
 use crate::repo::Body;
 
 use super::cause::component::has_sound_steps;
-use super::{Rule, percent};
+use super::{Rule, counted, percent};
 
 pub(super) mod collapsed_faces;
 pub(super) mod dead_range;
@@ -28,27 +28,28 @@ pub(super) mod threshold_loss;
 pub(super) mod weights_sum;
 pub(super) mod zero_length_bone;
 
-/// `message` and the setting that shows it, at the target that moves the thing most; without one, at the mesh.
+/// `message` at the target that moves the thing most, or without one at the mesh; beside it the setting that shows it.
 fn at_setting(rule: &Rule, body: &Body<'_>, seen: &Seen, message: &str) -> Finding {
     let mesh = || body.mesh.map(|(file, _)| file.path.clone());
     let path = seen.target.clone().or_else(mesh).unwrap_or_default();
     let asset = mesh().unwrap_or_default();
-    Finding::new(&rule.info, path, Place::File, format!("{message}; seen with {}", worded(&seen.setting))).asset(asset)
+    let finding = Finding::new(&rule.info, path.clone(), Place::File, message).asset(asset);
+    finding.related(path, Place::File, to_see(&seen.setting))
 }
 
 /// More sliders than this are not spelled out: only sampled settings have so many.
 const MOST_NAMED: usize = 12;
 
-/// What differs from the defaults, as a message shows it: `macrodetails/Age = 0`.
-fn worded(setting: &[SliderSetting]) -> String {
+/// What to set to see it: ``set `macrodetails/Age = 0` to see it``.
+fn to_see(setting: &[SliderSetting]) -> String {
     if setting.is_empty() {
-        return "all sliders at their defaults".to_owned();
+        return "all sliders at their defaults show it".to_owned();
     }
     let named = setting.iter().take(MOST_NAMED).map(|(slider, value)| format!("{slider} = {}", short(*value)));
     let named = named.collect::<Vec<_>>().join(", ");
     match setting.len().saturating_sub(MOST_NAMED) {
-        0 => format!("`{named}`"),
-        more => format!("`{named} and {more} more`"),
+        0 => format!("set `{named}` to see it"),
+        more => format!("set `{named}` and {} to see it", counted(more, "more slider")),
     }
 }
 
@@ -104,6 +105,7 @@ mod tests {
             name: String::new(),
             count: 1,
             all: Vec::new(),
+            length: None,
             setting: Vec::new(),
             target: Some(target.to_owned()),
         };
@@ -116,9 +118,9 @@ mod tests {
 
     #[test]
     fn a_setting_is_worded_by_what_differs() {
-        assert_eq!(worded(&[]), "all sliders at their defaults");
+        assert_eq!(to_see(&[]), "all sliders at their defaults show it");
         let setting = |count: usize| (0..count).map(|at| (format!("s{at}"), 0.25)).collect::<Vec<_>>();
-        assert_eq!(worded(&[("Age".to_owned(), 0.0), ("nose".to_owned(), 1.0)]), "`Age = 0, nose = 1`");
-        assert!(worded(&setting(13)).ends_with("s11 = 0.25 and 1 more`"));
+        assert_eq!(to_see(&[("Age".to_owned(), 0.0), ("nose".to_owned(), 1.0)]), "set `Age = 0, nose = 1` to see it");
+        assert!(to_see(&setting(13)).ends_with("s11 = 0.25` and 1 more slider to see it"));
     }
 }

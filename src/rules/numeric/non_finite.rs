@@ -12,11 +12,11 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "silently loses the vertices, or in pose mode all skin of the bone")],
     docs: "At some slider setting a vertex or the matrix of a bone is not a number, although all files contain \
         numbers and the default character is fine.\n\n\
-        For a bone, the three joints of its rotation plane come to lie in line or at one point. The plane then has \
+        For a bone, the three joints of its rotation plane come to lie on one straight line or at one point. The plane then has \
         no normal, and MakeHuman 2 divides by zero and goes on (sine of the angle below 1e-7, which is zero in its \
         32-bit floats). For a vertex, displacements add up to more than a 32-bit float can hold.\n\n\
         The finding is reported at the target that moves the joints or the vertex most at that setting. Fix its \
-        rows there. Planes that are in line on the default character and displacements that are not finite have \
+        rows there. Planes whose joints are on one straight line on the default character and displacements that are not finite have \
         rules of their own.",
     ..RuleInfo::new("numeric-non-finite", Level::Error, "a vertex or matrix is not finite at some slider setting")
 });
@@ -38,7 +38,10 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
     }
     if let Some(seen) = untold(body, measures, Trouble::FlatPlane).filter(|seen| !is_flat_at_rest(measures, &seen.name))
     {
-        let message = format!("the rotation plane of bone `{}` has no normal: its three joints are in line", seen.name);
+        let message = format!(
+            "the rotation plane of bone `{}` has no normal: its three joints are on one straight line",
+            seen.name
+        );
         out.push(
             at_setting(&RULE, body, seen, &message)
                 .key("planes")

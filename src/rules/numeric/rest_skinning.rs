@@ -17,7 +17,7 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         same direction, so that it has no sideways axis. Or the mesh is so far from the origin, or in such small \
         units, that 32-bit floats are not precise enough.\n\n\
         Check the rotation planes of the bones that move the vertex. Bones without length and planes whose joints \
-        are in line are reported separately.",
+        are on one straight line are reported separately.",
     ..RuleInfo::new("numeric-rest-skinning", Level::Error, "skinning in the rest pose changes the mesh")
 });
 

@@ -1,7 +1,7 @@
 //! What the cut-off of small factors throws away.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{percent, title, worded};
+use super::{percent, title, to_see};
 use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, OptionInfo, Place, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::repo::Body;
@@ -19,6 +19,7 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         There is one finding per `macro.json`: the macrodef that loses most, at the worst setting found. Nothing \
         needs to be done; splitting a macrodef with many components reduces the loss.",
     options: &[OptionInfo { name: "percent", default: 5.0, docs: "how much weight may be lost, in per cent" }],
+    counts: "macrodefs",
     ..RuleInfo::new(
         "numeric-threshold-loss",
         Level::Info,
@@ -33,15 +34,13 @@ fn run(body: &Body<'_>, measures: &Measures, cx: &RuleCx<'_>, out: &mut Vec<Find
     let Some((number, lost, at)) = over().max_by(|a, b| a.1.total_cmp(&b.1)) else { return };
     let Some(macrodef) = macros.macrodefs.get(*number) else { return };
     let (title, share) = (title(macrodef), percent(*lost));
-    let message = format!(
-        "macrodef `{title}` loses {share} of its weight because factors up to 0.01 are dropped; seen with {}",
-        worded(at)
-    );
+    let message = format!("macrodef `{title}` loses {share} of its weight because factors up to 0.01 are dropped");
     let named = |number: &usize| macros.macrodefs.get(*number).map(super::title).unwrap_or_default();
     let cases = over().map(|(number, lost, _)| format!("{}: {}", named(number), percent(*lost)));
     out.push(
         RULE.at(file, Place::pointer(["macrodef", &macrodef.index.to_string(), "comp"]), message)
             .key("loss")
+            .related(&file.path, Place::File, to_see(at))
             .parts(over().map(|(number, ..)| named(number)))
             .help("leave it if the loss is too small to see; otherwise use fewer components in this macrodef")
             .evidence(Evidence::of_cases(cases).out_of(macros.macrodefs.len()).with_worst(*lost, title)),

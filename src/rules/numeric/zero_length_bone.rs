@@ -26,7 +26,12 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
 fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(seen) = untold(body, measures, Trouble::ShortBone) else { return };
     let length = 1.0 / seen.value;
-    let message = format!("bone `{}` has no length ({:.5} cm)", seen.name, centimetres(length));
+    let cm = centimetres(length);
+    // What is shown of a length that is not quite 0 has to differ from 0.
+    let message = match format!("{cm:.5}").as_str() {
+        "0.00000" => format!("bone `{}` has no length", seen.name),
+        cm => format!("bone `{}` has no length: {cm} cm", seen.name),
+    };
     out.push(
         at_setting(&RULE, body, seen, &message)
             .parts(&seen.all)

@@ -11,7 +11,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         "writes an empty archive at the first start, and crashes with `EOFError` at every later start",
     )],
     docs: "The folder that the targets of a base come from contains no target. It is `contarget/<base>` if a \
-        macro.json there is accepted, otherwise `target/<base>` of the system.\n\nMakeHuman 2 packs all targets \
+        macro.json there is accepted, otherwise `target/<base>` of the system data.\n\nMakeHuman 2 packs all targets \
         of the folder into `compressedtargets.npz` if that does not exist. It creates the file first and then \
         fills it. Without any `.target` in the folder or below, a file of 0 bytes remains, and MakeHuman 2 \
         crashes with `EOFError` (target.py:648) from the second start on, until somebody deletes it. Without any \

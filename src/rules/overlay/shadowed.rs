@@ -1,18 +1,18 @@
 //! A file that is there and not read, because another one replaces it.
 
-use super::super::{Check, Rule, RuleCx, counted};
+use super::super::{Check, Rule, RuleCx, counted, enumerated};
 use super::{Override, SystemFolder, is_complete, overrides, system_folder};
 use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
 use crate::repo::makehuman2::{Base, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
-    breaks: &[(Makehuman2, "reads the file in contarget instead of the system's")],
-    docs: "macro.json, modelling.json and target_cat.json in `contarget/<base>/` replace the system's files of \
-        the same names completely; nothing is merged. With macro.json the targets change as well: none of the \
-        system's can be reached. That is what overrides are for; the finding lists what is no longer reachable. \
+    breaks: &[(Makehuman2, "reads the file in contarget instead of the one in the system data")],
+    docs: "macro.json, modelling.json and target_cat.json in `contarget/<base>/` replace the files in the system data of \
+        the same names completely; nothing is merged. With macro.json the targets change as well: none in the \
+        system data can be reached. That is what overrides are for; the finding lists what is no longer reachable. \
         An override with gaps has a finding for the gap instead.\n\nMakeHuman 2 never reads a macro.json in the \
         user's `target/<base>/`. Move it to `contarget/<base>/` together with the targets it names. It also \
-        never reads a `contarget` folder in the system's data.",
+        never reads a `contarget` folder in the system data.",
     ..RuleInfo::new("overlay-shadowed", Level::Info, "a file that is replaced or never read")
 });
 
@@ -47,7 +47,7 @@ fn contarget_of_system(view: &View<'_>, base: &Base<'_>) -> Option<Finding> {
     let folder = format!("contarget/{}", base.name);
     let first = view.layers.checked.below(&folder).next().filter(|_| view.layers.user.is_none())?;
     let files = view.layers.checked.below(&folder).count();
-    let message = format!("`{folder}` in the system's folder is never read ({})", counted(files, "file"));
+    let message = format!("`{folder}` in the system data is never read ({})", counted(files, "file"));
     Some(
         RULE.at(first, Place::File, message)
             .key("contarget of the system")
@@ -62,7 +62,7 @@ fn replaced_by_contarget(base: &Base<'_>, replaced: &[&Override<'_>]) -> Option<
     let file = replaced.first()?.file?;
     let names: Vec<&str> = replaced.iter().map(|each| each.name).collect();
     let (what, lost) = unreachable(base);
-    let message = format!("contarget replaces the system's {} of base `{}`{what}", names.join(", "), base.name);
+    let message = format!("contarget replaces {} of base `{}` in the system data{what}", enumerated(&names), base.name);
     let finding = RULE.at(file, BEGINNING, message).key(base.name).asset(file.folder());
     let mut finding = finding.parts(&names);
     for system in replaced.iter().filter_map(|each| each.system) {

@@ -5,8 +5,8 @@ use std::collections::BTreeSet;
 use super::super::{Check, Rule, RuleCx, counted};
 use super::{has_misnamed_override, in_other_layer, lacks_folder};
 use crate::diag::{Application::Makehuman2, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo};
+use crate::repo::Reference;
 use crate::repo::makehuman2::{Base, View};
-use crate::repo::{Reference, ReferenceKind};
 
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
@@ -15,12 +15,13 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
             otherwise as soon as one gets weight",
     )],
     docs: "MakeHuman 2 loads all targets of a base, for macros and sliders, from one folder: `contarget/<base>` \
-        if a macro.json there is in use, otherwise `target/<base>` of the system. Single files do not fall back \
+        if a macro.json there is in use, otherwise `target/<base>` of the system data. Single files do not fall back \
         to the other folder. But sliders and macros can still come from the other layer, because each JSON is \
         chosen separately; then they name targets that are not in the folder in use.\n\nSo an override of \
         macro.json needs every target that a slider or combination in use names. Copy the missing ones beside \
         it, remove them from the JSON, or give up the override of macro.json. An override of modelling.json \
-        alone uses the system's targets: with targets of its own it needs a macro.json beside it.",
+        alone uses the targets of the system data: with targets of its own it needs a macro.json beside it.",
+    counts: "targets",
     ..RuleInfo::new(
         "overlay-targets-not-in-layer",
         Level::Error,
@@ -39,11 +40,10 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
     if lost.is_empty() {
         return;
     }
-    let count = files(&lost, |_| true);
+    let count = lost.iter().map(|lost| lost.rel.as_str()).collect::<BTreeSet<_>>().len();
     let message = format!(
-        "{} ({}) {} not in `{}`, the folder in use, but only in `{}`",
+        "{} {} not in `{}`, the folder in use, but only in `{}`",
         counted(count, "target"),
-        by_source(&lost),
         if count == 1 { "is" } else { "are" },
         used.layer.display(&used.rel()),
         other.layer.display(&other.rel()),
@@ -60,22 +60,6 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
     out.push(finding.evidence(Evidence::of_cases(cases).out_of(of)));
 }
 
-/// How many targets the references lead to.
-fn files(lost: &[&Reference<'_>], of: impl Fn(&Reference<'_>) -> bool) -> usize {
-    lost.iter().filter(|lost| of(lost)).map(|lost| lost.rel.as_str()).collect::<BTreeSet<_>>().len()
-}
-
-/// `5 of macro.json, 3 of modelling.json`, and how often they are named if that is more.
-fn by_source(lost: &[&Reference<'_>]) -> String {
-    let is_macro = |reference: &Reference<'_>| reference.kind == ReferenceKind::MacroTarget;
-    let of_macros = files(lost, is_macro);
-    let of_sliders = files(lost, |reference| !is_macro(reference));
-    let parts = [(of_macros, "macro.json"), (of_sliders, "modelling.json")];
-    let parts = parts.iter().filter(|(count, _)| *count > 0).map(|(count, file)| format!("{count} from {file}"));
-    let uses = (lost.len() > of_macros + of_sliders).then(|| format!("named {} times", lost.len()));
-    parts.chain(uses).collect::<Vec<_>>().join(", ")
-}
-
 /// At the `macro.json` that moved the folder, or at the sliders that count on a folder nothing moved to.
 fn finding_where_to_act(view: &View<'_>, base: &Base<'_>, lost: &[&Reference<'_>], message: String) -> Finding {
     if let Some((file, _)) = base.macros.contarget.accepted() {
@@ -84,7 +68,8 @@ fn finding_where_to_act(view: &View<'_>, base: &Base<'_>, lost: &[&Reference<'_>
         let place = first.map_or_else(|| Place::key(["macrodef"]), |reference| reference.place.clone());
         return RULE.at(file, place, message).help(help);
     }
-    let help = "add a macro.json to contarget, such as the system's: without it, contarget's targets are not read";
+    let help =
+        "add a macro.json to contarget, such as that of the system data: without it, contarget's targets are not read";
     if let Some(first) = lost.iter().find(|reference| view.layers.is_checked(reference.from)) {
         return RULE.at(first.from, first.place.clone(), message).help(help);
     }

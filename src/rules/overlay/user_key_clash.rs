@@ -15,6 +15,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         `Head Size`. A slider of the base with that key disappears, and models saved with it lose the value. A \
         target that the file does not name yet counts as well: the next scan makes its key.\n\nRename the user's \
         target or its folder; MakeHuman 2 rewrites the file.",
+    counts: "sliders",
     ..RuleInfo::new("overlay-user-key-clash", Level::Warning, "a user target that replaces a slider with the same key")
 });
 

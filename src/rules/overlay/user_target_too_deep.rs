@@ -13,6 +13,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         below it, but not deeper. Files further down are still read and packed at every start, and a malformed \
         one still crashes it, but they get no slider. Neither do targets in the folder `icons`, which is for \
         pictures.\n\nMove the files up: one folder below `target/<base>/` is one group of sliders.",
+    counts: "targets",
     ..RuleInfo::new("overlay-user-target-too-deep", Level::Warning, "user targets too deep to become sliders")
 });
 

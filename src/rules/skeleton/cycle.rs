@@ -14,6 +14,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         Give one bone of the cycle a parent outside it. A cycle with bones below it, which are also lost, is \
         reported as `skeleton-unreachable-bone`; a skeleton that consists of nothing but cycles as \
         `skeleton-no-root`.",
+    counts: "bones",
     ..RuleInfo::new("skeleton-cycle", Level::Error, "the parents of some bones form a cycle")
 });
 

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx};
-use super::measured::{Measured, measured, named, plane_of};
+use super::measured::{Measured, measured, plane_of};
 use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::eval::skeleton::PARALLEL_SINE;
@@ -13,21 +13,22 @@ use crate::repo::Body;
 pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
     breaks: &[(
         Makehuman2,
-        "gets no normal: in pose mode all vertices of these bones and of the bones below them disappear",
+        "gets no normal: in pose mode all vertices of the bones that use the plane, and of those below them, disappear",
     )],
-    docs: "On the default character the three joints of a `rotation_plane` are in line, or two of them are at the \
+    docs: "On the default character the three joints of a `rotation_plane` are on one straight line, or two of them are at the \
         same place.\n\n\
         The plane determines the roll of its bones. Without an area it has no normal, and the rest matrices of the \
-        bones are not numbers; MakeHuman 2 does not report it. If the joints are in line except for rounding (sine \
+        bones are not numbers; MakeHuman 2 does not report it. If the joints are on one straight line except for rounding (sine \
         of the angle below 0.0001, or 0.006°), there is a normal, but it is noise: a warning.\n\n\
         Choose three joints that form a triangle, such as shoulder, elbow and wrist of a bent arm.",
-    ..RuleInfo::new("skeleton-degenerate-plane", Level::Error, "the joints of a rotation plane are in line")
+    counts: "bones",
+    ..RuleInfo::new("skeleton-degenerate-plane", Level::Error, "the joints of a rotation plane are on one straight line")
 });
 
 const NOISE: Case = &[(
     Makehuman2,
     Level::Warning,
-    "takes the roll of these bones from rounding errors, so it differs between characters",
+    "takes the roll of the bones that use the plane from rounding errors, so it differs between characters",
 )];
 
 /// Sine of the angle between the edges below which rounding of joints decides the normal.
@@ -61,13 +62,13 @@ fn finding(rig: &Measured<'_>, plane: &str, joints: &[&str], sine: f64, bones: &
     let list = joints.iter().map(|joint| format!("`{joint}`")).collect::<Vec<_>>().join(", ");
     let why = match sine {
         sine if !sine.is_finite() => format!("has no normal: two of its joints {list} coincide"),
-        sine if sine < PARALLEL_SINE => format!("has no normal: its joints {list} are in line"),
+        sine if sine < PARALLEL_SINE => format!("has no normal: its joints {list} are on one straight line"),
         sine => {
             let angle = sine.asin().to_degrees();
-            format!("has an unreliable normal: its joints {list} are in line but for {angle:.6}°")
+            format!("has an unreliable normal: its joints {list} are only {angle:.6}° off one straight line")
         }
     };
-    let message = format!("plane `{plane}` of {} {why}", named(bones));
+    let message = format!("plane `{plane}` {why}");
     let evidence = Evidence::of_cases(bones).out_of(rig.skeleton.bones.len()).with_worst(sine, plane);
     let finding = RULE
         .at(rig.file, Place::pointer(["planes", plane]), message)

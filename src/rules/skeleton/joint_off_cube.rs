@@ -22,6 +22,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         if a slider moves the other vertices elsewhere.\n\n\
         Usually the numbers were counted from 1, as in the OBJ file, or one of them is mistyped. List the vertices \
         of the cube, counted from 0.",
+    counts: "joints",
     ..RuleInfo::new("skeleton-joint-off-cube", Level::Warning, "a joint lists part of its cube and other vertices")
 });
 

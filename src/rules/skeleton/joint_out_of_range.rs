@@ -16,6 +16,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         When it loads a mesh, it adds duplicates of vertices along UV seams. A number in that range, and a \
         negative number (counted from the end), is accepted and means a vertex that nobody intended: a warning.\n\n\
         Usually the skeleton was made for another base mesh.",
+    counts: "entries",
     ..RuleInfo::new(
         "skeleton-joint-out-of-range",
         Level::Error,
@@ -24,7 +25,11 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 });
 
 const STOPS: Case = &[(Makehuman2, Level::Error, "crashes with `IndexError`")];
-const SEAM: Case = &[(Makehuman2, Level::Warning, "uses the position of a UV-seam duplicate")];
+const SEAM: Case = &[(
+    Makehuman2,
+    Level::Warning,
+    "uses the position of a copy of another vertex, which it adds where the UV map is cut",
+)];
 const NEGATIVE: Case = &[(Makehuman2, Level::Warning, "uses a vertex counted from the end of the mesh")];
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {

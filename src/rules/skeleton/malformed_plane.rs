@@ -12,7 +12,8 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         MakeHuman 2 rejects a skeleton if a bone uses the plane `[null, null, null]` (old exporters wrote it for \
         \"no plane\"). It crashes if there are fewer than three joints, if one of them is not a name, or if the \
         plane is not a list. A plane that no bone uses is never read and is reported as info.\n\n\
-        Name three joints that are not in line, or remove the plane and the `rotation_plane` of its bones.",
+        Name three joints that are not on one straight line, or remove the plane and the `rotation_plane` of its bones.",
+    counts: "planes",
     ..RuleInfo::new("skeleton-malformed-plane", Level::Error, "a plane is not a list of three joints")
 });
 
@@ -59,7 +60,7 @@ fn finding(rig: &Rig<'_>, plane: &str, outcome: Outcome, message: String) -> Fin
     let finding = RULE
         .at(rig.file, Place::pointer(["planes", plane]), message)
         .key(plane)
-        .help("name three joints that are not in line, or remove the plane and the `rotation_plane` of its bones");
+        .help("name three joints that are not on one straight line, or remove the plane and the `rotation_plane` of its bones");
     match outcome {
         Outcome::NotUsed => finding.case(NOT_USED),
         Outcome::Asked(Some(exceptions)) => rig.stops_with(exceptions, finding),

@@ -13,6 +13,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         MakeHuman 2 checks for them before anything else and rejects the whole skeleton if one is missing. An \
         empty file (`{}`) is worse: the scan of all assets crashes on it at start.\n\n\
         Add what is missing. A bone without an end of its own can end at the joint where the next bone begins.",
+    counts: "bones",
     ..RuleInfo::new("skeleton-missing-section", Level::Error, "a required part of a skeleton is missing")
 });
 

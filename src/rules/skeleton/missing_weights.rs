@@ -9,7 +9,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "rejects the skeleton and logs a line")],
     docs: "The weights file of a skeleton does not exist where MakeHuman 2 looks for it.\n\n\
         MakeHuman 2 looks for `weights_file` (`default_weights.mhw` if the key is missing) in `rigs/<base>/` of \
-        the user's data, then of the system's, and never beside the skeleton. If the file does not exist there, it \
+        the user's data, then of the system data, and never beside the skeleton. If the file does not exist there, it \
         rejects the whole skeleton.\n\n\
         Correct the name, or move the file. A skeleton in a sub-folder has to name the sub-folder: `sub/file.mhw`.",
     ..RuleInfo::new(

@@ -12,6 +12,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         MakeHuman 2 needs exactly one root and rejects the whole skeleton if there is a second one, even if only \
         `parent` was forgotten. MakeHuman 1 accepts several roots.\n\n\
         Give every bone but one a parent; an unattached bone can hang on the root.",
+    counts: "bones",
     ..RuleInfo::new("skeleton-multiple-roots", Level::Error, "more than one bone of a skeleton has no parent")
 });
 

@@ -18,6 +18,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         `hand.L` and `hand.R`, `hand_l` and `hand_r`, `l-hand` and `r-hand`.\n\n\
         The bone works in MakeHuman 2. Tools that mirror poses by these names leave it out.\n\n\
         Usually the counterpart is misspelt or was forgotten. Correct its name, or add it.",
+    counts: "bones",
     ..RuleInfo::new("skeleton-name-asymmetry", Level::Info, "a bone has no left/right counterpart")
 });
 

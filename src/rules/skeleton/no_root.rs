@@ -14,6 +14,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         without bones.\n\n\
         Set `parent` of the bone that carries all others to null. For a cycle of parents beside a root see \
         `skeleton-cycle`; for parents that do not exist see `skeleton-unknown-parent`.",
+    counts: "bones",
     ..RuleInfo::new("skeleton-no-root", Level::Error, "no bone of a skeleton is the root")
 });
 

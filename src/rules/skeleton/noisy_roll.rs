@@ -19,6 +19,7 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         default: 0.999,
         docs: "cosine of the angle between bone and normal above which the roll counts as noise (0.999 is 2.6°)",
     }],
+    counts: "bones",
     ..RuleInfo::new(
         "skeleton-noisy-roll",
         Level::Info,
@@ -40,15 +41,16 @@ fn run(body: &Body<'_>, measures: &Measures, cx: &RuleCx<'_>, out: &mut Vec<Find
         let worst = bones.iter().min_by(|a, b| nearest(a.1.roll_sine).total_cmp(&nearest(b.1.roll_sine)));
         let Some((bone, measure)) = worst else { continue };
         let without = bones.iter().filter(|(bone, _)| plane_of(bone).is_none()).count();
-        let message = format!(
-            "the roll of {} of {} bones is unstable: they are within {:.1}° of their normal, `{}` closest ({:.2}°); \
-             {without} without `rotation_plane`",
-            bones.len(),
-            rig.skeleton.bones.len(),
-            cosine.acos().to_degrees(),
-            bone.name,
-            measure.roll_sine.asin().to_degrees()
-        );
+        let what = if plane_of(bone).is_none() { "the vertical" } else { "the normal of its plane" };
+        let name = &bone.name;
+        let why = match format!("{:.2}", measure.roll_sine.asin().to_degrees()).as_str() {
+            "0.00" => format!("it is parallel to {what}"),
+            angle => format!("it is only {angle}° off {what}"),
+        };
+        let message = match bones.len() {
+            1 => format!("the roll of bone `{name}` is unstable: {why}"),
+            count => format!("the roll of {count} bones is unstable, most that of `{name}`: {why}"),
+        };
         let evidence = Evidence::of_cases(bones.iter().map(|(bone, _)| &bone.name)).out_of(rig.skeleton.bones.len());
         out.push(
             RULE.at(rig.file, Place::key(["bones", &bone.name]), message)

@@ -16,6 +16,7 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         A bone rotates around its `head`. MakeHuman 2 says nothing and rotates such a bone around its far end; its \
         roll is reversed as well.\n\n\
         Swap `head` and `tail`.",
+    counts: "bones",
     ..RuleInfo::new("skeleton-swapped-ends", Level::Warning, "head and tail of a bone are swapped")
 });
 

@@ -22,6 +22,7 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         Reported are vertices that keep no weight at all; the weights of other vertices are divided by the sum \
         that is left. Names in references that do not exist are `skeleton-unknown-reference`.\n\n\
         List the lost bones in `reference` of the bone that replaces them.",
+    counts: "vertices",
     ..RuleInfo::new(
         "skeleton-unclaimed-bones",
         Level::Warning,

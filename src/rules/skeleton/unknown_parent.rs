@@ -12,6 +12,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         the root has none.\n\n\
         MakeHuman 2 rejects the whole skeleton.\n\n\
         Correct the name, or add the missing bone. Names must match exactly, including capitals.",
+    counts: "bones",
     ..RuleInfo::new("skeleton-unknown-parent", Level::Error, "a bone names a parent that does not exist")
 });
 
@@ -21,6 +22,8 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         for (parent, bones) in hierarchy(rig.skeleton).unknown_parents {
             let Some(first) = bones.first() else { continue };
             let message = match bones.len() {
+                1 if parent.is_empty() => format!("`parent` of bone `{first}` is an empty name"),
+                count if parent.is_empty() => format!("`parent` of {count} bones is an empty name"),
                 1 => format!("parent `{parent}` of bone `{first}` does not exist"),
                 count => format!("parent `{parent}` of {count} bones does not exist"),
             };

@@ -16,6 +16,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         determines the roll of the bone.\n\n\
         MakeHuman 2 rejects the whole skeleton.\n\n\
         Correct the name, add the plane, or remove the key: without `rotation_plane` the bone uses the vertical.",
+    counts: "bones",
     ..RuleInfo::new("skeleton-unknown-plane", Level::Error, "a bone names a plane that does not exist")
 });
 

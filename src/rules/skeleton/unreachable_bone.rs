@@ -13,6 +13,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         warning. If the only root is part of the cycle, MakeHuman 2 rejects the skeleton.\n\n\
         The finding is reported at the cycle, which is the place to fix: give one of its bones a parent outside \
         it. A cycle with nothing below it is `skeleton-cycle`.",
+    counts: "bones",
     ..RuleInfo::new(
         "skeleton-unreachable-bone",
         Level::Error,

@@ -15,6 +15,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     docs: "No bone (`head`, `tail`) and no plane names a joint, so the joint has no effect. It is either a \
         left-over, or a bone that should use it names another one.\n\n\
         Remove it, or use it.",
+    counts: "joints",
     ..RuleInfo::new("skeleton-unused-joint", Level::Info, "no bone or plane uses a joint")
 });
 

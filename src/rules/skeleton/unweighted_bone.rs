@@ -18,6 +18,7 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         `weights_reference`. The skeleton's own weights file is loaded but not used.\n\n\
         The root and bones with children are not reported; they may only hold others together.\n\n\
         List the default bones in `reference`. A bone that is only a handle or a socket may stay without.",
+    counts: "bones",
     ..RuleInfo::new("skeleton-unweighted-bone", Level::Warning, "a bone gets no weights through its references")
 });
 
@@ -49,8 +50,8 @@ fn names_nothing(bone: &Bone, defaults: &BTreeSet<&str>) -> bool {
 fn finding(rig: &Measured<'_>, bones: &[&str]) -> Option<Finding> {
     let first = bones.first()?;
     let message = match bones.len() {
-        1 => format!("{} gets no weights: no default bone has its name, and it has no references", named(bones)),
-        _ => format!("{} get no weights: no default bone has their names, and they have no references", named(bones)),
+        1 => format!("{} gets no weights: it has no references, and no default bone has its name", named(bones)),
+        _ => format!("{} get no weights: they have neither references nor names of default bones", named(bones)),
     };
     Some(
         RULE.at(rig.file, Place::key(["bones", first]), message)

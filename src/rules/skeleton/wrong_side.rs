@@ -22,6 +22,7 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         limb.\n\n\
         Usually left and right are swapped in `joints`, or a bone names the joints of its counterpart. Swap them \
         back.",
+    counts: "bones",
     ..RuleInfo::new("skeleton-wrong-side", Level::Warning, "a bone is not on the side its name says")
 });
 

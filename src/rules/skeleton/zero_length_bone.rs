@@ -16,6 +16,7 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         or two joints list the same vertices.\n\n\
         Give the bone two different joints. For a bone that has no length only at some slider setting see \
         `numeric-zero-length-bone`.",
+    counts: "bones",
     ..RuleInfo::new("skeleton-zero-length-bone", Level::Error, "head and tail of a bone coincide")
 });
 

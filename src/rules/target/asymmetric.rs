@@ -1,8 +1,9 @@
 //! A target that names no side moves both sides alike.
 
+use super::super::regions::regions;
 use super::super::units::length;
 use super::super::{Check, Rule, RuleCx};
-use super::shown::shown_by;
+use super::shown::with_setting;
 use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, OptionInfo, Place, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::eval::side;
@@ -63,21 +64,22 @@ fn one_sided(body: &Body<'_>, file: &FileFacts, target: &TargetMeasure) -> Optio
     let mirror = &target.own_mirror;
     let different = mirror.different.len();
     let (vertex, worst) = mirror.worst?;
-    let shown = shown_by(body, file);
-    let differ = if different == 1 { "differs from its" } else { "differ from their" };
-    let message = format!(
-        "{different} of {} vertices {differ} mirror image, {} most, by {}{shown}",
-        mirror.compared,
-        body.vertex(vertex),
-        length(worst)
-    );
+    let message = match different {
+        1 => format!("{} differs from its mirror image by {}", body.vertex(vertex), length(worst)),
+        count => {
+            let regions = regions(body, mirror.different.iter().copied());
+            let regions = regions.map(|regions| format!(" ({regions})")).unwrap_or_default();
+            let (vertex, worst) = (body.vertex(vertex), length(worst));
+            format!("{count} vertices{regions} are asymmetric, worst {vertex} by {worst}")
+        }
+    };
     let evidence = Evidence::counted(different).out_of(mirror.compared);
-    Some(
-        RULE.at(file, Place::File, message)
-            .parts(&mirror.different)
-            .help("make it symmetric, name its side, or add its ending to `nonsym` under `random` of base.json")
-            .evidence(evidence.with_worst(worst, format!("vertex {vertex}"))),
-    )
+    let finding = RULE
+        .at(file, Place::File, message)
+        .parts(&mirror.different)
+        .help("make it symmetric, name its side, or add its ending to `nonsym` under `random` of base.json")
+        .evidence(evidence.with_worst(worst, format!("vertex {vertex}")));
+    Some(with_setting(finding, body, file))
 }
 
 /// One line for all targets in which a few vertices were missed; it stands at their folder.
@@ -85,14 +87,11 @@ fn uneven(body: &Body<'_>, slight: &[(&FileFacts, &TargetMeasure)], checked: usi
     let worst = |target: &TargetMeasure| target.own_mirror.worst.map_or(0.0, |(_, worst)| worst);
     let (file, target) = slight.iter().max_by(|a, b| worst(a.1).total_cmp(&worst(b.1)))?;
     let (vertex, distance) = target.own_mirror.worst?;
-    let are = if slight.len() == 1 { "is" } else { "are" };
-    let message = format!(
-        "{} of {checked} targets without a side {are} slightly asymmetric, `{}` most: {} by {}",
-        slight.len(),
-        target.name,
-        body.vertex(vertex),
-        length(distance)
-    );
+    let (name, by) = (&target.name, format!("{} by {}", body.vertex(vertex), length(distance)));
+    let message = match slight.len() {
+        1 => format!("`{name}` is slightly asymmetric: {by}"),
+        count => format!("{count} of {checked} targets without a side are slightly asymmetric, worst `{name}`: {by}"),
+    };
     let evidence = Evidence::of_cases(slight.iter().map(|(_, target)| {
         format!("{} ({} of {} vertices)", target.name, target.own_mirror.different.len(), target.own_mirror.compared)
     }));

@@ -2,7 +2,7 @@
 
 use super::super::units::length;
 use super::super::{Check, Rule, RuleCx};
-use super::shown::shown_by;
+use super::shown::with_setting;
 use crate::diag::{Application::Makehuman2, Case, Element, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::measures::{Measures, PairMeasure};
 use crate::repo::Body;
@@ -15,6 +15,7 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         (0.0025) because of rounding. If only helper geometry differs, the body is right and only clothes and hair \
         fitted to those helpers are asymmetric: info.\n\n\
         Mirror one of the two targets and save it over the other.",
+    counts: "vertices",
     ..RuleInfo::new("target-asymmetric-pair", Level::Warning, "left and right targets are not mirror images")
 });
 
@@ -36,13 +37,15 @@ fn finding(body: &Body<'_>, pair: &PairMeasure) -> Option<Finding> {
     let difference = if on_body { &pair.body } else { &pair.difference };
     let different = difference.different.len();
     let (vertex, worst) = difference.worst.filter(|_| different > 0)?;
-    let (vertices, nowhere) = if on_body { ("body vertices", "") } else { ("vertices", ", none on the body") };
-    let differ = if different == 1 { "differs" } else { "differ" };
-    let shown = shown_by(body, left);
+    let differing = match (different, on_body) {
+        (1, _) => String::new(),
+        (count, true) => format!("{count} body vertices differ, most "),
+        (count, false) => format!("{count} helper vertices differ, most "),
+    };
+    let differs = if different == 1 { " differs" } else { "" };
     let message = format!(
-        "not the mirror image of `{}`: {different} of {} {vertices} {differ}{nowhere}, {} most, by {}{shown}",
-        right.file_name(),
-        difference.compared,
+        "not the mirror image of `{}`: {differing}{}{differs} by {}",
+        right.stem(),
         body.vertex(vertex),
         length(worst),
     );
@@ -55,5 +58,6 @@ fn finding(body: &Body<'_>, pair: &PairMeasure) -> Option<Finding> {
         .related(&right.path, Place::File, "its counterpart")
         .help("leave them if the difference is intended; otherwise mirror the better one, and keep a copy of the other")
         .evidence(evidence.out_of(difference.compared).with_worst(worst, format!("vertex {vertex}")));
+    let finding = with_setting(finding, body, left);
     Some(if on_body { finding } else { finding.case(ON_HELPERS) })
 }

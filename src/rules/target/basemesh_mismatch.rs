@@ -16,6 +16,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         vertices.\n\n\
         Move the file to the folder of its mesh. If the target fits the mesh of this folder and only the header is \
         old, correct the header.",
+    counts: "targets",
     ..RuleInfo::new(
         "target-basemesh-mismatch",
         Level::Warning,

@@ -19,6 +19,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         file is not parsed: a warning.\n\n\
         Fix the file, or move it out of the target folder (another ending such as `.target.bak` is enough). Then \
         delete a compressedtargets.npz of 0 bytes.",
+    counts: "rows",
     ..RuleInfo::new("target-breaks-start", Level::Error, "an unused target crashes MakeHuman 2 at start")
 });
 

@@ -14,6 +14,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         equal, MakeHuman 2 loses nothing: info.\n\n\
         Keep one row per vertex: the last one if the shape in MakeHuman 2 is right, or the sum if the shape was \
         made elsewhere.",
+    counts: "rows, by vertex",
     ..RuleInfo::new("target-duplicate-vertex", Level::Warning, "a vertex appears more than once in a target")
 });
 

@@ -12,6 +12,7 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
         A line that does not begin with a number is reported as info if the target has rows. The markers of a \
         merge conflict are one finding.\n\n\
         Give the line four fields, put remarks on lines of their own that begin with `#`, or remove the line.",
+    counts: "lines",
     ..RuleInfo::new("target-field-count", Level::Warning, "a line of a target does not have four fields")
 });
 

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::super::{Check, Rule, RuleCx};
 use super::{asked_for, parent, user_pairs};
-use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo, nearest};
+use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo, nearest};
 use crate::discover::Kind;
 use crate::repo::FileFacts;
 use crate::repo::makehuman2::{Base, TargetFolder, View};
@@ -12,7 +12,7 @@ use crate::repo::makehuman2::{Base, TargetFolder, View};
 pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
     breaks: &[(
         Makehuman2,
-        "creates a slider with one direction only; a lone `-decr` target grows where it should shrink",
+        "creates a slider with one direction only; of a lone `-decr` target, the slider decreases as it moves up",
     )],
     docs: "A target for one direction of a slider has no opposite: `-decr` without `-incr`, or another pair in \
         `target-opposites` of base.json. Reported are targets in folders with complete pairs of the same kind, and \
@@ -47,11 +47,11 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
                 Some(other) if parent(&other.rel) != parent(&rel) => {}
                 // Each lacks the other: once is enough.
                 Some(other) if opposite_of(other, &pairs).is_some() && file.stem().ends_with(pair.0) => {}
-                Some(other) => out.push(renamed(file, &opposite, other)),
+                Some(other) => out.push(renamed(finding(file, &opposite, pair), &opposite, other)),
                 None => {
                     let path = parent(&file.rel);
                     if *with_pair.entry((path, pair)).or_insert_with(|| has_pair(folder, path, pair)) {
-                        out.push(finding(file, &opposite));
+                        out.push(finding(file, &opposite, pair));
                     }
                 }
             }
@@ -59,18 +59,25 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
     }
 }
 
-fn finding(file: &FileFacts, opposite: &str) -> Finding {
+const INCREASES: Case = &[(Makehuman2, Level::Warning, "creates a slider that can only increase")];
+const DECREASES: Case =
+    &[(Makehuman2, Level::Warning, "creates a slider with one direction, which decreases as it moves up")];
+
+fn finding(file: &FileFacts, opposite: &str, (decr, _): (&str, &str)) -> Finding {
     let message = format!("`{}` has no opposite `{opposite}`", file.stem());
+    let case =
+        if file.stem().strip_suffix(decr).is_some_and(|stem| stem.ends_with('-')) { DECREASES } else { INCREASES };
     RULE.at(file, Place::File, message)
+        .case(case)
         .help(format!("add `{opposite}.target`, or remove the ending from the file name if it has only one direction"))
 }
 
 /// The opposite is there and is not called so.
-fn renamed(file: &FileFacts, opposite: &str, other: &FileFacts) -> Finding {
+fn renamed(finding: Finding, opposite: &str, other: &FileFacts) -> Finding {
     let name = other.file_name();
     let help = format!("rename `{name}` to `{opposite}.target` if it is the other direction");
     let related = format!("`{name}` becomes a slider of its own");
-    finding(file, opposite).help(help).related(other.path.clone(), Place::File, related)
+    finding.help(help).related(other.path.clone(), Place::File, related)
 }
 
 /// A target beside `file` that looks like its opposite `rel` and has lost its ending, or has a misspelt one. Only of

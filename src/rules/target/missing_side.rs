@@ -16,6 +16,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         MakeHuman 2 reports nothing, but users notice: one ear can be changed and the other cannot, and making the \
         figure symmetric has no effect on it.\n\n\
         Mirror the target and save it under the name of its counterpart.",
+    counts: "targets",
     ..RuleInfo::new("target-missing-side", Level::Warning, "a target has no left/right counterpart")
 });
 

@@ -13,6 +13,7 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         was made on the wrong part of the mesh, and the slider seems to do nothing. A joint that stays behind \
         while its limb moves is `numeric-joint-drift`.\n\n\
         If the body should change, make the shape on the visible mesh.",
+    counts: "targets",
     ..RuleInfo::new("target-moves-helpers-only", Level::Info, "a target moves helpers but not the body")
 });
 

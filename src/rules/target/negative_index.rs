@@ -18,6 +18,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         million, and the program crashes when the target is applied. While MakeHuman 2 uses a sound archive in \
         place of the text, the text is not parsed: a warning.\n\n\
         Write the index that the base mesh has, or remove the row.",
+    counts: "rows, by vertex",
     ..RuleInfo::new("target-negative-index", Level::Error, "a vertex index in a target is negative")
 });
 

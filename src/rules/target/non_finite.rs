@@ -1,7 +1,7 @@
 //! Displacements are finite numbers.
 
 use super::super::{Check, Rule, RuleCx};
-use super::shown::shown_by;
+use super::shown::with_setting;
 use super::{first_row, targets};
 use crate::diag::{Application::Makehuman2, Case, Finding, Level, RuleInfo};
 use crate::repo::Body;
@@ -16,6 +16,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         face, joint and garment that depends on it. While an archive with other numbers is used in place of the \
         text, this is a warning.\n\n\
         Usually an export divided by zero. Write the right numbers, or remove the rows.",
+    counts: "rows, by vertex",
     ..RuleInfo::new("target-non-finite", Level::Error, "a displacement is not finite")
 });
 
@@ -33,15 +34,11 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             1 => format!("the displacement of {vertex} is not finite"),
             count => format!("{count} displacements are not finite, first that of {vertex}"),
         };
-        let is_outdated = target.is_outdated();
-        let shown = if is_outdated { String::new() } else { shown_by(body, file) };
-        let mut finding = RULE
-            .at(file, first_row(&facts.non_finite), message + &shown)
+        let finding = RULE
+            .at(file, first_row(&facts.non_finite), message)
             .help("write finite numbers, or remove the rows")
             .evidence(facts.non_finite.evidence(facts.rows));
-        if is_outdated {
-            finding = finding.case(OUTDATED);
-        }
-        out.push(finding);
+        let is_outdated = target.is_outdated();
+        out.push(if is_outdated { finding.case(OUTDATED) } else { with_setting(finding, body, file) });
     }
 }

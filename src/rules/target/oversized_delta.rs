@@ -2,7 +2,7 @@
 
 use super::super::units::{centimetres, length};
 use super::super::{Check, Rule, RuleCx};
-use super::shown::shown_by;
+use super::shown::with_setting;
 use super::targets;
 use crate::diag::{
     Application::Makehuman2, Confidence, Element, Evidence, Finding, Level, OptionInfo, Place, RuleInfo, grouped,
@@ -27,6 +27,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         default: MEDIAN_RATIO as f64,
         docs: "how many times its target's median displacement a vertex may move",
     }],
+    counts: "rows",
     ..RuleInfo::new("target-oversized-delta", Level::Warning, "a displacement is out of proportion to mesh and target")
 });
 
@@ -39,18 +40,18 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let exists = |largest: &Largest| facts.out_of_range.count == 0 || is_vertex(body, largest);
         let Some(largest) = facts.largest.filter(exists) else { continue };
         let lengths = Lengths { longest: largest.length, median: facts.median_length, tail: facts.tail_length };
-        let message = |what: String| format!("{}, {what}{}", moves(body, &largest), shown_by(body, file));
-        match oversize(lengths, size, ratio) {
+        let (what, confidence) = match oversize(lengths, size, ratio) {
             Some(Oversize::BeyondMesh) => {
-                let what = format!("more than the whole base mesh ({:.1} cm)", centimetres(size));
-                out.push(finding(file, facts, &largest, message(what)));
+                (format!("more than the whole base mesh ({:.1} cm)", centimetres(size)), Confidence::High)
             }
             Some(Oversize::Outlier) => {
-                let what = format!("{:.0} times the median of this target", largest.length / facts.median_length);
-                out.push(finding(file, facts, &largest, message(what)).confidence(Confidence::Medium));
+                let times = largest.length / facts.median_length;
+                (format!("{times:.0} times the median of this target"), Confidence::Medium)
             }
-            None => {}
-        }
+            None => continue,
+        };
+        let message = format!("{}, {what}", moves(body, &largest));
+        out.push(with_setting(finding(file, facts, &largest, message), body, file).confidence(confidence));
     }
     out.extend(beyond_neighbours(body, size, ratio));
 }

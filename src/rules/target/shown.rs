@@ -1,15 +1,17 @@
 //! Which slider shows a target, in words: `head/head-oval = 1`, or the corner of the macro sliders.
 
+use crate::diag::{Finding, Place};
 use crate::repo::{Body, FileFacts, Shown};
 
-/// The end of a message: a setting that applies the target fully; empty if nothing uses it.
-pub(super) fn shown_by(body: &Body<'_>, file: &FileFacts) -> String {
+/// Adds a setting that applies the target fully, unless nothing uses it.
+pub(super) fn with_setting(finding: Finding, body: &Body<'_>, file: &FileFacts) -> Finding {
     let setting = match body.shown_at(file) {
         Some(Shown::At(sliders)) => {
-            sliders.iter().map(|(name, value)| format!("`{name}` = {value}")).collect::<Vec<_>>().join(", ")
+            let sliders: Vec<String> = sliders.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+            format!("set `{}` to see it", sliders.join(", "))
         }
-        Some(Shown::Combination(name)) => format!("the macro combination `{name}`"),
-        None => return String::new(),
+        Some(Shown::Combination(name)) => format!("set the macro sliders to `{name}` to see it"),
+        None => return finding,
     };
-    format!("; seen with {setting}")
+    finding.related(&file.path, Place::File, setting)
 }

@@ -2,7 +2,7 @@
 
 use super::super::units::length;
 use super::super::{Check, Rule, RuleCx, counted};
-use super::shown::shown_by;
+use super::shown::with_setting;
 use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, OptionInfo, Place, RuleInfo};
 use crate::eval::measures::Measures;
 use crate::eval::target_measure::TargetMeasure;
@@ -22,6 +22,7 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         default: 0.05,
         docs: "share of torn cubes (0 to 1) in all targets of a base above which nothing is reported",
     }],
+    counts: "joint cubes",
     ..RuleInfo::new("target-splits-joint-cube", Level::Warning, "a target tears a joint cube")
 });
 
@@ -38,17 +39,16 @@ fn finding(body: &Body<'_>, measures: &Measures, target: &TargetMeasure, rigid: 
     let (cube, apart) = target.torn.iter().max_by(|a, b| a.1.total_cmp(&b.1))?;
     let file = body.target(&target.path)?.file;
     let name = |cube: usize| measures.cubes.get(cube).map_or("", String::as_str);
-    let shown = shown_by(body, file);
     let what = match target.torn.len() {
         1 => format!("tears joint cube `{}`", name(*cube)),
         count => format!("tears {count} joint cubes, worst `{}`", name(*cube)),
     };
-    let message = format!("{what}: its vertices move apart by {}{shown}", length(*apart));
+    let message = format!("{what}: its vertices move apart by {}", length(*apart));
     let rigid = counted(rigid, "cube");
     let evidence = Evidence::of_cases(target.torn.iter().map(|(cube, _)| name(*cube)));
-    Some(
-        RULE.at(file, Place::File, message)
-            .help(format!("move all vertices of a cube by the same amount; the targets of this base do so for {rigid}"))
-            .evidence(evidence.out_of(target.torn.len() + target.rigid).with_worst(*apart, name(*cube))),
-    )
+    let finding = RULE
+        .at(file, Place::File, message)
+        .help(format!("move all vertices of a cube by the same amount; the targets of this base do so for {rigid}"))
+        .evidence(evidence.out_of(target.torn.len() + target.rigid).with_worst(*apart, name(*cube)));
+    Some(with_setting(finding, body, file))
 }

@@ -1,6 +1,6 @@
 //! `compressedtargets.npz` and the text files it was made from say the same.
 
-use super::super::{Check, Rule, RuleCx, counted};
+use super::super::{Check, Rule, RuleCx};
 use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::discover::Kind;
 use crate::formats::npz::Archive;
@@ -17,6 +17,7 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
         the archive (info: they are read as text). Numbers are compared as 32-bit floats, as MakeHuman 2 stores \
         them.\n\n\
         Delete the archive; MakeHuman 2 rebuilds it. Do not keep it in version control.",
+    counts: "targets",
     ..RuleInfo::new("target-stale-binary", Level::Error, "an archive of targets differs from the text files")
 });
 
@@ -77,16 +78,18 @@ const REBUILD_LATER: &str = "restore the `.target` files that are still needed, 
 
 fn finding(file: &FileFacts, archive: &Archive, stale: &Stale<'_>) -> Option<Finding> {
     let groups = [
-        (&stale.differing, "with numbers that differ from the text file", DIFFERING),
-        (&stale.without_text, "without a text file", WITHOUT_TEXT),
-        (&stale.without_member, "missing from the archive", WITHOUT_MEMBER),
+        (&stale.differing, ["differs from its text file", "differ from their text files"], DIFFERING),
+        (&stale.without_text, ["has no text file", "have no text file"], WITHOUT_TEXT),
+        (&stale.without_member, ["is missing", "are missing"], WITHOUT_MEMBER),
     ];
-    let found = groups.iter().filter(|(names, _, _)| !names.is_empty());
-    let parts: Vec<String> =
-        found.clone().map(|(names, what, _)| format!("{} {what}", counted(names.len(), "target"))).collect();
-    let (first, _, case) = found.clone().next()?;
-    let names: Vec<&str> = found.flat_map(|(names, _, _)| names.iter().copied()).collect();
-    let message = format!("the archive is out of date: {}, first `{}`", parts.join(", "), first.first()?);
+    let found = groups.iter().filter(|(names, ..)| !names.is_empty());
+    let parts = found.clone().map(|(names, [one, several], _)| match names.as_slice() {
+        [only] => format!("`{only}` {one}"),
+        names => format!("{} targets {several}", names.len()),
+    });
+    let message = format!("the archive is out of date: {}", parts.collect::<Vec<_>>().join(", "));
+    let (_, _, case) = found.clone().next()?;
+    let names: Vec<&str> = found.flat_map(|(names, ..)| names.iter().copied()).collect();
     Some(
         RULE.at(file, Place::File, message)
             .case(case)

@@ -20,6 +20,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         stays behind must be deleted by hand, even after the target was fixed. While MakeHuman 2 uses a sound \
         archive in place of the text, the text is not parsed: a warning.\n\n\
         Write the field as a number, or remove the row. For a target that nothing uses see `target-breaks-start`.",
+    counts: "rows",
     ..RuleInfo::new("target-syntax", Level::Error, "a field of a target row is not a number")
 });
 

@@ -21,6 +21,7 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
         fits a name without a file is reported with that name. Nothing is reported while modelling.json or \
         macro.json is missing or broken.\n\n\
         Add a slider to modelling.json, or remove the file.",
+    counts: "targets",
     ..RuleInfo::new("target-unreferenced", Level::Warning, "no slider and no macro uses a target")
 });
 

@@ -17,7 +17,7 @@ const ONE_SIDE: Case = &[(
     "creates a slider with the increasing direction only, and cuts the last letters off its name",
 )];
 
-/// Findings on the user's pairs of which no slider with two sides is made.
+/// Findings on the user's pairs of which no slider with two directions is made.
 pub(super) fn findings(rule: &Rule, view: &View<'_>, base: &Base<'_>) -> Vec<Finding> {
     let is_own = base.user_targets.is_some_and(|folder| std::ptr::eq(folder.layer, view.layers.checked));
     let targets = if is_own { user_scan::targets(base) } else { Vec::new() };

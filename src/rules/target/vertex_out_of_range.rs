@@ -17,6 +17,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         duplicate with its original, so a row for one moves nothing: a warning.\n\n\
         Usually the target was made for another mesh, or for one exported with other vertices. Make it for this \
         mesh.",
+    counts: "rows, by vertex",
     ..RuleInfo::new(
         "target-vertex-out-of-range",
         Level::Error,
@@ -40,7 +41,11 @@ const WRAPPED: Case = &[(Makehuman2, Level::Error, "moves another vertex or cras
 const OF_A_MACRO: Case =
     &[(Makehuman2, Level::Error, "crashes with `IndexError` when the macro applies it, already at start")];
 const OF_A_SLIDER: Case = &[(Makehuman2, Level::Error, "crashes with `IndexError` when the slider moves")];
-const SEAM: Case = &[(Makehuman2, Level::Warning, "overwrites the duplicate with its original: the row has no effect")];
+const SEAM: Case = &[(
+    Makehuman2,
+    Level::Warning,
+    "moves this copy, which it adds where the UV map is cut, with its original: the row has no effect",
+)];
 
 /// First index whose triple no longer fits 32 bits: coordinate 3·index wraps (formats/makehuman2.md §6.1).
 const FIRST_WRAPPED: i64 = (1 << 32) / 3 + 1;

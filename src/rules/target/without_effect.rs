@@ -12,6 +12,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         was made, or compared with itself.\n\n\
         Export it again, or remove the target and its slider. A file without rows is `file-empty`; a target of a \
         macro is `macro-empty-target`.",
+    counts: "rows, by vertex",
     ..RuleInfo::new("target-without-effect", Level::Warning, "a target moves nothing")
 });
 
@@ -25,6 +26,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
                 "the last row of every vertex is zero, and only that row counts: the target moves nothing".to_owned()
             }
             1 => "its only row is zero: the target moves nothing".to_owned(),
+            2 => "both rows are zero: the target moves nothing".to_owned(),
             rows => format!("all {rows} rows are zero: the target moves nothing"),
         };
         out.push(

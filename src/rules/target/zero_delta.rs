@@ -17,6 +17,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         `target-asymmetric-pair` report that. A zero row for a vertex that another row moves is not reported here: \
         as the last row it undoes the other, and `target-duplicate-vertex` reports it.\n\n\
         The rows can be removed. All such rows of a target folder are one finding, at the first file.",
+    counts: "rows",
     ..RuleInfo::new("target-zero-delta", Level::Info, "rows of a target that move nothing")
 });
 

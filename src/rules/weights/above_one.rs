@@ -1,5 +1,6 @@
 //! Weights must not be larger than 1.
 
+use super::super::units::short;
 use super::super::{Check, Rule, RuleCx};
 use super::{Tallied, tallied, weigh, worst};
 use crate::diag::{
@@ -19,6 +20,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         the painted ones. If the vertex has no other weight, its share becomes 1 as it should: an info. Other \
         programs clamp the number or keep it.\n\n\
         Write the share as a number from 0 to 1.",
+    counts: "entries",
     ..RuleInfo::new("weights-above-one", Level::Warning, "a weight is larger than 1")
 });
 
@@ -31,11 +33,10 @@ const BY_ITSELF: &str = "divides the only weight of the vertex by itself, which 
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for Tallied { own, weights, tally, bone, vertex, weight, place } in tallied(body, |facts| &facts.above_one) {
+        let weight = short(f64::from(weight));
         let message = match tally.count {
             1 => format!("bone `{bone}` has weight {weight} for {vertex}, more than 1"),
-            count => {
-                format!("{count} weights are larger than 1, first {weight} for {vertex} in bone `{bone}`")
-            }
+            count => format!("{count} weights are larger than 1, first {weight} of bone `{bone}` for {vertex}"),
         };
         let evidence = worst(tally.evidence(weights.facts.pairs), tally);
         let finding =

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, percent};
 use super::has_unusable_entries;
 use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::measures::Measures;
@@ -17,6 +17,7 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         loading: scaled to a sum of 1, with the entries of a vertex that a bone lists twice added up. A difference \
         of up to 0.01 is not reported.\n\n\
         Mirror the weights of one side. If the figure is asymmetric on purpose, leave them.",
+    counts: "pairs of bones",
     ..RuleInfo::new("weights-asymmetric", Level::Info, "left and right bones have different weights")
 });
 
@@ -37,20 +38,13 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
     let name = |bone: usize| measures.bones.get(bone).map_or("", String::as_str);
     let Some(worst) = weights.asymmetric.iter().max_by(|a, b| a.worst.1.total_cmp(&b.worst.1)) else { return };
     let (vertex, difference) = worst.worst;
-    let pairs = match weights.asymmetric.len() {
-        1 => "1 pair of bones is".to_owned(),
-        count => format!("{count} pairs of bones are"),
+    let (bones, by) = (format!("`{}` and `{}`", name(worst.left), name(worst.right)), percent(f64::from(difference)));
+    let vertex_by = format!("{} by {by}", body.vertex(vertex));
+    let message = match (weights.asymmetric.len(), worst.vertices) {
+        (1, 1) => format!("{bones} have different weights: {vertex_by}"),
+        (1, count) => format!("{bones} have different weights at {count} vertices, worst {vertex_by}"),
+        (count, _) => format!("{count} pairs of bones have different weights, worst {bones}: {vertex_by}"),
     };
-    let differing = match worst.vertices {
-        1 => "1 vertex differs".to_owned(),
-        count => format!("{count} vertices differ"),
-    };
-    let message = format!(
-        "{pairs} weighted asymmetrically, worst `{}` and `{}`: {differing}, {} by {difference:.3}",
-        name(worst.left),
-        name(worst.right),
-        body.vertex(vertex)
-    );
     let vertices = |count: usize| if count == 1 { "1 vertex".to_owned() } else { format!("{count} vertices") };
     let evidence = Evidence::of_cases(
         weights.asymmetric.iter().map(|pair| format!("{} ({})", name(pair.left), vertices(pair.vertices))),

@@ -20,6 +20,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         that it can be seen, see `weights-lost-after-threshold`.\n\n\
         Remove the entries. The other bones of the vertex then get their share, at most 0.0001 for each; the fix \
         also removes a bone that has no entries left.",
+    counts: "entries",
     ..RuleInfo::new("weights-below-threshold", Level::Info, "a weight is too small to have an effect")
 });
 

@@ -27,6 +27,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         Replace the entries with one that has the sum of their weights. If the weights of the vertex do not add up \
         to 1 then, the fix divides them by their sum, as the loader does; it does not if one of them is above 1, \
         which has its own rule.",
+    counts: "entries",
     ..RuleInfo::new("weights-duplicate-vertex", Level::Warning, "a bone lists a vertex more than once")
 });
 

@@ -18,6 +18,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         That means the same as a bone that the file does not list. It is harmless, even if the skeleton does not \
         have the bone, but often somebody forgot to paint it.\n\n\
         Remove the bone from the file, or paint its weights.",
+    counts: "bones",
     ..RuleInfo::new("weights-empty-bone", Level::Info, "a bone has an empty list of weights")
 });
 

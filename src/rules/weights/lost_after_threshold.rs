@@ -11,8 +11,11 @@ use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[
-        (Makehuman2, "pulls the vertices towards the origin of the scene in pose mode"),
-        (Makehuman1, "pulls the vertices towards the origin of the scene in every pose"),
+        (Makehuman2, "drops weights up to 0.0001, and pulls the vertices towards the origin of the scene in pose mode"),
+        (
+            Makehuman1,
+            "drops weights up to 0.0001, and pulls the vertices towards the origin of the scene in every pose",
+        ),
     ],
     docs: "A vertex has so many tiny weights that dropping them visibly moves it.\n\n\
         MakeHuman 2 divides the weights of a vertex by their sum and drops those that are not above 0.0001. No \
@@ -21,19 +24,18 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         seen; such entries are reported as `weights-below-threshold`.\n\n\
         Remove the tiny weights and normalise the rest.",
     options: &[DISTANCE],
+    counts: "vertices",
     ..RuleInfo::new(ID, Level::Warning, "vertices lose visible weight to the threshold of the loader")
 });
 
 fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(loss) = noticeable_loss(body, cx) else { return };
     let (losing, vertex) = (loss.vertices.len(), loss.vertex);
-    let message = format!(
-        "{} to the threshold 0.0001, most {}: {:.2} %, which pulls it {} towards the origin",
-        if losing == 1 { "1 vertex loses weight".to_owned() } else { format!("{losing} vertices lose weight") },
-        body.vertex(vertex),
-        loss.share * 100.0,
-        length(loss.pull)
-    );
+    let (most, share, pull) = (body.vertex(vertex), loss.share * 100.0, length(loss.pull));
+    let message = match losing {
+        1 => format!("{most} loses {share:.2} % of its weight and moves {pull} towards the origin"),
+        count => format!("{count} vertices lose tiny weights, most {most}: {share:.2} %, which moves it {pull}"),
+    };
     let vertices = body.mesh.map_or(0, |(_, mesh)| mesh.positions.len());
     let evidence = Evidence::counted(losing).out_of(vertices);
     let place = Place::Element(Element { kind: "vertex", index: u64::from(vertex) });

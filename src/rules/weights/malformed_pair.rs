@@ -19,6 +19,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         MakeHuman 2 builds a table of the entries and crashes if one has another length or type, such as \
         `[12.0, 0.5]`.\n\n\
         Correct the entry, or remove it.",
+    counts: "entries",
     ..RuleInfo::new("weights-malformed-pair", Level::Error, "an entry of a bone is not a pair of vertex and weight")
 });
 

@@ -1,6 +1,6 @@
 //! Name, version and licence of weights.
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, either};
 use super::readable;
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
@@ -27,7 +27,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         if missing.is_empty() {
             continue;
         }
-        let message = format!("the weights file has no {}", missing.join(", no "));
+        let message = format!("the weights file has no {}", either(&missing));
         out.push(RULE.at(own.file, Place::File, message).parts(&missing).help("add them next to `weights`"));
     }
 }

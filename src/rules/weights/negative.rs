@@ -20,6 +20,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         cancel out cause a division by zero. If all weights of a vertex are negative, so is the sum, and the \
         shares are right: an info.\n\n\
         Remove the entry, or paint the weight again.",
+    counts: "entries",
     ..RuleInfo::new("weights-negative", Level::Error, "a weight is negative")
 });
 

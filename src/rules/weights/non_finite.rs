@@ -23,6 +23,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         either and drops every entry of the vertex, without assigning it to the root bone as it does with other \
         unweighted vertices. Entering pose mode pulls the vertex to the origin. Other readers reject the file.\n\n\
         Paint the weight of the vertex again.",
+    counts: "entries",
     ..RuleInfo::new("weights-non-finite", Level::Error, "a weight is not finite")
 });
 

@@ -30,6 +30,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         as a skeleton is used.\n\n\
         Normalise the weights in the tool that painted them. The fix writes the numbers that MakeHuman 2 gets when \
         it divides, with as many digits as needed (seven to nine), and does not change other vertices.",
+    counts: "vertices",
     ..RuleInfo::new("weights-not-normalized", Level::Info, "the weights of a vertex do not add up to 1")
 });
 
@@ -43,8 +44,11 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let evidence = evidence.with_worst(f64::from(worst.value), format!("vertex {}", worst.vertex));
         let fix = Fix::new(RULE.info.fix, "divide the weights of these vertices by their sum");
         let fix = fix.step(&own.file.path, Change::Rewrite(Rewrite::NormalizeWeights));
-        let finding = RULE.at(own.file, Place::pointer(["weights"]), message(body, weights, &worst));
-        out.push(finding.help(help(body, sums, &worst)).evidence(evidence).fix(fix));
+        let mut finding = RULE.at(own.file, Place::pointer(["weights"]), message(body, weights, &worst));
+        for note in [range(sums), Some(effect_on(body, sums, &worst))].into_iter().flatten() {
+            finding = finding.related(&own.file.path, Place::File, note);
+        }
+        out.push(finding.help("normalise the weights").evidence(evidence).fix(fix));
     }
 }
 
@@ -53,33 +57,40 @@ fn deviation(sum: f32) -> f32 {
 }
 
 fn message(body: &Body<'_>, weights: &Weights, worst: &Worst) -> String {
-    let (off, vertices, at, sum) =
-        (weights.facts.sum.off, weights.facts.vertices, body.vertex(worst.vertex), worst.value);
+    let (off, vertices) = (weights.facts.sum.off, weights.facts.vertices);
     if off == 1 {
-        return format!("the weights of {at} add up to {sum}, not 1");
+        return format!("the weights of {} add up to {}, not 1", body.vertex(worst.vertex), worst.value);
     }
     let places = worst.places.as_ref().map(|places| format!(" ({places})")).unwrap_or_default();
-    format!("the weights of {off} of {vertices} vertices{places} do not add up to 1, worst {at} with {sum:.3}")
+    format!("the weights of {off} of {vertices} vertices{places} do not add up to 1")
 }
 
-fn help(body: &Body<'_>, sums: &SumFacts, worst: &Worst) -> String {
+/// How far the sums are off, of several vertices.
+fn range(sums: &SumFacts) -> Option<String> {
     let (least, most) = sums.range;
-    let [(far, limit), (farther, high_limit)] = [0, 1].map(|at| (sums.far_off[at], FAR_SUMS[at] * 100.0));
     let range = if most - least < 5e-4 {
         format!("all these sums are {least:.3}")
     } else {
         format!("the sums are {least:.3} to {most:.3}")
     };
-    let off = format!("{far} off by more than {limit:.0} %, {farther} by more than {high_limit:.0} %");
-    let shift = body.mesh.and_then(|(_, mesh)| shift(mesh, worst.vertex, worst.value));
-    let moved = shift.map(|distance| {
-        let (vertex, distance) = (worst.vertex, length(distance));
-        format!("; a program that does not normalise moves vertex {vertex} by {distance}")
-    });
-    if sums.off == 1 {
-        return format!("normalise the weights{}", moved.unwrap_or_default());
+    let [(far, limit), (farther, high_limit)] = [0, 1].map(|at| (sums.far_off[at], FAR_SUMS[at] * 100.0));
+    let are = if far == 1 { "is" } else { "are" };
+    let off = format!("{far} {are} off by more than {limit:.0} %, {farther} by more than {high_limit:.0} %");
+    (sums.off > 1).then(|| format!("{range}; {off}"))
+}
+
+/// What becomes of the worst vertex where the weights are used as they are.
+fn effect_on(body: &Body<'_>, sums: &SumFacts, worst: &Worst) -> String {
+    let shift = body.mesh.and_then(|(_, mesh)| shift(mesh, worst.vertex, worst.value)).map(length);
+    let moves = shift.map(|by| format!("a program that does not normalise moves it by {by}"));
+    match (sums.off, moves) {
+        (1, Some(moves)) => moves,
+        (1, None) => "a program that does not normalise moves it".to_owned(),
+        (_, moves) => {
+            let worst = format!("{} is worst, with {:.3}", body.vertex(worst.vertex), worst.value);
+            [Some(worst), moves].into_iter().flatten().collect::<Vec<_>>().join("; ")
+        }
     }
-    format!("normalise the weights: {range}, {off}{}", moved.unwrap_or_default())
 }
 
 /// How far skinning moves a vertex at rest if its weights are used as they are: v' = sum * v.

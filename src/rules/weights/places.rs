@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use super::super::regions::in_words;
 use crate::repo::{Body, Region};
 
 /// The worst of some vertices, and where all of them are.
@@ -27,31 +28,4 @@ pub(super) fn worst(body: &Body<'_>, all: &[(u32, f32)], badness: impl Fn(f32) -
         }
     }
     worst.map(|(_, vertex, value)| Worst { vertex, value, places: in_words(&counts) })
-}
-
-fn in_words(counts: &BTreeMap<Region, usize>) -> Option<String> {
-    let place = |region: &Region| match region {
-        Region::Visible => "on the visible body",
-        Region::Helper => "on helpers",
-        Region::Faceless => "without a face",
-    };
-    if let (1, Some(region)) = (counts.len(), counts.keys().next()) {
-        return Some(format!("all {}", place(region)));
-    }
-    let each: Vec<String> = counts.iter().map(|(region, count)| format!("{count} {}", place(region))).collect();
-    (!each.is_empty()).then(|| each.join(", "))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn places_are_told_with_the_body_first() {
-        let words = |counts: &[(Region, usize)]| in_words(&counts.iter().copied().collect());
-        assert_eq!(words(&[]), None);
-        assert_eq!(words(&[(Region::Helper, 7)]).as_deref(), Some("all on helpers"));
-        let all = [(Region::Faceless, 1), (Region::Helper, 3), (Region::Visible, 2)];
-        assert_eq!(words(&all).as_deref(), Some("2 on the visible body, 3 on helpers, 1 without a face"));
-    }
 }

@@ -1,6 +1,6 @@
 //! No vertex hangs on more bones than engines take.
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, percent};
 use super::places::{self, Worst};
 use crate::diag::{Application::Makehuman2, Element, Evidence, Finding, Level, Place, RuleInfo};
 use crate::eval::measures::Measures;
@@ -18,6 +18,7 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         vertex and scales them to a sum of 1. The finding counts these vertices and names the one that loses the \
         largest share, one of the visible body before one of a helper.\n\n\
         Small lost shares are harmless; otherwise paint the vertices with fewer bones.",
+    counts: "vertices",
     ..RuleInfo::new("weights-too-many-influences", Level::Info, "a vertex has weights of more than four bones")
 });
 
@@ -27,24 +28,24 @@ fn run(body: &Body<'_>, measures: &Measures, _: &RuleCx<'_>, out: &mut Vec<Findi
         return;
     };
     let vertices = body.mesh.map_or(0, |(_, mesh)| mesh.positions.len());
-    let have = match &places {
-        _ if weights.over.len() == 1 => "has".to_owned(),
-        Some(places) => format!("({places}) have"),
-        None => "have".to_owned(),
+    let (over, most, lost) = (weights.over.len(), weights.most, percent(f64::from(share)));
+    let message = match (over, places) {
+        (1, _) => format!("{} has weights of {most} bones", body.vertex(vertex)),
+        (_, Some(places)) => {
+            format!("{over} vertices ({places}) have weights of more than {ENGINE_INFLUENCES} bones, up to {most}")
+        }
+        (_, None) => format!("{over} vertices have weights of more than {ENGINE_INFLUENCES} bones, up to {most}"),
     };
-    let message = format!(
-        "{} of {vertices} vertices {have} weights of more than {ENGINE_INFLUENCES} bones (up to {}); with only \
-         {ENGINE_INFLUENCES}, {} loses {:.1} % of its weight",
-        weights.over.len(),
-        weights.most,
-        body.vertex(vertex),
-        share * 100.0
-    );
+    let most_lost = match over {
+        1 => format!("vertex {vertex} loses {lost} of its weight if only {ENGINE_INFLUENCES} bones are kept"),
+        _ => format!("{} loses most if only {ENGINE_INFLUENCES} bones are kept: {lost}", body.vertex(vertex)),
+    };
     let place = Place::Element(Element { kind: "vertex", index: u64::from(vertex) });
     let evidence = Evidence::counted(weights.over.len()).out_of(vertices);
     out.push(
         RULE.at(file, place, message)
             .parts(weights.over.iter().map(|(vertex, _)| vertex))
+            .related(&file.path, Place::File, most_lost)
             .help("for export, paint the vertices that lose much with fewer bones; MakeHuman itself has no limit")
             .evidence(evidence.with_worst(f64::from(share), format!("vertex {vertex}"))),
     );

@@ -23,6 +23,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         about the skeleton that `base.json` names in `pose-skeleton`. Weights that only other skeletons use are \
         never applied; a bone that none of them has is then a warning. A bone with an empty list is harmless.\n\n\
         Correct the name of the bone, here or in the skeleton.",
+    counts: "bones",
     ..RuleInfo::new("weights-unknown-bone", Level::Error, "weights for a bone that the skeleton does not have")
 });
 

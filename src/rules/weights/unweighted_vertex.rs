@@ -1,5 +1,6 @@
 //! Every vertex should have a weight.
 
+use super::super::regions::in_words;
 use super::super::{Check, Rule, RuleCx};
 use super::{has_unusable_entries, is_empty, readable_own, weigh};
 use crate::diag::{
@@ -7,7 +8,7 @@ use crate::diag::{
     Case, Cases, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo,
 };
 use crate::formats::mhw::Weights;
-use crate::repo::{Body, FileFacts, Unreached};
+use crate::repo::{Body, FileFacts, Region, Unreached};
 
 const USUAL: &str = "assigns the vertex to the root bone: it stays behind when the body is posed";
 
@@ -23,6 +24,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         stays at the hip when the limb moves. If only groups that are not visible are affected (helpers, joint \
         cubes), it is an info: clothes fitted to a helper follow it.\n\n\
         Paint the vertices for the bones that should move them.",
+    counts: "vertices",
     ..RuleInfo::new("weights-unweighted-vertex", Level::Warning, "a vertex has no weight")
 });
 
@@ -45,22 +47,26 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let left = room.checked_sub(unreached.count);
         room = left.unwrap_or(room);
         let finding = RULE
-            .at(own.file, Place::pointer(["weights"]), message(weights, &unreached))
+            .at(own.file, Place::pointer(["weights"]), message(body, weights, &unreached))
             .help("paint the vertices for the bones that should move them")
             .evidence(evidence(weights, &unreached, left.is_some()));
         out.push(weigh(own, if unreached.is_shown { finding } else { finding.at_most(Level::Info) }));
     }
 }
 
-fn message(weights: &Weights, unreached: &Unreached<'_>) -> String {
-    let mut groups = unreached.groups();
-    if let (1, Some(vertex), Some((group, _))) = (unreached.count, unreached.vertices().next(), groups.next()) {
-        return format!("vertex {vertex} has no weight (in `{group}`)");
+fn message(body: &Body<'_>, weights: &Weights, unreached: &Unreached<'_>) -> String {
+    let first = || unreached.vertices().take(LOOKED_AT).find(|vertex| body.region(*vertex) == Some(Region::Visible));
+    let first = first().or_else(|| unreached.vertices().next()).map(|vertex| body.vertex(vertex)).unwrap_or_default();
+    if unreached.count == 1 {
+        return format!("{first} has no weight");
     }
-    let named: Vec<String> =
-        unreached.groups().take(GROUPS_NAMED).map(|(group, count)| format!("{count} in `{group}`")).collect();
-    let named = named.join(", ");
-    format!("{} of {} vertices have no weight ({named})", unreached.count, weights.facts.vertices)
+    let (visible, hidden): (Vec<_>, Vec<_>) = unreached.groups().partition(|(group, _)| body.shows(group));
+    let count = |groups: &[(&str, usize)]| groups.iter().map(|(_, count)| count).sum::<usize>();
+    let regions = [(Region::Visible, count(&visible)), (Region::Helper, count(&hidden))];
+    let regions = regions.into_iter().filter(|(_, count)| *count > 0).collect();
+    let regions = in_words(&regions).filter(|_| body.visible_groups.is_some());
+    let regions = regions.map(|regions| format!(" ({regions})")).unwrap_or_default();
+    format!("{} of {} vertices{regions} have no weight, first {first}", unreached.count, weights.facts.vertices)
 }
 
 fn evidence(weights: &Weights, unreached: &Unreached<'_>, are_named: bool) -> Cases {
@@ -85,7 +91,7 @@ fn without_any(file: &FileFacts, weights: &Weights) -> Finding {
     finding
 }
 
-/// How many mesh groups a message names.
-const GROUPS_NAMED: usize = 4;
+/// Vertices among which one of the visible body is looked for: files times vertices have no end.
+const LOOKED_AT: usize = 4096;
 /// Vertices that the findings of a body name: files times vertices have no end. Further findings count theirs.
 const MOST_NAMED: usize = 1 << 20;

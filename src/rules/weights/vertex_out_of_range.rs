@@ -18,6 +18,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         MakeHuman 2 crashes with `IndexError` while loading the base mesh if an index is too large, and with \
         `OverflowError` if it is negative.\n\n\
         Usually the weights were made for another mesh. Use the weights for this mesh.",
+    counts: "entries",
     ..RuleInfo::new("weights-vertex-out-of-range", Level::Error, "weights for a vertex that the mesh does not have")
 });
 

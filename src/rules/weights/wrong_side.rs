@@ -18,6 +18,7 @@ pub(in crate::rules) static RULE: Rule = Check::Numeric(run).rule(RuleInfo {
         exported. If the joints are on the wrong side as well, the skeleton is wrong: see \
         `skeleton-wrong-side`.\n\n\
         Swap the weights of the bone and its left/right counterpart.",
+    counts: "bones",
     ..RuleInfo::new("weights-wrong-side", Level::Warning, "weights are on the opposite half of the mesh")
 });
 

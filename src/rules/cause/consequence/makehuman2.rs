@@ -93,7 +93,7 @@ const ROWS: &[Row] = &[
     ]),
     row(Kind::MacroJson, Generated, Never, &[cell(Syntax, Info, "never reads this file")]),
     anywhere(Kind::MacroJson, Start, &[
-        cell(Absent, Error, "finds no macros and looks for the targets in the system's folder; crashes at start with \
+        cell(Absent, Error, "finds no macros and looks for the targets in the folder of the system data; crashes at start with \
             `FileNotFoundError` if that folder does not exist"),
         cell(Refused, Error, "treats it as missing with only a log line: the base has no macros"),
         cell(Syntax, Error, "treats it as missing with only a log line: the base has no macros"),
@@ -197,7 +197,7 @@ const UNFOUND: &[(&[ReferenceKind], Consequence)] = &[
     (&[WeightsFile], Consequence::new(Error, "rejects the skeleton and logs a line")),
     (&[PoseSkeleton], Consequence::new(Error, NO_POSE_SKELETON)),
     (&[Model], Consequence::new(Error, TYPE_ERROR)),
-    (&[Texture], Consequence::new(Warning, "silently goes without the texture")),
+    (&[Texture], Consequence::new(Warning, "silently shows the material without this texture")),
 ];
 
 /// Whether the scripts that align joint cubes open this `geometry.json`: they know one base mesh.
@@ -209,19 +209,19 @@ pub(in crate::rules) fn is_opened_by_scripts(rel: &str) -> bool {
 pub(in crate::rules) fn ignored_override(view: &View<'_>, base: &Base<'_>, name: &str, has_system: bool) -> String {
     let folder = system_folder(view, base);
     let instead = match (has_system, folder) {
-        (true, _) => "ignores the override with only a log line, and uses the system's file",
+        (true, _) => "ignores the override with only a log line, and uses the file of the system data",
         (false, SystemFolder::Unknown) => {
-            "ignores the override with only a log line, and uses the system's file if it exists"
+            "ignores the override with only a log line, and uses the file of the system data if it exists"
         }
         (false, _) => "ignores the override with only a log line, and goes on without such a file",
     };
     match (name, folder) {
         ("macro.json", SystemFolder::Absent) => format!(
-            "{instead}; then crashes with `FileNotFoundError`: it looks for the targets in the system's `target/{}`",
+            "{instead}; then crashes with `FileNotFoundError`: it looks for the targets in `target/{}` of the system data",
             base.name
         ),
         ("macro.json", _) => format!(
-            "{instead}; looks for all targets of the base in the system's folder, and crashes with `AttributeError` \
+            "{instead}; looks for all targets of the base in the system data, and crashes with `AttributeError` \
              if one is missing there"
         ),
         ("target_cat.json", _) if !has_system => format!("{instead}; no slider can be reached"),

@@ -23,9 +23,9 @@ const fn row(kind: Kind, meant: &'static str, level: Level, effect: &'static str
 
 const NO_HINT: &str = "ignores the key; nothing else is lost";
 const NO_PARTNER: &str = "ignores the key: the slider has no left/right counterpart, so symmetry changes one side only";
-const ONE_SIDED: &str = "ignores the key: the sliders have only one side";
+const ONE_SIDED: &str = "ignores the key: the sliders have only one direction";
 const RANDOM_STOPS: &str =
-    "ignores the key and crashes with `KeyError` when it makes a random character; the sliders have only one side";
+    "ignores the key and crashes with `KeyError` when it makes a random character; the sliders have only one direction";
 
 #[rustfmt::skip]
 static ROWS: [Row; 22] = [
