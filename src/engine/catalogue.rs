@@ -30,6 +30,7 @@ pub(super) const fn has_rules(application: Application, kind: Kind) -> bool {
                 | Kind::Clothes
                 | Kind::Material
                 | Kind::AssetMesh
+                | Kind::Packed
                 | Kind::Image
         ),
         Application::Mpfb => matches!(

@@ -7,6 +7,7 @@ use super::geometry::Geometry;
 use super::json_file::JsonFault;
 use super::macro_json::MacroFile;
 use super::mhbin::MeshFault;
+use super::mhbin_asset::Packed;
 use super::mhclo::Clothes;
 use super::mhmat::Material;
 use super::mhskel::Skeleton;
@@ -54,6 +55,8 @@ pub enum Content {
     Target(Box<TargetFacts>),
     /// `.mhclo`, `.proxy`, without the rows themselves.
     Clothes(Box<Clothes>),
+    /// An archive that is neither a base mesh nor one of targets: of an asset, say.
+    Packed(Box<Packed>),
     /// `.mhmat`.
     Material(Box<Material>),
     /// `.bvh`.

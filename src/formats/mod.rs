@@ -19,6 +19,7 @@ pub(crate) mod json_file;
 pub mod macro_json;
 pub mod mesh_difference;
 pub mod mhbin;
+pub mod mhbin_asset;
 pub mod mhclo;
 pub mod mhmat;
 pub mod mhskel;

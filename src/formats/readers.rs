@@ -7,7 +7,7 @@ use super::inline_ignore::{self, InlineIgnore};
 use super::json_file::{self, JsonFacts, JsonFault};
 use super::table::{Format, Reader, Syntax};
 use super::target::{self, MeshSize, Row};
-use super::{Content, bvh, mhbin, mhclo, mhmat, mhw, npz, obj};
+use super::{Content, bvh, mhbin, mhbin_asset, mhclo, mhmat, mhw, npz, obj};
 use crate::json::{self, Document, SchemaFaults};
 use crate::source::{Encoding, GzipFault, Limits, try_gunzip, zip_bomb};
 
@@ -162,9 +162,13 @@ pub(super) fn packed(input: &Input<'_>) -> Parsed {
     Parsed { gzip_fault: try_gunzip(input.bytes, input.limits).err(), ..Parsed::default() }
 }
 
-/// An archive of any kind: whether it can be unpacked.
+/// An archive of any kind: whether it can be unpacked, and what is in it if it is that of an asset.
 pub(super) fn zip(input: &Input<'_>) -> Parsed {
-    zip_within(input, input.limits)
+    let mut parsed = zip_within(input, input.limits);
+    if parsed.gzip_fault.is_none() {
+        parsed.content = Content::Packed(Box::new(mhbin_asset::parse(input.bytes, input.limits, input.mesh)));
+    }
+    parsed
 }
 
 fn zip_within(input: &Input<'_>, limits: &Limits) -> Parsed {

@@ -114,7 +114,7 @@ pub(crate) static FORMATS: [Format; 26] = [
     read(Kind::Motion, "motion", Syntax::Text, motion),
     text(Kind::MotionMeta, &[]),
     read(Kind::AssetMesh, "mesh", Syntax::Text, asset_mesh),
-    read(Kind::Packed, "file", Syntax::Binary, zip),
+    Format { needs: Needs::Mesh, ..read(Kind::Packed, "file", Syntax::Binary, zip) },
     plain(Kind::Json, "JSON", Syntax::Json),
     plain(Kind::Image, "picture", Syntax::Binary),
     OTHER,

@@ -9,6 +9,7 @@ use crate::formats::bvh::Motion;
 use crate::formats::inline_ignore::InlineIgnore;
 use crate::formats::json_file::JsonFacts;
 use crate::formats::mhbin::MeshFault;
+use crate::formats::mhbin_asset::Packed;
 use crate::formats::mhclo::Clothes;
 use crate::formats::mhmat::Material;
 use crate::formats::mhskel::Skeleton;
@@ -144,6 +145,11 @@ impl FileFacts {
     /// The skeleton, if it is one that could be read.
     pub fn skeleton(&self) -> Option<&Skeleton> {
         if let Content::Skeleton(skeleton) = &*self.content { Some(skeleton) } else { None }
+    }
+
+    /// An archive other than of targets or a base mesh, if it is one.
+    pub fn packed(&self) -> Option<&Packed> {
+        if let Content::Packed(packed) = &*self.content { Some(packed) } else { None }
     }
 
     /// The mesh of an asset, if it is one that could be read.

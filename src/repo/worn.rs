@@ -4,6 +4,7 @@ use super::{FileFacts, Layer, Reference, ReferenceKind, parent};
 use crate::diag::{Application, Place};
 use crate::discover::Kind;
 use crate::formats::asset_mesh::AssetMesh;
+use crate::formats::mhbin_asset::Packed;
 use crate::formats::mhclo::{Clothes, Entry};
 
 /// An asset that a body wears.
@@ -17,6 +18,19 @@ pub(crate) struct Worn<'a> {
     pub binary: Option<&'a FileFacts>,
     /// What it names, with what is there; `None` where that cannot be read.
     pub references: Option<Vec<Reference<'a>>>,
+}
+
+/// What an archive names.
+fn packed_references<'a>(layer: &'a Layer, file: &'a FileFacts, base: &'a str) -> Option<Vec<Reference<'a>>> {
+    let Packed::Asset(asset) = file.packed()? else { return None };
+    let own = parent(&file.rel);
+    let [material, weights] = &asset.files;
+    let named = |text: &'a str, kind| {
+        let rel = || format!("{own}/{text}");
+        (!text.is_empty()).then(|| Reference::to(&[layer], kind, base, file, Place::File, text, rel()))
+    };
+    let references = [named(weights, ReferenceKind::AssetWeights), named(material, ReferenceKind::AssetMaterial)];
+    Some(references.into_iter().flatten().collect())
 }
 
 impl<'a> Worn<'a> {
@@ -48,6 +62,7 @@ impl<'a> Worn<'a> {
             let material = named("material", ReferenceKind::AssetMaterial, own);
             [mesh, weights, material].into_iter().flatten().collect()
         });
+        let references = references.or_else(|| packed_references(layer, file, base));
         let binary = layer.file(&format!("{own}/{}.mhbin", file.stem()));
         Self { file, base, binary, references }
     }

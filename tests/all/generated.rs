@@ -51,7 +51,7 @@ fn every_rule_has_its_section_on_the_page_of_its_family() {
 /// What the rules of a family check.
 fn about(family: &str) -> &'static str {
     match family {
-        "archive" => "archives of targets (`compressedtargets.npz`) and of base meshes (`base.mhbin`)",
+        "archive" => "archives of targets (`compressedtargets.npz`), of base meshes and of assets (`.mhbin`)",
         "base" => "the settings of a base mesh: `base.json`, `geometry.json` and what they name",
         "baseline" => "the baseline of mhlint itself",
         "bvh" => "motions (`.bvh`)",

@@ -1,5 +1,7 @@
 //! Facts on the vertex lines and on the vertices to hide, against the mesh that they are for.
 
+use xxhash_rust::xxh3::xxh3_64;
+
 use super::Reference;
 use crate::diag::Tally;
 use crate::formats::target::MeshSize;
@@ -28,6 +30,8 @@ pub struct RowFacts {
     pub off_sums: Tally,
     /// The sum that is farthest from 1, and the vertex of the asset.
     pub worst_sum: Option<(u64, f64)>,
+    /// What the rows are compared by: all of each, and the first vertex with its weight.
+    pub prints: [u64; 2],
     /// How many sums are farther from 1 than [`VISIBLE_SUM`].
     pub visible_sums: u64,
 }
@@ -47,8 +51,9 @@ pub struct DeleteFacts {
 
 impl RowFacts {
     /// Counts a row.
-    pub(super) fn count(&mut self, row: &Reference, is_triple: bool) {
+    pub(in crate::formats) fn count(&mut self, row: &Reference, is_triple: bool) {
         let own = i64::try_from(self.count).unwrap_or(i64::MAX);
+        self.print(row);
         self.count += 1;
         let numbers = row.weights.iter().chain(&row.offset);
         if numbers.clone().any(|number| !number.is_finite()) {
@@ -60,6 +65,17 @@ impl RowFacts {
         for vertex in vertices {
             self.count_vertex(row.line, *vertex);
         }
+    }
+
+    fn print(&mut self, row: &Reference) {
+        let [all, first] = &mut self.prints;
+        let numbers = row.weights.iter().chain(&row.offset).flat_map(|number| number.to_le_bytes());
+        let mut bytes: Vec<u8> = all.to_le_bytes().into_iter().chain(numbers).collect();
+        bytes.extend(row.vertices.iter().flat_map(|vertex| vertex.to_le_bytes()));
+        *all = xxh3_64(&bytes);
+        let [vertex, ..] = row.vertices;
+        let [weight, ..] = row.weights;
+        *first = xxh3_64(&[&first.to_le_bytes()[..], &vertex.to_le_bytes(), &weight.to_le_bytes()].concat());
     }
 
     fn count_vertex(&mut self, line: u32, vertex: i64) {

@@ -37,7 +37,7 @@ pub(super) fn help_with_mesh(view: &View<'_>, file: &FileFacts) -> &'static str 
     }
 }
 
-fn missing(members: &[&str]) -> String {
+pub(super) fn missing(members: &[&str]) -> String {
     let names: Vec<String> = members.iter().map(|name| format!("`{name}`")).collect();
     match names.as_slice() {
         [only] => format!("member {only} is missing"),

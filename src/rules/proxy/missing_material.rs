@@ -2,7 +2,7 @@
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::missing_mesh::neighbours;
-use super::{Text, texts};
+use super::{Text, archives, texts};
 use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo};
 use crate::repo::{Body, Reference, ReferenceKind, Resolution};
 
@@ -24,6 +24,14 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
             Some(reference) => absent(body, &text, reference, cx),
             None => unnamed(body, &text),
         });
+    }
+    // Beside a text it is told there, or that the two differ.
+    for archive in archives(body).filter(|archive| !archive.worn.is_topology() && archive.text.is_none()) {
+        let reference = archive.worn.reference(ReferenceKind::AssetMaterial);
+        let Some(reference) = reference.filter(|one| matches!(one.resolution, Resolution::Missing)) else { continue };
+        let message = format!("material `{}` of the archive does not exist", reference.text);
+        let finding = RULE.at(archive.file, Place::File, message).key(reference.text);
+        out.push(finding.help("add the material where the archive looks for it, or remove the archive"));
     }
 }
 

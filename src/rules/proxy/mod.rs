@@ -1,11 +1,13 @@
 //! Assets that are worn: `.mhclo` and `.proxy` with what they name, as MakeHuman 2 loads them (formats/makehuman2.md §15).
 
+mod archives;
 pub(super) mod custom_weights;
 pub(super) mod delete_range;
 pub(super) mod deprecated_keyword;
 pub(super) mod hides_body;
 pub(super) mod keyword_spelling;
 mod keywords;
+pub(super) mod mask_length;
 pub(super) mod missing_material;
 pub(super) mod missing_mesh;
 pub(super) mod missing_name;
@@ -15,6 +17,7 @@ pub(super) mod non_finite;
 pub(super) mod scale;
 pub(super) mod section_keyword;
 pub(super) mod shifted_rows;
+pub(super) mod stale_binary;
 pub(super) mod syntax;
 pub(super) mod tag;
 pub(super) mod topology;
@@ -23,6 +26,8 @@ pub(super) mod vertex_count;
 pub(super) mod vertex_out_of_range;
 pub(super) mod weights_sum;
 pub(super) mod z_depth;
+
+use archives::{Archive, archives, rebuild};
 
 use crate::diag::{Application::Makehuman2, Case, Evidence, Level};
 use crate::formats::mhclo::{Clothes, Entry, Fault, FaultKind, Section};

@@ -1,7 +1,7 @@
 //! Rows and lists of an asset name vertices that the base mesh has.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{OVERFLOW, Text, texts};
+use super::{OVERFLOW, Text, archives, rebuild, texts};
 use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo, Tally};
 use crate::repo::Body;
 
@@ -45,6 +45,17 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         out.extend(list.map(|one| one.key("deleted").case(LIST)));
         let negative = finding(&text, &deletes.negative, "`delete_verts`", last);
         out.extend(negative.map(|one| one.key("negative").case(FROM_END)));
+    }
+    for archive in archives(body) {
+        let Some(size) = archive.size_of_base(body) else { continue };
+        let tally = &archive.asset.rows.out_of_range;
+        let Some((_, vertex)) = tally.first.first() else { continue };
+        // As the text has it, it is told there.
+        let is_told = archive.text.is_some_and(|text| text.clothes.rows.out_of_range.count > 0);
+        let last = size.vertices.saturating_sub(1);
+        let message = format!("a row names vertex {vertex}, which does not exist; the base mesh has 0 to {last}");
+        let finding = RULE.at(archive.file, Place::File, message).evidence(tally.evidence(archive.asset.rows.count));
+        out.extend((!is_told).then(|| finding.help(rebuild(archive.text.is_some()))));
     }
 }
 
