@@ -148,7 +148,7 @@ impl<'a> View<'a> {
 }
 
 fn is_of_body(file: &FileFacts) -> bool {
-    matches!(file.kind, Kind::Target | Kind::Weights | Kind::AssetWeights | Kind::Motion)
+    matches!(file.kind, Kind::Target | Kind::Weights | Kind::AssetWeights | Kind::Motion | Kind::Clothes | Kind::Packed)
 }
 
 /// Whether the scan of poses finds a file: in the folder of the base, or one below.

@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use super::{Text, VALUE, lines, more, section_keyword, texts};
 use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo, Tally};
-use crate::formats::mhclo::FaultKind;
+use crate::formats::mhclo::{Entry, FaultKind};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
@@ -12,7 +12,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         `12 - 18` with spaces around the dash. Both ends are included.\n\n\
         MakeHuman 2 crashes on anything else: `12-18`, commas, `12.0`, a comment behind numbers. A comment in a line of \
         its own is fine. It crashes with `UnboundLocalError` if the list begins with a dash.\n\n\
-        A dash at the end of a line is forgotten: of the range only both ends are hidden. Of a range from a higher to a \
+        Numbers in the line of `delete_verts` itself are ignored. A dash at the end of a line is forgotten: of the range only both ends are hidden. Of a range from a higher to a \
         lower number only the first one is hidden (warnings).\n\n\
         Write ranges in one line, the lower number first.",
     ..RuleInfo::new("proxy-delete-range", Level::Error, "a list of vertices to hide that cannot be read")
@@ -26,10 +26,13 @@ const LEADING: Case = &[(
 const CUT: Case = &[(Makehuman2, Level::Warning, "forgets the dash and hides only both ends of the range")];
 const REVERSED: Case = &[(Makehuman2, Level::Warning, "hides only the first vertex of the range")];
 
+const BESIDE: Case = &[(Makehuman2, Level::Warning, "ignores the numbers: these vertices stay visible")];
+
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for text in texts(body) {
         out.extend(word(&text));
         out.extend(leading_dash(&text));
+        out.extend(beside_keyword(&text));
         let deletes = &text.clothes.deletes;
         out.extend(range(&text, &deletes.cut_ranges, CUT, "cut", |at| {
             format!("the range from {at} ends with its line")
@@ -56,6 +59,15 @@ fn word(text: &Text<'_, '_>) -> Option<Finding> {
     };
     let finding = RULE.at(text.file, Place::Span(first.span.clone()), message).case(VALUE).help(help);
     Some(finding.evidence(lines(faults, count)))
+}
+
+/// Numbers in the line of the keyword.
+fn beside_keyword(text: &Text<'_, '_>) -> Option<Finding> {
+    let has_number = |entry: &&Entry| entry.word().starts_with(|first: char| first.is_ascii_digit());
+    let entry = text.clothes.all("delete_verts").find(has_number)?;
+    let message = format!("`{}` stands in the line of `delete_verts` and is ignored", entry.value);
+    let finding = RULE.at(text.file, Place::Span(entry.span.clone()), message).key("beside").case(BESIDE);
+    Some(finding.help("write the numbers below the keyword"))
 }
 
 fn leading_dash(text: &Text<'_, '_>) -> Option<Finding> {

@@ -70,6 +70,12 @@ pub(super) fn is_harmless(keyword: &str) -> bool {
     matches!(keyword, "description" | "author" | "license" | "homepage" | "version")
 }
 
+/// Whether a line has a keyword, however it is spelt.
+pub(super) fn is_known(entry: &Entry) -> bool {
+    let written = entry.keyword.trim_start_matches('\u{feff}');
+    !entry.is_comment && (READ.contains(&written) || OTHERS.contains(&written) || meant(entry).is_some())
+}
+
 /// The keyword that a line of an unknown one is meant to have.
 pub(super) fn meant(entry: &Entry) -> Option<&'static str> {
     let written = &*entry.keyword;
@@ -77,6 +83,13 @@ pub(super) fn meant(entry: &Entry) -> Option<&'static str> {
         return None;
     }
     if READ.contains(&written) || OTHERS.contains(&written) {
+        return None;
+    }
+    // With a byte order mark, which has a finding of its own.
+    if written.starts_with('\u{feff}') {
+        return None;
+    }
+    if !written.starts_with(char::is_alphabetic) {
         return None;
     }
     let folded = folded(written);

@@ -42,13 +42,23 @@ struct Text<'b, 'v> {
     clothes: &'v Clothes,
 }
 
-/// The assets of the checked layer of which the text can be relied on.
+/// The assets of the checked layer of which the text can be relied on. A file of something else has one finding.
 fn texts<'b, 'v>(body: &'b Body<'v>) -> impl Iterator<Item = Text<'b, 'v>> {
+    all_texts(body).filter(Text::is_asset)
+}
+
+/// Those of something else as well.
+fn all_texts<'b, 'v>(body: &'b Body<'v>) -> impl Iterator<Item = Text<'b, 'v>> {
     let own = body.worn.iter().filter(|worn| body.layers.is_checked(worn.file));
     own.filter_map(|worn| Some(Text { worn, file: worn.file, clothes: worn.clothes()? }))
 }
 
 impl<'v> Text<'_, 'v> {
+    /// Whether any line has a keyword of assets.
+    fn is_asset(&self) -> bool {
+        self.clothes.entries.iter().any(|entry| keywords::is_known(entry))
+    }
+
     /// Whether a byte order mark hides the keyword of the first line; that has a finding of its own.
     fn has_hidden(&self, keyword: &str) -> bool {
         let first = self.clothes.entries.first().filter(|_| self.file.encoding.byte_order_mark);

@@ -14,6 +14,8 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         - All three are needed. If one is missing, or its distance is below 0.01, nothing is scaled.\n\
         - If both vertices have the same place along the axis, because one was named twice or two lines were exchanged, \
         the factor is 0 and all offsets along that axis vanish.\n\
+        - If they are more than five times nearer or farther on the base mesh than the line says, the line was made for \
+        other vertices or in another unit.\n\
         - A line with too few words crashes with `IndexError`, one with a word in it with `ValueError`, both when the \
         asset is put on. A vertex beyond the mesh crashes with `IndexError`, a distance of `nan` in the glTF export.\n\
         - A negative vertex counts from the end.\n\n\
@@ -23,6 +25,8 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 });
 
 const FLAT: Case = &[(Makehuman2, Level::Warning, "scales by 0: all offsets along the axis vanish")];
+const OTHER: Case =
+    &[(Makehuman2, Level::Warning, "scales all offsets along the axis to a multiple or a small part of what they are")];
 const LOST: Case =
     &[(Makehuman2, Level::Error, "loses all vertices; the glTF export of the figure crashes with `ValueError`")];
 const FROM_END: Case = &[(Makehuman2, Level::Warning, "counts from the end and scales by another distance")];
@@ -30,8 +34,10 @@ const FROM_END: Case = &[(Makehuman2, Level::Warning, "counts from the end and s
 const AXES: [&str; 3] = ["x_scale", "y_scale", "z_scale"];
 /// Below this the loader turns scaling off.
 const SMALLEST: f32 = 0.01;
-/// Two vertices of a scale lie at least so far apart along its axis, as a share of what the line says.
+/// Two vertices of a scale that are nearer than this along its axis, as a share of what the line says, do not differ.
 const NOTHING: f32 = 0.001;
+/// Shares that occur, as figures differ: beyond them the line was written for other vertices or in another unit.
+const USUAL: std::ops::RangeInclusive<f32> = 0.2..=5.0;
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for text in texts(body) {
@@ -89,8 +95,11 @@ fn fault(body: &Body<'_>, text: &Text<'_, '_>, axis: usize, scale: &Scale) -> Op
     let mesh = body.whole_mesh()?;
     let at = |vertex: i64| mesh.positions.get(usize::try_from(vertex).ok()?)?.get(axis).copied();
     let distance = (at(a)? - at(b)?).abs();
-    if a != b && distance >= NOTHING * scale.distance {
-        return None;
+    let share = distance / scale.distance;
+    if a != b && share >= NOTHING {
+        let message =
+            format!("`{name}` says {}, but the vertices are {distance:.4} apart on the base mesh", scale.distance);
+        return (!USUAL.contains(&share)).then(|| told(message).case(OTHER).help(help));
     }
     let message = if a == b {
         format!("`{name}` names vertex {a} twice")

@@ -25,9 +25,17 @@ const MORE_ROWS: Case = &[(
     "reads the list as vertex rows and crashes when the asset is put on; a model that wears it is only half loaded",
 )];
 
+/// Rows that nobody reads.
+const ABOVE: Case = &[(
+    Makehuman2,
+    Level::Warning,
+    "ignores the line: every vertex gets the row of a later one, and the last vertices have none",
+)];
+
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for text in texts(body) {
         out.extend(rows(&text));
+        out.extend(above(&text));
         out.extend(list(&text).or_else(|| dash_among_rows(&text)));
         out.extend(keyword_in_list(&text));
     }
@@ -47,6 +55,20 @@ pub(super) fn misplaced_from(text: &Text<'_, '_>) -> u32 {
 /// Whether the rows are lost as a whole.
 pub(super) fn has_no_rows(text: &Text<'_, '_>) -> bool {
     !text.has_rows_section()
+}
+
+/// How many lines of numbers stand above `verts`, where nothing reads them.
+pub(super) fn rows_above(text: &Text<'_, '_>) -> u64 {
+    let above = text.clothes.faults.of(|kind| kind == FaultKind::NumbersInHeader);
+    above.filter(|_| text.has_rows_section()).map_or(0, |(_, count)| count)
+}
+
+fn above(text: &Text<'_, '_>) -> Option<Finding> {
+    let (faults, count) = text.clothes.faults.of(|kind| kind == FaultKind::NumbersInHeader)?;
+    let first = faults.first().filter(|_| text.has_rows_section())?;
+    let message = format!("a line of numbers stands above `verts`{}", super::more(count));
+    let finding = RULE.at(text.file, Place::Line(first.line), message).key("above").case(ABOVE);
+    Some(finding.help("move `verts` above all vertex rows").evidence(super::lines(faults, count)))
 }
 
 fn rows(text: &Text<'_, '_>) -> Option<Finding> {

@@ -1,7 +1,7 @@
 //! Numbers must be where numbers belong.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{INDEX, Text, VALUE, lines, more, section_keyword, texts};
+use super::{INDEX, Text, VALUE, all_texts, lines, more, section_keyword, texts};
 use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo};
 use crate::formats::mhclo::{Fault, FaultKind};
 use crate::repo::Body;
@@ -20,7 +20,15 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     ..RuleInfo::new("proxy-syntax", Level::Error, "a line of an asset cannot be read")
 });
 
+const NO_ASSET: Case =
+    &[(Makehuman2, Level::Error, "lists an asset without a name, and crashes with `AttributeError` when it is put on")];
+
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for text in all_texts(body).filter(|text| !text.is_asset()) {
+        let message = "this is not an asset: no line has one of the keywords of assets";
+        let finding = RULE.at(text.file, Place::File, message).key("file").case(NO_ASSET);
+        out.push(finding.help("restore the asset: this file is something else, such as a web page"));
+    }
     for text in texts(body) {
         out.extend(row_words(&text));
         out.extend(short_rows(&text));

@@ -47,7 +47,8 @@ fn finding(text: &Text<'_, '_>) -> Option<Finding> {
     }
     let (file, mesh) = text.worn.mesh().filter(|(_, mesh)| mesh.is_sound())?;
     let vertices = mesh.facts.vertices;
-    if rows == vertices || rows as u64 + dropped == vertices as u64 {
+    let unread = dropped + section_keyword::rows_above(text);
+    if rows == vertices || rows as u64 + unread == vertices as u64 {
         return None;
     }
     let message = format!("{} for {} of `{}`", counted(rows, "vertex row"), vertices_of(vertices), file.file_name());
