@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::texts;
 use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
-use crate::repo::{Body, ReferenceKind, Rig};
+use crate::repo::{Body, ReferenceKind};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "crashes with `KeyError` in every pose, and in the glTF export of a model with a skeleton")],
@@ -19,10 +19,11 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 });
 
 fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let Some(skeleton) = body.default_rig().and_then(Rig::skeleton).filter(|skeleton| skeleton.is_object) else {
-        return;
-    };
-    let known: BTreeSet<&str> = skeleton.bones.iter().map(|bone| &*bone.name).collect();
+    let Some(rig) = body.default_rig() else { return };
+    let Some(skeleton) = rig.skeleton().filter(|skeleton| !skeleton.bones.is_empty()) else { return };
+    // A bone that is missing as a parent is reported as such (`skeleton-unknown-parent`).
+    let parents = skeleton.bones.iter().filter_map(|bone| bone.parent.as_deref());
+    let known: BTreeSet<&str> = skeleton.bones.iter().map(|bone| &*bone.name).chain(parents).collect();
     for text in texts(body) {
         let Some(file) = text.worn.reference(ReferenceKind::AssetWeights).and_then(|one| one.meant()) else { continue };
         let Some(weights) = file.weights().filter(|weights| weights.has_weights) else { continue };
@@ -40,14 +41,7 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
         };
         let near = cx.suggestions.nearest(first, skeleton.bones.iter().map(|bone| &*bone.name));
         let help = did_you_mean(near, "export the weights for the skeleton that `pose-skeleton` names");
-        let finding = RULE.at(file, Place::Key(pointer(first)), message);
-        out.push(finding.help(help).evidence(Evidence::of_cases(unknown.iter().copied())));
-    }
-}
-
-fn pointer(bone: &str) -> String {
-    match Place::pointer(["weights", bone]) {
-        Place::Pointer(pointer) => pointer,
-        _ => String::new(),
+        let finding = RULE.at(file, Place::key(["weights", first]), message);
+        out.push(finding.help(help).against(&rig.file.path).evidence(Evidence::of_cases(unknown.iter().copied())));
     }
 }

@@ -1,7 +1,7 @@
 //! The mesh of an asset must be found.
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
-use super::{Text, missing_name::missing, section_keyword, texts};
+use super::{Text, missing_name::missing, texts};
 use crate::diag::{Application::Makehuman2, Case, Finding, Level, RuleInfo};
 use crate::repo::{Body, FileFacts, Reference, ReferenceKind, Resolution};
 
@@ -28,8 +28,6 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for text in texts(body) {
         let finding = match text.worn.reference(ReferenceKind::AssetMesh) {
             Some(reference) => absent(body, &text, reference, cx),
-            // Below a misplaced list it is not read at all.
-            None if section_keyword::keyword_below_list(&text).is_some() => None,
             None => missing(&text, "obj_file", "name of the mesh")
                 .map(|(place, message, help)| RULE.at(text.file, place, message).case(NO_LINE).help(help)),
         };

@@ -1,7 +1,7 @@
 //! An asset has a name.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{Text, texts};
+use super::{Text, section_keyword, texts};
 use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
 use crate::repo::Body;
 
@@ -30,6 +30,10 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 /// Where a keyword of the head is missed, in words, and what to do; nothing if the finding is elsewhere.
 pub(super) fn missing(text: &Text<'_, '_>, keyword: &str, example: &str) -> Option<(Place, String, String)> {
     let loaded = text.clothes.last(keyword);
+    // Nothing behind a misplaced list is read.
+    if section_keyword::keyword_below_list(text).is_some() {
+        return None;
+    }
     // With a colon it has a finding of its own.
     if text.has_hidden(keyword) || loaded.is_some_and(|entry| entry.has_colon) {
         return None;

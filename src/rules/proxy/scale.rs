@@ -45,10 +45,18 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         if text.stops() || text.worn.is_topology() {
             continue;
         }
-        for (axis, scale) in text.clothes.scales.iter().enumerate() {
-            let Some(scale) = scale else { continue };
-            out.extend(fault(body, &text, axis, scale));
-        }
+        let scales = text.clothes.scales.iter().enumerate();
+        let mut own: Vec<Finding> =
+            scales.filter_map(|(axis, scale)| fault(body, &text, axis, scale.as_ref()?)).collect();
+        // Lines that were exchanged, or written in another unit, have one cause: the worst is told.
+        own.sort_by_key(|finding| std::cmp::Reverse(finding.level));
+        let more = own.len().saturating_sub(1);
+        out.extend(own.into_iter().next().map(|mut first| {
+            if more > 0 {
+                first.message = format!("{} (and {more} more of the scale lines)", first.message);
+            }
+            first
+        }));
         out.extend(missing(&text));
     }
 }

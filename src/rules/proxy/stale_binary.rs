@@ -72,6 +72,10 @@ fn depth(text: &Text<'_, '_>) -> i64 {
 
 fn has_other_rows(archive: &Archive<'_, '_>, clothes: &Clothes) -> bool {
     let (packed, text) = (&archive.asset.rows, &clothes.rows);
+    // Rows that cannot be used have a finding of their own.
+    if packed.count != archive.asset.print.vertices || packed.out_of_range.count > 0 {
+        return false;
+    }
     let ([all, first], [own, own_first]) = (packed.prints, text.prints);
     packed.count != text.count || if archive.asset.is_exact { first != own_first } else { all != own }
 }

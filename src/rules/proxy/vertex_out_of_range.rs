@@ -43,8 +43,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         out.extend(seams.filter(|_| rows.out_of_range.count == 0));
         let list = finding(&text, &deletes.out_of_range, "`delete_verts`", last);
         out.extend(list.map(|one| one.key("deleted").case(LIST)));
-        let negative = finding(&text, &deletes.negative, "`delete_verts`", last);
-        out.extend(negative.map(|one| one.key("negative").case(FROM_END)));
+        out.extend(negative(&text, &deletes.negative));
     }
     for archive in archives(body) {
         let Some(size) = archive.size_of_base(body) else { continue };
@@ -70,6 +69,13 @@ fn finding(text: &Text<'_, '_>, tally: &Tally, place: &str, last: Option<usize>)
     Some(
         finding.help("use vertices of this base mesh, counted from 0, or the asset with the base that it was made for"),
     )
+}
+
+fn negative(text: &Text<'_, '_>, tally: &Tally) -> Option<Finding> {
+    let (line, vertex) = tally.first.first()?;
+    let message = format!("`delete_verts` names vertex {vertex}, which is negative");
+    let finding = RULE.at(text.file, Place::Line(*line), message).key("negative").case(FROM_END);
+    Some(finding.evidence(tally.evidence(text.clothes.deleted.len())).help("count vertices from 0"))
 }
 
 fn seam(text: &Text<'_, '_>, tally: &Tally, vertices: usize) -> Option<Finding> {
