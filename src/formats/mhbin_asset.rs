@@ -260,6 +260,13 @@ mod tests {
     }
 
     #[test]
+    fn a_truth_value_may_be_written_with_a_question_mark() {
+        let mut other = members();
+        other[5].1 = npy("'?'", "(5,)", &[0, 1, 1, 0, 1]);
+        assert_eq!(read(&other).mask, read(&members()).mask);
+    }
+
+    #[test]
     fn what_is_missing_is_named() {
         let without = |left_out: &str| {
             let members: Vec<_> = members().into_iter().filter(|(name, _)| *name != left_out).collect();
