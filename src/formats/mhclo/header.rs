@@ -84,7 +84,7 @@ const KNOWN: [&str; 17] = [
 const REMARKS: [&str; 6] = ["author", "license", "licence", "homepage", "description", "copyright"];
 
 /// Lines kept in all; beyond that the last of each known keyword.
-const KEPT: usize = 2000;
+const KEPT: usize = 500;
 
 /// Gathers lines.
 #[derive(Default)]

@@ -1,7 +1,7 @@
 //! The list of vertices to hide consists of numbers and ranges.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{Text, VALUE, lines, more, section_keyword, texts};
+use super::{Text, VALUE, lines, more, sections, texts};
 use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo, Tally};
 use crate::formats::mhclo::{Entry, FaultKind};
 use crate::repo::Body;
@@ -45,7 +45,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 
 fn word(text: &Text<'_, '_>) -> Option<Finding> {
     // A keyword there has a finding of its own, and ends what can be read.
-    if section_keyword::keyword_below_list(text).is_some() {
+    if sections::keyword_below_list(text).is_some() {
         return None;
     }
     let (faults, count) = text.clothes.faults.of(|kind| kind == FaultKind::DeleteWord)?;

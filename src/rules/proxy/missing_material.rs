@@ -1,8 +1,7 @@
 //! The material of an asset must be found.
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
-use super::missing_mesh::neighbours;
-use super::{Text, archives, texts};
+use super::{Text, archives, neighbours, texts};
 use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo};
 use crate::repo::{Body, Reference, ReferenceKind, Resolution};
 

@@ -1,9 +1,9 @@
 //! The mesh of an asset must be found.
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
-use super::{Text, missing_name::missing, texts};
+use super::{Text, missing::missing, neighbours, texts};
 use crate::diag::{Application::Makehuman2, Case, Finding, Level, RuleInfo};
-use crate::repo::{Body, FileFacts, Reference, ReferenceKind, Resolution};
+use crate::repo::{Body, Reference, ReferenceKind, Resolution};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "refuses the asset with a message: it cannot be put on")],
@@ -50,12 +50,4 @@ fn absent(body: &Body<'_>, text: &Text<'_, '_>, reference: &Reference<'_>, cx: &
         None => did_you_mean(cx.suggestions.nearest(reference.text, names), "correct the name, or restore the mesh"),
     };
     Some(RULE.at(text.file, reference.place.clone(), message).key(reference.text).help(help))
-}
-
-/// Names of the files of a sort beside the asset, as it would write them.
-pub(super) fn neighbours<'v>(body: &Body<'v>, text: &Text<'_, '_>, extension: &str) -> Vec<&'v str> {
-    let folder = crate::repo::parent(&text.file.rel);
-    let beside = body.layers.checked.below(folder);
-    let own = beside.filter(|file| crate::discover::extension(&file.rel) == extension);
-    own.filter_map(|file: &FileFacts| file.rel.strip_prefix(folder)?.strip_prefix('/')).collect()
 }

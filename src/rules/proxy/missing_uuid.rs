@@ -1,7 +1,7 @@
 //! An asset has an identity.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{missing_name::missing, texts};
+use super::{missing::missing, texts};
 use crate::diag::{Application::Makehuman2, Finding, Level, RuleInfo};
 use crate::repo::Body;
 

@@ -1,8 +1,7 @@
 //! The bone weights of an asset must be found.
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
-use super::missing_mesh::neighbours;
-use super::texts;
+use super::{neighbours, texts};
 use crate::diag::{Application::Makehuman2, Finding, Level, RuleInfo};
 use crate::repo::{Body, ReferenceKind, Resolution, parent};
 

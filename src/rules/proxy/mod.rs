@@ -8,6 +8,7 @@ pub(super) mod hides_body;
 pub(super) mod keyword_spelling;
 mod keywords;
 pub(super) mod mask_length;
+mod missing;
 pub(super) mod missing_material;
 pub(super) mod missing_mesh;
 pub(super) mod missing_name;
@@ -16,6 +17,7 @@ pub(super) mod missing_weights;
 pub(super) mod non_finite;
 pub(super) mod scale;
 pub(super) mod section_keyword;
+mod sections;
 pub(super) mod shifted_rows;
 pub(super) mod stale_binary;
 pub(super) mod syntax;
@@ -32,7 +34,7 @@ use archives::{Archive, archives, rebuild};
 use crate::diag::{Application::Makehuman2, Case, Evidence, Level};
 use crate::formats::mhclo::{Clothes, Entry, Fault, FaultKind, Section};
 use crate::formats::target::MeshSize;
-use crate::repo::{Body, FileFacts, Worn};
+use crate::repo::{Body, FileFacts, Worn, parent};
 
 /// An asset of the checked layer with its text.
 #[derive(Clone, Copy)]
@@ -92,6 +94,14 @@ impl<'v> Text<'_, 'v> {
     fn has_rows_section(&self) -> bool {
         self.clothes.entries.iter().any(|entry| &*entry.keyword == "verts" && entry.section == Section::Vertices)
     }
+}
+
+/// Names of the files of a sort beside the asset, as it would write them.
+fn neighbours<'v>(body: &Body<'v>, text: &Text<'_, '_>, extension: &str) -> Vec<&'v str> {
+    let folder = parent(&text.file.rel);
+    let beside = body.layers.checked.below(folder);
+    let own = beside.filter(|file| crate::discover::extension(&file.rel) == extension);
+    own.filter_map(|file: &FileFacts| file.rel.strip_prefix(folder)?.strip_prefix('/')).collect()
 }
 
 /// How many lines have a fault, with the first of them.

@@ -1,9 +1,10 @@
 //! The two sections of an asset must be opened by their keywords.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{INDEX, Text, VALUE, texts};
+use super::sections::{keyword_below_list, misspelt_list};
+use super::{INDEX, Text, VALUE, lines, more, texts};
 use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo};
-use crate::formats::mhclo::{Entry, FaultKind, Section};
+use crate::formats::mhclo::{Entry, FaultKind};
 use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
@@ -41,34 +42,12 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     }
 }
 
-/// The first line from which on rows are meant as something else; beyond the end if there is none.
-pub(super) fn misplaced_from(text: &Text<'_, '_>) -> u32 {
-    let misspelt = misspelt_list(text).map(|entry| entry.line);
-    let dash = text
-        .clothes
-        .faults
-        .of(|kind| kind == FaultKind::RowWord)
-        .and_then(|(faults, _)| faults.iter().find(|fault| &*fault.word == "-").map(|fault| fault.line));
-    misspelt.into_iter().chain(dash).min().unwrap_or(u32::MAX)
-}
-
-/// Whether the rows are lost as a whole.
-pub(super) fn has_no_rows(text: &Text<'_, '_>) -> bool {
-    !text.has_rows_section()
-}
-
-/// How many lines of numbers stand above `verts`, where nothing reads them.
-pub(super) fn rows_above(text: &Text<'_, '_>) -> u64 {
-    let above = text.clothes.faults.of(|kind| kind == FaultKind::NumbersInHeader);
-    above.filter(|_| text.has_rows_section()).map_or(0, |(_, count)| count)
-}
-
 fn above(text: &Text<'_, '_>) -> Option<Finding> {
     let (faults, count) = text.clothes.faults.of(|kind| kind == FaultKind::NumbersInHeader)?;
     let first = faults.first().filter(|_| text.has_rows_section())?;
-    let message = format!("a line of numbers stands above `verts`{}", super::more(count));
+    let message = format!("a line of numbers stands above `verts`{}", more(count));
     let finding = RULE.at(text.file, Place::Line(first.line), message).key("above").case(ABOVE);
-    Some(finding.help("move `verts` above all vertex rows").evidence(super::lines(faults, count)))
+    Some(finding.help("move `verts` above all vertex rows").evidence(lines(faults, count)))
 }
 
 fn rows(text: &Text<'_, '_>) -> Option<Finding> {
@@ -84,10 +63,6 @@ fn rows(text: &Text<'_, '_>) -> Option<Finding> {
     let place = numbers.and_then(|(faults, _)| faults.first()).map_or(Place::File, |fault| Place::Line(fault.line));
     let help = if numbers.is_some() { "add a line `verts` above the vertex rows" } else { "export the asset again" };
     Some(RULE.at(text.file, place, message).key("verts").case(INDEX).help(help))
-}
-
-fn misspelt_list<'v>(text: &Text<'_, 'v>) -> Option<&'v Entry> {
-    text.misspelt("delete_verts").filter(|entry| entry.section == Section::Vertices)
 }
 
 fn list(text: &Text<'_, '_>) -> Option<Finding> {
@@ -110,13 +85,6 @@ fn keyword_in_list(text: &Text<'_, '_>) -> Option<Finding> {
     let entry = keyword_below_list(text)?;
     let message = format!("`{}` stands below `delete_verts`, where only numbers can", entry.keyword);
     Some(told(text, entry, message, VALUE).help("move `delete_verts` with its numbers to the end of the file"))
-}
-
-/// The first line in the list that begins with a letter.
-pub(super) fn keyword_below_list<'v>(text: &Text<'_, 'v>) -> Option<&'v Entry> {
-    let in_list = |entry: &&Entry| entry.section == Section::Deleted && &*entry.keyword != "delete_verts";
-    let mut entries = text.clothes.entries.iter().filter(|entry| !entry.is_comment);
-    entries.find(|entry| in_list(entry) && entry.keyword.starts_with(char::is_alphabetic))
 }
 
 fn told(text: &Text<'_, '_>, entry: &Entry, message: String, case: Case) -> Finding {

@@ -1,7 +1,7 @@
 //! Numbers must be where numbers belong.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{INDEX, Text, VALUE, all_texts, lines, more, section_keyword, texts};
+use super::{INDEX, Text, VALUE, all_texts, lines, more, sections, texts};
 use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo};
 use crate::formats::mhclo::{Fault, FaultKind};
 use crate::repo::Body;
@@ -40,7 +40,7 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 /// The rows with a fault, without those that belong to a section whose keyword is wrong.
 fn of_rows<'t>(text: &'t Text<'_, '_>, wanted: fn(FaultKind) -> bool) -> Option<(Vec<&'t Fault>, u64)> {
     let (faults, count) = text.clothes.faults.of(wanted)?;
-    let end = section_keyword::misplaced_from(text);
+    let end = sections::misplaced_from(text);
     let own: Vec<&Fault> = faults.iter().filter(|fault| fault.line < end).collect();
     if own.is_empty() { None } else { Some((own, if end == u32::MAX { count } else { 1 })) }
 }

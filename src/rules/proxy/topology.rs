@@ -3,7 +3,7 @@
 use super::super::{Check, Rule, RuleCx};
 use super::{Text, texts};
 use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo};
-use crate::repo::{Body, Worn};
+use crate::repo::Body;
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "draws the body as well: both meshes show, one in the other")],
@@ -33,9 +33,4 @@ fn material(text: &Text<'_, '_>) -> Option<Finding> {
     let entry = text.clothes.last("material")?;
     let finding = RULE.at(text.file, Place::Span(entry.word_span()), "a topology has no material of its own");
     Some(finding.key("material").case(MATERIAL).help("remove the line, and use a skin for its look"))
-}
-
-/// Whether any topology is at hand for a body.
-pub(super) fn is_any(body: &Body<'_>) -> bool {
-    body.worn.iter().any(Worn::is_topology)
 }

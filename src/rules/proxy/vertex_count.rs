@@ -1,7 +1,7 @@
 //! An asset has a row for each vertex of its mesh.
 
 use super::super::{Check, Rule, RuleCx, counted};
-use super::{Text, section_keyword, texts};
+use super::{Text, sections, texts};
 use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::mhclo::FaultKind;
 use crate::repo::Body;
@@ -41,13 +41,13 @@ fn finding(text: &Text<'_, '_>) -> Option<Finding> {
     let place = verts.map_or(Place::File, |entry| Place::Line(entry.line));
     if rows == 0 {
         // Without the keyword, or with each row dropped, the cause is told.
-        let is_told = dropped > 0 || section_keyword::has_no_rows(text);
+        let is_told = dropped > 0 || sections::has_no_rows(text);
         let message = "there are no vertex rows below `verts`";
         return (!is_told).then(|| RULE.at(text.file, place, message).key("none").help(help));
     }
     let (file, mesh) = text.worn.mesh().filter(|(_, mesh)| mesh.is_sound())?;
     let vertices = mesh.facts.vertices;
-    let unread = dropped + section_keyword::rows_above(text);
+    let unread = dropped + sections::rows_above(text);
     if rows == vertices || rows as u64 + unread == vertices as u64 {
         return None;
     }

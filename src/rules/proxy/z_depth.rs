@@ -1,10 +1,10 @@
 //! What is drawn and hides above what.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{OVERFLOW, Text, texts, topology};
+use super::{OVERFLOW, Text, texts};
 use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo};
 use crate::formats::python_int;
-use crate::repo::Body;
+use crate::repo::{Body, Worn};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(
@@ -30,7 +30,7 @@ const OF_PACKED_HAIR: i64 = 255;
 const USUAL: i64 = 50;
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let has_topology = topology::is_any(body);
+    let has_topology = body.worn.iter().any(Worn::is_topology);
     let lowest_hair = texts(body).filter(is_hair).map(|text| depth(&text).unwrap_or(USUAL)).min();
     for text in texts(body).filter(|text| !text.stops()) {
         out.extend(without_value(&text));
