@@ -98,7 +98,7 @@ pub(super) struct Header {
 #[derive(Clone, Copy)]
 pub(super) struct Words<'l> {
     pub(super) start: usize,
-    pub(super) words: &'l [(usize, &'l [u8])],
+    pub(super) list: &'l [(usize, &'l [u8])],
     pub(super) line: u32,
 }
 
@@ -110,15 +110,15 @@ impl Header {
 
     /// Takes a comment, if it says something of the asset.
     pub(super) fn remark(&mut self, words: Words<'_>, section: Section) {
-        match words.words {
+        match words.list {
             [(_, only)] if holds(only, b"author") => self.scanned.lone_author = rest(words, 0),
             [(_, first), ..] if first.starts_with(b"#author") => self.scanned.glued_author = rest(words, 0),
             _ => {}
         }
-        let [(_, b"#"), (_, second), ..] = words.words else { return };
+        let [(_, b"#"), (_, second), ..] = words.list else { return };
         if REMARKS.iter().any(|known| known.as_bytes() == second.strip_suffix(b":").unwrap_or(second)) {
-            let rest = words.words.get(1..).unwrap_or_default();
-            self.add(entry(Words { words: rest, ..words }, section, true));
+            let rest = words.list.get(1..).unwrap_or_default();
+            self.add(entry(Words { list: rest, ..words }, section, true));
         }
     }
 
@@ -146,7 +146,7 @@ impl Header {
 
     /// Looks at any line as the scan of a library does.
     pub(super) fn scan(&mut self, words: Words<'_>, line: &[u8], is_row: bool) {
-        let [(_, first), (at, second), ..] = words.words else { return };
+        let [(_, first), (at, second), ..] = words.list else { return };
         if self.scanned.is_over || is_row {
             self.scanned.is_over = true;
             return;
@@ -158,14 +158,21 @@ impl Header {
             b"uuid" => self.scanned.uuid = one(),
             b"obj_file" => {}
             _ if holds(line, b"author") => {
-                if second.starts_with(b"author") {
-                    self.scanned.author = rest(words, 2);
-                }
+                self.scan_author(words, second);
             }
             _ if holds(line, b"tag") && self.scanned.tags.len() < KEPT => {
                 self.scanned.tags.extend(rest(words, 1));
             }
             _ => {}
+        }
+    }
+}
+
+impl Header {
+    /// A line with `author` in it counts as nothing else.
+    fn scan_author(&mut self, words: Words<'_>, second: &[u8]) {
+        if second.starts_with(b"author") {
+            self.scanned.author = rest(words, 2);
         }
     }
 }
@@ -181,7 +188,7 @@ fn rest(words: Words<'_>, from: usize) -> Option<Value> {
 }
 
 fn joined(words: Words<'_>, from: usize) -> Option<(Box<str>, Range<usize>)> {
-    let rest = words.words.get(from..)?;
+    let rest = words.list.get(from..)?;
     let (first, _) = rest.first()?;
     let (at, last) = rest.last()?;
     let texts: Vec<_> = rest.iter().map(|(_, word)| String::from_utf8_lossy(word)).collect();
@@ -189,7 +196,7 @@ fn joined(words: Words<'_>, from: usize) -> Option<(Box<str>, Range<usize>)> {
 }
 
 fn entry(words: Words<'_>, section: Section, is_comment: bool) -> Option<Entry> {
-    let (at, first) = words.words.first()?;
+    let (at, first) = words.list.first()?;
     let keyword = first.strip_suffix(b":").unwrap_or(first);
     let keyword_span = words.start + at..words.start + at + first.len();
     let (value, span) = joined(words, 1).unwrap_or_else(|| ("".into(), keyword_span.end..keyword_span.end));
@@ -202,7 +209,7 @@ fn entry(words: Words<'_>, section: Section, is_comment: bool) -> Option<Entry> 
         line: words.line,
         keyword_span,
         span,
-        first: words.words.get(1).map_or(0, |(_, word)| word.len()),
+        first: words.list.get(1).map_or(0, |(_, word)| word.len()),
     })
 }
 

@@ -42,7 +42,7 @@ pub fn parse(text: &[u8], mesh: Option<MeshSize>) -> Clothes {
 
 impl Reader {
     fn words<'l>(&self, words: &'l [Word<'l>]) -> Words<'l> {
-        Words { start: self.start, words, line: self.line }
+        Words { start: self.start, list: words, line: self.line }
     }
 
     fn take(&mut self, words: &[Word<'_>]) {

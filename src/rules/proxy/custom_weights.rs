@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::super::{Check, Rule, RuleCx, did_you_mean};
 use super::texts;
 use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
-use crate::repo::{Body, ReferenceKind};
+use crate::repo::{Body, Reference, ReferenceKind};
 
 pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "crashes with `KeyError` in every pose, and in the glTF export of a model with a skeleton")],
@@ -25,7 +25,7 @@ fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let parents = skeleton.bones.iter().filter_map(|bone| bone.parent.as_deref());
     let known: BTreeSet<&str> = skeleton.bones.iter().map(|bone| &*bone.name).chain(parents).collect();
     for text in texts(body) {
-        let Some(file) = text.worn.reference(ReferenceKind::AssetWeights).and_then(|one| one.meant()) else { continue };
+        let Some(file) = text.worn.reference(ReferenceKind::AssetWeights).and_then(Reference::meant) else { continue };
         let Some(weights) = file.weights().filter(|weights| weights.has_weights) else { continue };
         let is_known = |name: &str| known.contains(name);
         let unknown: Vec<&str> = weights

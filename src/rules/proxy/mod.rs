@@ -58,7 +58,7 @@ fn all_texts<'b, 'v>(body: &'b Body<'v>) -> impl Iterator<Item = Text<'b, 'v>> {
 impl<'v> Text<'_, 'v> {
     /// Whether any line has a keyword of assets.
     fn is_asset(&self) -> bool {
-        self.clothes.entries.iter().any(|entry| keywords::is_known(entry))
+        self.clothes.entries.iter().any(keywords::is_known)
     }
 
     /// Whether a byte order mark hides the keyword of the first line; that has a finding of its own.

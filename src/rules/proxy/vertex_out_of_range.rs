@@ -41,8 +41,8 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         out.extend(finding(&text, &rows.out_of_range, "a vertex row", last));
         let seams = seam(&text, &rows.in_seams, size.vertices);
         out.extend(seams.filter(|_| rows.out_of_range.count == 0));
-        let list = finding(&text, &deletes.out_of_range, "`delete_verts`", last);
-        out.extend(list.map(|one| one.key("deleted").case(LIST)));
+        let hidden = finding(&text, &deletes.out_of_range, "`delete_verts`", last);
+        out.extend(hidden.map(|one| one.key("deleted").case(LIST)));
         out.extend(negative(&text, &deletes.negative));
     }
     for archive in archives(body) {

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::diag::{Evidence, Place};
 use crate::formats::mhw::Weights;
-use crate::repo::{Body, FileFacts, ReferenceKind};
+use crate::repo::{Body, FileFacts, Reference, ReferenceKind};
 
 /// Weights of an asset of the checked layer.
 pub(super) struct Own<'v> {
@@ -28,7 +28,7 @@ pub(super) fn all<'v>(body: &Body<'v>) -> impl Iterator<Item = Own<'v>> {
     let mut own: BTreeMap<&str, Own<'v>> = BTreeMap::new();
     for worn in body.worn {
         let mesh = worn.mesh().filter(|(_, mesh)| mesh.is_sound());
-        let file = worn.reference(ReferenceKind::AssetWeights).and_then(|reference| reference.meant());
+        let file = worn.reference(ReferenceKind::AssetWeights).and_then(Reference::meant);
         let file = file.filter(|file| body.layers.is_checked(file));
         let (Some(file), Some((_, mesh))) = (file, mesh) else { continue };
         if let Some(weights) = file.weights().filter(|weights| weights.has_weights) {
