@@ -1,12 +1,14 @@
 //! What is kept of a file's content.
 
+use super::asset_mesh::AssetMesh;
 use super::base_json::BaseJson;
 use super::bvh::Motion;
 use super::geometry::Geometry;
 use super::json_file::JsonFault;
 use super::macro_json::MacroFile;
 use super::mhbin::MeshFault;
-use super::mhclo::Name;
+use super::mhbin_asset::Packed;
+use super::mhclo::Clothes;
 use super::mhmat::Material;
 use super::mhskel::Skeleton;
 use super::mhw::Weights;
@@ -45,12 +47,16 @@ pub enum Content {
     Weights(Box<Weights>),
     /// `.obj` of a base mesh.
     Mesh(Box<Mesh>),
+    /// `.obj` of an asset, without its vertices.
+    AssetMesh(Box<AssetMesh>),
     /// `base.mhbin`: its mesh, or why it cannot be loaded.
     MeshArchive(Box<Result<Mesh, MeshFault>>),
     /// `.target`.
     Target(Box<TargetFacts>),
-    /// `.mhclo`, `.proxy`: the files that it names.
-    Clothes(Vec<Name>),
+    /// `.mhclo`, `.proxy`, without the rows themselves.
+    Clothes(Box<Clothes>),
+    /// An archive that is neither a base mesh nor one of targets: of an asset, say.
+    Packed(Box<Packed>),
     /// `.mhmat`.
     Material(Box<Material>),
     /// `.bvh`.

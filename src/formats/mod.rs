@@ -4,6 +4,7 @@
 //! pass everything rules ask about. Nothing is checked here; other files are not known here.
 #![warn(clippy::indexing_slicing)]
 
+pub mod asset_mesh;
 pub mod base_json;
 pub mod bvh;
 mod content;
@@ -18,6 +19,7 @@ pub(crate) mod json_file;
 pub mod macro_json;
 pub mod mesh_difference;
 pub mod mhbin;
+pub mod mhbin_asset;
 pub mod mhclo;
 pub mod mhmat;
 pub mod mhskel;

@@ -144,6 +144,8 @@ impl Scalar {
     /// The scalar type of a type text such as `<u4`.
     fn of(text: &str, offset: usize) -> Option<Self> {
         let big_endian = text.starts_with('>');
+        // Another way to write a truth value.
+        let text = if text.trim_start_matches(['<', '>', '|', '=']) == "?" { "|b1" } else { text };
         let (kind, bytes) = text.trim_start_matches(['<', '>', '|', '=']).split_at_checked(1)?;
         let kind = *kind.as_bytes().first()?;
         let bytes = bytes.parse().ok().filter(|bytes| *bytes <= ROW_BYTES)?;

@@ -2,11 +2,12 @@
 
 use xxhash_rust::xxh3::xxh3_64;
 
+use super::asset_mesh::AssetMesh;
 use super::inline_ignore::{self, InlineIgnore};
 use super::json_file::{self, JsonFacts, JsonFault};
 use super::table::{Format, Reader, Syntax};
 use super::target::{self, MeshSize, Row};
-use super::{Content, bvh, mhbin, mhclo, mhmat, mhw, npz, obj};
+use super::{Content, bvh, mhbin, mhbin_asset, mhclo, mhmat, mhw, npz, obj};
 use crate::json::{self, Document, SchemaFaults};
 use crate::source::{Encoding, GzipFault, Limits, try_gunzip, zip_bomb};
 
@@ -98,9 +99,10 @@ pub(super) fn target(input: &Input<'_>) -> Parsed {
     }
 }
 
-/// What is worn, as far as it names files.
+/// What is worn. Its rows are counted and not kept.
 pub(super) fn clothes(input: &Input<'_>) -> Parsed {
-    Parsed { content: Content::Clothes(mhclo::names(input.bytes)), ..hashed(input) }
+    let clothes = mhclo::Clothes { references: Vec::new(), ..mhclo::parse(input.bytes, input.mesh) };
+    Parsed { content: Content::Clothes(Box::new(clothes)), ..hashed(input) }
 }
 
 /// A material. One without anything in it names nothing.
@@ -122,6 +124,15 @@ pub(super) fn mesh(input: &Input<'_>) -> Parsed {
     let mut parsed = hashed(input);
     if !input.encoding.blank && !input.encoding.only_comments {
         parsed.content = Content::Mesh(Box::new(obj::parse(input.bytes)));
+    }
+    parsed
+}
+
+/// The mesh of an asset.
+pub(super) fn asset_mesh(input: &Input<'_>) -> Parsed {
+    let mut parsed = hashed(input);
+    if !input.encoding.blank && !input.encoding.only_comments {
+        parsed.content = Content::AssetMesh(Box::new(AssetMesh::of(obj::parse(input.bytes))));
     }
     parsed
 }
@@ -151,9 +162,13 @@ pub(super) fn packed(input: &Input<'_>) -> Parsed {
     Parsed { gzip_fault: try_gunzip(input.bytes, input.limits).err(), ..Parsed::default() }
 }
 
-/// An archive of any kind: whether it can be unpacked.
+/// An archive of any kind: whether it can be unpacked, and what is in it if it is that of an asset.
 pub(super) fn zip(input: &Input<'_>) -> Parsed {
-    zip_within(input, input.limits)
+    let mut parsed = zip_within(input, input.limits);
+    if parsed.gzip_fault.is_none() {
+        parsed.content = Content::Packed(Box::new(mhbin_asset::parse(input.bytes, input.limits, input.mesh)));
+    }
+    parsed
 }
 
 fn zip_within(input: &Input<'_>, limits: &Limits) -> Parsed {

@@ -1,6 +1,8 @@
 //! The table of formats: what is to be known of each kind of file before and while it is read.
 
-use super::readers::{archive, clothes, material, mesh, mesh_archive, motion, packed, target, weights, zip};
+use super::readers::{
+    archive, asset_mesh, clothes, material, mesh, mesh_archive, motion, packed, target, weights, zip,
+};
 use super::{Content, Input, Parsed, base_json, geometry, macro_json, mhskel, modelling, target_cat, target_catalog};
 use crate::discover::Kind;
 use crate::json::Document;
@@ -106,13 +108,13 @@ pub(crate) static FORMATS: [Format; 26] = [
     mhw(Kind::Weights, Needs::Mesh),
     mhw(Kind::AssetWeights, Needs::Nothing),
     plain(Kind::Pose, "JSON", Syntax::Json),
-    Format { comments: &["#"], ..read(Kind::Clothes, "text asset", Syntax::Text, clothes) },
+    Format { comments: &["#"], needs: Needs::Mesh, ..read(Kind::Clothes, "text asset", Syntax::Text, clothes) },
     Format { comments: &["#", "//"], ..read(Kind::Material, "text asset", Syntax::Text, material) },
     text(Kind::Model, &["#"]),
     read(Kind::Motion, "motion", Syntax::Text, motion),
     text(Kind::MotionMeta, &[]),
-    text(Kind::AssetMesh, &[]),
-    read(Kind::Packed, "file", Syntax::Binary, zip),
+    read(Kind::AssetMesh, "mesh", Syntax::Text, asset_mesh),
+    Format { needs: Needs::Mesh, ..read(Kind::Packed, "file", Syntax::Binary, zip) },
     plain(Kind::Json, "JSON", Syntax::Json),
     plain(Kind::Image, "picture", Syntax::Binary),
     OTHER,

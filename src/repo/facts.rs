@@ -4,11 +4,13 @@ use std::sync::Arc;
 
 use crate::diag::Application;
 use crate::discover::{Kind, Use, kind_in, owner_of};
+use crate::formats::asset_mesh::AssetMesh;
 use crate::formats::bvh::Motion;
 use crate::formats::inline_ignore::InlineIgnore;
 use crate::formats::json_file::JsonFacts;
 use crate::formats::mhbin::MeshFault;
-use crate::formats::mhclo::Name;
+use crate::formats::mhbin_asset::Packed;
+use crate::formats::mhclo::Clothes;
 use crate::formats::mhmat::Material;
 use crate::formats::mhskel::Skeleton;
 use crate::formats::mhw::Weights;
@@ -114,6 +116,7 @@ impl FileFacts {
             Content::Target(facts) => facts.rows > 0,
             Content::Skeleton(skeleton) => skeleton.joints.iter().any(|joint| joint.vertices.is_some()),
             Content::Weights(weights) => weights.bones.iter().any(|bone| bone.listed > 0),
+            Content::Clothes(clothes) => clothes.rows.count > 0,
             _ => false,
         };
         names_some && self.kind.format().needs != Needs::Nothing
@@ -144,9 +147,19 @@ impl FileFacts {
         if let Content::Skeleton(skeleton) = &*self.content { Some(skeleton) } else { None }
     }
 
-    /// The files that it names, if it is worn and could be read.
-    pub fn asset_names(&self) -> Option<&[Name]> {
-        if let Content::Clothes(names) = &*self.content { Some(names) } else { None }
+    /// An archive other than of targets or a base mesh, if it is one.
+    pub fn packed(&self) -> Option<&Packed> {
+        if let Content::Packed(packed) = &*self.content { Some(packed) } else { None }
+    }
+
+    /// The mesh of an asset, if it is one that could be read.
+    pub fn asset_mesh(&self) -> Option<&AssetMesh> {
+        if let Content::AssetMesh(mesh) = &*self.content { Some(mesh) } else { None }
+    }
+
+    /// What is worn, if it is that and could be read.
+    pub fn clothes(&self) -> Option<&Clothes> {
+        if let Content::Clothes(clothes) = &*self.content { Some(clothes) } else { None }
     }
 
     /// The material, if it is one that could be read.

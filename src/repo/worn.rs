@@ -3,7 +3,9 @@
 use super::{FileFacts, Layer, Reference, ReferenceKind, parent};
 use crate::diag::{Application, Place};
 use crate::discover::Kind;
-use crate::formats::mhclo::{Name, Named};
+use crate::formats::asset_mesh::AssetMesh;
+use crate::formats::mhbin_asset::Packed;
+use crate::formats::mhclo::{Clothes, Entry};
 
 /// An asset that a body wears.
 #[derive(Debug)]
@@ -12,8 +14,23 @@ pub(crate) struct Worn<'a> {
     pub file: &'a FileFacts,
     /// The body that it is for.
     pub base: &'a str,
+    /// The archive beside it, which MakeHuman 2 reads in its place unless the text is newer.
+    pub binary: Option<&'a FileFacts>,
     /// What it names, with what is there; `None` where that cannot be read.
     pub references: Option<Vec<Reference<'a>>>,
+}
+
+/// What an archive names.
+fn packed_references<'a>(layer: &'a Layer, file: &'a FileFacts, base: &'a str) -> Option<Vec<Reference<'a>>> {
+    let Packed::Asset(asset) = file.packed()? else { return None };
+    let own = parent(&file.rel);
+    let [material, weights] = &asset.files;
+    let named = |text: &'a str, kind| {
+        let rel = || format!("{own}/{text}");
+        (!text.is_empty()).then(|| Reference::to(&[layer], kind, base, file, Place::File, text, rel()))
+    };
+    let references = [named(weights, ReferenceKind::AssetWeights), named(material, ReferenceKind::AssetMaterial)];
+    Some(references.into_iter().flatten().collect())
 }
 
 impl<'a> Worn<'a> {
@@ -29,23 +46,47 @@ impl<'a> Worn<'a> {
         layer: &'a Layer,
         file: &'a FileFacts,
         base: &'a str,
-        counts: fn(&Name) -> bool,
+        counts: fn(&Entry) -> bool,
         weights_beside_mesh: bool,
     ) -> Self {
         let own = parent(&file.rel);
-        let references = file.asset_names().map(|names| {
-            let named = |what, kind, folder: &str| {
-                let name = names.iter().rev().filter(|name| counts(name)).find(|name| name.what == what)?;
-                let (place, rel) = (Place::Span(name.span.clone()), format!("{folder}/{}", name.word));
-                Some(Reference::to(&[layer], kind, base, file, place, &name.word, rel))
+        let references = file.clothes().map(|clothes| {
+            let named = |keyword, kind, folder: &str| {
+                let entry = clothes.all(keyword).rev().find(|entry| counts(entry))?;
+                let (place, word) = (Place::Span(entry.word_span()), entry.word());
+                Some(Reference::to(&[layer], kind, base, file, place, word, format!("{folder}/{word}")))
             };
-            let mesh = named(Named::Mesh, ReferenceKind::AssetMesh, own);
+            let mesh = named("obj_file", ReferenceKind::AssetMesh, own);
             let folder = mesh.as_ref().filter(|_| weights_beside_mesh).map_or(own, |mesh| parent(&mesh.rel));
-            let weights = named(Named::Weights, ReferenceKind::AssetWeights, folder);
-            let material = named(Named::Material, ReferenceKind::AssetMaterial, own);
+            let weights = named("vertexboneweights_file", ReferenceKind::AssetWeights, folder);
+            let material = named("material", ReferenceKind::AssetMaterial, own);
             [mesh, weights, material].into_iter().flatten().collect()
         });
-        Self { file, base, references }
+        let references = references.or_else(|| packed_references(layer, file, base));
+        let binary = layer.file(&format!("{own}/{}.mhbin", file.stem()));
+        Self { file, base, binary, references }
+    }
+
+    /// What is in its text, if that can be relied on.
+    pub(crate) fn clothes(&self) -> Option<&'a Clothes> {
+        let encoding = &self.file.encoding;
+        self.file.clothes().filter(|_| encoding.invalid_utf8_at.is_none() && !encoding.blank && !encoding.only_comments)
+    }
+
+    /// The last name of a kind in it.
+    pub(crate) fn reference(&self, kind: ReferenceKind) -> Option<&Reference<'a>> {
+        self.references.as_ref()?.iter().find(|reference| reference.kind == kind)
+    }
+
+    /// Its mesh, if that could be read at all.
+    pub(crate) fn mesh(&self) -> Option<(&'a FileFacts, &'a AssetMesh)> {
+        let file = self.reference(ReferenceKind::AssetMesh)?.meant()?;
+        Some((file, file.asset_mesh().filter(|_| file.encoding.invalid_utf8_at.is_none())?))
+    }
+
+    /// Whether it stands for the skin of the body.
+    pub(crate) fn is_topology(&self) -> bool {
+        self.file.rel.starts_with("proxy/")
     }
 
     /// The weights that it names.

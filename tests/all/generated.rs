@@ -51,7 +51,7 @@ fn every_rule_has_its_section_on_the_page_of_its_family() {
 /// What the rules of a family check.
 fn about(family: &str) -> &'static str {
     match family {
-        "archive" => "archives of targets (`compressedtargets.npz`) and of base meshes (`base.mhbin`)",
+        "archive" => "archives of targets (`compressedtargets.npz`), of base meshes and of assets (`.mhbin`)",
         "base" => "the settings of a base mesh: `base.json`, `geometry.json` and what they name",
         "baseline" => "the baseline of mhlint itself",
         "bvh" => "motions (`.bvh`)",
@@ -61,11 +61,12 @@ fn about(family: &str) -> &'static str {
         "json" => "JSON as such: syntax, schema, keys",
         "macro" => "macro targets: `macro.json` and the combinations it names",
         "material" => "materials (`.mhmat`) and the textures they name",
-        "mesh" => "base meshes (`base.obj`, packed in `base.mhbin`)",
+        "mesh" => "base meshes (`base.obj`, packed in `base.mhbin`) and meshes of assets",
         "modelling" => "sliders: `modelling.json` and `target_cat.json`",
         "numeric" => "the evaluated figure: shapes, joints and weights over the range of the sliders",
         "overlay" => "user data over system data",
         "pose" => "poses and motions",
+        "proxy" => "clothes, hair, eyes and topologies (`.mhclo`, `.proxy`) with what they name",
         "skeleton" => "skeletons (`.mhskel`)",
         "target" => "targets (`.target`)",
         "weights" => "weights (`.mhw`)",

@@ -39,6 +39,7 @@ impl<'a> View<'a> {
         let mut references: Vec<Reference<'a>> = bases.iter().flat_map(of_base).collect();
         // Assets for a base that no layer has.
         references.extend(textures.into_values().flatten());
+        references.extend(worn.iter().flat_map(|worn| worn.references.iter().flatten()).cloned());
         let references = References::new(references);
         let usage = Usage::of(layers, &bases, &references);
         Self { layers, bases, references, worn, usage, known_names: OnceLock::new() }
@@ -153,7 +154,7 @@ impl<'a> View<'a> {
 }
 
 fn is_of_body(file: &FileFacts) -> bool {
-    matches!(file.kind, Kind::Target | Kind::Weights | Kind::AssetWeights | Kind::Motion)
+    matches!(file.kind, Kind::Target | Kind::Weights | Kind::AssetWeights | Kind::Motion | Kind::Clothes | Kind::Packed)
 }
 
 /// Whether the scan of poses finds a file: in the folder of the base, or one below.

@@ -1,7 +1,7 @@
 //! An archive that MakeHuman 2 cannot load: of targets, or of the base mesh.
 
 use super::super::{Check, Rule, RuleCx};
-use super::words;
+use super::{words, worn};
 use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::npz::{Archive, ArchiveFault, Member, NpyFault};
 use crate::repo::{FileFacts, View};
@@ -20,12 +20,15 @@ pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
         it with `ValueError` (fops_binary.py:153), one of 0 bytes with `EOFError` (`file-empty`), and members \
         that do not fit together with `IndexError`. One that lacks a member is rejected. At a position that is \
         not a copy of any vertex the surface tears (a warning). All else is up to the rules for meshes. Delete \
-        the archive, or rebuild it.",
+        the archive, or rebuild it.\n\n`.mhbin` beside an asset is what MakeHuman 2 packs of its text and mesh. The \
+        library opens all of them at start: one that is not a zip, or has no usable member `asset`, crashes it, and \
+        the next start comes up without any asset. If another member is missing, the asset is refused with a message. \
+        Delete it if the text is beside it.",
     counts: "members",
     ..RuleInfo::new(
         "archive-malformed",
         Level::Error,
-        "an archive of targets or of the base mesh that cannot be loaded",
+        "an archive of targets, of a base mesh or of an asset that cannot be loaded",
     )
 });
 
@@ -36,6 +39,9 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     if let Some((message, case)) = file.mesh_fault().and_then(words::of_mesh) {
         let help = words::help_with_mesh(view, file);
         out.push(RULE.at(file, Place::File, message).case(case).help(help));
+    }
+    if let Some((message, case)) = worn::fault(view, file) {
+        out.push(RULE.at(file, Place::File, message).case(case).help(worn::help(view, file)));
     }
     let Some(archive) = file.archive() else { return };
     match &archive.fault {

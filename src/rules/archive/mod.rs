@@ -2,3 +2,4 @@
 
 pub(super) mod malformed;
 mod words;
+mod worn;

@@ -47,7 +47,7 @@ pub(super) fn not_zip(reason: &str) -> String {
     format!("not a readable zip archive ({reason})")
 }
 
-fn missing(members: &[&str]) -> String {
+pub(super) fn missing(members: &[&str]) -> String {
     let names: Vec<String> = members.iter().map(|name| format!("`{name}`")).collect();
     match names.as_slice() {
         [only] => format!("member {only} is missing"),

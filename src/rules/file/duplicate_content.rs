@@ -79,6 +79,9 @@ fn advice(view: &View<'_>, first: &FileFacts, others: &[&FileFacts]) -> String {
             reference.owner,
             reference.from.file_name()
         ),
+        (Some(reference), _) if reference.kind == ReferenceKind::AssetMesh => {
+            "keep both if each asset is to have its own mesh; otherwise name one of the files in both".to_owned()
+        }
         (Some(reference), 0) => format!(
             "use `{}` for `{}` in {}, then remove `{}`",
             first.file_name(),

@@ -2,7 +2,7 @@
 
 use super::super::regions::in_words;
 use super::super::{Check, Rule, RuleCx};
-use super::{has_unusable_entries, is_empty, readable_own, weigh};
+use super::{has_unusable_entries, is_empty, readable_own, weigh, worn};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Cases, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo,
@@ -18,7 +18,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         (Makehuman1, USUAL),
         (Mpfb, "does not move the vertex: it stays behind when the body is posed"),
     ],
-    docs: "A vertex of the base mesh has no weight, so it follows no bone. Vertices that no face uses are not \
+    docs: "A vertex of the base mesh, or of an asset with its own weights, has no weight, so it follows no bone. Vertices that no face uses are not \
         counted.\n\n\
         MakeHuman 2 assigns vertices without weights, or with only zeros, to the root bone. Part of a limb then \
         stays at the hip when the limb moves. If only groups that are not visible are affected (helpers, joint \
@@ -36,6 +36,7 @@ const WITHOUT_ANY: Case = &[
 const ALL_ON_ROOT: &str = "assigns the whole mesh to the root bone: no other bone moves anything";
 
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    out.extend(worn::all(body).filter_map(|own| of_asset(&own)));
     let mut room = MOST_NAMED;
     // Entries that cannot be used may be the missing ones.
     for (own, weights) in readable_own(body).filter(|(_, weights)| !has_unusable_entries(weights)) {
@@ -52,6 +53,19 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             .evidence(evidence(weights, &unreached, left.is_some()));
         out.push(weigh(own, if unreached.is_shown { finding } else { finding.at_most(Level::Info) }));
     }
+}
+
+/// The finding on the weights of an asset, which takes nothing from the body.
+fn of_asset(own: &worn::Own<'_>) -> Option<Finding> {
+    let (count, first) = own.unreached().filter(|_| !has_unusable_entries(own.weights) && own.outside().is_none())?;
+    let message = match count {
+        1 => format!("vertex {first} of the asset has no weight"),
+        count => format!("{count} of {} vertices of the asset have no weight, first vertex {first}", own.vertices),
+    };
+    let finding = RULE.at(own.file, Place::pointer(["weights"]), message).key("asset");
+    let finding =
+        finding.help("paint the vertices, or remove `vertexboneweights_file` to take the weights of the body");
+    Some(finding.evidence(Evidence::counted(count).out_of(own.vertices)))
 }
 
 fn message(body: &Body<'_>, weights: &Weights, unreached: &Unreached<'_>) -> String {

@@ -1,7 +1,7 @@
 //! Weights must be for vertices that exist.
 
 use super::super::{Check, Rule, RuleCx};
-use super::{Tallied, tallied};
+use super::{Tallied, tallied, worn};
 use crate::diag::{
     Application::{Makehuman1, Makehuman2, Mpfb},
     Case, Finding, Level, RuleInfo,
@@ -17,6 +17,7 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         without UV-seam duplicates.\n\n\
         MakeHuman 2 crashes with `IndexError` while loading the base mesh if an index is too large, and with \
         `OverflowError` if it is negative.\n\n\
+        The weights of an asset count the vertices of its own mesh.\n\n\
         Usually the weights were made for another mesh. Use the weights for this mesh.",
     counts: "entries",
     ..RuleInfo::new("weights-vertex-out-of-range", Level::Error, "weights for a vertex that the mesh does not have")
@@ -24,7 +25,19 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
 
 const NEGATIVE: Case = &[(Makehuman2, Level::Error, "crashes with `OverflowError` while loading the weights")];
 
+const OF_ASSET: Case = &[(
+    Makehuman2,
+    Level::Error,
+    "crashes with `IndexError` when the asset is put on; a model that wears it is only half loaded",
+)];
+const OF_ASSET_NEGATIVE: Case = &[(
+    Makehuman2,
+    Level::Error,
+    "crashes with `OverflowError` when the asset is put on; a model that wears it is only half loaded",
+)];
+
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    out.extend(worn::all(body).filter_map(|own| of_asset(&own)));
     if body.has_foreign_mesh {
         return;
     }
@@ -49,4 +62,17 @@ fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         }
         out.push(finding);
     }
+}
+
+/// The finding on the weights of an asset.
+fn of_asset(own: &worn::Own<'_>) -> Option<Finding> {
+    let outside = own.outside()?;
+    let (vertex, bone, last) = (outside.vertex, outside.bone, own.vertices.saturating_sub(1));
+    let message = match outside.evidence.count {
+        1 => format!("bone `{bone}` has a weight for vertex {vertex}, which does not exist; the asset has 0 to {last}"),
+        count => format!("{count} entries name vertices that the asset does not have (0 to {last}), first {vertex}"),
+    };
+    let finding = RULE.at(own.file, outside.place, message).evidence(outside.evidence);
+    let finding = finding.case(if outside.is_negative { OF_ASSET_NEGATIVE } else { OF_ASSET });
+    Some(finding.help("use the vertices of the asset's own mesh, counted from 0"))
 }

@@ -3,6 +3,7 @@
 
 pub mod memory;
 pub mod pack;
+mod pack_asset;
 
 use std::collections::BTreeMap;
 use std::fs;

@@ -6,7 +6,7 @@ use std::io::{Cursor, Write};
 use serde::Deserialize;
 use zip::write::{SimpleFileOptions, ZipWriter};
 
-use super::{Edit, project};
+use super::{Edit, pack_asset, project};
 
 /// A mesh to pack.
 #[derive(Debug, Deserialize)]
@@ -15,7 +15,13 @@ pub struct Pack {
     pub file: String,
     /// The OBJ that it is packed from, as the example has it.
     from: String,
-    /// Something in the OBJ that is otherwise in the archive.
+    /// The text of the asset that the mesh is for, if it is one of an asset.
+    #[serde(default)]
+    asset: String,
+    /// Vertices of the base mesh that the mask of the asset is made for, if not those of the example.
+    #[serde(default)]
+    base: Option<usize>,
+    /// Something in the OBJ, or in the text of an asset, that is otherwise in the archive.
     #[serde(default)]
     find: String,
     #[serde(default)]
@@ -30,19 +36,28 @@ impl Pack {
     pub fn bytes(&self) -> Vec<u8> {
         let obj = std::fs::read_to_string(project("fixtures/makehuman2").join(&self.from)).unwrap();
         let edit = Edit { file: self.from.clone(), find: self.find.clone(), replace: self.replace.clone(), all: false };
-        let obj = if self.find.is_empty() { obj } else { edit.edited(&obj) };
-        archive(&obj, &self.without)
+        if self.asset.is_empty() {
+            let obj = if self.find.is_empty() { obj } else { edit.edited(&obj) };
+            return archive(Packed::of(&obj).members(), &self.without);
+        }
+        let text = std::fs::read_to_string(project("fixtures/makehuman2").join(&self.asset)).unwrap();
+        let text = if self.find.is_empty() { text } else { edit.edited(&text) };
+        let asset = pack_asset::members(&text, self.base.unwrap_or(VERTICES));
+        archive(Packed::of(&obj).members().into_iter().chain(asset), &self.without)
     }
 }
 
+/// Vertices of the base mesh of the example.
+const VERTICES: usize = 666;
+
 /// An OBJ packed.
 pub fn packed(obj: &[u8]) -> Vec<u8> {
-    archive(std::str::from_utf8(obj).unwrap(), &[])
+    archive(Packed::of(std::str::from_utf8(obj).unwrap()).members(), &[])
 }
 
-fn archive(obj: &str, without: &[String]) -> Vec<u8> {
+fn archive(members: impl IntoIterator<Item = (&'static str, Vec<u8>)>, without: &[String]) -> Vec<u8> {
     let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
-    for (name, array) in Packed::of(obj).members() {
+    for (name, array) in members {
         if !without.iter().any(|left_out| left_out == name) {
             let options = SimpleFileOptions::default().last_modified_time(zip::DateTime::default());
             zip.start_file(format!("{name}.npy"), options).unwrap();
@@ -189,16 +204,16 @@ impl Group {
 }
 
 #[expect(clippy::cast_possible_truncation, reason = "stored as float32, as the application does")]
-fn single(number: f64) -> f32 {
+pub(super) fn single(number: f64) -> f32 {
     number as f32
 }
 
-fn int(number: usize) -> Vec<u8> {
+pub(super) fn int(number: usize) -> Vec<u8> {
     i32::try_from(number).unwrap().to_le_bytes().to_vec()
 }
 
 /// An array as `NumPy` 1 and 2 write it: the header ends at a multiple of 64 bytes.
-fn npy(descr: &str, shape: &str, data: impl Iterator<Item = u8>) -> Vec<u8> {
+pub(super) fn npy(descr: &str, shape: &str, data: impl Iterator<Item = u8>) -> Vec<u8> {
     let mut header = format!("{{'descr': {descr}, 'fortran_order': False, 'shape': {shape}, }}");
     let length = (10 + header.len() + 1).next_multiple_of(64) - 11;
     header.push_str(&" ".repeat(length - header.len()));

@@ -1,0 +1,66 @@
+//! The archive of an asset that cannot be loaded, in words.
+
+use super::words::{missing, of_member, of_mesh};
+use crate::diag::{Application::Makehuman2, Case, Level};
+use crate::formats::mhbin::MeshFault;
+use crate::formats::mhbin_asset::{Packed, PackedAsset, PackedFault};
+use crate::formats::npz::ArchiveFault;
+use crate::repo::{FileFacts, View};
+
+const NOT_ZIP: Case = &[(
+    Makehuman2,
+    Level::Error,
+    "crashes at start with `BadZipFile` while scanning the assets; the next start has no assets at all",
+)];
+const NO_ASSET: Case = &[(
+    Makehuman2,
+    Level::Error,
+    "crashes at start with `KeyError` while scanning the assets; the next start has no assets at all",
+)];
+const NO_HEAD: Case = &[(
+    Makehuman2,
+    Level::Error,
+    "crashes at start with `TypeError` while scanning the assets; the next start has no assets at all",
+)];
+const REFUSED: Case = &[(Makehuman2, Level::Error, "refuses the asset with a message: it cannot be put on")];
+const STOPS: Case =
+    &[(Makehuman2, Level::Error, "crashes when the asset is put on; a model that wears it is only half loaded")];
+
+/// What is wrong with an archive that the library scans, and what comes of it.
+pub(super) fn fault(view: &View<'_>, file: &FileFacts) -> Option<(String, Case)> {
+    let is_scanned = file.rel.ends_with(".mhbin") && (view.layout().scans)(&file.rel);
+    match file.packed().filter(|_| is_scanned)? {
+        // `file-empty` has it.
+        Packed::Unopened(ArchiveFault::Empty) => None,
+        Packed::Unopened(ArchiveFault::NotZip(reason)) => Some((format!("not a zip archive: {reason}"), NOT_ZIP)),
+        Packed::Other => Some(("member `asset` is missing: this is not the archive of an asset".to_owned(), NO_ASSET)),
+        Packed::Asset(asset) => of_asset(asset),
+    }
+}
+
+fn of_asset(asset: &PackedAsset) -> Option<(String, Case)> {
+    let absent = asset.faults.iter().flat_map(|fault| match fault {
+        PackedFault::Missing(name) => vec![*name],
+        PackedFault::Mesh(MeshFault::Missing(names)) => names.clone(),
+        _ => Vec::new(),
+    });
+    let absent: Vec<&str> = absent.collect();
+    Some(match asset.faults.first()? {
+        PackedFault::Asset(fault) => (format!("member `asset` {}", of_member(fault)), NO_HEAD),
+        _ if !absent.is_empty() => (missing(&absent), REFUSED),
+        PackedFault::Member(name, fault) => (format!("member `{name}` {}", of_member(fault)), STOPS),
+        PackedFault::Mesh(fault) => (of_mesh(fault)?.0, STOPS),
+        PackedFault::Missing(name) => (missing(&[name]), REFUSED),
+    })
+}
+
+/// What to do about it.
+pub(super) fn help(view: &View<'_>, file: &FileFacts) -> &'static str {
+    let stem = file.rel.strip_suffix("mhbin").unwrap_or(&file.rel);
+    let has_text = ["mhclo", "proxy"].iter().any(|kind| view.layers().checked.file(&format!("{stem}{kind}")).is_some());
+    if has_text {
+        "delete the archive: MakeHuman 2 writes it again from the text beside it"
+    } else {
+        "restore the archive, or move it out of the folder"
+    }
+}

@@ -1,0 +1,28 @@
+//! An asset has a name.
+
+use super::super::{Check, Rule, RuleCx};
+use super::{missing::missing, texts};
+use crate::diag::{Application::Makehuman2, Finding, Level, RuleInfo};
+use crate::repo::Body;
+
+pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
+    breaks: &[(Makehuman2, "lists the asset without a name, and models lose it")],
+    docs: "An asset has no `name`.\n\n\
+        MakeHuman 2 lists it under an empty name at the first start, and as `generic` from the second start on. Models \
+        that were saved with the one do not find the other: the asset is missing in them without a message.\n\n\
+        The library reads the file up to the first vertex row with several numbers, so a `name` below the rows does \
+        not count.\n\n\
+        Add a line `name`, with a single word, above `verts`.",
+    ..RuleInfo::new("proxy-missing-name", Level::Error, "an asset has no name")
+});
+
+fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for text in texts(body) {
+        if text.clothes.scanned.name.is_none() {
+            out.extend(
+                missing(&text, "name", "name")
+                    .map(|(place, message, help)| RULE.at(text.file, place, message).help(help)),
+            );
+        }
+    }
+}

@@ -1,0 +1,62 @@
+//! Weights of assets against the meshes that they are for, which are read only after them.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::diag::{Evidence, Place};
+use crate::formats::mhw::Weights;
+use crate::repo::{Body, FileFacts, Reference, ReferenceKind};
+
+/// Weights of an asset of the checked layer.
+pub(super) struct Own<'v> {
+    pub(super) file: &'v FileFacts,
+    pub(super) weights: &'v Weights,
+    /// Vertices of the mesh that they are for.
+    pub(super) vertices: usize,
+}
+
+/// Entries for vertices that the mesh does not have.
+pub(super) struct Outside<'v> {
+    pub(super) bone: &'v str,
+    pub(super) vertex: i64,
+    pub(super) place: Place,
+    pub(super) evidence: Evidence,
+    pub(super) is_negative: bool,
+}
+
+/// The weights that assets name, each once: for the first mesh.
+pub(super) fn all<'v>(body: &Body<'v>) -> impl Iterator<Item = Own<'v>> {
+    let mut own: BTreeMap<&str, Own<'v>> = BTreeMap::new();
+    for worn in body.worn {
+        let mesh = worn.mesh().filter(|(_, mesh)| mesh.is_sound());
+        let file = worn.reference(ReferenceKind::AssetWeights).and_then(Reference::meant);
+        let file = file.filter(|file| body.layers.is_checked(file));
+        let (Some(file), Some((_, mesh))) = (file, mesh) else { continue };
+        if let Some(weights) = file.weights().filter(|weights| weights.has_weights) {
+            own.entry(&file.path).or_insert(Own { file, weights, vertices: mesh.facts.vertices });
+        }
+    }
+    own.into_values()
+}
+
+impl<'v> Own<'v> {
+    /// The entries that name vertices beyond the mesh, or below 0.
+    pub(super) fn outside(&self) -> Option<Outside<'v>> {
+        let entries = self.weights.bones.iter().flat_map(|bone| bone.pairs.iter().map(move |pair| (bone, pair)));
+        let beyond = |vertex: i64| usize::try_from(vertex).is_ok_and(|vertex| vertex < self.vertices);
+        let mut outside = entries.filter(|(_, pair)| !beyond(pair.vertex)).peekable();
+        let (bone, pair) = outside.peek().copied()?;
+        let place = Place::pointer(["weights", &bone.name, &pair.position.to_string()]);
+        let evidence = Evidence::of_unnamed(outside.map(|(bone, pair)| format!("{}[{}]", bone.name, pair.vertex)));
+        let (bone, vertex, is_negative) = (bone.name.as_str(), pair.vertex, pair.vertex < 0);
+        Some(Outside { bone, vertex, place, evidence: evidence.out_of(self.weights.facts.pairs), is_negative })
+    }
+
+    /// How many vertices have no weight other than 0, and the first of them.
+    pub(super) fn unreached(&self) -> Option<(usize, usize)> {
+        let pairs = self.weights.bones.iter().flat_map(|bone| &bone.pairs).filter(|pair| pair.weight != 0.0);
+        let reached: BTreeSet<usize> = pairs.filter_map(|pair| usize::try_from(pair.vertex).ok()).collect();
+        let count = self.vertices.saturating_sub(reached.range(..self.vertices).count());
+        let first = (0..self.vertices).find(|vertex| !reached.contains(vertex))?;
+        Some((count, first))
+    }
+}
