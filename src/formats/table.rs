@@ -1,7 +1,12 @@
 //! The table of formats: what is to be known of each kind of file before and while it is read.
 
-use super::readers::{archive, clothes, material, mesh, mesh_archive, motion, packed, target, weights, zip};
-use super::{Content, Input, Parsed, base_json, geometry, macro_json, mhskel, modelling, target_cat, target_catalog};
+use super::readers::{
+    archive, clothes, material, mesh, mesh_archive, meta, model, motion, packed, pose, target, weights, zip,
+};
+use super::{
+    Content, Input, Parsed, base_json, geometry, macro_json, mhskel, modelling, pose_units, program, selection_filter,
+    target_cat, target_catalog,
+};
 use crate::discover::Kind;
 use crate::json::Document;
 
@@ -85,7 +90,7 @@ const fn mhw(kind: Kind, needs: Needs) -> Format {
 }
 
 /// All formats, one a kind, in the order of [`Kind`].
-pub(crate) static FORMATS: [Format; 26] = [
+pub(crate) static FORMATS: [Format; 30] = [
     json(Kind::BaseJson, "base.json", "base", |json| Content::BaseJson(Box::new(base_json::read(json)))),
     read(Kind::BaseMesh, "base mesh", Syntax::Text, mesh),
     read(Kind::MeshArchive, "packed base mesh", Syntax::Binary, mesh_archive),
@@ -105,12 +110,18 @@ pub(crate) static FORMATS: [Format; 26] = [
     json(Kind::Skeleton, "skeleton", "mhskel", |json| Content::Skeleton(Box::new(mhskel::read(json)))),
     mhw(Kind::Weights, Needs::Mesh),
     mhw(Kind::AssetWeights, Needs::Nothing),
-    plain(Kind::Pose, "JSON", Syntax::Json),
+    Format { schema: Some("mhpose"), ..read(Kind::Pose, "pose", Syntax::Json, pose) },
+    json(Kind::PoseUnits, "pose units", "pose_units", |json| Content::PoseUnits(Box::new(pose_units::read(json)))),
+    json(Kind::SelectionFilter, "selection filter", "selection_filter", |json| {
+        Content::Filter(Box::new(selection_filter::read(json)))
+    }),
+    json(Kind::Version, "makehuman2_version.json", "version", |json| Content::Version(Box::new(program::version(json)))),
+    json(Kind::Shaders, "shader.json", "shader", |json| Content::Shaders(Box::new(program::shaders(json)))),
     Format { comments: &["#"], ..read(Kind::Clothes, "text asset", Syntax::Text, clothes) },
     Format { comments: &["#", "//"], ..read(Kind::Material, "text asset", Syntax::Text, material) },
-    text(Kind::Model, &["#"]),
+    Format { comments: &["#"], ..read(Kind::Model, "model", Syntax::Text, model) },
     read(Kind::Motion, "motion", Syntax::Text, motion),
-    text(Kind::MotionMeta, &[]),
+    read(Kind::MotionMeta, "description of a motion", Syntax::Text, meta),
     text(Kind::AssetMesh, &[]),
     read(Kind::Packed, "file", Syntax::Binary, zip),
     plain(Kind::Json, "JSON", Syntax::Json),

@@ -7,9 +7,9 @@ use super::base::base_names;
 use super::known::KnownNames;
 use super::references::collect;
 use super::usage::Usage;
-use super::{Base, OWN, target_folder, textures, weights, worn};
+use super::{Base, Library, OWN, SavedModel, models, poses, target_folder, textures, weights, worn};
 use crate::diag::grouped;
-use crate::discover::Kind;
+use crate::discover::{Kind, listed_in};
 use crate::formats::base_json::BaseJson;
 use crate::repo::{Body, FileFacts, Layers, Reference, References, Target, Worn, parent};
 
@@ -24,6 +24,12 @@ pub(crate) struct View<'a> {
     pub references: References<'a>,
     /// What bodies can wear, sorted by base.
     worn: Vec<Worn<'a>>,
+    /// What the lists of assets show.
+    pub library: Library<'a>,
+    /// The characters of each base.
+    models: BTreeMap<&'a str, Vec<SavedModel<'a>>>,
+    /// The characters that wear an asset, by printed path of its files.
+    wearers: BTreeMap<&'a str, Vec<SavedModel<'a>>>,
     usage: Usage<'a>,
     /// By base; made when a fix asks for them.
     pub(super) known_names: OnceLock<BTreeMap<String, KnownNames>>,
@@ -37,11 +43,30 @@ impl<'a> View<'a> {
         let mut textures = textures::by_base(layers, &worn);
         let of_base = |base| collect(base).into_iter().chain(textures.remove(base.name).unwrap_or_default());
         let mut references: Vec<Reference<'a>> = bases.iter().flat_map(of_base).collect();
+        let library = Library::of(layers);
+        let (mut all_models, mut wearers) = (BTreeMap::new(), BTreeMap::new());
+        for base in &bases {
+            let own = models::models(layers, base);
+            let is_open = textures::is_open(layers, base.name).unwrap_or(true);
+            references.extend(models::references(layers, base, &own, &library, is_open));
+            wearers.extend(models::wearers(base.name, &own, &library, of_body(&worn, base.name)));
+            all_models.insert(base.name, own);
+        }
         // Assets for a base that no layer has.
         references.extend(textures.into_values().flatten());
         let references = References::new(references);
         let usage = Usage::of(layers, &bases, &references);
-        Self { layers, bases, references, worn, usage, known_names: OnceLock::new() }
+        Self {
+            layers,
+            bases,
+            references,
+            worn,
+            library,
+            models: all_models,
+            wearers,
+            usage,
+            known_names: OnceLock::new(),
+        }
     }
 
     /// The base of a name.
@@ -114,7 +139,9 @@ impl<'a> View<'a> {
             body.worn = self.worn_of(name);
             let others = of(Kind::Weights).filter(|_| base.is_none());
             body.add_worn_weights(others.chain(of(Kind::AssetWeights)));
-            let listed = of(Kind::Motion).filter(|file| is_listed_pose(file));
+            body.poses = poses::poses(of(Kind::Pose));
+            body.pose_units = base.map(|base| poses::units(self.layers, base.name).into()).unwrap_or_default();
+            let listed = of(Kind::Motion).filter(|file| listed_in(&file.rel) == Some("poses"));
             body.motions = listed.filter_map(|file| Some((file, file.motion()?))).collect();
             body
         };
@@ -128,9 +155,23 @@ impl<'a> View<'a> {
 
     /// What the body of this name can wear.
     fn worn_of(&self, name: &str) -> &[Worn<'a>] {
-        let start = self.worn.partition_point(|worn| worn.base < name);
-        let end = self.worn.partition_point(|worn| worn.base <= name);
-        self.worn.get(start..end).unwrap_or_default()
+        of_body(&self.worn, name)
+    }
+
+    /// The characters of a base, of all layers.
+    pub(crate) fn models_of(&self, base: &Base<'_>) -> &[SavedModel<'a>] {
+        self.models.get(base.name).map(Vec::as_slice).unwrap_or_default()
+    }
+
+    /// The characters that wear the asset which the file at a printed path is, or is part of; the one that is loaded at
+    /// start comes first.
+    pub(crate) fn wearers(&self, path: &str) -> &[SavedModel<'a>] {
+        self.wearers.get(path).map(Vec::as_slice).unwrap_or_default()
+    }
+
+    /// Whether system data that is not at hand could have what a base lacks.
+    pub(crate) fn is_open(&self, base: &Base<'_>) -> bool {
+        textures::is_open(self.layers, base.name).unwrap_or(true)
     }
 
     /// What is known of a target of the checked layer.
@@ -147,12 +188,14 @@ impl<'a> View<'a> {
 }
 
 fn is_of_body(file: &FileFacts) -> bool {
-    matches!(file.kind, Kind::Target | Kind::Weights | Kind::AssetWeights | Kind::Motion)
+    matches!(file.kind, Kind::Target | Kind::Weights | Kind::AssetWeights | Kind::Motion | Kind::Pose)
 }
 
-/// Whether the scan of poses finds a file: in the folder of the base, or one below.
-fn is_listed_pose(file: &FileFacts) -> bool {
-    file.rel.starts_with("poses/") && matches!(file.rel.split('/').count(), 3 | 4)
+/// What the body of this name can wear, of all that is sorted by base.
+fn of_body<'w, 'a>(worn: &'w [Worn<'a>], name: &str) -> &'w [Worn<'a>] {
+    let start = worn.partition_point(|worn| worn.base < name);
+    let end = worn.partition_point(|worn| worn.base <= name);
+    worn.get(start..end).unwrap_or_default()
 }
 
 /// What a base adds to its body.
