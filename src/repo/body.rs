@@ -46,6 +46,8 @@ pub(crate) struct Body<'v> {
     pub worn: &'v [Worn<'v>],
     /// Motions that the application lists for the body, those of the checked layer.
     pub motions: Vec<(&'v FileFacts, &'v Motion)>,
+    /// Whether system data that is not at hand could have what the body lacks.
+    pub is_open: bool,
     /// Poses and expressions that the application lists for the body, those of the checked layer.
     pub poses: Vec<BodyPose<'v>>,
     /// What poses and expressions are made of.
@@ -186,6 +188,7 @@ impl<'v> Body<'v> {
             weights,
             worn,
             motions: Vec::new(),
+            is_open: false,
             poses: Vec::new(),
             pose_units: Vec::new(),
             view,

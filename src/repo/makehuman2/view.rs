@@ -139,6 +139,7 @@ impl<'a> View<'a> {
             body.worn = self.worn_of(name);
             let others = of(Kind::Weights).filter(|_| base.is_none());
             body.add_worn_weights(others.chain(of(Kind::AssetWeights)));
+            body.is_open = base.is_none_or(|base| self.is_open(base));
             body.poses = poses::poses(of(Kind::Pose));
             body.pose_units = base.map(|base| poses::units(self.layers, base.name).into()).unwrap_or_default();
             let listed = of(Kind::Motion).filter(|file| listed_in(&file.rel) == Some("poses"));
