@@ -9,14 +9,17 @@ mod catalog;
 mod cause;
 mod config;
 mod file;
+mod filter;
 mod json;
 mod macros;
 mod material;
 mod mesh;
+mod model;
 mod modelling;
 mod numeric;
 mod overlay;
 mod pose;
+mod program;
 mod rule;
 mod skeleton;
 mod target;
@@ -66,6 +69,9 @@ pub(crate) static RULES: &[&Rule] = &[
     &file::unportable_name::RULE,
     &file::unreadable::RULE,
     &file::unreferenced::RULE,
+    &filter::conflicting_tags::RULE,
+    &filter::dead_entry::RULE,
+    &filter::syntax::RULE,
     &json::duplicate_key::RULE,
     &json::schema::RULE,
     &json::syntax::RULE,
@@ -108,6 +114,11 @@ pub(crate) static RULES: &[&Rule] = &[
     &mesh::syntax::RULE,
     &mesh::unused_vertex::RULE,
     &mesh::vertex_order::RULE,
+    &model::arity::RULE,
+    &model::category::RULE,
+    &model::material::RULE,
+    &model::modifier::RULE,
+    &model::unknown_asset::RULE,
     &modelling::barycentric_arity::RULE,
     &modelling::blank_in_name::RULE,
     &modelling::decr_only::RULE,
@@ -155,6 +166,9 @@ pub(crate) static RULES: &[&Rule] = &[
     &pose::unknown_bone::RULE,
     &pose::unknown_unit::RULE,
     &pose::value_range::RULE,
+    &program::file_content::RULE,
+    &program::missing_file::RULE,
+    &program::skybox::RULE,
     &skeleton::cycle::RULE,
     &skeleton::degenerate_plane::RULE,
     &skeleton::empty_joint::RULE,

@@ -11,6 +11,7 @@ use super::{Base, Library, OWN, SavedModel, models, poses, target_folder, textur
 use crate::diag::grouped;
 use crate::discover::{Kind, listed_in};
 use crate::formats::base_json::BaseJson;
+use crate::formats::selection_filter::SelectionFilter;
 use crate::repo::{Body, FileFacts, Layers, Reference, References, Target, Worn, parent};
 
 /// `MakeHuman` 2's data, connected.
@@ -168,6 +169,18 @@ impl<'a> View<'a> {
     /// start comes first.
     pub(crate) fn wearers(&self, path: &str) -> &[SavedModel<'a>] {
         self.wearers.get(path).map(Vec::as_slice).unwrap_or_default()
+    }
+
+    /// The labels by which the assets of a category are chosen: the user's, or else the system's.
+    pub(crate) fn filter(&self, category: &str, base: &str) -> Option<&'a SelectionFilter> {
+        let rel = format!("{category}/{base}/selection_filter.json");
+        let mut files = self.layers.strongest_first().filter_map(|layer| layer.file(&rel));
+        files.find_map(|file| file.filter().filter(|_| !file.json.falsy))
+    }
+
+    /// Assets of a base that are listed and could not be read.
+    pub(crate) fn worn_unread(&self, base: &str) -> impl Iterator<Item = &'a FileFacts> {
+        of_body(&self.worn, base).iter().filter(|worn| worn.references.is_none()).map(|worn| worn.file)
     }
 
     /// Whether system data that is not at hand could have what a base lacks.

@@ -1,5 +1,7 @@
 //! The values of a pose are within what its units do.
 
+use std::collections::BTreeMap;
+
 use super::super::{Check, Rule, RuleCx};
 use super::UNITS;
 use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo, grouped};
@@ -29,9 +31,9 @@ enum Fault {
 fn run(body: &Body<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for pose in &body.poses {
         let Some((file, units)) = body.units_of(pose) else { continue };
-        let unit = |name: &str| units.units.iter().find(|unit| unit.name == name);
+        let by_name: BTreeMap<&str, &Unit> = units.units.iter().map(|unit| (unit.name.as_str(), unit)).collect();
         let values = pose.pose.values.iter();
-        let faulty = grouped(values.filter_map(|one| Some((fault(one, unit(&one.unit))?, one))));
+        let faulty = grouped(values.filter_map(|one| Some((fault(one, by_name.get(&*one.unit).copied())?, one))));
         out.extend(faulty.into_iter().filter_map(|(fault, all)| finding(pose, &file.path, fault, &all)));
     }
 }
