@@ -7,7 +7,7 @@ use super::json_file::JsonFault;
 use super::macro_json::MacroFile;
 use super::mhbin::MeshFault;
 use super::meta::Meta;
-use super::mhclo::Name;
+use super::mhclo::Clothes;
 use super::mhm::Model;
 use super::mhmat::Material;
 use super::mhpose::Pose;
@@ -55,8 +55,8 @@ pub enum Content {
     MeshArchive(Box<Result<Mesh, MeshFault>>),
     /// `.target`.
     Target(Box<TargetFacts>),
-    /// `.mhclo`, `.proxy`: the files that it names.
-    Clothes(Vec<Name>),
+    /// `.mhclo`, `.proxy`, without the rows themselves.
+    Clothes(Box<Clothes>),
     /// `.mhmat`.
     Material(Box<Material>),
     /// `.mhpose`.

@@ -117,7 +117,7 @@ pub(crate) static FORMATS: [Format; 30] = [
     }),
     json(Kind::Version, "makehuman2_version.json", "version", |json| Content::Version(Box::new(program::version(json)))),
     json(Kind::Shaders, "shader.json", "shader", |json| Content::Shaders(Box::new(program::shaders(json)))),
-    Format { comments: &["#"], ..read(Kind::Clothes, "text asset", Syntax::Text, clothes) },
+    Format { comments: &["#"], needs: Needs::Mesh, ..read(Kind::Clothes, "text asset", Syntax::Text, clothes) },
     Format { comments: &["#", "//"], ..read(Kind::Material, "text asset", Syntax::Text, material) },
     Format { comments: &["#"], ..read(Kind::Model, "model", Syntax::Text, model) },
     read(Kind::Motion, "motion", Syntax::Text, motion),

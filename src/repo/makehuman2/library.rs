@@ -7,6 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::OWN;
 use crate::discover::{Kind, listed_in};
+use crate::formats::mhclo::Value;
 use crate::repo::{FileFacts, Layer, Layers};
 
 /// An asset that is listed.
@@ -140,6 +141,9 @@ fn known_by(layer: &Layer, file: &FileFacts) -> Option<(String, String, Vec<Stri
     })
 }
 
-fn of_clothes(_: &FileFacts) -> Option<(String, String, Vec<String>)> {
-    None
+fn of_clothes(file: &FileFacts) -> Option<(String, String, Vec<String>)> {
+    let scanned = &file.clothes()?.scanned;
+    let text = |value: &Option<Value>| value.as_ref().map(|value| value.text.to_string());
+    let tags = scanned.tags.iter().map(|tag| tag.text.to_lowercase()).collect();
+    Some((text(&scanned.name).unwrap_or_default(), text(&scanned.uuid).unwrap_or_else(|| "0".to_owned()), tags))
 }
