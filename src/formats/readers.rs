@@ -6,7 +6,7 @@ use super::inline_ignore::{self, InlineIgnore};
 use super::json_file::{self, JsonFacts, JsonFault};
 use super::table::{Format, Reader, Syntax};
 use super::target::{self, MeshSize, Row};
-use super::{Content, bvh, mhbin, mhclo, mhm, mhmat, mhpose, mhw, meta as metadata, npz, obj};
+use super::{Content, bvh, meta as metadata, mhbin, mhclo, mhm, mhmat, mhpose, mhw, npz, obj};
 use crate::json::{self, Document, SchemaFaults};
 use crate::source::{Encoding, GzipFault, Limits, try_gunzip, zip_bomb};
 

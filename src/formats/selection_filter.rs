@@ -145,10 +145,9 @@ mod tests {
 
     #[test]
     fn labels_are_paths_and_tags_lead_to_them() {
-        let filter = of(
-            r#"{"Slot": {"Top": ["Vest", "Shirt"]}, "Translate": {"hat": "=slot:head", "old": null, "red": "slot"},
-                "GuessName": {"vest": "slot:top", "longvest": "slot"}, "Shortcut": [["i", "slot:top", "t"], ["i"]]}"#,
-        );
+        let filter =
+            of(r#"{"Slot": {"Top": ["Vest", "Shirt"]}, "Translate": {"hat": "=slot:head", "old": null, "red": "slot"},
+                "GuessName": {"vest": "slot:top", "longvest": "slot"}, "Shortcut": [["i", "slot:top", "t"], ["i"]]}"#);
         let paths: Vec<&str> = filter.paths.iter().map(String::as_str).collect();
         assert_eq!(paths, ["slot", "slot:top", "slot:top:shirt", "slot:top:vest"]);
         let led = ["vest", "VEST", "hat", "old", "red", "other"].map(|tag| filter.path_of(tag));

@@ -115,7 +115,9 @@ pub(crate) static FORMATS: [Format; 30] = [
     json(Kind::SelectionFilter, "selection filter", "selection_filter", |json| {
         Content::Filter(Box::new(selection_filter::read(json)))
     }),
-    json(Kind::Version, "makehuman2_version.json", "version", |json| Content::Version(Box::new(program::version(json)))),
+    json(Kind::Version, "makehuman2_version.json", "version", |json| {
+        Content::Version(Box::new(program::version(json)))
+    }),
     json(Kind::Shaders, "shader.json", "shader", |json| Content::Shaders(Box::new(program::shaders(json)))),
     Format { comments: &["#"], needs: Needs::Mesh, ..read(Kind::Clothes, "text asset", Syntax::Text, clothes) },
     Format { comments: &["#", "//"], ..read(Kind::Material, "text asset", Syntax::Text, material) },

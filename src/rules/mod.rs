@@ -11,6 +11,7 @@ mod config;
 mod file;
 mod filter;
 mod json;
+mod library;
 mod macros;
 mod material;
 mod mesh;
@@ -24,10 +25,12 @@ mod rule;
 mod skeleton;
 mod target;
 mod units;
+mod wearers;
 mod weights;
 
 pub(crate) use rule::{Check, Rule, RuleCx};
 use rule::{counted, did_you_mean};
+pub(crate) use wearers::name_wearers;
 
 /// Every rule, sorted by id. A rule that is not listed here does not exist.
 pub(crate) static RULES: &[&Rule] = &[
@@ -77,6 +80,12 @@ pub(crate) static RULES: &[&Rule] = &[
     &json::syntax::RULE,
     &json::too_deep::RULE,
     &json::unknown_key::RULE,
+    &library::header_not_ascii::RULE,
+    &library::identity_clash::RULE,
+    &library::missing_thumbnail::RULE,
+    &library::name_cut::RULE,
+    &library::too_deep::RULE,
+    &library::wrong_folder::RULE,
     &macros::alias_suspect::RULE,
     &macros::ambiguous_value::RULE,
     &macros::barycentric_mismatch::RULE,
@@ -155,6 +164,7 @@ pub(crate) static RULES: &[&Rule] = &[
     &overlay::empty_target_folder::RULE,
     &overlay::partial_override::RULE,
     &overlay::shadowed::RULE,
+    &overlay::shadowed_asset::RULE,
     &overlay::targets_not_in_layer::RULE,
     &overlay::user_key_clash::RULE,
     &overlay::user_target_too_deep::RULE,

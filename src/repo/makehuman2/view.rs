@@ -25,6 +25,8 @@ pub(crate) struct View<'a> {
     pub references: References<'a>,
     /// What bodies can wear, sorted by base.
     worn: Vec<Worn<'a>>,
+    /// Numbers of these by printed path.
+    worn_by_path: BTreeMap<&'a str, usize>,
     /// What the lists of assets show.
     pub library: Library<'a>,
     /// The characters of each base.
@@ -61,6 +63,7 @@ impl<'a> View<'a> {
             layers,
             bases,
             references,
+            worn_by_path: worn.iter().enumerate().map(|(at, worn)| (worn.file.path.as_str(), at)).collect(),
             worn,
             library,
             models: all_models,
@@ -176,6 +179,11 @@ impl<'a> View<'a> {
         let rel = format!("{category}/{base}/selection_filter.json");
         let mut files = self.layers.strongest_first().filter_map(|layer| layer.file(&rel));
         files.find_map(|file| file.filter().filter(|_| !file.json.falsy))
+    }
+
+    /// The files that an asset names, if it could be read.
+    pub(crate) fn worn_references(&self, file: &FileFacts) -> Option<&[Reference<'a>]> {
+        self.worn.get(*self.worn_by_path.get(file.path.as_str())?)?.references.as_deref()
     }
 
     /// Assets of a base that are listed and could not be read.

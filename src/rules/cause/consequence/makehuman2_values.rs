@@ -48,8 +48,8 @@ const IGNORED_BONE: &str = "ignores the entry: no bone has this name";
 const OF_DEFAULT: Consequence = Consequence::new(Level::Info, "never reads the references of the default skeleton");
 
 use Kind::{
-    BaseJson, Geometry, MacroJson, ModellingJson, Pose, PoseUnits, SelectionFilter, Shaders, Skeleton, TargetCategories,
-    Version, Weights,
+    BaseJson, Geometry, MacroJson, ModellingJson, Pose, PoseUnits, SelectionFilter, Shaders, Skeleton,
+    TargetCategories, Version, Weights,
 };
 use Level::{Error, Warning};
 

@@ -1,0 +1,87 @@
+//! An asset lies in the folder of its kind.
+
+use std::collections::BTreeSet;
+
+use super::super::{Check, Rule, RuleCx};
+use super::suffix;
+use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
+use crate::discover::{extension, in_place_of};
+use crate::repo::{FileFacts, View};
+
+pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
+    breaks: &[(Makehuman2, "does not list it")],
+    docs: "MakeHuman 2 looks for each kind of asset in folders of its own: `.mhclo` in `clothes`, `hair`, `eyes`, `eyebrows`, \
+        `eyelashes`, `teeth` and `tongue`, `.proxy` in `proxy`, `.mhskel` in `rigs`, `.mhpose` in `poses` and \
+        `expressions`, `.bvh` in `poses`, `.mhm` in `models`. In each of them is a folder for each base mesh.\n\n\
+        An asset in the folder of another kind, or without the folder of the base mesh, is not listed, and models that wear \
+        it lose it.\n\n\
+        Move the asset.",
+    ..RuleInfo::new("library-wrong-folder", Level::Error, "an asset in a folder where its kind is not looked for")
+});
+
+/// Folders of assets that lists show.
+const CATEGORIES: [&str; 13] = [
+    "clothes",
+    "hair",
+    "eyes",
+    "eyebrows",
+    "eyelashes",
+    "teeth",
+    "tongue",
+    "proxy",
+    "rigs",
+    "poses",
+    "expressions",
+    "models",
+    "skins",
+];
+
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let bases: BTreeSet<&str> = view.body_names().into_iter().collect();
+    let layer = view.layers().checked;
+    // A folder that several categories have is that of a base mesh elsewhere.
+    let is_elsewhere = |category: &str, folder: &str| {
+        let mut others = CATEGORIES.iter().filter(|other| **other != category);
+        others.any(|other| layer.below(&format!("{other}/{folder}")).next().is_some())
+    };
+    for file in layer.files.values().filter(|file| !file.is_loose()) {
+        let Some(suffix) = suffix(&file.rel).filter(|suffix| extension(&file.rel) == *suffix) else { continue };
+        let parts: Vec<&str> = file.rel.split('/').collect();
+        let Some(category) = parts.first().filter(|first| CATEGORIES.contains(first)) else { continue };
+        let right = in_place_of(suffix);
+        match parts.as_slice() {
+            _ if !right.contains(category) => out.push(misplaced(file, suffix, category, right)),
+            [_, name] => out.push(without_base(file, category, name, &bases)),
+            [_, folder, name] if !bases.is_empty() && !bases.contains(folder) && !is_elsewhere(category, folder) => {
+                out.push(without_base(file, category, &format!("{folder}/{name}"), &bases));
+            }
+            _ => {}
+        }
+    }
+}
+
+fn misplaced(file: &FileFacts, suffix: &str, category: &str, right: &[&str]) -> Finding {
+    let shown: Vec<String> = right.iter().map(|folder| format!("`{folder}`")).collect();
+    let shown = match shown.as_slice() {
+        [first, .., last] if shown.len() > 2 => format!("{first} to {last}"),
+        _ => shown.join(" or "),
+    };
+    let message = format!("a `.{suffix}` in `{category}` is not listed, expected in {shown}");
+    let help = match suffix {
+        "mhclo" if category == "proxy" => "move it to the folder of its kind, or name it `.proxy`".to_owned(),
+        "proxy" => "move it to `proxy`, or name it `.mhclo`".to_owned(),
+        _ => format!("move it to {shown}"),
+    };
+    RULE.at(file, Place::File, message).key("kind").help(help)
+}
+
+fn without_base(file: &FileFacts, category: &str, below: &str, bases: &BTreeSet<&str>) -> Finding {
+    let base = bases.first().filter(|_| bases.len() == 1).copied().unwrap_or("<base>");
+    let message = format!("`{}` is in no folder of a base mesh", file.rel);
+    let finding = RULE.at(file, Place::File, message).key("base");
+    let help = match below.split_once('/') {
+        Some((folder, _)) => format!("move the folder `{folder}` to `{category}/{base}`"),
+        None => format!("move it to `{category}/{base}`, with the files that it names"),
+    };
+    finding.help(help)
+}
