@@ -33,6 +33,8 @@ pub(crate) struct Library<'a> {
     assets: Vec<Asset<'a>>,
     /// Numbers by base and name.
     by_name: BTreeMap<(&'a str, String), Vec<usize>>,
+    /// What is worn and lies where no list looks, or has a suffix that none takes, by name.
+    unlisted: BTreeMap<String, &'a FileFacts>,
 }
 
 impl<'a> Library<'a> {
@@ -40,6 +42,7 @@ impl<'a> Library<'a> {
         let mut library = Self::default();
         for layer in layers.strongest_first() {
             library.assets.extend(layer.files.values().filter_map(|file| asset(layer, file)));
+            library.unlisted.extend(layer.files.values().filter_map(unlisted));
         }
         library.assets.sort_by_key(|asset| asset.base);
         for (number, asset) in library.assets.iter().enumerate() {
@@ -65,6 +68,11 @@ impl<'a> Library<'a> {
     pub(crate) fn worn(&self, base: &'a str, name: &str, uuid: &str) -> Option<&Asset<'a>> {
         let both = self.named(base, name).find(|asset| asset.uuid == uuid);
         both.or_else(|| self.named(base, name).find(|asset| asset.is_worn()))
+    }
+
+    /// What is worn under a name but not listed: why that is has a finding of its own.
+    pub(crate) fn unlisted(&self, name: &str) -> Option<&'a FileFacts> {
+        self.unlisted.get(name).copied()
     }
 
     /// Assets of a base that are known by the same, each group strongest first.
@@ -107,6 +115,22 @@ fn asset<'a>(layer: &'a Layer, file: &'a FileFacts) -> Option<Asset<'a>> {
     let category = listed_in(&file.rel)?;
     let (name, uuid, tags) = known_by(layer, file)?;
     Some(Asset { file, base: file.base_in(OWN)?, category, name, uuid, tags })
+}
+
+/// What is worn and not listed, with its name; that of one with another suffix is not read.
+fn unlisted(file: &FileFacts) -> Option<(String, &FileFacts)> {
+    if listed_in(&file.rel).is_some() {
+        return None;
+    }
+    let has_suffix = |suffix: &str| file.file_name().to_lowercase().contains(suffix);
+    match file.clothes() {
+        Some(clothes) => Some((clothes.scanned.name.as_ref()?.text.to_string(), file)),
+        None if has_suffix(".mhclo") || has_suffix(".proxy") => {
+            let name = file.file_name();
+            Some((name.split('.').next().unwrap_or(name).to_owned(), file))
+        }
+        None => None,
+    }
 }
 
 /// Name, uuid and tags; nothing of a file that could not be read.

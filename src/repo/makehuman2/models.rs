@@ -111,8 +111,9 @@ pub(super) fn wearers<'a>(
     let mut by_asset: BTreeMap<&str, Vec<SavedModel<'a>>> = BTreeMap::new();
     for model in models {
         for line in &model.model.worn {
-            let Some(asset) = library.worn(base, &line.name.text, &line.uuid) else { continue };
-            let wearers = by_asset.entry(&asset.file.path).or_default();
+            let listed = library.worn(base, &line.name.text, &line.uuid).map(|asset| asset.file);
+            let Some(file) = listed.or_else(|| library.unlisted(&line.name.text)) else { continue };
+            let wearers = by_asset.entry(&file.path).or_default();
             if wearers.last().is_none_or(|other| !std::ptr::eq(other.file, model.file)) {
                 wearers.push(*model);
             }

@@ -53,7 +53,9 @@ pub(super) fn units<'a>(layers: Layers<'a>, base: &str) -> [PoseUnitsFile<'a>; 2
             let mut layers = layers.strongest_first();
             layers.any(|layer| layer.file_ignoring_case(rel).is_some() || layer.has_unusable(rel))
         };
-        let units = file.filter(|file| !file.json.falsy).and_then(|file| Some((file, file.pose_units()?)));
+        let units = file
+            .filter(|file| !file.json.falsy && !file.is_misshapen())
+            .and_then(|file| Some((file, file.pose_units()?)));
         PoseUnitsFile { category, is_there: is_there(&rel), rel, units }
     })
 }

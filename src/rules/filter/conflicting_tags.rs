@@ -53,7 +53,11 @@ fn finding(asset: &Asset<'_>, filter: &SelectionFilter) -> Option<Finding> {
         deepest = Some(label);
     }
     let ((one, first), (other, second)) = pair?;
-    let message = format!("`{first}` leads to `{one}`, and `{second}` to `{other}`, which exclude one another");
+    let label = |path: &str, given: &str| match given {
+        given if given == path => format!("`{path}`"),
+        given => format!("`{path}` (from `{given}`)"),
+    };
+    let message = format!("the labels {} and {} exclude one another", label(one, first), label(other, second));
     let finding = RULE.at(asset.file, Place::File, message).key(format!("{one} {other}"));
     let finding = finding.evidence(Evidence::of_cases(labels.iter().map(|(path, _)| path)));
     Some(finding.help("remove one of the tags, or translate it with null in selection_filter.json"))

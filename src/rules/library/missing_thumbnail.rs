@@ -26,9 +26,13 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let own = view.library.bases().into_iter().flat_map(|base| view.library.of_base(base));
     let own: Vec<&Asset<'_>> = own.filter(|asset| view.layers.is_checked(asset.file)).collect();
     let stems: BTreeSet<&str> = own.iter().map(|asset| stem(&asset.file.rel)).collect();
+    let clashes = view.library.bases().into_iter().flat_map(|base| view.library.clashes(base));
+    let copies: BTreeSet<&str> = clashes.flatten().map(|asset| asset.file.path.as_str()).collect();
     let bare = own.iter().filter(|asset| {
         let rel = format!("{}.thumb", stem(&asset.file.rel));
-        layer.file(&rel).is_none() && !layer.has_unusable(&rel)
+        // Of copies that are known by the same one has a picture.
+        let is_read = asset.file.encoding.invalid_utf8_at.is_none() && !asset.file.file_name().starts_with('.');
+        is_read && layer.file(&rel).is_none() && !copies.contains(asset.file.path.as_str())
     });
     let strays = layer.files.values().filter(|file| is_thumb(file) && !is_of_one(&file.rel, &stems, layer));
     let mut strays: BTreeMap<&str, &FileFacts> = strays.map(|file| (parent(&file.rel), file)).collect();
@@ -36,7 +40,9 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for ((category, base), assets) in by_folder {
         let mut plain: Vec<&Asset<'_>> = Vec::new();
         for asset in assets {
+            let rel = format!("{}.thumb", stem(&asset.file.rel));
             match strays.remove(parent(&asset.file.rel)) {
+                _ if layer.folders.binary_search(&rel).is_ok() => out.push(folder(asset, &rel)),
                 Some(picture) => out.push(misnamed(asset, picture)),
                 None => plain.push(asset),
             }
@@ -65,6 +71,13 @@ fn misnamed(asset: &Asset<'_>, picture: &FileFacts) -> Finding {
         format!("`{}` belongs to no asset, and `{}` has no picture", picture.file_name(), asset.file.file_name());
     let finding = RULE.at(picture, Place::File, message).case(MISNAMED);
     finding.related(asset.file.path.clone(), Place::File, "the asset").help(format!("rename it to `{right}`"))
+}
+
+/// A folder has the name of the picture.
+fn folder(asset: &Asset<'_>, rel: &str) -> Finding {
+    let name = rel.rsplit('/').next().unwrap_or(rel);
+    let finding = RULE.at(asset.file, Place::File, format!("`{name}` is a folder, expected a picture")).key("folder");
+    finding.case(MISNAMED).help("replace the folder with the picture")
 }
 
 fn without(category: &str, base: &str, assets: &[&Asset<'_>]) -> Option<Finding> {

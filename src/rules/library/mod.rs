@@ -1,5 +1,6 @@
 //! What makes a folder of assets a library: what is listed, and by what it is known.
 
+pub(in crate::rules) mod duplicate_name;
 pub(in crate::rules) mod header_not_ascii;
 pub(in crate::rules) mod identity_clash;
 pub(in crate::rules) mod missing_thumbnail;

@@ -1,10 +1,10 @@
 //! An asset lies in the folder of its kind.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
-use super::super::{Check, Rule, RuleCx};
+use super::super::{Check, Rule, RuleCx, counted, did_you_mean};
 use super::suffix;
-use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo, nearest};
 use crate::discover::{extension, in_place_of};
 use crate::repo::{FileFacts, View};
 
@@ -44,10 +44,15 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
         let mut others = CATEGORIES.iter().filter(|other| **other != category);
         others.any(|other| layer.below(&format!("{other}/{folder}")).next().is_some())
     };
+    let mut unknown: BTreeMap<&str, Vec<&FileFacts>> = BTreeMap::new();
     for file in layer.files.values().filter(|file| !file.is_loose()) {
         let Some(suffix) = suffix(&file.rel).filter(|suffix| extension(&file.rel) == *suffix) else { continue };
         let parts: Vec<&str> = file.rel.split('/').collect();
-        let Some(category) = parts.first().filter(|first| CATEGORIES.contains(first)) else { continue };
+        let Some(category) = parts.first().filter(|first| CATEGORIES.contains(first)) else {
+            // The name of any other folder is its owner's business, unless it is nearly one of these.
+            unknown.entry(parts.first().copied().unwrap_or_default()).or_default().push(file);
+            continue;
+        };
         let right = in_place_of(suffix);
         match parts.as_slice() {
             _ if !right.contains(category) => out.push(misplaced(file, suffix, category, right)),
@@ -58,6 +63,20 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             _ => {}
         }
     }
+    out.extend(unknown.into_iter().filter_map(|(folder, files)| misspelt(folder, &files)));
+}
+
+/// What lies in a folder whose name is nearly that of a category; one with other capitals has a finding of its own.
+fn misspelt(folder: &str, files: &[&FileFacts]) -> Option<Finding> {
+    let (first, right) = (files.first()?, nearest(folder, CATEGORIES)?);
+    if right.eq_ignore_ascii_case(folder) || !files.iter().all(|file| file.rel.split('/').count() >= 3) {
+        return None;
+    }
+    let message = format!("folder `{folder}` is not read ({})", counted(files.len(), "asset"));
+    let parts = files.iter().map(|file| (file.shown(), &file.path));
+    let finding = RULE.at(first, Place::File, message).key(format!("folder {folder}")).parts_in(parts);
+    let finding = finding.evidence(Evidence::of_cases(files.iter().map(|file| file.shown())));
+    Some(finding.help(did_you_mean(Some(right), "rename it")))
 }
 
 fn misplaced(file: &FileFacts, suffix: &str, category: &str, right: &[&str]) -> Finding {

@@ -23,10 +23,15 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
 
 fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for saved in own(view, base) {
-        let worn: BTreeSet<(&str, &str)> = saved.model.worn.iter().map(|one| (&*one.name.text, &*one.uuid)).collect();
+        // A line under another category is reported as such, and one without a uuid ends the loading.
+        let lines = saved.model.worn.iter().chain(&saved.model.unknown);
+        let worn: BTreeSet<(&str, &str)> = lines.map(|one| (&*one.name.text, &*one.uuid)).collect();
         let fits = |line: &MaterialLine| worn.contains(&(&*line.name.text, &*line.uuid));
-        let lost = saved.model.materials.iter().filter(|line| !fits(line));
-        out.extend(lost.map(|line| stray(saved, line, &worn)));
+        let lost = saved.model.materials.iter().filter(|line| !fits(line) && saved.model.short.is_empty());
+        let is_right = |line: &MaterialLine| {
+            view.library.worn(base.name, &line.name.text, &line.uuid).is_some_and(|asset| asset.uuid == *line.uuid)
+        };
+        out.extend(lost.map(|line| stray(saved, line, &worn, is_right(line))));
         if view.is_open(base) {
             continue;
         }
@@ -42,10 +47,14 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
 }
 
 /// A line that belongs to nothing that is worn.
-fn stray(saved: &SavedModel<'_>, line: &MaterialLine, worn: &BTreeSet<(&str, &str)>) -> Finding {
+fn stray(saved: &SavedModel<'_>, line: &MaterialLine, worn: &BTreeSet<(&str, &str)>, is_right: bool) -> Finding {
     let (name, uuid) = (&*line.name.text, &*line.uuid);
     let same = worn.range((name, "")..).next().filter(|(other, _)| *other == name);
     let (message, help) = match same {
+        Some(_) if is_right => (
+            format!("the model wears `{name}` with another uuid than this one, which is that of the asset"),
+            format!("write `{uuid}` in the line that puts `{name}` on"),
+        ),
         Some((_, other)) => (
             format!("the uuid is not the one with which the model wears `{name}`"),
             format!("write `{other}` in place of `{uuid}`"),

@@ -5,6 +5,7 @@ pub(in crate::rules) mod category;
 pub(in crate::rules) mod material;
 pub(in crate::rules) mod modifier;
 mod modifier_value;
+pub(in crate::rules) mod tags;
 pub(in crate::rules) mod unknown_asset;
 
 use crate::repo::makehuman2::{Base, SavedModel, View};

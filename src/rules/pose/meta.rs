@@ -25,7 +25,9 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     let has = |suffix: &str| layer.file(&format!("{stem}{suffix}")).is_some();
     // Beside a pose nobody reads it, and nobody misses it.
     if !has("bvh") {
-        out.extend((!has("mhpose")).then(|| orphan(file)));
+        // One with other capitals has a finding of its own.
+        let is_misnamed = layer.file_ignoring_case(&format!("{stem}bvh")).is_some();
+        out.extend((!has("mhpose") && !is_misnamed).then(|| orphan(file)));
         return;
     }
     out.extend(meta.misspelt.as_ref().map(|misspelt| unread(file, misspelt)));

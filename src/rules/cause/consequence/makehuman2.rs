@@ -194,7 +194,7 @@ const ROWS: &[Row] = &[
     row(Kind::Packed, Scanned, Scan, &[BINARY, cell(Empty, Error, SCAN)]),
     anywhere(Kind::Packed, Use, &[BINARY]),
     anywhere(Kind::Image, Use, NO_PICTURE),
-    anywhere(Kind::Other, Use, &[BINARY]),
+    anywhere(Kind::Other, Use, &[BINARY, cell(Dangling, Info, "passes over it")]),
 ];
 
 const AT_MOMENT: &[(Moment, Cell)] = &[

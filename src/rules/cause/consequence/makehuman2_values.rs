@@ -56,7 +56,7 @@ use Level::{Error, Warning};
 #[rustfmt::skip]
 static ROWS: [Row; 81] = [
     row(Pose, "/required", ANY, Warning, "lists the pose under its whole path"),
-    row(Pose, "/type", LIST, Error, "lists it under its whole path, and crashes with `TypeError` when it is shown"),
+    row(Pose, "/type", TEXT_OR_LIST, Error, "lists it under its whole path, and crashes with `TypeError` when it is shown"),
     row(Pose, "/type", ANY, Error, SCAN_TYPE),
     row(Pose, "/properties/name/type", ANY, Error, SCAN_TYPE),
     row(Pose, "/properties/author/type", NULL, Error, "lists the pose; each click on it crashes with `AttributeError`"),
