@@ -16,6 +16,8 @@ pub struct Model {
     pub name: Option<Box<str>>,
     /// Its tags.
     pub tags: Vec<Box<str>>,
+    /// Where the keyword of the tags stands, in bytes.
+    pub tags_at: Range<usize>,
     /// Sliders that it sets.
     pub modifiers: Vec<Modifier>,
     /// Assets that it wears.
@@ -128,7 +130,10 @@ impl Model {
         match &*keyword.text {
             "version" | "uuid" | "author" => {}
             "name" => self.name = Some(rest(line, &keyword.text).into()),
-            "tags" => self.tags = rest(line, &keyword.text).split(';').take(MOST).map(Into::into).collect(),
+            "tags" => {
+                self.tags = rest(line, &keyword.text).split(';').take(MOST).map(Into::into).collect();
+                self.tags_at = keyword.span;
+            }
             "skinMaterial" => self.skin = Some(word(1)),
             "skeleton" => self.skeleton = Some(word(1)),
             "modifier" => keep(&mut self.modifiers, modifier(count, word)),

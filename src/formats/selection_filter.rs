@@ -75,6 +75,12 @@ impl SelectionFilter {
         self.paths.insert(path);
     }
 
+    /// Whether what a tag or a part of a name leads to is no label.
+    pub fn is_dead(&self, target: &str) -> bool {
+        let path = target.strip_prefix('=').unwrap_or(target);
+        !path.is_empty() && !self.paths.contains(&path.to_lowercase())
+    }
+
     /// The path that a tag leads to; `None` if it is dropped.
     pub fn path_of(&self, tag: &str) -> Option<String> {
         let tag = tag.trim().to_lowercase();

@@ -38,11 +38,12 @@ pub(crate) struct Library<'a> {
 }
 
 impl<'a> Library<'a> {
-    pub(super) fn of(layers: Layers<'a>) -> Self {
+    /// The assets of layers with these base meshes.
+    pub(super) fn of(layers: Layers<'a>, bases: &BTreeSet<&str>) -> Self {
         let mut library = Self::default();
         for layer in layers.strongest_first() {
             library.assets.extend(layer.files.values().filter_map(|file| asset(layer, file)));
-            library.unlisted.extend(layer.files.values().filter_map(unlisted));
+            library.unlisted.extend(layer.files.values().filter_map(|file| unlisted(file, bases)));
         }
         library.assets.sort_by_key(|asset| asset.base);
         for (number, asset) in library.assets.iter().enumerate() {
@@ -118,8 +119,9 @@ fn asset<'a>(layer: &'a Layer, file: &'a FileFacts) -> Option<Asset<'a>> {
 }
 
 /// What is worn and not listed, with its name; that of one with another suffix is not read.
-fn unlisted(file: &FileFacts) -> Option<(String, &FileFacts)> {
-    if listed_in(&file.rel).is_some() {
+fn unlisted<'a>(file: &'a FileFacts, bases: &BTreeSet<&str>) -> Option<(String, &'a FileFacts)> {
+    let has_base = file.base_in(OWN).is_some_and(|base| bases.contains(base));
+    if has_base && listed_in(&file.rel).is_some() {
         return None;
     }
     let has_suffix = |suffix: &str| file.file_name().to_lowercase().contains(suffix);

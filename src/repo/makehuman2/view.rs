@@ -46,7 +46,7 @@ impl<'a> View<'a> {
         let mut textures = textures::by_base(layers, &worn);
         let of_base = |base| collect(base).into_iter().chain(textures.remove(base.name).unwrap_or_default());
         let mut references: Vec<Reference<'a>> = bases.iter().flat_map(of_base).collect();
-        let library = Library::of(layers);
+        let library = Library::of(layers, &bases.iter().map(|base| base.name).collect());
         let (mut all_models, mut wearers) = (BTreeMap::new(), BTreeMap::new());
         for base in &bases {
             let own = models::models(layers, base);

@@ -28,8 +28,17 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
 
 /// The labels that the tags of an asset lead to, with what gave them.
 fn labels<'a>(asset: &'a Asset<'_>, filter: &SelectionFilter) -> Vec<(String, &'a str)> {
-    let tags = asset.tags.iter().filter_map(|tag| Some((filter.path_of(tag)?, tag.as_str())));
-    let guessed = filter.guessed(&asset.name).map(|path| (path.to_owned(), asset.name.as_str()));
+    // What leads nowhere has a finding of its own: `filter-dead-entry`.
+    let is_dead = |tag: &str| {
+        let target = filter.translate.get(&tag.trim().to_lowercase());
+        target.and_then(Option::as_deref).is_some_and(|target| filter.is_dead(target))
+    };
+    let tags =
+        asset.tags.iter().filter(|tag| !is_dead(tag)).filter_map(|tag| Some((filter.path_of(tag)?, tag.as_str())));
+    let guessed = filter
+        .guessed(&asset.name)
+        .filter(|path| !filter.is_dead(path))
+        .map(|path| (path.to_owned(), asset.name.as_str()));
     let is_chosen_by = |path: &str| path.contains(':') && filter.paths.contains(root(path));
     tags.chain(guessed).filter(|(path, _)| is_chosen_by(path)).collect()
 }

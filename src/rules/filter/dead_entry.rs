@@ -46,8 +46,7 @@ fn dead(filter: &SelectionFilter) -> Vec<Dead> {
         rule.split(['|', '&']).map(move |path| (path.trim(), place.clone()))
     });
     let all = translated.chain(guessed).chain(rules);
-    let is_dead = |path: &str| !path.is_empty() && !filter.paths.contains(&path.to_lowercase());
-    all.filter(|(path, _)| is_dead(path)).map(|(path, place)| (path.to_owned(), place)).collect()
+    all.filter(|(path, _)| filter.is_dead(path)).map(|(path, place)| (path.to_owned(), place)).collect()
 }
 
 /// The path with the same last label, or one that is spelt much alike.

@@ -23,8 +23,10 @@ fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some(clothes) = file.clothes().filter(|_| is_listed) else { return };
     for (keyword, taken) in [("name", &clothes.scanned.name), ("uuid", &clothes.scanned.uuid)] {
         let Some(entry) = clothes.last(keyword).filter(|entry| entry.value.contains(' ')) else { continue };
-        let Some(taken) = taken else { continue };
-        let message = format!("{keyword} `{}` is cut to `{}` in the list", entry.value, taken.text);
+        if taken.is_none() {
+            continue;
+        }
+        let message = format!("only the first word of `{keyword} {}` is listed", entry.value);
         let finding = RULE.at(file, Place::Span(entry.span.clone()), message).key(keyword);
         let help = match keyword {
             "name" => format!("write `{keyword} {}`", entry.value.replace(' ', "_")),

@@ -63,20 +63,31 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             _ => {}
         }
     }
-    out.extend(unknown.into_iter().filter_map(|(folder, files)| misspelt(folder, &files)));
+    out.extend(unknown.into_iter().filter_map(|(folder, files)| unread(view, folder, &files, &bases)));
 }
 
-/// What lies in a folder whose name is nearly that of a category; one with other capitals has a finding of its own.
-fn misspelt(folder: &str, files: &[&FileFacts]) -> Option<Finding> {
-    let (first, right) = (files.first()?, nearest(folder, CATEGORIES)?);
-    if right.eq_ignore_ascii_case(folder) || !files.iter().all(|file| file.rel.split('/').count() >= 3) {
+/// What lies in a folder that is no category but looks like one: by its name, or because it is sorted by base mesh and has
+/// assets that are nowhere else. A name with other capitals has a finding of its own.
+fn unread(view: &View<'_>, folder: &str, files: &[&FileFacts], bases: &BTreeSet<&str>) -> Option<Finding> {
+    let (first, near) = (files.first()?, nearest(folder, CATEGORIES));
+    let has_base = |file: &&FileFacts| file.rel.split('/').nth(1).is_some_and(|base| bases.contains(base));
+    let is_meant = near.is_some() || files.iter().any(|file| is_lost(view, file));
+    if near.is_some_and(|near| near.eq_ignore_ascii_case(folder)) || !is_meant || !files.iter().all(has_base) {
         return None;
     }
     let message = format!("folder `{folder}` is not read ({})", counted(files.len(), "asset"));
     let parts = files.iter().map(|file| (file.shown(), &file.path));
     let finding = RULE.at(first, Place::File, message).key(format!("folder {folder}")).parts_in(parts);
     let finding = finding.evidence(Evidence::of_cases(files.iter().map(|file| file.shown())));
-    Some(finding.help(did_you_mean(Some(right), "rename it")))
+    Some(finding.help(did_you_mean(near, "rename it to the kind of its assets: `clothes`, `hair`, `eyes` …")))
+}
+
+/// Whether a worn asset is listed nowhere under its name.
+fn is_lost(view: &View<'_>, file: &FileFacts) -> bool {
+    let View::Makehuman2(view) = view else { return false };
+    let name = file.clothes().and_then(|clothes| clothes.scanned.name.as_ref());
+    let base = view.library.bases().into_iter().find(|base| file.rel.split('/').nth(1) == Some(base));
+    name.is_some_and(|name| base.is_none_or(|base| view.library.named(base, &name.text).next().is_none()))
 }
 
 fn misplaced(file: &FileFacts, suffix: &str, category: &str, right: &[&str]) -> Finding {

@@ -2,6 +2,7 @@
 
 pub(in crate::rules) mod arity;
 pub(in crate::rules) mod category;
+mod known_pattern;
 pub(in crate::rules) mod material;
 pub(in crate::rules) mod modifier;
 mod modifier_value;

@@ -1,10 +1,12 @@
 //! A modifier of a model is the pattern of a slider and a value that the slider has.
 
 use super::super::cause::overlay::has_sliders;
-use super::super::{Check, Rule, RuleCx, did_you_mean};
+use super::super::cause::schema::is_faulty;
+use super::super::{Check, Rule, RuleCx, counted, did_you_mean};
+use super::known_pattern::Known;
 use super::modifier_value::{Faulty, faulty};
 use super::{own, when};
-use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo};
+use crate::diag::{Application::Makehuman2, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo, grouped};
 use crate::formats::mhm::{Modifier, ModifierFault};
 use crate::repo::makehuman2::{Base, SavedModel, View};
 
@@ -21,14 +23,18 @@ pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
 });
 
 fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let has_pairs = base.settings().is_some_and(|(file, _)| !is_faulty(file, "target-opposites"));
+    // Of a slider nobody knows nothing can be said where not all sliders are at hand.
+    let can_tell = has_sliders(base) && has_pairs && !view.is_open(base);
     for saved in own(view, base) {
         out.extend(broken(saved));
         out.extend(non_finite(saved));
-        // Of a slider nobody knows nothing can be said where not all sliders are at hand.
-        if has_sliders(base) && !view.is_open(base) {
-            out.extend(unknown(view, base, saved, cx));
+        if can_tell {
             out.extend(out_of_range(base, saved));
         }
+    }
+    if can_tell {
+        out.extend(unknown(view, base, cx));
     }
 }
 
@@ -39,7 +45,7 @@ fn broken(saved: &SavedModel<'_>) -> Option<Finding> {
     let more = more(broken.len());
     let (message, help) = match fault {
         ModifierFault::Words(count) => {
-            let message = format!("`modifier` has {} words behind it, expected 2{more}", count.saturating_sub(1));
+            let message = format!("`modifier` has {}, expected 2{more}", counted(count.saturating_sub(1), "value"));
             (message, "write the pattern of the slider and one number".to_owned())
         }
         ModifierFault::NotANumber(word) => {
@@ -61,29 +67,39 @@ fn non_finite(saved: &SavedModel<'_>) -> Option<Finding> {
     Some(finding.effect(format!("crashes with `UnboundLocalError` {}", when(saved))))
 }
 
-fn unknown(view: &View<'_>, base: &Base<'_>, saved: &SavedModel<'_>, cx: &RuleCx<'_>) -> Option<Finding> {
-    // Sliders of user targets are made when the program starts.
-    let is_users = |pattern: &str| {
-        let Some(name) = pattern.strip_prefix("custom/") else { return false };
-        let name = name.split('|').next().unwrap_or(name);
-        view.layers.user.is_none() || base.user_targets.is_none_or(|folder| folder.target(name).is_some())
-    };
-    let is_unknown = |one: &&Modifier| {
-        let pattern = &*one.pattern.text;
-        one.value.is_ok() && base.slider(pattern).is_none() && !is_users(pattern)
-    };
-    let unknown: Vec<&Modifier> = saved.model.modifiers.iter().filter(is_unknown).collect();
-    let first = unknown.first()?;
-    let message = match unknown.len() {
-        1 => format!("no slider has the pattern `{}`", first.pattern.text),
-        count => format!("no slider has the pattern of {count} modifiers, first `{}`", first.pattern.text),
+/// A modifier of a character.
+type Line<'v> = (&'v SavedModel<'v>, &'v Modifier);
+
+/// Findings on patterns that no slider has: one for those that the same models set.
+fn unknown(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>) -> Vec<Finding> {
+    let known = Known::of(view, base);
+    let lines = own(view, base).flat_map(|saved| saved.model.modifiers.iter().map(move |one| (saved, one)));
+    let by_pattern = grouped(lines.filter(|(_, one)| known.lacks(one)).map(|line| (&*line.1.pattern.text, line)));
+    let models = |lines: &[Line<'_>]| lines.iter().map(|(saved, _)| saved.file.path.clone()).collect::<Vec<_>>();
+    let by_models = grouped(by_pattern.into_values().map(|lines| (models(&lines), lines)));
+    let told = by_models.into_values().filter_map(|patterns| unknown_in(base, &patterns, cx));
+    told.collect()
+}
+
+fn unknown_in(base: &Base<'_>, patterns: &[Vec<Line<'_>>], cx: &RuleCx<'_>) -> Option<Finding> {
+    let lines = patterns.first()?;
+    let (saved, first) = lines.first()?;
+    let models = if lines.len() > 1 { format!(" ({} models)", lines.len()) } else { String::new() };
+    let message = match patterns.len() {
+        1 => format!("no slider has the pattern `{}`{models}", first.pattern.text),
+        count => format!("no slider has the pattern of {count} modifiers, first `{}`{models}", first.pattern.text),
     };
     let known = base.sliders.iter().flat_map(|slider| slider.pattern.names());
     let near = cx.suggestions.nearest(&first.pattern.text, known.map(String::as_str));
-    let finding = RULE.at(saved.file, Place::Span(first.pattern.span.clone()), message).key("unknown");
-    let finding = finding.level(Level::Warning).effect("lists it as missing and does not apply it");
+    let place = |one: &Modifier| Place::Span(one.pattern.span.clone());
+    let mut finding = RULE.at(saved.file, place(first), message).key("unknown").level(Level::Warning);
+    for (other, one) in lines.iter().skip(1).take(EXAMPLES - 1) {
+        finding = finding.related(other.file.path.clone(), place(one), "also here");
+    }
+    let all = patterns.iter().flatten().map(|(saved, one)| (&*one.pattern.text, &saved.file.path, place(one)));
+    let finding = finding.parts_at(all).evidence(self::patterns(patterns.iter().flatten().map(|(_, one)| *one)));
     let help = did_you_mean(near, "write the pattern of a slider, or remove the line");
-    Some(finding.evidence(patterns(unknown.iter().copied()).out_of(saved.model.modifiers.len())).help(help))
+    Some(finding.effect("lists it as missing and does not apply it").help(help))
 }
 
 fn out_of_range(base: &Base<'_>, saved: &SavedModel<'_>) -> Option<Finding> {

@@ -20,7 +20,8 @@ fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>)
             continue;
         }
         let tags: Vec<&str> = only.split(',').map(str::trim).filter(|tag| !tag.is_empty()).collect();
-        let finding = RULE.at(saved.file, Place::File, format!("`tags {only}` is one tag"));
+        let finding =
+            RULE.at(saved.file, Place::Span(saved.model.tags_at.clone()), format!("`tags {only}` is one tag"));
         out.push(finding.help(format!("write `tags {}`", tags.join(";"))));
     }
 }

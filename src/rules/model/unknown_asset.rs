@@ -34,6 +34,12 @@ fn run(view: &View<'_>, base: &Base<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>
     let by_asset = grouped(unknown.map(|one| ((&*one.1.category.text, &*one.1.name.text, &*one.1.uuid), one)));
     out.extend(by_asset.into_values().filter_map(|lines| asset(&lines, &known, cx)));
     let files = own(view, base).flat_map(|saved| view.references.of_file(saved.file));
+    // The skeleton for poses, if it is missing, is reported by `base-missing-file`.
+    let is_told = |reference: &Reference<'_>| {
+        let mut named = base.named.iter().filter(|one| matches!(one.resolution, Resolution::Missing));
+        named.any(|one| one.rel == reference.rel)
+    };
+    let files = files.filter(|one| !is_told(one));
     let missing = files.filter(|one| one.base == base.name && matches!(one.resolution, Resolution::Missing));
     let by_file = grouped(missing.map(|one| ((one.kind, one.rel.as_str()), one)));
     out.extend(by_file.into_values().filter_map(|references| file(view, base, &references, cx)));

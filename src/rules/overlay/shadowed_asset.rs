@@ -49,6 +49,10 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
 fn replacing(view: &makehuman2::View<'_>, clash: &[&Asset<'_>]) -> Option<Finding> {
     let own = clash.iter().find(|asset| view.layers.is_checked(asset.file))?;
     let system = clash.iter().find(|asset| !view.layers.is_checked(asset.file))?;
+    // Of skeletons the program itself says which it takes.
+    if own.category == "rigs" {
+        return None;
+    }
     let message = format!("replaces the system's `{}`", system.file.rel);
     let finding = RULE.at(own.file, Place::File, message).key(format!("{} {}", own.name, own.uuid));
     let finding = finding.related(system.file.path.clone(), Place::File, "the replaced asset");

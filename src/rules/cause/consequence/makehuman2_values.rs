@@ -54,7 +54,7 @@ use Kind::{
 use Level::{Error, Warning};
 
 #[rustfmt::skip]
-static ROWS: [Row; 81] = [
+static ROWS: [Row; 82] = [
     row(Pose, "/required", ANY, Warning, "lists the pose under its whole path"),
     row(Pose, "/type", TEXT_OR_LIST, Error, "lists it under its whole path, and crashes with `TypeError` when it is shown"),
     row(Pose, "/type", ANY, Error, SCAN_TYPE),
@@ -64,6 +64,7 @@ static ROWS: [Row; 81] = [
     row(Pose, "/properties/tags/type", TEXT, Warning, "turns every letter into a tag"),
     row(Pose, "/properties/tags/type", OBJECT, Level::Info, "uses the keys of the object as tags"),
     row(Pose, "/properties/tags/", ANY, Error, SCAN_TYPE),
+    row(Pose, "/properties/unit_poses/additionalProperties/type", TRUTH, Level::Info, "counts it as 1 or 0"),
     row(Pose, "/properties/unit_poses/type", ANY, Error, "crashes with `AttributeError` when the pose is shown"),
     row(Pose, "/properties/unit_poses/", ANY, Error, "crashes with `TypeError` when the pose is shown"),
     row(PoseUnits, "/$defs/unit/type", TEXT_OR_LIST, Warning, "offers no slider for the unit"),
