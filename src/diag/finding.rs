@@ -303,8 +303,13 @@ impl Finding {
     /// Adds another place.
     #[must_use]
     pub fn related(mut self, path: impl Into<String>, place: Place, message: impl Into<String>) -> Self {
-        self.related.push(Related { path: path.into(), place, location: Location::default(), message: message.into() });
+        self.add_related(path, place, message);
         self
+    }
+
+    /// The same for a finding that is made already.
+    pub(crate) fn add_related(&mut self, path: impl Into<String>, place: Place, message: impl Into<String>) {
+        self.related.push(Related { path: path.into(), place, location: Location::default(), message: message.into() });
     }
 
     /// Without the parts in files in which it is ignored.

@@ -35,6 +35,14 @@ pub enum Kind {
     AssetWeights,
     /// `*.mhpose`.
     Pose,
+    /// `body-poses.json`, `face-poses.json` of MakeHuman 2: what poses and expressions are made of.
+    PoseUnits,
+    /// `selection_filter.json` of MakeHuman 2: labels by which assets are chosen.
+    SelectionFilter,
+    /// `makehuman2_version.json`.
+    Version,
+    /// `shaders/shader.json` of MakeHuman 2.
+    Shaders,
     /// `*.mhclo`, `*.proxy`.
     Clothes,
     /// `*.mhmat`.

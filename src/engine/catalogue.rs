@@ -24,7 +24,14 @@ pub(super) const fn has_rules(application: Application, kind: Kind) -> bool {
                 | Kind::TargetArchive
                 | Kind::TargetIcon
                 | Kind::Skeleton
+                | Kind::Pose
+                | Kind::PoseUnits
+                | Kind::SelectionFilter
+                | Kind::Version
+                | Kind::Shaders
+                | Kind::Model
                 | Kind::Motion
+                | Kind::MotionMeta
                 | Kind::Weights
                 | Kind::AssetWeights
                 | Kind::Clothes

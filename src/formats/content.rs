@@ -6,15 +6,21 @@ use super::bvh::Motion;
 use super::geometry::Geometry;
 use super::json_file::JsonFault;
 use super::macro_json::MacroFile;
+use super::meta::Meta;
 use super::mhbin::MeshFault;
 use super::mhbin_asset::Packed;
 use super::mhclo::Clothes;
+use super::mhm::Model;
 use super::mhmat::Material;
+use super::mhpose::Pose;
 use super::mhskel::Skeleton;
 use super::mhw::Weights;
 use super::modelling::Modelling;
 use super::npz::Archive;
 use super::obj::Mesh;
+use super::pose_units::PoseUnits;
+use super::program::{Shaders, Version};
+use super::selection_filter::SelectionFilter;
 use super::target::TargetFacts;
 use super::target_cat::TargetCategories;
 use super::target_catalog::TargetCatalog;
@@ -59,6 +65,20 @@ pub enum Content {
     Packed(Box<Packed>),
     /// `.mhmat`.
     Material(Box<Material>),
+    /// `.mhpose`.
+    Pose(Box<Pose>),
+    /// `body-poses.json`, `face-poses.json`.
+    PoseUnits(Box<PoseUnits>),
+    /// `selection_filter.json`.
+    Filter(Box<SelectionFilter>),
+    /// `makehuman2_version.json`.
+    Version(Box<Version>),
+    /// `shaders/shader.json`.
+    Shaders(Box<Shaders>),
+    /// `.mhm`.
+    Model(Box<Model>),
+    /// `.meta`.
+    Meta(Box<Meta>),
     /// `.bvh`.
     Motion(Box<Motion>),
     /// `compressedtargets.npz`.

@@ -7,7 +7,7 @@ use super::inline_ignore::{self, InlineIgnore};
 use super::json_file::{self, JsonFacts, JsonFault};
 use super::table::{Format, Reader, Syntax};
 use super::target::{self, MeshSize, Row};
-use super::{Content, bvh, mhbin, mhbin_asset, mhclo, mhmat, mhw, npz, obj};
+use super::{Content, bvh, meta as metadata, mhbin, mhbin_asset, mhclo, mhm, mhmat, mhpose, mhw, npz, obj};
 use crate::json::{self, Document, SchemaFaults};
 use crate::source::{Encoding, GzipFault, Limits, try_gunzip, zip_bomb};
 
@@ -117,6 +117,26 @@ pub(super) fn motion(input: &Input<'_>) -> Parsed {
         parsed.content = Content::Motion(Box::new(bvh::read(input.bytes)));
     }
     parsed
+}
+
+/// A model. One that is blank sets nothing.
+pub(super) fn model(input: &Input<'_>) -> Parsed {
+    Parsed { content: Content::Model(Box::new(mhm::read(input.bytes))), ..hashed(input) }
+}
+
+/// What is said of a motion. Of one that is no UTF-8 the scan reads nothing.
+pub(super) fn meta(input: &Input<'_>) -> Parsed {
+    let mut parsed = hashed(input);
+    if input.encoding.invalid_utf8_at.is_none() {
+        parsed.content = Content::Meta(Box::new(metadata::read(input.bytes)));
+    }
+    parsed
+}
+
+/// A pose. Copies of one another are told by their bytes.
+pub(super) fn pose(input: &Input<'_>) -> Parsed {
+    let parsed = tree(input, Some("mhpose"), |json| Content::Pose(Box::new(mhpose::read(json))));
+    Parsed { content_hash: Some(xxh3_64(input.bytes)), ..parsed }
 }
 
 /// A file without anything in it gives no mesh: everything measured against none would be out of range.

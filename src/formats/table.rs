@@ -1,9 +1,12 @@
 //! The table of formats: what is to be known of each kind of file before and while it is read.
 
 use super::readers::{
-    archive, asset_mesh, clothes, material, mesh, mesh_archive, motion, packed, target, weights, zip,
+    archive, asset_mesh, clothes, material, mesh, mesh_archive, meta, model, motion, packed, pose, target, weights, zip,
 };
-use super::{Content, Input, Parsed, base_json, geometry, macro_json, mhskel, modelling, target_cat, target_catalog};
+use super::{
+    Content, Input, Parsed, base_json, geometry, macro_json, mhskel, modelling, pose_units, program, selection_filter,
+    target_cat, target_catalog,
+};
 use crate::discover::Kind;
 use crate::json::Document;
 
@@ -61,11 +64,6 @@ const fn plain(kind: Kind, title: &'static str, syntax: Syntax) -> Format {
     Format { kind, title, syntax, schema: None, comments: &[], reader: None, needs: Needs::Nothing }
 }
 
-/// A text with comments and without a reader.
-const fn text(kind: Kind, comments: &'static [&'static str]) -> Format {
-    Format { comments, ..plain(kind, "text asset", Syntax::Text) }
-}
-
 /// A JSON with a schema and a model.
 const fn json(kind: Kind, title: &'static str, schema: &'static str, model: fn(&Document) -> Content) -> Format {
     Format { schema: Some(schema), ..tree(kind, title, model) }
@@ -87,7 +85,7 @@ const fn mhw(kind: Kind, needs: Needs) -> Format {
 }
 
 /// All formats, one a kind, in the order of [`Kind`].
-pub(crate) static FORMATS: [Format; 26] = [
+pub(crate) static FORMATS: [Format; 30] = [
     json(Kind::BaseJson, "base.json", "base", |json| Content::BaseJson(Box::new(base_json::read(json)))),
     read(Kind::BaseMesh, "base mesh", Syntax::Text, mesh),
     read(Kind::MeshArchive, "packed base mesh", Syntax::Binary, mesh_archive),
@@ -107,12 +105,20 @@ pub(crate) static FORMATS: [Format; 26] = [
     json(Kind::Skeleton, "skeleton", "mhskel", |json| Content::Skeleton(Box::new(mhskel::read(json)))),
     mhw(Kind::Weights, Needs::Mesh),
     mhw(Kind::AssetWeights, Needs::Nothing),
-    plain(Kind::Pose, "JSON", Syntax::Json),
+    Format { schema: Some("mhpose"), ..read(Kind::Pose, "pose", Syntax::Json, pose) },
+    json(Kind::PoseUnits, "pose units", "pose_units", |json| Content::PoseUnits(Box::new(pose_units::read(json)))),
+    json(Kind::SelectionFilter, "selection filter", "selection_filter", |json| {
+        Content::Filter(Box::new(selection_filter::read(json)))
+    }),
+    json(Kind::Version, "makehuman2_version.json", "version", |json| {
+        Content::Version(Box::new(program::version(json)))
+    }),
+    json(Kind::Shaders, "shader.json", "shader", |json| Content::Shaders(Box::new(program::shaders(json)))),
     Format { comments: &["#"], needs: Needs::Mesh, ..read(Kind::Clothes, "text asset", Syntax::Text, clothes) },
     Format { comments: &["#", "//"], ..read(Kind::Material, "text asset", Syntax::Text, material) },
-    text(Kind::Model, &["#"]),
+    Format { comments: &["#"], ..read(Kind::Model, "model", Syntax::Text, model) },
     read(Kind::Motion, "motion", Syntax::Text, motion),
-    text(Kind::MotionMeta, &[]),
+    read(Kind::MotionMeta, "description of a motion", Syntax::Text, meta),
     read(Kind::AssetMesh, "mesh", Syntax::Text, asset_mesh),
     Format { needs: Needs::Mesh, ..read(Kind::Packed, "file", Syntax::Binary, zip) },
     plain(Kind::Json, "JSON", Syntax::Json),

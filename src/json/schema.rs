@@ -101,16 +101,21 @@ impl Schema {
     }
 }
 
-static SCHEMAS: [Schema; 9] = [
+static SCHEMAS: [Schema; 14] = [
     Schema::new("base", include_str!("../../schemas/base.schema.json")),
     Schema::new("config", include_str!("../../schemas/config.schema.json")),
     Schema::new("geometry", include_str!("../../schemas/geometry.schema.json")),
     Schema::new("macro", include_str!("../../schemas/macro.schema.json")),
+    Schema::new("mhpose", include_str!("../../schemas/mhpose.schema.json")),
     Schema::new("mhskel", include_str!("../../schemas/mhskel.schema.json")),
     Schema::new("mhw", include_str!("../../schemas/mhw.schema.json")),
     Schema::new("modelling", include_str!("../../schemas/modelling.schema.json")),
+    Schema::new("pose_units", include_str!("../../schemas/pose_units.schema.json")),
     Schema::new("report", include_str!("../../schemas/report.schema.json")),
+    Schema::new("selection_filter", include_str!("../../schemas/selection_filter.schema.json")),
+    Schema::new("shader", include_str!("../../schemas/shader.schema.json")),
     Schema::new("target_cat", include_str!("../../schemas/target_cat.schema.json")),
+    Schema::new("version", include_str!("../../schemas/version.schema.json")),
 ];
 
 /// Names of the embedded schemas, sorted.

@@ -8,10 +8,12 @@ use super::landmarks::{Landmarks, Region, Unreached};
 use super::{FileFacts, Layers, Reference, ReferenceKind, View, Worn, parent};
 use crate::formats::bvh::Motion;
 use crate::formats::macro_json::MacroFile;
+use crate::formats::mhpose::Pose;
 use crate::formats::mhskel::Skeleton;
 use crate::formats::mhw::Weights;
 use crate::formats::npz::{Archive, Member};
 use crate::formats::obj::Mesh;
+use crate::formats::pose_units::PoseUnits;
 
 /// A body of a view. One without a name has the files that belong to no known mesh.
 #[derive(Debug)]
@@ -44,6 +46,12 @@ pub(crate) struct Body<'v> {
     pub worn: &'v [Worn<'v>],
     /// Motions that the application lists for the body, those of the checked layer.
     pub motions: Vec<(&'v FileFacts, &'v Motion)>,
+    /// Whether system data that is not at hand could have what the body lacks.
+    pub is_open: bool,
+    /// Poses and expressions that the application lists for the body, those of the checked layer.
+    pub poses: Vec<BodyPose<'v>>,
+    /// What poses and expressions are made of.
+    pub pose_units: Vec<PoseUnitsFile<'v>>,
     view: &'v View<'v>,
     /// Numbers of the targets by printed path.
     by_path: BTreeMap<&'v str, usize>,
@@ -86,6 +94,30 @@ pub(crate) struct Rig<'a> {
     pub is_default: bool,
     /// Whether the application finds it.
     pub is_found: bool,
+}
+
+/// A pose or an expression.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct BodyPose<'v> {
+    /// Its file.
+    pub file: &'v FileFacts,
+    /// What is in it.
+    pub pose: &'v Pose,
+    /// Whether it is an expression.
+    pub is_expression: bool,
+}
+
+/// The units of poses, or those of expressions.
+#[derive(Debug)]
+pub(crate) struct PoseUnitsFile<'v> {
+    /// Folder of the poses that are made of them.
+    pub category: &'static str,
+    /// Path of the file below a data root.
+    pub rel: String,
+    /// Whether anything is there under that name, capitals aside.
+    pub is_there: bool,
+    /// The file that is read, if it could be.
+    pub units: Option<(&'v FileFacts, &'v PoseUnits)>,
 }
 
 /// Weights of a body, or of an asset that it wears.
@@ -156,10 +188,19 @@ impl<'v> Body<'v> {
             weights,
             worn,
             motions: Vec::new(),
+            is_open: false,
+            poses: Vec::new(),
+            pose_units: Vec::new(),
             view,
             by_path,
             landmarks: OnceLock::new(),
         }
+    }
+
+    /// The units that a pose is made of, if they could be read.
+    pub(crate) fn units_of(&self, pose: &BodyPose<'_>) -> Option<(&'v FileFacts, &'v PoseUnits)> {
+        let category = if pose.is_expression { "expressions" } else { "poses" };
+        self.pose_units.iter().find(|units| units.category == category)?.units
     }
 
     /// The rig that the application poses the body with.

@@ -8,14 +8,20 @@ use crate::formats::asset_mesh::AssetMesh;
 use crate::formats::bvh::Motion;
 use crate::formats::inline_ignore::InlineIgnore;
 use crate::formats::json_file::JsonFacts;
+use crate::formats::meta::Meta;
 use crate::formats::mhbin::MeshFault;
 use crate::formats::mhbin_asset::Packed;
 use crate::formats::mhclo::Clothes;
+use crate::formats::mhm::Model;
 use crate::formats::mhmat::Material;
+use crate::formats::mhpose::Pose;
 use crate::formats::mhskel::Skeleton;
 use crate::formats::mhw::Weights;
 use crate::formats::npz::Archive;
 use crate::formats::obj::Mesh;
+use crate::formats::pose_units::PoseUnits;
+use crate::formats::program::{Shaders, Version};
+use crate::formats::selection_filter::SelectionFilter;
 use crate::formats::target::TargetFacts;
 use crate::formats::target_catalog::TargetCatalog;
 use crate::formats::{Content, Needs};
@@ -170,6 +176,41 @@ impl FileFacts {
     /// The motion, as far as it could be read.
     pub fn motion(&self) -> Option<&Motion> {
         if let Content::Motion(motion) = &*self.content { Some(motion) } else { None }
+    }
+
+    /// The pose, if it is one that could be read.
+    pub fn pose(&self) -> Option<&Pose> {
+        if let Content::Pose(pose) = &*self.content { Some(pose) } else { None }
+    }
+
+    /// The pose units, if they could be read.
+    pub fn pose_units(&self) -> Option<&PoseUnits> {
+        if let Content::PoseUnits(pose_units) = &*self.content { Some(pose_units) } else { None }
+    }
+
+    /// The selection filter, if it could be read.
+    pub fn filter(&self) -> Option<&SelectionFilter> {
+        if let Content::Filter(filter) = &*self.content { Some(filter) } else { None }
+    }
+
+    /// The version of the program, if it could be read.
+    pub fn version(&self) -> Option<&Version> {
+        if let Content::Version(version) = &*self.content { Some(version) } else { None }
+    }
+
+    /// What is known of shaders, if it could be read.
+    pub fn shaders(&self) -> Option<&Shaders> {
+        if let Content::Shaders(shaders) = &*self.content { Some(shaders) } else { None }
+    }
+
+    /// The model, if it is one that was read.
+    pub fn model(&self) -> Option<&Model> {
+        if let Content::Model(model) = &*self.content { Some(model) } else { None }
+    }
+
+    /// What is said of a motion, if it could be read.
+    pub fn meta(&self) -> Option<&Meta> {
+        if let Content::Meta(meta) = &*self.content { Some(meta) } else { None }
     }
 
     /// The mesh, if it is one that could be read, as text or packed.

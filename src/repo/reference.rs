@@ -52,6 +52,12 @@ pub enum ReferenceKind {
     AssetMaterial,
     /// `vertexboneweights_file` of an asset, or what stands for it.
     AssetWeights,
+    /// `skinMaterial` of a model.
+    Skin,
+    /// `skeleton` of a model.
+    ModelSkeleton,
+    /// `material` of a model.
+    ModelMaterial,
     /// A slot of `opposites` in `target.json`.
     Slot,
     /// `name` in `target.json` of a slider without `opposites`.

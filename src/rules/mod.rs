@@ -9,14 +9,18 @@ mod catalog;
 mod cause;
 mod config;
 mod file;
+mod filter;
 mod json;
+mod library;
 mod macros;
 mod material;
 mod mesh;
+mod model;
 mod modelling;
 mod numeric;
 mod overlay;
 mod pose;
+mod program;
 mod proxy;
 mod regions;
 mod rule;
@@ -24,10 +28,12 @@ mod skeleton;
 mod target;
 mod units;
 mod unpacking;
+mod wearers;
 mod weights;
 
 pub(crate) use rule::{Check, Rule, RuleCx};
 use rule::{counted, did_you_mean, either, enumerated};
+pub(crate) use wearers::name_wearers;
 
 /// Every rule, sorted by id. A rule that is not listed here does not exist.
 pub(crate) static RULES: &[&Rule] = &[
@@ -69,11 +75,21 @@ pub(crate) static RULES: &[&Rule] = &[
     &file::unportable_name::RULE,
     &file::unreadable::RULE,
     &file::unreferenced::RULE,
+    &filter::conflicting_tags::RULE,
+    &filter::dead_entry::RULE,
+    &filter::syntax::RULE,
     &json::duplicate_key::RULE,
     &json::schema::RULE,
     &json::syntax::RULE,
     &json::too_deep::RULE,
     &json::unknown_key::RULE,
+    &library::duplicate_name::RULE,
+    &library::header_not_ascii::RULE,
+    &library::identity_clash::RULE,
+    &library::missing_thumbnail::RULE,
+    &library::name_cut::RULE,
+    &library::too_deep::RULE,
+    &library::wrong_folder::RULE,
     &macros::alias_suspect::RULE,
     &macros::ambiguous_value::RULE,
     &macros::barycentric_mismatch::RULE,
@@ -112,6 +128,12 @@ pub(crate) static RULES: &[&Rule] = &[
     &mesh::syntax::RULE,
     &mesh::unused_vertex::RULE,
     &mesh::vertex_order::RULE,
+    &model::arity::RULE,
+    &model::category::RULE,
+    &model::material::RULE,
+    &model::modifier::RULE,
+    &model::tags::RULE,
+    &model::unknown_asset::RULE,
     &modelling::barycentric_arity::RULE,
     &modelling::blank_in_name::RULE,
     &modelling::decr_only::RULE,
@@ -148,14 +170,26 @@ pub(crate) static RULES: &[&Rule] = &[
     &overlay::empty_target_folder::RULE,
     &overlay::partial_override::RULE,
     &overlay::shadowed::RULE,
+    &overlay::shadowed_asset::RULE,
     &overlay::targets_not_in_layer::RULE,
     &overlay::user_key_clash::RULE,
     &overlay::user_target_too_deep::RULE,
+    &pose::matrix::RULE,
+    &pose::meta::RULE,
+    &pose::missing_units::RULE,
+    &pose::no_units::RULE,
     &pose::non_finite::RULE,
     &pose::unknown_bone::RULE,
+    &pose::unknown_unit::RULE,
+    &pose::value_range::RULE,
+    &program::file_content::RULE,
+    &program::missing_file::RULE,
+    &program::skybox::RULE,
     &proxy::custom_weights::RULE,
     &proxy::delete_range::RULE,
     &proxy::deprecated_keyword::RULE,
+    &library::duplicate_name::OF_WORN,
+    &library::duplicate_name::OF_UUID,
     &proxy::hides_body::RULE,
     &proxy::keyword_spelling::RULE,
     &proxy::mask_length::RULE,

@@ -34,6 +34,11 @@ fn is_scanned_folder(folder: &str) -> bool {
     WORN.contains(&folder) || SCANNED.contains(&folder)
 }
 
+/// Whether the assets of a folder are chosen by labels.
+fn is_filtered(folder: &str) -> bool {
+    is_scanned_folder(folder) || folder == "skins"
+}
+
 /// Folders with a folder for each base mesh that the scan leaves out.
 const NOT_SCANNED: [&str; 4] = ["target", "contarget", "base", "skins"];
 
@@ -68,6 +73,10 @@ fn place<'p>(parts: &[&'p str]) -> (Kind, Option<&'p str>) {
         ["base", _, "base.obj"] => Kind::BaseMesh,
         ["base", _, "base.mhbin"] => Kind::MeshArchive,
         ["base", _, "geometry.json"] => Kind::Geometry,
+        ["base", _, "body-poses.json" | "face-poses.json"] => Kind::PoseUnits,
+        ["makehuman2_version.json"] => Kind::Version,
+        ["shaders", "shader.json"] => Kind::Shaders,
+        [category, _, "selection_filter.json"] if is_filtered(category) => Kind::SelectionFilter,
         ["rigs", .., file] if extension(file) == "mhw" => Kind::Weights,
         ["target" | "contarget", _, rest @ ..] if !rest.is_empty() => in_target_folder(rest),
         [ALONE, .., file] if extension(file) == "target" => Kind::Target,
@@ -204,7 +213,12 @@ mod tests {
             ("clothes/hm08/x/x.target", Kind::Other, Some("hm08")),
             ("clothes/hm08/x/x.mhbin", Kind::Packed, Some("hm08")),
             ("target/hm08", Kind::Other, None),
-            ("makehuman2_version.json", Kind::Json, None),
+            ("makehuman2_version.json", Kind::Version, None),
+            ("shaders/shader.json", Kind::Shaders, None),
+            ("shaders/hm08/shader.json", Kind::Json, Some("hm08")),
+            ("base/hm08/face-poses.json", Kind::PoseUnits, Some("hm08")),
+            ("skins/hm08/selection_filter.json", Kind::SelectionFilter, Some("hm08")),
+            ("skins/hm08/a/selection_filter.json", Kind::Json, Some("hm08")),
         ] {
             assert_eq!(kind_and_base(path), (kind, base.map(str::to_owned)), "{path}");
         }

@@ -53,12 +53,6 @@ pub(crate) enum Single {
     Poses,
     /// Any other JSON beside a base mesh.
     BesideBase,
-    /// The version of the program.
-    Version,
-    /// What is known of shaders.
-    Shaders,
-    /// A selection that a window was left with.
-    SelectionFilter,
     /// The ranges of the one base mesh that scripts know.
     ScriptedRanges,
 }

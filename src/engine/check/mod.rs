@@ -18,7 +18,7 @@ use crate::config::Config;
 use crate::diag::{Finding, Outcome, Timed, Timing, Upkeep, fingerprint};
 use crate::eval::measures::Measures;
 use crate::repo::{Body, FileFacts, Layers, View};
-use crate::rules::{Check, RULES, Rule, RuleCx};
+use crate::rules::{Check, RULES, Rule, RuleCx, name_wearers};
 
 /// A view with what is computed once for all rules.
 struct Checked<'v> {
@@ -80,6 +80,7 @@ fn check_view(
             findings.extend(done.findings);
         }
     }
+    name_wearers(view, &mut findings);
     let of_system = |names: &BTreeSet<&'static str>| alone(view, &rules, names, options);
     let findings = pair::at_checked(findings, view.layers(), of_system);
     findings.into_iter().map(|finding| finding.only_in(&[application])).collect()

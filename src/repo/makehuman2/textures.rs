@@ -48,7 +48,7 @@ impl<'a> Assets<'a> {
 }
 
 /// Whether system data that is not at hand could have a part of the base. Without an answer nobody has the base.
-fn is_open(layers: Layers<'_>, base: &str) -> Option<bool> {
+pub(super) fn is_open(layers: Layers<'_>, base: &str) -> Option<bool> {
     let folder = format!("base/{base}");
     let has = |layer: &Layer, name: &str| layer.file(&format!("{folder}/{name}")).is_some();
     let has_mesh = |layer: &Layer| has(layer, "base.obj") || has(layer, "base.mhbin");

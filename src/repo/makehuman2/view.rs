@@ -7,10 +7,11 @@ use super::base::base_names;
 use super::known::KnownNames;
 use super::references::collect;
 use super::usage::Usage;
-use super::{Base, OWN, target_folder, textures, weights, worn};
+use super::{Base, Library, OWN, SavedModel, models, poses, target_folder, textures, weights, worn};
 use crate::diag::grouped;
-use crate::discover::Kind;
+use crate::discover::{Kind, listed_in};
 use crate::formats::base_json::BaseJson;
+use crate::formats::selection_filter::SelectionFilter;
 use crate::repo::{Body, FileFacts, Landmarks, Layers, Reference, References, Target, Worn, parent};
 
 /// `MakeHuman` 2's data, connected.
@@ -24,6 +25,14 @@ pub(crate) struct View<'a> {
     pub references: References<'a>,
     /// What bodies can wear, sorted by base.
     worn: Vec<Worn<'a>>,
+    /// Numbers of these by printed path.
+    worn_by_path: BTreeMap<&'a str, usize>,
+    /// What the lists of assets show.
+    pub library: Library<'a>,
+    /// The characters of each base.
+    models: BTreeMap<&'a str, Vec<SavedModel<'a>>>,
+    /// The characters that wear an asset, by printed path of its files.
+    wearers: BTreeMap<&'a str, Vec<SavedModel<'a>>>,
     usage: Usage<'a>,
     /// By base; made when a fix asks for them.
     pub(super) known_names: OnceLock<BTreeMap<String, KnownNames>>,
@@ -37,12 +46,32 @@ impl<'a> View<'a> {
         let mut textures = textures::by_base(layers, &worn);
         let of_base = |base| collect(base).into_iter().chain(textures.remove(base.name).unwrap_or_default());
         let mut references: Vec<Reference<'a>> = bases.iter().flat_map(of_base).collect();
+        let library = Library::of(layers, &bases.iter().map(|base| base.name).collect());
+        let (mut all_models, mut wearers) = (BTreeMap::new(), BTreeMap::new());
+        for base in &bases {
+            let own = models::models(layers, base);
+            let is_open = textures::is_open(layers, base.name).unwrap_or(true);
+            references.extend(models::references(layers, base, &own, &library, is_open));
+            wearers.extend(models::wearers(base.name, &own, &library, of_body(&worn, base.name)));
+            all_models.insert(base.name, own);
+        }
         // Assets for a base that no layer has.
         references.extend(textures.into_values().flatten());
         references.extend(worn.iter().flat_map(|worn| worn.references.iter().flatten()).cloned());
         let references = References::new(references);
         let usage = Usage::of(layers, &bases, &references);
-        Self { layers, bases, references, worn, usage, known_names: OnceLock::new() }
+        Self {
+            layers,
+            bases,
+            references,
+            worn_by_path: worn.iter().enumerate().map(|(at, worn)| (worn.file.path.as_str(), at)).collect(),
+            worn,
+            library,
+            models: all_models,
+            wearers,
+            usage,
+            known_names: OnceLock::new(),
+        }
     }
 
     /// The base of a name.
@@ -121,7 +150,10 @@ impl<'a> View<'a> {
             body.worn = self.worn_of(name);
             let others = of(Kind::Weights).filter(|_| base.is_none());
             body.add_worn_weights(others.chain(of(Kind::AssetWeights)));
-            let listed = of(Kind::Motion).filter(|file| is_listed_pose(file));
+            body.is_open = base.is_none_or(|base| self.is_open(base));
+            body.poses = poses::poses(of(Kind::Pose));
+            body.pose_units = base.map(|base| poses::units(self.layers, base.name).into()).unwrap_or_default();
+            let listed = of(Kind::Motion).filter(|file| listed_in(&file.rel) == Some("poses"));
             body.motions = listed.filter_map(|file| Some((file, file.motion()?))).collect();
             body
         };
@@ -135,9 +167,40 @@ impl<'a> View<'a> {
 
     /// What the body of this name can wear.
     fn worn_of(&self, name: &str) -> &[Worn<'a>] {
-        let start = self.worn.partition_point(|worn| worn.base < name);
-        let end = self.worn.partition_point(|worn| worn.base <= name);
-        self.worn.get(start..end).unwrap_or_default()
+        of_body(&self.worn, name)
+    }
+
+    /// The characters of a base, of all layers.
+    pub(crate) fn models_of(&self, base: &Base<'_>) -> &[SavedModel<'a>] {
+        self.models.get(base.name).map(Vec::as_slice).unwrap_or_default()
+    }
+
+    /// The characters that wear the asset which the file at a printed path is, or is part of; the one that is loaded at
+    /// start comes first.
+    pub(crate) fn wearers(&self, path: &str) -> &[SavedModel<'a>] {
+        self.wearers.get(path).map(Vec::as_slice).unwrap_or_default()
+    }
+
+    /// The labels by which the assets of a category are chosen: the user's, or else the system's.
+    pub(crate) fn filter(&self, category: &str, base: &str) -> Option<&'a SelectionFilter> {
+        let rel = format!("{category}/{base}/selection_filter.json");
+        let mut files = self.layers.strongest_first().filter_map(|layer| layer.file(&rel));
+        files.find_map(|file| file.filter().filter(|_| !file.json.falsy))
+    }
+
+    /// The files that an asset names, if it could be read.
+    pub(crate) fn worn_references(&self, file: &FileFacts) -> Option<&[Reference<'a>]> {
+        self.worn.get(*self.worn_by_path.get(file.path.as_str())?)?.references.as_deref()
+    }
+
+    /// Assets of a base that are listed and could not be read.
+    pub(crate) fn worn_unread(&self, base: &str) -> impl Iterator<Item = &'a FileFacts> {
+        of_body(&self.worn, base).iter().filter(|worn| worn.references.is_none()).map(|worn| worn.file)
+    }
+
+    /// Whether system data that is not at hand could have what a base lacks.
+    pub(crate) fn is_open(&self, base: &Base<'_>) -> bool {
+        textures::is_open(self.layers, base.name).unwrap_or(true)
     }
 
     /// What is known of a target of the checked layer.
@@ -154,12 +217,17 @@ impl<'a> View<'a> {
 }
 
 fn is_of_body(file: &FileFacts) -> bool {
-    matches!(file.kind, Kind::Target | Kind::Weights | Kind::AssetWeights | Kind::Motion | Kind::Clothes | Kind::Packed)
+    matches!(
+        file.kind,
+        Kind::Target | Kind::Weights | Kind::AssetWeights | Kind::Motion | Kind::Pose | Kind::Clothes | Kind::Packed
+    )
 }
 
-/// Whether the scan of poses finds a file: in the folder of the base, or one below.
-fn is_listed_pose(file: &FileFacts) -> bool {
-    file.rel.starts_with("poses/") && matches!(file.rel.split('/').count(), 3 | 4)
+/// What the body of this name can wear, of all that is sorted by base.
+fn of_body<'w, 'a>(worn: &'w [Worn<'a>], name: &str) -> &'w [Worn<'a>] {
+    let start = worn.partition_point(|worn| worn.base < name);
+    let end = worn.partition_point(|worn| worn.base <= name);
+    worn.get(start..end).unwrap_or_default()
 }
 
 /// What a base adds to its body.

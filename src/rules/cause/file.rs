@@ -43,6 +43,17 @@ pub(in crate::rules) fn is_ignored_override(file: &FileFacts) -> bool {
 /// Whether the whole file is an empty value (`null`, `[]`, `0`), which Python takes for false and the loader for no
 /// file: `file-empty` speaks.
 pub(in crate::rules) fn counts_as_missing(file: &FileFacts) -> bool {
-    let wanted = matches!(file.kind, Kind::BaseJson | Kind::MacroJson | Kind::ModellingJson | Kind::TargetCategories);
+    let wanted = matches!(
+        file.kind,
+        Kind::BaseJson
+            | Kind::MacroJson
+            | Kind::ModellingJson
+            | Kind::TargetCategories
+            | Kind::Pose
+            | Kind::PoseUnits
+            | Kind::SelectionFilter
+            | Kind::Version
+            | Kind::Shaders
+    );
     wanted && file.json.falsy
 }

@@ -5,6 +5,7 @@
 pub(super) mod archived;
 pub(super) mod component;
 pub(super) mod consequence;
+pub(super) mod copies;
 mod file;
 mod generated;
 pub(super) mod mesh;

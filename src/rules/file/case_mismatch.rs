@@ -130,9 +130,12 @@ fn fixed_names(view: &View<'_>, out: &mut Vec<Finding>) {
         let Some(right) = (view.layout().misnamed)(&file.rel, &|rel| layer.file(rel).is_some()) else { continue };
         let (name, wanted) = (file.file_name(), right.rsplit('/').next().unwrap_or_default());
         let message = format!("`{name}` must be named `{wanted}`");
-        let effect = consequence(view, &right, Damage::Absent).and_then(|loss| loss.effect);
+        let loss = consequence(view, &right, Damage::Absent);
+        let level = loss.map_or(Level::Error, |loss| loss.level);
+        let effect = loss.and_then(|loss| loss.effect);
         let effect = effect.map_or_else(|| format!("silently treats `{wanted}` as missing"), str::to_owned);
         let finding = RULE.at(file, Place::File, message).key("name").help(format!("rename it to `{wanted}`"));
+        let finding = finding.level_in(view.application(), level);
         out.push(finding.effect_in(view.application(), format!("on Linux, {effect}")));
     }
 }

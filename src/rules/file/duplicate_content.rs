@@ -1,5 +1,6 @@
 //! The same content under several names.
 
+use super::super::cause::copies::CopiedFolders;
 use super::super::{Check, Rule, RuleCx, counted};
 use crate::diag::{Application::Makehuman2, EXAMPLES, Evidence, Finding, Level, Place, RuleInfo, grouped};
 use crate::discover::Kind;
@@ -25,9 +26,11 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let is_link = |file: &FileFacts| file.link_to.as_deref().is_some_and(|real| layer.file(real).is_some());
     let files = view.files().filter(|file| !is_link(file));
     let twins = grouped(files.filter_map(|file| Some(((category(file), class(file)?, file.content_hash?), file))));
+    let copied = CopiedFolders::of(view);
     for ((_, class, _), files) in twins {
         let [first, others @ ..] = files.as_slice() else { continue };
-        if others.is_empty() {
+        // A folder that was copied as a whole is one mistake: `library-identity-clash`.
+        if others.is_empty() || copied.hold(&files) {
             continue;
         }
         let message = if let [other] = others {

@@ -26,6 +26,8 @@ fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>
     };
     let Some(loss) = consequence(view, &file.rel, Damage::NotUtf8) else { return };
     let (guess, help) = file.encoding.guess.map_or(("probably another encoding", SAVE), worded);
+    // macOS leaves one beside each file of an archive.
+    let help = if file.file_name().starts_with("._") { "delete it: macOS keeps its own notes in it" } else { help };
     let message = format!("`{}` is not UTF-8 ({guess})", file.file_name());
     let finding = loss.of(view, RULE.at(file, Place::Span(at..at + 1), message)).help(help);
     out.push(if file.kind == Kind::Target { weigh(&view.target(file), finding) } else { finding });

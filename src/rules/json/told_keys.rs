@@ -86,6 +86,7 @@ fn is_told(Told { file, sliders, kindless, .. }: &Told<'_>, unknown: &UnknownKey
             _ => false,
         },
         Content::BaseJson(settings) if owner.is_empty() => nearest == "visible groups" && !settings.has_visible_groups,
+        Content::Pose(pose) if owner.is_empty() => nearest == "unit_poses" && !pose.has_units,
         Content::Macro(_) if matches!(nearest, "steps" | "sum") => kindless.contains(owner),
         Content::Modelling(_) => sliders.contains(&(owner.to_owned(), &unknown.key)),
         _ => false,

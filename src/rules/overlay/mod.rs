@@ -5,6 +5,7 @@ pub(super) mod broken_override;
 pub(super) mod empty_target_folder;
 pub(super) mod partial_override;
 pub(super) mod shadowed;
+pub(super) mod shadowed_asset;
 pub(super) mod targets_not_in_layer;
 pub(super) mod user_key_clash;
 pub(super) mod user_target_too_deep;

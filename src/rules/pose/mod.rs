@@ -1,4 +1,31 @@
-//! Poses and motions.
+//! Poses, expressions and motions.
 
+mod foreign_unit;
+pub(in crate::rules) mod matrix;
+pub(in crate::rules) mod meta;
+pub(in crate::rules) mod missing_units;
+pub(in crate::rules) mod no_units;
 pub(in crate::rules) mod non_finite;
+mod units_bone;
 pub(in crate::rules) mod unknown_bone;
+pub(in crate::rules) mod unknown_unit;
+pub(in crate::rules) mod value_range;
+
+use crate::diag::pointer;
+use crate::formats::pose_units::{PoseUnits, Turn, Unit};
+
+/// The key of `unit_poses` in a pose.
+const UNITS: &str = "unit_poses";
+
+/// Everything that the units turn, with the pointer to its matrix.
+fn turns(units: &PoseUnits) -> impl Iterator<Item = (&Unit, &'static str, &Turn)> {
+    units.units.iter().flat_map(|unit| {
+        let halves = [("bones", &unit.bones), ("reverse", &unit.reverse)];
+        halves.into_iter().flat_map(move |(half, turns)| turns.iter().flatten().map(move |turn| (unit, half, turn)))
+    })
+}
+
+/// Where a matrix stands.
+fn at(unit: &Unit, half: &str, turn: &Turn) -> String {
+    pointer(&[&unit.name, half, &turn.bone])
+}

@@ -1,8 +1,9 @@
-//! Joints of a motion must be bones of the skeleton that it poses.
+//! Joints of a motion, and bones of pose units, must be bones of the skeleton that is posed.
 
 use std::collections::BTreeSet;
 
 use super::super::{Check, Rule, RuleCx, did_you_mean};
+use super::units_bone;
 use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
 use crate::formats::bvh::{Joint, Motion};
 use crate::repo::Body;
@@ -13,8 +14,10 @@ pub(in crate::rules) static RULE: Rule = Check::Body(run).rule(RuleInfo {
         `pose-skeleton`. A name ends at the first space.\n\n\
         MakeHuman 2 ignores such joints without a message. If none of them is a bone, the motion shows the rest pose: it \
         was made for another rig.\n\n\
-        Rename the joint, or export the motion for the rig of this base.",
-    ..RuleInfo::new("pose-unknown-bone", Level::Warning, "a joint of a BVH file is not a bone of the skeleton")
+        A bone of a unit in `body-poses.json` or `face-poses.json` that the skeleton does not have crashes MakeHuman 2 as \
+        soon as any pose or expression is shown (an error).\n\n\
+        Correct the name, or export the motion for the rig of this base.",
+    ..RuleInfo::new("pose-unknown-bone", Level::Warning, "a pose names a bone that the skeleton does not have")
 });
 
 const REST_POSE: Case = &[(Makehuman2, Level::Warning, "shows the rest pose: no joint is a bone")];
@@ -22,6 +25,10 @@ const REST_POSE: Case = &[(Makehuman2, Level::Warning, "shows the rest pose: no 
 fn run(body: &Body<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     let Some((rig, skeleton)) = body.default_rig().and_then(|rig| Some((rig, rig.skeleton()?))) else { return };
     let bones: BTreeSet<&str> = skeleton.bones.iter().map(|bone| bone.name.as_str()).collect();
+    let own = body.pose_units.iter().filter_map(|units| units.units);
+    for units in own.filter(|(file, _)| !bones.is_empty() && body.layers.is_checked(file)) {
+        out.extend(units_bone::finding(&RULE, units, rig, &bones, cx));
+    }
     // A skeleton without bones, and a motion of which not all joints could be read, have findings of their own.
     let is_read = |motion: &Motion| motion.fault.as_ref().is_none_or(|fault| fault.kind.is_of_frames());
     for (file, motion) in body.motions.iter().filter(|(_, motion)| !bones.is_empty() && is_read(motion)) {

@@ -2,7 +2,7 @@
 
 use super::super::super::kind::extension;
 use super::super::{Single, WORN};
-use super::is_scanned_folder;
+use super::{is_filtered, is_scanned_folder};
 
 /// Decided for the folders of base meshes, targets and rigs; everything else counts as opened. Tools of the program
 /// count as loaders.
@@ -45,15 +45,38 @@ pub(super) fn is_scanned(rel: &str) -> bool {
     wanted && is_scanned_folder(folder) && matches!(rel.split('/').count(), 3 | 4)
 }
 
+/// Which folder's list shows a file, if any: the scan goes one folder below that of the base mesh, and takes suffixes as
+/// they are written.
+pub(crate) fn listed_in(rel: &str) -> Option<&str> {
+    let folder = rel.split('/').next().unwrap_or_default();
+    let is_listed = match extension(rel) {
+        "bvh" => folder == "poses",
+        "mhmat" => folder == "skins",
+        "meta" => false,
+        _ => return is_scanned(rel).then_some(folder),
+    };
+    (is_listed && matches!(rel.split('/').count(), 3 | 4)).then_some(folder)
+}
+
+/// The folders whose lists show files with a suffix.
+pub(crate) fn in_place_of(suffix: &str) -> &'static [&'static str] {
+    match suffix {
+        "mhskel" => &["rigs"],
+        "mhpose" => &["poses", "expressions"],
+        "bvh" => &["poses"],
+        "mhm" => &["models"],
+        "proxy" => &["proxy"],
+        "mhclo" => &WORN,
+        _ => &[],
+    }
+}
+
 pub(super) fn single(rel: &str) -> Option<Single> {
     match rel.split('/').collect::<Vec<_>>().as_slice() {
         ["base", "hm08", "geometry.json"] => Some(Single::ScriptedRanges),
         ["base", _, "face-poses.json"] => Some(Single::Expressions),
         ["base", _, "body-poses.json"] => Some(Single::Poses),
         ["base", ..] => Some(Single::BesideBase),
-        ["makehuman2_version.json"] => Some(Single::Version),
-        ["shaders", "shader.json"] => Some(Single::Shaders),
-        [.., "selection_filter.json"] => Some(Single::SelectionFilter),
         _ => None,
     }
 }
@@ -91,7 +114,8 @@ pub(super) fn misnamed(rel: &str, exists: &dyn Fn(&str) -> bool) -> Option<Strin
         // With one of both the other is not missed.
         ["base", _] if lower == "base.obj" => !exists(&format!("{folder}/base.mhbin")),
         ["base", _] if lower == "base.mhbin" => !exists(&format!("{folder}/base.obj")),
-        ["base", _] => lower == "base.json",
+        ["base", _] => matches!(&*lower, "base.json" | "body-poses.json" | "face-poses.json"),
+        [category, _] if is_filtered(category) => lower == "selection_filter.json",
         _ => false,
     };
     let right = format!("{folder}/{lower}");

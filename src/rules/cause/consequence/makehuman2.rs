@@ -16,9 +16,10 @@ use Damage::{
 };
 use Moment::{Never, Scan, Start, Tools, Use};
 use ReferenceKind::{
-    AssetMaterial, AssetMesh, AssetWeights, Decr, Icon, Incr, MacroTarget, Model, PoseSkeleton, Texture, WeightsFile,
+    AssetMaterial, AssetMesh, AssetWeights, Decr, Icon, Incr, MacroTarget, Model, ModelMaterial, ModelSkeleton,
+    PoseSkeleton, Skin, Texture, WeightsFile,
 };
-use Single::{BesideBase, Expressions, Poses, ScriptedRanges, SelectionFilter, Shaders, Version};
+use Single::{BesideBase, Expressions, Poses, ScriptedRanges};
 
 pub(super) static TABLE: Table = Table { rows: ROWS, at_moment: AT_MOMENT, in_general: IN_GENERAL, unfound: UNFOUND };
 
@@ -44,6 +45,9 @@ const TOOLS: &str = "never reads it; the tools that read it crash";
 const DROPS: Cell = cell(NotUtf8, Warning, "drops the bytes that are not UTF-8");
 const NO_EXPRESSIONS: &str = "offers no expressions for the base";
 const NO_POSES: &str = "offers no pose editor for the base";
+const NO_FILTER: &str = "logs a line and uses the filter of the system, or none: tags lead to no label";
+const NO_VERSION: &str = "exits at start with code 20";
+const NO_SHADERS: &str = "exits at start with code 21";
 const NO_WEIGHTS: &[Cell] = &[
     cell(Refused, Error, NO_WEIGHTS_LOADED),
     cell(Syntax, Error, NO_WEIGHTS_LOADED),
@@ -136,21 +140,50 @@ const ROWS: &[Row] = &[
     anywhere(Kind::Skeleton, Scan, &[SCAN_SYNTAX]),
     anywhere(Kind::Weights, Start, NO_WEIGHTS),
     anywhere(Kind::AssetWeights, Use, NO_WEIGHTS),
-    row(Kind::Pose, Scanned, Scan, &[SCAN_SYNTAX]),
+    // What `NaN` does to a pose is worse, and the business of `pose-non-finite`.
+    row(Kind::Pose, Scanned, Scan, &[SCAN_SYNTAX, nothing(Special)]),
     anywhere(Kind::Pose, Use, &[]),
-    row(Kind::Json, At::Single(Expressions), Start,
-        &[cell(Refused, Error, NO_EXPRESSIONS), cell(Syntax, Error, NO_EXPRESSIONS)]),
-    row(Kind::Json, At::Single(Poses), Start,
-        &[cell(Refused, Error, NO_POSES), cell(Syntax, Error, NO_POSES)]),
-    row(Kind::Json, At::Single(Version), Use,
-        &[cell(Refused, Error, "exits at start with code 20"), cell(Syntax, Error, "exits at start with code 20")]),
-    row(Kind::Json, At::Single(Shaders), Use,
-        &[cell(Refused, Error, "exits at start with code 21"), cell(Syntax, Error, "exits at start with code 21")]),
+    row(Kind::PoseUnits, At::Single(Expressions), Start, &[
+        cell(Absent, Warning, NO_EXPRESSIONS),
+        cell(Refused, Error, NO_EXPRESSIONS),
+        cell(Syntax, Error, NO_EXPRESSIONS),
+        nothing(Special),
+    ]),
+    row(Kind::PoseUnits, At::Single(Poses), Start, &[
+        cell(Absent, Error, NO_POSES),
+        cell(Refused, Error, NO_POSES),
+        cell(Syntax, Error, NO_POSES),
+        nothing(Special),
+    ]),
+    anywhere(Kind::PoseUnits, Start, &[]),
+    anywhere(Kind::SelectionFilter, Start, &[
+        cell(Absent, Warning, NO_FILTER),
+        cell(Closed, Warning, NO_FILTER),
+        cell(Pointer, Warning, NO_FILTER),
+        cell(Refused, Warning, NO_FILTER),
+        cell(Syntax, Warning, NO_FILTER),
+    ]),
+    anywhere(Kind::Version, Start, &[
+        cell(Closed, Error, NO_VERSION),
+        cell(Pointer, Error, NO_VERSION),
+        cell(Refused, Error, NO_VERSION),
+        cell(Syntax, Error, NO_VERSION),
+    ]),
+    anywhere(Kind::Shaders, Start, &[
+        cell(Closed, Error, NO_SHADERS),
+        cell(Pointer, Error, NO_SHADERS),
+        cell(Refused, Error, NO_SHADERS),
+        cell(Syntax, Error, NO_SHADERS),
+    ]),
     row(Kind::Json, At::Single(BesideBase), Start, &[]),
-    row(Kind::Json, At::Single(SelectionFilter), Use, &[cell(Syntax, Warning, "uses an empty filter instead")]),
     anywhere(Kind::Json, Use, &[]),
     anywhere(Kind::Clothes, Scan, &[DROPS, NO_ATTACHMENT]),
     anywhere(Kind::Material, Use, &[DROPS, cell(Empty, Warning, "shows the default white material")]),
+    row(Kind::Model, Scanned, Scan, &[
+        DROPS,
+        cell(Empty, Error, "silently loads the naked default figure"),
+        cell(Pointer, Error, "silently loads the naked default figure"),
+    ]),
     anywhere(Kind::Model, Scan, &[DROPS, cell(Empty, Warning, "loads a model without any settings")]),
     anywhere(Kind::Motion, Use, &[
         cell(Empty, Error, "crashes with `IndexError` when the pose is used"),
@@ -162,12 +195,13 @@ const ROWS: &[Row] = &[
     row(Kind::Packed, Scanned, Scan, &[BINARY, cell(Empty, Error, SCAN)]),
     anywhere(Kind::Packed, Use, &[BINARY]),
     anywhere(Kind::Image, Use, NO_PICTURE),
-    anywhere(Kind::Other, Use, &[BINARY]),
+    anywhere(Kind::Other, Use, &[BINARY, cell(Dangling, Info, "passes over it")]),
 ];
 
 const AT_MOMENT: &[(Moment, Cell)] = &[
     (Start, cell(NotUtf8, Error, "crashes at start with `UnicodeDecodeError`")),
     (Scan, cell(NotUtf8, Error, "crashes at start with `UnicodeDecodeError` while scanning the assets")),
+    (Scan, cell(Dangling, Error, "crashes at start with `FileNotFoundError` while scanning the assets")),
     (Scan, cell(Refused, Error, "crashes at start with `AttributeError` while scanning the assets")),
     (Tools, cell(NotUtf8, Warning, TOOLS)),
     (Tools, cell(Refused, Warning, TOOLS)),
@@ -199,6 +233,9 @@ const UNFOUND: &[(&[ReferenceKind], Consequence)] = &[
     (&[WeightsFile], Consequence::new(Error, "rejects the skeleton and logs a line")),
     (&[PoseSkeleton], Consequence::new(Error, NO_POSE_SKELETON)),
     (&[Model], Consequence::new(Error, TYPE_ERROR)),
+    (&[Skin], Consequence::new(Warning, "silently shows the default skin")),
+    (&[ModelSkeleton], Consequence::new(Warning, "silently loads the model without a skeleton")),
+    (&[ModelMaterial], Consequence::new(Warning, "silently shows the asset with its usual material")),
     (&[AssetMesh], Consequence::new(Error, "refuses the asset with a message: it cannot be put on")),
     (&[AssetWeights], Consequence::new(Warning, "puts the asset on without bone weights: in a pose it collapses to the origin")),
     (&[AssetMaterial], Consequence::new(Warning, "silently shows the asset in plain white")),

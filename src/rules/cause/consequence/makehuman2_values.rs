@@ -43,14 +43,58 @@ const fn row(kind: Kind, keyword: &'static str, found: Test, level: Level, effec
 }
 
 const SKIPPED: &str = "silently skips the combination";
+const SCAN_TYPE: &str = "crashes at start with `TypeError` while scanning the assets";
 const IGNORED_BONE: &str = "ignores the entry: no bone has this name";
 const OF_DEFAULT: Consequence = Consequence::new(Level::Info, "never reads the references of the default skeleton");
 
-use Kind::{BaseJson, Geometry, MacroJson, ModellingJson, Skeleton, TargetCategories, Weights};
+use Kind::{
+    BaseJson, Geometry, MacroJson, ModellingJson, Pose, PoseUnits, SelectionFilter, Shaders, Skeleton,
+    TargetCategories, Version, Weights,
+};
 use Level::{Error, Warning};
 
 #[rustfmt::skip]
-static ROWS: [Row; 45] = [
+static ROWS: [Row; 82] = [
+    row(Pose, "/required", ANY, Warning, "lists the pose under its whole path"),
+    row(Pose, "/type", TEXT_OR_LIST, Error, "lists it under its whole path, and crashes with `TypeError` when it is shown"),
+    row(Pose, "/type", ANY, Error, SCAN_TYPE),
+    row(Pose, "/properties/name/type", ANY, Error, SCAN_TYPE),
+    row(Pose, "/properties/author/type", NULL, Error, "lists the pose; each click on it crashes with `AttributeError`"),
+    row(Pose, "/properties/author/type", ANY, Error, "crashes at start with `AttributeError` when it lists the poses"),
+    row(Pose, "/properties/tags/type", TEXT, Warning, "turns every letter into a tag"),
+    row(Pose, "/properties/tags/type", OBJECT, Level::Info, "uses the keys of the object as tags"),
+    row(Pose, "/properties/tags/", ANY, Error, SCAN_TYPE),
+    row(Pose, "/properties/unit_poses/additionalProperties/type", TRUTH, Level::Info, "counts it as 1 or 0"),
+    row(Pose, "/properties/unit_poses/type", ANY, Error, "crashes with `AttributeError` when the pose is shown"),
+    row(Pose, "/properties/unit_poses/", ANY, Error, "crashes with `TypeError` when the pose is shown"),
+    row(PoseUnits, "/$defs/unit/type", TEXT_OR_LIST, Warning, "offers no slider for the unit"),
+    row(PoseUnits, "/$defs/unit/type", ANY, Error, "crashes at start with `TypeError`"),
+    row(PoseUnits, "/$defs/unit/properties/position/required", ANY, Error,
+        "crashes with `KeyError` when the pose editor is opened"),
+    row(PoseUnits, "/$defs/unit/properties/position/properties/direction", ANY, Warning, "moves the figure along x"),
+    row(PoseUnits, "/$defs/unit/properties/position/", ANY, Error, "crashes when the pose editor is opened"),
+    row(PoseUnits, "/$defs/unit/properties/bones", ANY, Error, "crashes at start"),
+    row(PoseUnits, "/$defs/unit/properties/reverse", ANY, Error, "crashes at start"),
+    row(PoseUnits, "/$defs/unit/properties/", ANY, Warning, "does not find the text"),
+    row(PoseUnits, "/type", ANY, Error, "crashes at start"),
+    row(SelectionFilter, "/type", ANY, Error, "crashes at start when it builds the lists"),
+    row(SelectionFilter, "/properties/Translate", ANY, Error, "crashes at start when it builds the lists"),
+    row(SelectionFilter, "/properties/GuessName", ANY, Error, "crashes with `TypeError` when a filter is used"),
+    row(SelectionFilter, "/properties/Shortcut/type", OBJECT, Warning, "shows other assets than meant"),
+    row(SelectionFilter, "/properties/Shortcut/items/minItems", ANY, Error,
+        "crashes with `IndexError` when the list is opened, which stays empty"),
+    row(SelectionFilter, "/properties/Shortcut/items/items", ANY, Error,
+        "crashes with `AttributeError` when the button is pressed"),
+    row(SelectionFilter, "/properties/Shortcut", ANY, Error, "crashes when the list is opened"),
+    row(SelectionFilter, "/$defs/branch/type", TEXT, Warning, "silently drops the label: no tag leads to it"),
+    row(SelectionFilter, "/$defs/branch/type", NULL, Error, "crashes with `TypeError` at every visit of the list"),
+    row(SelectionFilter, "/$defs/branch/type", ANY, Error, "crashes when it builds the lists"),
+    row(SelectionFilter, "/$defs/branch/items", ANY, Error, "crashes at start with `TypeError`"),
+    row(Version, "/required", ANY, Error, "crashes with `KeyError` where it uses the key"),
+    row(Version, "/properties/parallelmacro", ANY, Level::Info, "treats it as false"),
+    row(Shaders, "/required", ANY, Error, "crashes at start with `KeyError`"),
+    row(Shaders, "/properties/lamps/minItems", ANY, Error, "crashes at start with `IndexError`"),
+    row(Shaders, "/properties/lamps/items/required", ANY, Error, "crashes at start with `KeyError`"),
     row(Geometry, "", ANY, Warning, NOT_READ),
     row(MacroJson, "/type", ANY, Error, "crashes at start with `TypeError`"),
     row(MacroJson, "/allOf/", ANY, Error, "crashes at start with `KeyError`"),

@@ -117,7 +117,9 @@ impl Table {
 
     pub(super) fn consequence(&self, row: &Row, moment: Moment, damage: Damage) -> Option<Consequence> {
         // A link to nothing is closed as any other file, where its role does not say more.
-        let is_own = row.cells.iter().any(|cell| cell.damage == damage);
+        let is_told = |cell: &Cell| cell.damage == damage;
+        let is_own =
+            row.cells.iter().any(is_told) || self.at_moment.iter().any(|(at, cell)| *at == moment && is_told(cell));
         let damage = if damage == Damage::Dangling && !is_own { Damage::Closed } else { damage };
         let at_moment = self.at_moment.iter().filter(|(at, _)| *at == moment).map(|(_, cell)| cell);
         at_moment.chain(row.cells).chain(self.in_general).find(|cell| cell.damage == damage)?.consequence

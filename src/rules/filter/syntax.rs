@@ -1,0 +1,28 @@
+//! The special keys of a selection filter are written in one way.
+
+use super::super::{Check, Rule, RuleCx};
+use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo};
+use crate::repo::{FileFacts, View};
+
+pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
+    breaks: &[(Makehuman2, "takes the key for a label, and crashes at start with `TypeError`")],
+    docs: "In a `selection_filter.json` the keys `Translate`, `GuessName` and `Shortcut` are special, with exactly these \
+        capitals. Every other key is a label.\n\n\
+        MakeHuman 2 takes `shortcut` for a label and its lists for labels below it, and crashes at start. `translate` and \
+        `guessname` become labels that no asset has, and what is in them is not used (a warning).\n\n\
+        Other values of a wrong type are reported by `json-schema`.\n\n\
+        Write the key with its capitals.",
+    ..RuleInfo::new("filter-syntax", Level::Error, "a special key of a selection filter in another spelling")
+});
+
+const LABEL: Case = &[(Makehuman2, Level::Warning, "takes the key for a label and does not use what is in it")];
+
+fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(filter) = file.filter() else { return };
+    for misspelt in &filter.misspelt {
+        let (key, meant) = (&misspelt.key, misspelt.meant);
+        let finding = RULE.at(file, Place::Key(crate::diag::pointer(&[key])), format!("`{key}` is not a special key"));
+        let finding = finding.key(key).help(format!("write `{meant}`"));
+        out.push(if misspelt.crashes { finding } else { finding.case(LABEL) });
+    }
+}

@@ -1,0 +1,89 @@
+//! What a list shows has names of its own, also where it is not known by the name alone.
+
+use super::super::{Check, Rule, RuleCx, counted};
+use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo, grouped};
+use crate::repo::makehuman2::Asset;
+use crate::repo::{View, parent};
+
+pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
+    breaks: &[(Makehuman2, "lists both under one name, so that they cannot be told apart")],
+    docs: "Two models, or two poses, of a base have the same name in different files. MakeHuman 2 lists both under this name.\n\n\
+        It happens when a model was saved under another file name, or a motion was copied with its `.meta`. What is worn has \
+        `proxy-duplicate-name`, and what is even known by the same `library-identity-clash`.\n\n\
+        Change the line `name` of one of them.",
+    ..RuleInfo::new("library-duplicate-name", Level::Warning, "two models or poses with the same name")
+});
+
+pub(in crate::rules) static OF_WORN: Rule = Check::Repository(run_worn).rule(RuleInfo {
+    breaks: &[(Makehuman2, "lists both under one name; a model whose uuid fits neither wears either of them")],
+    docs: "Two assets of one category have the same name and different uuids. MakeHuman 2 lists both under this name.\n\n\
+        A model finds its asset by name and uuid; if the uuid fits none, by the name alone, and then it wears either of \
+        them.\n\n\
+        Give each asset a name of its own.",
+    ..RuleInfo::new("proxy-duplicate-name", Level::Warning, "two assets of one category with the same name")
+});
+
+pub(in crate::rules) static OF_UUID: Rule = Check::Repository(run_uuid).rule(RuleInfo {
+    breaks: &[(Makehuman2, "keeps the user's tags by uuid, so those of one asset change the other")],
+    docs: "Two assets have the same uuid and different names, mostly because one was made from the other.\n\n\
+        MakeHuman 2 knows them by name and uuid together and lists both. Tags that a user gives to one are those of both, and \
+        a model that was saved with one does not find it once its name changes.\n\n\
+        Give the newer asset a uuid of its own.",
+    ..RuleInfo::new("proxy-duplicate-uuid", Level::Warning, "two assets with the same uuid")
+});
+
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let key = |asset: &Asset<'_>| {
+        let is_listed = matches!(asset.category, "models" | "poses" | "expressions") && !asset.name.is_empty();
+        is_listed.then(|| format!("{} {}", asset.category, asset.name))
+    };
+    find(&RULE, view, key, "the name", "give it a name of its own", out);
+}
+
+fn run_worn(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let key = |asset: &Asset<'_>| {
+        (asset.is_worn() && !asset.name.is_empty()).then(|| format!("{} {}", asset.category, asset.name))
+    };
+    find(&OF_WORN, view, key, "the name", "give it a name of its own", out);
+}
+
+fn run_uuid(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    // Without a uuid all have the same: that has a finding of its own.
+    let key = |asset: &Asset<'_>| (asset.is_worn() && asset.uuid != "0").then(|| asset.uuid.clone());
+    find(&OF_UUID, view, key, "the uuid", "give it a uuid of its own", out);
+}
+
+/// Findings on the assets of the checked layer with a key in common that are not known by the same.
+fn find(
+    rule: &Rule,
+    view: &View<'_>,
+    key: impl Fn(&Asset<'_>) -> Option<String>,
+    what: &str,
+    help: &str,
+    out: &mut Vec<Finding>,
+) {
+    let View::Makehuman2(view) = view else { return };
+    for base in view.library.bases() {
+        let own = view.library.of_base(base).iter().filter(|asset| view.layers.is_checked(asset.file));
+        for assets in grouped(own.filter_map(|asset| Some((key(asset)?, asset)))).into_values() {
+            out.extend(finding(rule, &assets, what, help));
+        }
+    }
+}
+
+fn finding(rule: &Rule, assets: &[&Asset<'_>], what: &str, help: &str) -> Option<Finding> {
+    let (told, others) = assets.split_last()?;
+    let is_other = |one: &&&Asset<'_>| (&one.name, &one.uuid) != (&told.name, &told.uuid);
+    let others: Vec<&&Asset<'_>> = others.iter().filter(is_other).collect();
+    let first = others.first()?;
+    let more =
+        if others.len() > 1 { format!(" and {}", counted(others.len() - 1, "more file")) } else { String::new() };
+    let value = if what == "the uuid" { &told.uuid } else { &told.name };
+    let message = format!("{what} `{value}` is also that of `{}`{more}", first.file.rel);
+    let mut finding = rule.at(told.file, Place::File, message).key(format!("{} {value}", parent(&told.file.rel)));
+    for other in &others {
+        finding = finding.related(other.file.path.clone(), Place::File, "the same");
+    }
+    let files = others.iter().map(|other| other.file.path.as_str()).chain([told.file.path.as_str()]);
+    Some(finding.between(files).help(help))
+}

@@ -1,0 +1,75 @@
+//! Every asset of a base is known by a name and a uuid of its own.
+
+use super::super::cause::copies::is_copy;
+use super::super::{Check, Rule, RuleCx};
+use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo};
+use crate::repo::View;
+use crate::repo::makehuman2::{self, Asset};
+
+pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
+    breaks: &[(
+        Makehuman2,
+        "lists only one of them, whichever the file system returns first; the others cannot be chosen",
+    )],
+    docs: "MakeHuman 2 knows an asset by its name and uuid together, whatever its category. Of several with the same it lists \
+        one; the others are lost without a message. Which one it is depends on the order in which the file system lists \
+        the folders.\n\n\
+        That happens to a copy that was made to start a new asset, or to a backup. Poses and expressions are known by \
+        their name, models by name and file name, motions and skins by their file name: a pose and an expression of one \
+        name are one asset.\n\n\
+        Copies of equal content do no harm besides (a warning). An asset of the user that takes the place of one of the \
+        system is meant to do so (`overlay-shadowed-asset`); skeletons have `skeleton-name-clash`.\n\n\
+        Give the asset a name and a uuid of its own, or remove the copy.",
+    ..RuleInfo::new("library-identity-clash", Level::Error, "two assets with the same name and uuid")
+});
+
+const COPY: Case = &[(Makehuman2, Level::Warning, "lists only one of the copies and ignores the others")];
+
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let View::Makehuman2(view) = view else { return };
+    for base in view.library.bases() {
+        for clash in view.library.clashes(base) {
+            out.extend(finding(view, &clash));
+        }
+    }
+}
+
+fn finding(view: &makehuman2::View<'_>, clash: &[&Asset<'_>]) -> Option<Finding> {
+    // What lies in the other layer is replaced on purpose.
+    let mut own: Vec<&Asset<'_>> = clash.iter().copied().filter(|one| view.layers.is_checked(one.file)).collect();
+    // An asset without a name is known by nothing: that has a finding of its own.
+    let is_told = |one: &&Asset<'_>| one.category == "rigs" || one.name.is_empty();
+    if own.len() < 2 || own.iter().all(is_told) {
+        return None;
+    }
+    // The one with the longer or hidden name is the copy.
+    own.sort_by_key(|one| (one.file.file_name().starts_with('.'), one.file.rel.len(), &one.file.rel));
+    let (told, others) = own.split_last()?;
+    let first = others.first()?;
+    let (what, help) = words(told, first);
+    let more = if others.len() > 1 { format!(" and {} more", others.len() - 1) } else { String::new() };
+    let message = format!("`{}` has {what} `{}`{more}", told.name, first.file.rel);
+    let mut finding = RULE.at(told.file, Place::File, message).key(format!("{} {}", told.name, told.uuid));
+    for other in others {
+        finding = finding.related(other.file.path.clone(), Place::File, "known by the same");
+    }
+    let finding = finding.between(own.iter().map(|one| one.file.path.as_str()));
+    Some(if others.iter().all(|other| is_copy(view, told, other)) {
+        finding.case(COPY).help(format!("remove the copy, or {help}"))
+    } else {
+        finding.help(help)
+    })
+}
+
+/// What both are known by, and what to change.
+fn words(told: &Asset<'_>, other: &Asset<'_>) -> (&'static str, &'static str) {
+    if told.is_worn() || other.is_worn() {
+        return ("the same name and uuid as", "give it a name and a uuid of its own");
+    }
+    match told.category {
+        "models" => ("the same name and file name as", "give it another file name"),
+        "skins" => ("the same file name as", "give it another file name"),
+        "poses" if told.uuid.starts_with("bvh_") => ("the same name and file name as", "give it another file name"),
+        _ => ("the same name as", "give it a name of its own"),
+    }
+}

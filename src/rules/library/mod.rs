@@ -1,0 +1,20 @@
+//! What makes a folder of assets a library: what is listed, and by what it is known.
+
+pub(in crate::rules) mod duplicate_name;
+pub(in crate::rules) mod header_not_ascii;
+pub(in crate::rules) mod identity_clash;
+pub(in crate::rules) mod missing_thumbnail;
+pub(in crate::rules) mod name_cut;
+pub(in crate::rules) mod too_deep;
+pub(in crate::rules) mod wrong_folder;
+
+use crate::discover::extension;
+
+/// Suffixes of assets that lists show.
+const SUFFIXES: [&str; 6] = ["mhclo", "proxy", "mhskel", "mhpose", "bvh", "mhm"];
+
+/// The suffix of an asset, in small letters, if the name has one.
+fn suffix(rel: &str) -> Option<&'static str> {
+    let own = extension(rel);
+    SUFFIXES.into_iter().find(|suffix| suffix.eq_ignore_ascii_case(own))
+}

@@ -1,0 +1,37 @@
+//! A name or uuid of an asset is one word.
+
+use super::super::{Check, Rule, RuleCx};
+use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
+use crate::discover::{Kind, Layout};
+use crate::repo::{FileFacts, View};
+
+pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
+    breaks: &[(
+        Makehuman2,
+        "lists the first word at the first start and all of them from the second on: saved models lose the asset",
+    )],
+    docs: "`name` or `uuid` of an asset (`.mhclo`, `.proxy`) has several words.\n\n\
+        When MakeHuman 2 lists the text, it takes the first word only. Once the asset was put on it lists the binary, which \
+        has all of them. A model that was saved with the one does not find the asset by the other, and the line of a \
+        model has no room for blanks: the model loses the asset or its material.\n\n\
+        Write the name as one word: `nice_vest`.",
+    ..RuleInfo::new("library-name-cut", Level::Warning, "a name or uuid of an asset with several words")
+});
+
+fn run(_: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let is_listed = file.kind == Kind::Clothes && (Layout::of(Makehuman2).scans)(&file.rel);
+    let Some(clothes) = file.clothes().filter(|_| is_listed) else { return };
+    for (keyword, taken) in [("name", &clothes.scanned.name), ("uuid", &clothes.scanned.uuid)] {
+        let Some(entry) = clothes.last(keyword).filter(|entry| entry.value.contains(' ')) else { continue };
+        if taken.is_none() {
+            continue;
+        }
+        let message = format!("only the first word of `{keyword} {}` is listed", entry.value);
+        let finding = RULE.at(file, Place::Span(entry.span.clone()), message).key(keyword);
+        let help = match keyword {
+            "name" => format!("write `{keyword} {}`", entry.value.replace(' ', "_")),
+            _ => "write the uuid as one word".to_owned(),
+        };
+        out.push(finding.help(help));
+    }
+}

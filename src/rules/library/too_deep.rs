@@ -1,0 +1,82 @@
+//! An asset lies where the list looks, under a name that it takes.
+
+use super::super::{Check, Rule, RuleCx};
+use super::{SUFFIXES, suffix};
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo, grouped};
+use crate::discover::{extension, in_place_of};
+use crate::repo::{FileFacts, View};
+
+pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
+    breaks: &[(Makehuman2, "does not list it")],
+    docs: "MakeHuman 2 looks for assets in the folder of the base mesh (`clothes/<base>/`) and in the folders directly in it. It \
+        takes suffixes as they are written: `.mhclo`, not `.MHCLO`.\n\n\
+        An asset in a deeper folder, with a suffix in capitals or with another suffix behind its own (`vest.mhclo.txt`, which \
+        Windows shows as `vest.mhclo`) is not listed, and models that wear it lose it. On all systems.\n\n\
+        Move the folder of the asset up, or rename the file.",
+    ..RuleInfo::new("library-too-deep", Level::Error, "an asset that the list does not find")
+});
+
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let layer = view.layers().checked;
+    let mut deep = Vec::new();
+    for file in view.layers().checked.files.values().filter(|file| !file.is_loose()) {
+        let parts: Vec<&str> = file.rel.split('/').collect();
+        let [category, base, .., name] = parts.as_slice() else { continue };
+        let is_for = |suffix: &str| in_place_of(suffix).contains(category);
+        let is_skin = *category == "skins" && extension(name) == "mhmat";
+        let own = suffix(name).filter(|suffix| is_for(suffix));
+        match own {
+            Some(suffix) if extension(name) != suffix => out.push(capitals(file, suffix)),
+            _ if parts.len() > 4 && (is_skin || own.is_some()) && !is_used_elsewhere(view, file) => {
+                let folder = parts.get(..3).map(|top| top.join("/")).unwrap_or_default();
+                deep.push(((folder, *category, *base), file));
+            }
+            None if parts.len() <= 4 && double(view, file).is_some_and(is_for) => out.push(doubled(file)),
+            _ => {}
+        }
+    }
+    // What was moved with its folder is one mistake.
+    out.extend(grouped(deep).into_iter().filter_map(|((folder, category, base), files)| {
+        too_deep(&folder, &format!("{category}/{base}"), &files).map(|one| one.asset(layer.display(&folder)))
+    }));
+}
+
+fn capitals(file: &FileFacts, suffix: &str) -> Finding {
+    let message = format!("`{}` must end in `.{suffix}`: capitals matter", file.file_name());
+    RULE.at(file, Place::File, message).key("suffix").help(format!("rename it to end in `.{suffix}`"))
+}
+
+fn doubled(file: &FileFacts) -> Finding {
+    let name = file.file_name();
+    let (right, last) = name.rsplit_once('.').unwrap_or((name, ""));
+    let message = format!("`{name}` ends in `.{last}`, which keeps it out of the list");
+    RULE.at(file, Place::File, message).key("suffix").help(format!("rename it to `{right}`"))
+}
+
+fn too_deep(folder: &str, right: &str, files: &[&FileFacts]) -> Option<Finding> {
+    let first = files.first()?;
+    let message = match files.len() {
+        1 => {
+            let depth = first.rel.split('/').count().saturating_sub(3);
+            format!("`{}` lies {depth} folders below `{right}`, expected 1 at most", first.file_name())
+        }
+        count => format!("{count} assets lie too deep in `{folder}`, first `{}`", first.file_name()),
+    };
+    let parts = files.iter().map(|file| (file.shown(), &file.path));
+    let finding = RULE.at(first, Place::File, message).key("deep").parts_in(parts);
+    let finding = finding.evidence(Evidence::of_cases(files.iter().map(|file| file.shown())));
+    Some(finding.help(format!("move what is in `{folder}` to `{right}`")))
+}
+
+/// The suffix of an asset in front of another one, where there is no asset of that name: then it would be a copy.
+fn double(view: &View<'_>, file: &FileFacts) -> Option<&'static str> {
+    let (right, last) = file.rel.rsplit_once('.')?;
+    let suffix = SUFFIXES.into_iter().find(|suffix| *suffix == extension(right))?;
+    let is_text = matches!(last, "txt" | "text" | "json" | "html");
+    (is_text && view.layers().checked.file(right).is_none()).then_some(suffix)
+}
+
+/// Whether something names the file, such as `base.json` a skeleton.
+fn is_used_elsewhere(view: &View<'_>, file: &FileFacts) -> bool {
+    view.references().to_file(file).any(|reference| reference.found().is_some())
+}

@@ -1,0 +1,117 @@
+//! An asset lies in the folder of its kind.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::super::{Check, Rule, RuleCx, counted, did_you_mean};
+use super::suffix;
+use crate::diag::{Application::Makehuman2, Evidence, Finding, Level, Place, RuleInfo, nearest};
+use crate::discover::{extension, in_place_of};
+use crate::repo::{FileFacts, View};
+
+pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
+    breaks: &[(Makehuman2, "does not list it")],
+    docs: "MakeHuman 2 looks for each kind of asset in folders of its own: `.mhclo` in `clothes`, `hair`, `eyes`, `eyebrows`, \
+        `eyelashes`, `teeth` and `tongue`, `.proxy` in `proxy`, `.mhskel` in `rigs`, `.mhpose` in `poses` and \
+        `expressions`, `.bvh` in `poses`, `.mhm` in `models`. In each of them is a folder for each base mesh.\n\n\
+        An asset in the folder of another kind, or without the folder of the base mesh, is not listed, and models that wear \
+        it lose it.\n\n\
+        Move the asset.",
+    ..RuleInfo::new("library-wrong-folder", Level::Error, "an asset in a folder where its kind is not looked for")
+});
+
+/// Folders of assets that lists show.
+const CATEGORIES: [&str; 13] = [
+    "clothes",
+    "hair",
+    "eyes",
+    "eyebrows",
+    "eyelashes",
+    "teeth",
+    "tongue",
+    "proxy",
+    "rigs",
+    "poses",
+    "expressions",
+    "models",
+    "skins",
+];
+
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let bases: BTreeSet<&str> = view.body_names().into_iter().collect();
+    let layer = view.layers().checked;
+    // A folder that several categories have is that of a base mesh elsewhere.
+    let is_elsewhere = |category: &str, folder: &str| {
+        let mut others = CATEGORIES.iter().filter(|other| **other != category);
+        others.any(|other| layer.below(&format!("{other}/{folder}")).next().is_some())
+    };
+    let mut unknown: BTreeMap<&str, Vec<&FileFacts>> = BTreeMap::new();
+    for file in layer.files.values().filter(|file| !file.is_loose()) {
+        let Some(suffix) = suffix(&file.rel).filter(|suffix| extension(&file.rel) == *suffix) else { continue };
+        let parts: Vec<&str> = file.rel.split('/').collect();
+        let Some(category) = parts.first().filter(|first| CATEGORIES.contains(first)) else {
+            // The name of any other folder is its owner's business, unless it is nearly one of these.
+            unknown.entry(parts.first().copied().unwrap_or_default()).or_default().push(file);
+            continue;
+        };
+        let right = in_place_of(suffix);
+        match parts.as_slice() {
+            _ if !right.contains(category) => out.push(misplaced(file, suffix, category, right)),
+            [_, name] => out.push(without_base(file, category, name, &bases)),
+            [_, folder, name] if !bases.is_empty() && !bases.contains(folder) && !is_elsewhere(category, folder) => {
+                out.push(without_base(file, category, &format!("{folder}/{name}"), &bases));
+            }
+            _ => {}
+        }
+    }
+    out.extend(unknown.into_iter().filter_map(|(folder, files)| unread(view, folder, &files, &bases)));
+}
+
+/// What lies in a folder that is no category but looks like one: by its name, or because it is sorted by base mesh and has
+/// assets that are nowhere else. A name with other capitals has a finding of its own.
+fn unread(view: &View<'_>, folder: &str, files: &[&FileFacts], bases: &BTreeSet<&str>) -> Option<Finding> {
+    let (first, near) = (files.first()?, nearest(folder, CATEGORIES));
+    let has_base = |file: &&FileFacts| file.rel.split('/').nth(1).is_some_and(|base| bases.contains(base));
+    let is_meant = near.is_some() || files.iter().any(|file| is_lost(view, file));
+    if near.is_some_and(|near| near.eq_ignore_ascii_case(folder)) || !is_meant || !files.iter().all(has_base) {
+        return None;
+    }
+    let message = format!("folder `{folder}` is not read ({})", counted(files.len(), "asset"));
+    let parts = files.iter().map(|file| (file.shown(), &file.path));
+    let finding = RULE.at(first, Place::File, message).key(format!("folder {folder}")).parts_in(parts);
+    let finding = finding.evidence(Evidence::of_cases(files.iter().map(|file| file.shown())));
+    Some(finding.help(did_you_mean(near, "rename it to the kind of its assets: `clothes`, `hair`, `eyes` …")))
+}
+
+/// Whether a worn asset is listed nowhere under its name.
+fn is_lost(view: &View<'_>, file: &FileFacts) -> bool {
+    let View::Makehuman2(view) = view else { return false };
+    let name = file.clothes().and_then(|clothes| clothes.scanned.name.as_ref());
+    let base = view.library.bases().into_iter().find(|base| file.rel.split('/').nth(1) == Some(base));
+    name.is_some_and(|name| base.is_none_or(|base| view.library.named(base, &name.text).next().is_none()))
+}
+
+fn misplaced(file: &FileFacts, suffix: &str, category: &str, right: &[&str]) -> Finding {
+    let shown: Vec<String> = right.iter().map(|folder| format!("`{folder}`")).collect();
+    let shown = match shown.as_slice() {
+        [first, .., last] if shown.len() > 2 => format!("{first} to {last}"),
+        _ => shown.join(" or "),
+    };
+    let message = format!("a `.{suffix}` in `{category}` is not listed, expected in {shown}");
+    let help = match suffix {
+        "mhclo" if category == "proxy" => "move it to the folder of its kind, or name it `.proxy`".to_owned(),
+        "proxy" => "move it to `proxy`, or name it `.mhclo`".to_owned(),
+        _ => format!("move it to {shown}"),
+    };
+    RULE.at(file, Place::File, message).key("kind").help(help)
+}
+
+fn without_base(file: &FileFacts, category: &str, below: &str, bases: &BTreeSet<&str>) -> Finding {
+    let base = bases.first().filter(|_| bases.len() == 1).copied().unwrap_or("<base>");
+    let message = format!("`{}` is in no folder of a base mesh", file.rel);
+    let finding = RULE.at(file, Place::File, message).key("base");
+    let help = match below.split_once('/') {
+        Some((folder, _)) => format!("move the folder `{folder}` to `{category}/{base}`"),
+        None => format!("move it to `{category}/{base}`, with the files that it names"),
+    };
+    finding.help(help)
+}

@@ -1,0 +1,56 @@
+//! The word in front of an asset in a model is its category.
+
+use super::super::{Check, Rule, RuleCx, did_you_mean};
+use super::own;
+use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo, nearest};
+use crate::formats::mhm::{CATEGORIES, WornLine};
+use crate::repo::makehuman2::{Asset, Base, SavedModel, View};
+
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(Makehuman2, "ignores the line: the asset is missing")],
+    docs: "The first word of a line that puts an asset on is the category: `clothes`, `hair`, `eyes`, `eyebrows`, `eyelashes`, \
+        `teeth`, `tongue` or `proxy`.\n\n\
+        MakeHuman 2 ignores a line with another word, so the asset is missing. If the word is one of these but not the \
+        folder of the asset, the asset is worn as something else: hair as clothes is exported to glTF with another way of \
+        blending (a warning).\n\n\
+        Write the name of the folder that the asset is in.",
+    ..RuleInfo::new("model-category", Level::Error, "a model puts an asset on under an unknown or another category")
+});
+
+fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for saved in own(view, base) {
+        let asset = |line: &WornLine| view.library.worn(base.name, &line.name.text, &line.uuid);
+        out.extend(saved.model.unknown.iter().filter_map(|line| unknown(saved, line, asset(line))));
+        let worn = saved.model.worn.iter().filter_map(|line| Some((line, asset(line)?)));
+        let other = worn.filter(|(line, asset)| *asset.category != *line.category.text && asset.is_worn());
+        out.extend(other.map(|(line, asset)| misplaced(saved, line, asset)));
+    }
+}
+
+/// Keywords nobody knows are passed over; this one was meant for an asset.
+fn unknown(saved: &SavedModel<'_>, line: &WornLine, asset: Option<&Asset<'_>>) -> Option<Finding> {
+    let (word, name) = (&*line.category.text, &*line.name.text);
+    let near = nearest(word, CATEGORIES);
+    let asset = asset.filter(|asset| asset.is_worn() && (asset.uuid == *line.uuid || near.is_some()));
+    let meant = asset.map(|asset| asset.category).or_else(|| near.filter(|_| is_uuid(&line.uuid)))?;
+    let message = format!("`{word}` is not a category, so `{name}` is not worn");
+    let finding = RULE.at(saved.file, Place::Span(line.category.span.clone()), message);
+    Some(finding.key(format!("{word} {name}")).help(did_you_mean(Some(meant), "write the category")))
+}
+
+/// Whether a word has the form that programs give to uuids.
+fn is_uuid(word: &str) -> bool {
+    word.len() == 36 && word.bytes().all(|byte| byte.is_ascii_hexdigit() || byte == b'-')
+}
+
+fn misplaced(saved: &SavedModel<'_>, line: &WornLine, asset: &Asset<'_>) -> Finding {
+    let (word, name) = (&*line.category.text, &*line.name.text);
+    let message = format!("`{name}` is worn as `{word}`, but lies in `{}`", asset.category);
+    let finding = RULE.at(saved.file, Place::Span(line.category.span.clone()), message).level(Level::Warning);
+    let finding = finding.key(format!("{word} {name}")).effect(format!(
+        "wears it as `{word}`, which decides how it is exported; the panel lists it under `{}`",
+        asset.category
+    ));
+    let help = format!("write `{}`, or move the asset to `{word}`", asset.category);
+    finding.related(asset.file.path.clone(), Place::File, "the asset").help(help)
+}

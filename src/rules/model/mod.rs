@@ -1,0 +1,22 @@
+//! Saved characters: `.mhm`.
+
+pub(in crate::rules) mod arity;
+pub(in crate::rules) mod category;
+mod known_pattern;
+pub(in crate::rules) mod material;
+pub(in crate::rules) mod modifier;
+mod modifier_value;
+pub(in crate::rules) mod tags;
+pub(in crate::rules) mod unknown_asset;
+
+use crate::repo::makehuman2::{Base, SavedModel, View};
+
+/// The characters of a base that are checked.
+fn own<'v>(view: &'v View<'_>, base: &Base<'_>) -> impl Iterator<Item = &'v SavedModel<'v>> {
+    view.models_of(base).iter().filter(|one| view.layers.is_checked(one.file) && !one.file.failed)
+}
+
+/// When what is wrong with a character is met.
+fn when(model: &SavedModel<'_>) -> &'static str {
+    if model.is_start { "at start" } else { "when the model is loaded" }
+}

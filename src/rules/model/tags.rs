@@ -1,0 +1,27 @@
+//! Tags of a model are separated by semicolons.
+
+use super::super::{Check, Rule, RuleCx};
+use super::own;
+use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
+use crate::repo::makehuman2::{Base, View};
+
+pub(in crate::rules) static RULE: Rule = Check::Makehuman2(run).rule(RuleInfo {
+    breaks: &[(Makehuman2, "takes the whole line for one tag")],
+    docs: "The tags of a model (`.mhm`) are separated by semicolons: `tags adult;casual`.\n\n\
+        With commas MakeHuman 2 takes all of them for one tag, by which nobody finds the model.\n\n\
+        Write semicolons.",
+    ..RuleInfo::new("model-tags", Level::Warning, "tags of a model that are separated by commas")
+});
+
+fn run(view: &View<'_>, base: &Base<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    for saved in own(view, base).filter(|saved| !saved.is_start) {
+        let [only] = saved.model.tags.as_slice() else { continue };
+        if only.split(',').filter(|tag| !tag.trim().is_empty()).count() < 2 {
+            continue;
+        }
+        let tags: Vec<&str> = only.split(',').map(str::trim).filter(|tag| !tag.is_empty()).collect();
+        let finding =
+            RULE.at(saved.file, Place::Span(saved.model.tags_at.clone()), format!("`tags {only}` is one tag"));
+        out.push(finding.help(format!("write `tags {}`", tags.join(";"))));
+    }
+}

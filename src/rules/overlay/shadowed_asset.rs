@@ -1,0 +1,85 @@
+//! Which assets of the system the user's data replace, and what in them is never looked at.
+
+use std::collections::BTreeSet;
+
+use super::super::{Check, Rule, RuleCx, counted};
+use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo, grouped};
+use crate::discover::extension;
+use crate::repo::makehuman2::{self, Asset};
+use crate::repo::{FileFacts, Layer, View, parent};
+
+pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
+    breaks: &[(Makehuman2, "lists the user's asset in place of the system's")],
+    docs: "An asset of the user has the name and uuid of one of the system. MakeHuman 2 lists the user's. Its material and mesh \
+        are looked for beside it, so the folder has to be complete.\n\n\
+        A material or mesh of the user in a folder that only the system has an asset in is never used (a warning): MakeHuman \
+        2 takes what lies beside the system's asset. Materials in `eyes/<base>/materials` are an exception, and those that a \
+        model names.\n\n\
+        Nothing has to be done if the asset is meant to be replaced. Otherwise give it a name and a uuid of its own, or copy \
+        the whole asset.",
+    ..RuleInfo::new("overlay-shadowed-asset", Level::Info, "an asset of the user replaces one of the system")
+});
+
+const UNUSED: Case = &[(Makehuman2, Level::Warning, "never uses it: it takes what lies beside the system's asset")];
+
+fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let View::Makehuman2(view) = view else { return };
+    let is_user = view.layers.user.is_some_and(|user| std::ptr::eq(user, view.layers.checked));
+    if view.layers.is_one_root() || !is_user {
+        return;
+    }
+    for base in view.library.bases() {
+        for clash in view.library.clashes(base) {
+            out.extend(replacing(view, &clash));
+        }
+    }
+    let Some(system) = view.layers.system else { return };
+    let (own, systems) = (asset_folders(view.layers.checked), asset_folders(system));
+    let is_idle = |file: &&FileFacts| {
+        let folder = parent(&file.rel);
+        is_part(file)
+            && systems.contains(folder)
+            && !own.contains(folder)
+            && view.references.to_file(file).next().is_none()
+    };
+    let idle = grouped(view.layers.checked.files.values().filter(is_idle).map(|file| (parent(&file.rel), file)));
+    out.extend(idle.into_iter().filter_map(|(folder, files)| unused(view, folder, &files)));
+}
+
+fn replacing(view: &makehuman2::View<'_>, clash: &[&Asset<'_>]) -> Option<Finding> {
+    let own = clash.iter().find(|asset| view.layers.is_checked(asset.file))?;
+    let system = clash.iter().find(|asset| !view.layers.is_checked(asset.file))?;
+    // Of skeletons the program itself says which it takes.
+    if own.category == "rigs" {
+        return None;
+    }
+    let message = format!("replaces the system's `{}`", system.file.rel);
+    let finding = RULE.at(own.file, Place::File, message).key(format!("{} {}", own.name, own.uuid));
+    let finding = finding.related(system.file.path.clone(), Place::File, "the replaced asset");
+    Some(finding.help("give it a name of its own if both are to be listed"))
+}
+
+/// Folders with something in them that is worn.
+fn asset_folders(layer: &Layer) -> BTreeSet<&str> {
+    let assets = layer.files.values().filter(|file| matches!(extension(&file.rel), "mhclo" | "proxy" | "mhbin"));
+    assets.map(|file| parent(&file.rel)).collect()
+}
+
+/// Whether a file would be part of an asset in its folder.
+fn is_part(file: &FileFacts) -> bool {
+    matches!(extension(&file.rel), "mhmat" | "obj") && file.rel.split('/').count() == 4
+}
+
+fn unused(view: &makehuman2::View<'_>, folder: &str, files: &[&FileFacts]) -> Option<Finding> {
+    let first = files.first()?;
+    let message = match files.len() {
+        1 => format!("`{}` lies beside no asset: the system's is in its own folder", first.file_name()),
+        count => {
+            format!("{} in `{folder}` lie beside no asset: the system's is in its own folder", counted(count, "file"))
+        }
+    };
+    let finding = RULE.at(first, Place::File, message).case(UNUSED).asset(view.layers.checked.display(folder));
+    let parts = files.iter().map(|file| (file.file_name(), &file.path));
+    let finding = finding.parts_in(parts).evidence(Evidence::of_cases(files.iter().map(|file| file.file_name())));
+    Some(finding.help("copy the whole asset to the user's folder, or remove the file"))
+}

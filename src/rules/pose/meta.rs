@@ -1,0 +1,69 @@
+//! What is said of a motion must be written so that it is found.
+
+use super::super::{Check, Rule, RuleCx, counted};
+use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
+use crate::discover::{Kind, Layout};
+use crate::formats::meta::{Misspelt, Name};
+use crate::repo::{FileFacts, View};
+
+pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
+    breaks: &[(Makehuman2, "ignores the line")],
+    docs: "A `.meta` beside a `.bvh` of the same name gives the motion a name, an author and tags, each on a line that begins \
+        with `name`, `author` or `tag`.\n\n\
+        MakeHuman 2 does not know the words with a colon or in capitals, so the motion has the name of its file and no \
+        tags. Of the name it keeps only ASCII letters, in small letters: a name without any is empty in the list. A \
+        `.meta` without its `.bvh` is never read.\n\n\
+        Write `name My Pose` without a colon, with plain letters, in a file that is called as the `.bvh`.",
+    ..RuleInfo::new("pose-meta", Level::Warning, "a `.meta` of which a line is not read")
+});
+
+fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let is_read = file.kind == Kind::MotionMeta && (Layout::of(Makehuman2).scans)(&file.rel);
+    let Some(meta) = file.meta().filter(|_| is_read) else { return };
+    let stem = file.rel.strip_suffix("meta").unwrap_or(&file.rel);
+    let layer = view.layers().checked;
+    let has = |suffix: &str| layer.file(&format!("{stem}{suffix}")).is_some();
+    // Beside a pose nobody reads it, and nobody misses it.
+    if !has("bvh") {
+        // One with other capitals has a finding of its own.
+        let is_misnamed = layer.file_ignoring_case(&format!("{stem}bvh")).is_some();
+        out.extend((!has("mhpose") && !is_misnamed).then(|| orphan(file)));
+        return;
+    }
+    out.extend(meta.misspelt.as_ref().map(|misspelt| unread(file, misspelt)));
+    out.extend(meta.name.as_ref().and_then(|name| cut(file, name)));
+}
+
+fn orphan(file: &FileFacts) -> Finding {
+    let message = format!("there is no `{}.bvh` beside it", file.stem());
+    let finding = RULE.at(file, Place::File, message).key("orphan").effect("never reads it");
+    finding.help("give it the name of the motion that it describes, or remove it")
+}
+
+fn unread(file: &FileFacts, misspelt: &Misspelt) -> Finding {
+    let Misspelt { word, meant, line, count } = misspelt;
+    let message = match count {
+        1 => format!("`{word}` is not recognised, expected `{meant}`"),
+        count => format!("`{word}` is not recognised, expected `{meant}` ({})", counted(count, "such line")),
+    };
+    let effect = match *meant {
+        "name" => "ignores the line: the motion has the name of its file",
+        "tag" => "ignores the line: the motion has no such tag",
+        _ => "ignores the line: the motion has no author",
+    };
+    RULE.at(file, Place::Line(*line), message).key("keyword").effect(effect).help(format!("write `{meant}`"))
+}
+
+fn cut(file: &FileFacts, name: &Name) -> Option<Finding> {
+    let Name { written, listed, line } = name;
+    let (message, effect) = if listed.is_empty() {
+        let what = if written.is_empty() { "`name` has no value" } else { "the name has no ASCII letter" };
+        (what.to_owned(), "lists the motion with an empty name")
+    } else if listed.chars().count() < written.to_lowercase().chars().count() {
+        (format!("the name is cut to `{listed}`: only ASCII letters are kept"), "lists the motion under the cut name")
+    } else {
+        return None;
+    };
+    let finding = RULE.at(file, Place::Line(*line), message).key("name").effect(effect);
+    Some(finding.help("write the name in plain letters from a to z"))
+}

@@ -1,0 +1,47 @@
+//! What `makehuman2_version.json` names must exist.
+
+use super::super::{Check, Rule, RuleCx, did_you_mean};
+use crate::diag::{Application::Makehuman2, Case, Finding, Level, Place, RuleInfo, nearest};
+use crate::formats::program::Version;
+use crate::repo::{FileFacts, View};
+
+pub(in crate::rules) static RULE: Rule = Check::File(run).rule(RuleInfo {
+    breaks: &[(Makehuman2, "crashes with `KeyError` where it uses the key")],
+    docs: "`support_urls` in `makehuman2_version.json` names, for each entry of a menu, a key of the same file with an \
+        address. `standardmesh` names a base mesh.\n\n\
+        Without the key MakeHuman 2 crashes. A base mesh that does not exist is never chosen (a warning).\n\n\
+        Add the key, or correct the name. Missing keys and wrong types are reported by `json-schema`.",
+    ..RuleInfo::new("program-file-content", Level::Error, "a file of the program names something that does not exist")
+});
+
+const NO_MESH: Case = &[(Makehuman2, Level::Warning, "does not find its standard mesh")];
+
+fn run(view: &View<'_>, file: &FileFacts, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
+    let Some(version) = file.version() else { return };
+    out.extend(version.support.iter().filter_map(|(label, key)| support(file, version, label, key)));
+    out.extend(version.standard_mesh.as_deref().and_then(|mesh| standard_mesh(view, file, mesh)));
+}
+
+fn support(file: &FileFacts, version: &Version, label: &str, key: &str) -> Option<Finding> {
+    if version.keys.iter().any(|known| known == key) {
+        return None;
+    }
+    let near = nearest(key, version.keys.iter().map(String::as_str).filter(|key| key.starts_with("url_")));
+    let message = format!("`{key}` of `{label}` is not a key of this file");
+    let finding = RULE.at(file, Place::pointer(["support_urls", label]), message).key(label);
+    Some(finding.help(did_you_mean(near, format!("add `{key}` with its address, or remove the entry"))))
+}
+
+fn standard_mesh(view: &View<'_>, file: &FileFacts, mesh: &str) -> Option<Finding> {
+    let layers = view.layers();
+    let bases = view.body_names();
+    // A repository need not hold the base meshes of the program.
+    let holds_bases = layers.system.is_some_and(|system| system.below("base").next().is_some());
+    if !holds_bases || bases.contains(&mesh) {
+        return None;
+    }
+    let message = format!("base mesh `{mesh}` does not exist");
+    let near = nearest(mesh, bases.iter().copied()).or(bases.first().copied());
+    let finding = RULE.at(file, Place::pointer(["standardmesh"]), message).case(NO_MESH);
+    Some(finding.help(did_you_mean(near, "name a base mesh that exists")))
+}

@@ -1,0 +1,26 @@
+//! Which characters wear an asset that cannot be put on: they are not loaded to the end (formats/makehuman2.md §18).
+
+use super::counted;
+use crate::diag::{Application, EXAMPLES, Finding, Level, Place};
+use crate::repo::View;
+
+/// Names, at each error on a file of an asset, the characters that wear it.
+pub(crate) fn name_wearers(view: &View<'_>, findings: &mut [Finding]) {
+    let View::Makehuman2(own) = view else { return };
+    let is_error = |finding: &Finding| {
+        finding.breaks.iter().any(|one| one.application == Application::Makehuman2 && one.level == Level::Error)
+    };
+    for finding in findings.iter_mut().filter(|finding| is_error(finding)) {
+        let wearers = own.wearers(&finding.path);
+        for (number, wearer) in wearers.iter().take(EXAMPLES).enumerate() {
+            let what = if wearer.is_start { "the start model wears it" } else { "this model wears it" };
+            let more = wearers.len().saturating_sub(EXAMPLES);
+            let is_last = number + 1 == EXAMPLES && more > 0;
+            let what = if is_last { format!("{what}, and {}", counted(more, "more model")) } else { what.to_owned() };
+            let path = wearer.file.path.clone();
+            if finding.related.iter().all(|one| one.path != path) && finding.path != path {
+                finding.add_related(path, Place::File, what);
+            }
+        }
+    }
+}
