@@ -143,10 +143,10 @@ impl Model {
             ),
             category => {
                 let is_known = CATEGORIES.contains(&category);
-                let worn = WornLine { category: keyword, name: word(1), uuid: word(2).text };
+                let line = WornLine { category: keyword, name: word(1), uuid: word(2).text };
                 match is_known {
-                    true => keep(&mut self.worn, worn),
-                    false if count >= 3 => keep(&mut self.unknown, worn),
+                    true => keep(&mut self.worn, line),
+                    false if count >= 3 => keep(&mut self.unknown, line),
                     false => {}
                 }
             }
@@ -228,7 +228,8 @@ mod tests {
 
         #[test]
         fn every_modifier_is_found_again(values in prop::collection::vec(("[a-z/|]{1,9}", -2.0..2.0f64), 0..20)) {
-            let text: String = values.iter().map(|(name, value)| format!("modifier {name} {value}\n")).collect();
+            let lines: Vec<String> = values.iter().map(|(name, value)| format!("modifier {name} {value}")).collect();
+            let text = lines.join("\n");
             let found = read(text.as_bytes()).modifiers;
             let found: Vec<_> = found.into_iter().map(|one| (one.pattern.text.to_string(), one.value.unwrap())).collect();
             prop_assert_eq!(found, values);

@@ -82,15 +82,12 @@ fn missing(view: &View<'_>, reference: &Reference<'_>, line: &MaterialLine, cx: 
         materials.iter().find(|name| name.rsplit('/').next() == Some(last)).copied()
     };
     let near = same_name().or_else(|| cx.suggestions.nearest_file(reference.text, materials.iter().copied()));
-    let (message, help) = match line.surplus {
-        0 => {
-            let help = did_you_mean(near, format!("name a material in `{folder}`, or remove the line"));
-            (format!("material `{}` of `{}` does not exist", reference.text, line.name.text), help)
-        }
-        _ => {
-            let message = format!("the path ends at its first blank: `{}` does not exist", reference.text);
-            (message, "rename the material so that it has no blank".to_owned())
-        }
+    let (message, help) = if line.surplus == 0 {
+        let help = did_you_mean(near, format!("name a material in `{folder}`, or remove the line"));
+        (format!("material `{}` of `{}` does not exist", reference.text, line.name.text), help)
+    } else {
+        let message = format!("the path ends at its first blank: `{}` does not exist", reference.text);
+        (message, "rename the material so that it has no blank".to_owned())
     };
     RULE.at(reference.from, reference.place.clone(), message).key(format!("file {}", line.name.text)).help(help)
 }

@@ -82,12 +82,11 @@ fn asset(lines: &[Line<'_>], known: &Known<'_>, cx: &RuleCx<'_>) -> Option<Findi
         Some(asset) => format!("no asset is named `{name}`; the one with its uuid is named `{}`{more}", asset.name),
         None => format!("no asset is named `{name}`{more}"),
     };
-    let help = match renamed {
-        Some(asset) => format!("write `{category} {} {}`", asset.name, asset.uuid),
-        None => {
-            let near = cx.suggestions.nearest(name, known.by_uuid.values().map(|asset| asset.name.as_str()));
-            did_you_mean(near, "add the asset, or remove the line")
-        }
+    let help = if let Some(asset) = renamed {
+        format!("write `{category} {} {}`", asset.name, asset.uuid)
+    } else {
+        let near = cx.suggestions.nearest(name, known.by_uuid.values().map(|asset| asset.name.as_str()));
+        did_you_mean(near, "add the asset, or remove the line")
     };
     let place = |line: &WornLine| Place::Span(line.name.span.clone());
     let mut finding = RULE.at(saved.file, place(line), message).key(format!("{category} {name}")).help(help);
@@ -113,14 +112,13 @@ fn file(view: &View<'_>, base: &Base<'_>, references: &[&Reference<'_>], cx: &Ru
     let files: Vec<&FileFacts> = layers.iter().flat_map(|layer| layer.below(&rel)).collect();
     let name = reference.text.rsplit('/').next().unwrap_or_default();
     let same = files.iter().find(|file| file.file_name() == name && file.rel.split('/').count() > 3);
-    let help = match same.filter(|_| what == "skeleton") {
-        Some(file) => format!("move `{}` to `{rel}`: a model finds skeletons only there", file.rel),
-        None => {
-            let below = files.iter().filter_map(|file| file.rel.strip_prefix(&rel)?.strip_prefix('/'));
-            let own = reference.rel.strip_prefix(&rel).unwrap_or(reference.text).trim_start_matches('/');
-            let near = cx.suggestions.nearest_file(own, below.filter(|below| below.ends_with(suffix)));
-            did_you_mean(near, format!("add the file to `{rel}`, or name one that exists"))
-        }
+    let help = if let Some(file) = same.filter(|_| what == "skeleton") {
+        format!("move `{}` to `{rel}`: a model finds skeletons only there", file.rel)
+    } else {
+        let below = files.iter().filter_map(|file| file.rel.strip_prefix(&rel)?.strip_prefix('/'));
+        let own = reference.rel.strip_prefix(&rel).unwrap_or(reference.text).trim_start_matches('/');
+        let near = cx.suggestions.nearest_file(own, below.filter(|below| below.ends_with(suffix)));
+        did_you_mean(near, format!("add the file to `{rel}`, or name one that exists"))
     };
     let more = if references.len() > 1 { format!(" ({} models)", references.len()) } else { String::new() };
     let message = format!("{what} `{}` does not exist{more}", reference.rel);
