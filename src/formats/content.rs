@@ -13,6 +13,7 @@ use super::mhw::Weights;
 use super::modelling::Modelling;
 use super::npz::Archive;
 use super::obj::Mesh;
+use super::picture::Picture;
 use super::target::TargetFacts;
 use super::target_cat::TargetCategories;
 use super::target_catalog::TargetCatalog;
@@ -53,6 +54,8 @@ pub enum Content {
     Clothes(Vec<Name>),
     /// `.mhmat`.
     Material(Box<Material>),
+    /// A picture, as far as its ends show it.
+    Picture(Box<Picture>),
     /// `.bvh`.
     Motion(Box<Motion>),
     /// `compressedtargets.npz`.

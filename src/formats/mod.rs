@@ -36,6 +36,7 @@ pub mod obj;
 mod obj_facts;
 pub(crate) mod obj_text;
 mod packed_rows;
+pub mod picture;
 mod readers;
 mod table;
 pub mod target;

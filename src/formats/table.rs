@@ -1,6 +1,7 @@
 //! The table of formats: what is to be known of each kind of file before and while it is read.
 
-use super::readers::{archive, clothes, material, mesh, mesh_archive, motion, packed, target, weights, zip};
+use super::picture::{HEAD, TAIL};
+use super::readers::{archive, clothes, material, mesh, mesh_archive, motion, packed, picture, target, weights, zip};
 use super::{Content, Input, Parsed, base_json, geometry, macro_json, mhskel, modelling, target_cat, target_catalog};
 use crate::discover::Kind;
 use crate::json::Document;
@@ -41,6 +42,8 @@ pub enum Reader {
     Tree(fn(&Document) -> Content),
     /// From the bytes.
     Bytes(fn(&Input<'_>) -> Parsed),
+    /// From the first and the last bytes: what is between does not matter.
+    Ends(fn(&Input<'_>) -> Parsed),
 }
 
 /// What has to be read before a file.
@@ -114,7 +117,7 @@ pub(crate) static FORMATS: [Format; 26] = [
     text(Kind::AssetMesh, &[]),
     read(Kind::Packed, "file", Syntax::Binary, zip),
     plain(Kind::Json, "JSON", Syntax::Json),
-    plain(Kind::Image, "picture", Syntax::Binary),
+    Format { reader: Some(Reader::Ends(picture)), ..plain(Kind::Image, "picture", Syntax::Binary) },
     OTHER,
 ];
 
@@ -147,7 +150,12 @@ impl Kind {
 impl Format {
     /// Whether the content matters, not only the size.
     pub fn is_read(&self) -> bool {
-        self.syntax != Syntax::Binary || self.reader.is_some()
+        self.syntax != Syntax::Binary || matches!(self.reader, Some(Reader::Tree(_) | Reader::Bytes(_)))
+    }
+
+    /// How much of the beginning and of the end is enough.
+    pub fn ends(&self) -> Option<(usize, usize)> {
+        matches!(self.reader, Some(Reader::Ends(_))).then_some((HEAD, TAIL))
     }
 }
 

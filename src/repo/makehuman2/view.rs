@@ -11,7 +11,7 @@ use super::{Base, OWN, target_folder, textures, weights, worn};
 use crate::diag::grouped;
 use crate::discover::Kind;
 use crate::formats::base_json::BaseJson;
-use crate::repo::{Body, FileFacts, Layers, Reference, References, Target, Worn, parent};
+use crate::repo::{Body, FileFacts, Layers, Reference, References, Surface, Target, Worn, parent};
 
 /// `MakeHuman` 2's data, connected.
 #[derive(Debug)]
@@ -23,7 +23,9 @@ pub(crate) struct View<'a> {
     /// Everything that names a file, and what it leads to.
     pub references: References<'a>,
     /// What bodies can wear, sorted by base.
-    worn: Vec<Worn<'a>>,
+    pub(in crate::repo) worn: Vec<Worn<'a>>,
+    /// The materials that it opens.
+    pub(in crate::repo) surfaces: Vec<Surface<'a>>,
     usage: Usage<'a>,
     /// By base; made when a fix asks for them.
     pub(super) known_names: OnceLock<BTreeMap<String, KnownNames>>,
@@ -34,14 +36,14 @@ impl<'a> View<'a> {
     pub(crate) fn connect(layers: Layers<'a>) -> Self {
         let bases: Vec<Base<'a>> = base_names(layers).into_iter().map(|name| Base::resolve(name, layers)).collect();
         let worn = worn::worn(layers);
-        let mut textures = textures::by_base(layers, &worn);
+        let (mut textures, surfaces) = textures::read(layers, &worn);
         let of_base = |base| collect(base).into_iter().chain(textures.remove(base.name).unwrap_or_default());
         let mut references: Vec<Reference<'a>> = bases.iter().flat_map(of_base).collect();
         // Assets for a base that no layer has.
         references.extend(textures.into_values().flatten());
         let references = References::new(references);
         let usage = Usage::of(layers, &bases, &references);
-        Self { layers, bases, references, worn, usage, known_names: OnceLock::new() }
+        Self { layers, bases, references, worn, surfaces, usage, known_names: OnceLock::new() }
     }
 
     /// The base of a name.
