@@ -32,7 +32,7 @@ fn settings(vertices: usize) -> Value {
         "visible groups": ["body"],
         "numverts": vertices,
         "target-opposites": { "decr": "incr", "in": "out", "down": "up", "backward": "forward" },
-        "equipment": [],
+        "equipment": ["clothes", "hair", "eyes", "teeth", "proxy"],
         "pose-skeleton": "default.mhskel",
         "mhm": "base.mhm",
         "measure": {

@@ -17,11 +17,15 @@ mod imp_assets;
 mod json_text;
 mod mesh;
 mod morph;
+mod motions;
+mod patch;
 mod rig;
 mod slider;
 mod tree;
 mod user_targets;
 mod voxel;
+mod wardrobe;
+mod worn;
 
 use std::error::Error;
 use std::path::PathBuf;
@@ -42,6 +46,8 @@ fn make() -> Tree {
     figure_sliders::add(&mut tree, &body);
     figure_rig::add(&mut tree, &body);
     user_targets::add(&mut tree, &body.mesh);
+    wardrobe::add(&mut tree, &body);
+    motions::add(&mut tree);
     imp_assets::add(&mut tree);
     tree
 }

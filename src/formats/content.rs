@@ -6,7 +6,7 @@ use super::geometry::Geometry;
 use super::json_file::JsonFault;
 use super::macro_json::MacroFile;
 use super::mhbin::MeshFault;
-use super::mhclo::Name;
+use super::mhclo::Clothes;
 use super::mhmat::Material;
 use super::mhskel::Skeleton;
 use super::mhw::Weights;
@@ -50,8 +50,8 @@ pub enum Content {
     MeshArchive(Box<Result<Mesh, MeshFault>>),
     /// `.target`.
     Target(Box<TargetFacts>),
-    /// `.mhclo`, `.proxy`: the files that it names.
-    Clothes(Vec<Name>),
+    /// `.mhclo`, `.proxy`, without the rows themselves.
+    Clothes(Box<Clothes>),
     /// `.mhmat`.
     Material(Box<Material>),
     /// A picture, as far as its ends show it.

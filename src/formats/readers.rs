@@ -102,9 +102,10 @@ pub(super) fn target(input: &Input<'_>) -> Parsed {
     }
 }
 
-/// What is worn, as far as it names files.
+/// What is worn. Its rows are counted and not kept.
 pub(super) fn clothes(input: &Input<'_>) -> Parsed {
-    Parsed { content: Content::Clothes(mhclo::names(input.bytes)), ..hashed(input) }
+    let clothes = mhclo::Clothes { references: Vec::new(), ..mhclo::parse(input.bytes, input.mesh) };
+    Parsed { content: Content::Clothes(Box::new(clothes)), ..hashed(input) }
 }
 
 /// A material. One without anything in it names nothing.

@@ -109,7 +109,7 @@ pub(crate) static FORMATS: [Format; 26] = [
     mhw(Kind::Weights, Needs::Mesh),
     mhw(Kind::AssetWeights, Needs::Nothing),
     plain(Kind::Pose, "JSON", Syntax::Json),
-    Format { comments: &["#"], ..read(Kind::Clothes, "text asset", Syntax::Text, clothes) },
+    Format { comments: &["#"], needs: Needs::Mesh, ..read(Kind::Clothes, "text asset", Syntax::Text, clothes) },
     Format { comments: &["#", "//"], ..read(Kind::Material, "text asset", Syntax::Text, material) },
     text(Kind::Model, &["#"]),
     read(Kind::Motion, "motion", Syntax::Text, motion),

@@ -8,7 +8,7 @@ use crate::formats::bvh::Motion;
 use crate::formats::inline_ignore::InlineIgnore;
 use crate::formats::json_file::JsonFacts;
 use crate::formats::mhbin::MeshFault;
-use crate::formats::mhclo::Name;
+use crate::formats::mhclo::Clothes;
 use crate::formats::mhmat::Material;
 use crate::formats::mhskel::Skeleton;
 use crate::formats::mhw::Weights;
@@ -115,6 +115,7 @@ impl FileFacts {
             Content::Target(facts) => facts.rows > 0,
             Content::Skeleton(skeleton) => skeleton.joints.iter().any(|joint| joint.vertices.is_some()),
             Content::Weights(weights) => weights.bones.iter().any(|bone| bone.listed > 0),
+            Content::Clothes(clothes) => clothes.rows.count > 0,
             _ => false,
         };
         names_some && self.kind.format().needs != Needs::Nothing
@@ -145,9 +146,9 @@ impl FileFacts {
         if let Content::Skeleton(skeleton) = &*self.content { Some(skeleton) } else { None }
     }
 
-    /// The files that it names, if it is worn and could be read.
-    pub fn asset_names(&self) -> Option<&[Name]> {
-        if let Content::Clothes(names) = &*self.content { Some(names) } else { None }
+    /// What is worn, if it is that and could be read.
+    pub fn clothes(&self) -> Option<&Clothes> {
+        if let Content::Clothes(clothes) = &*self.content { Some(clothes) } else { None }
     }
 
     /// The material, if it is one that could be read.

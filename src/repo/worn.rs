@@ -3,7 +3,7 @@
 use super::{FileFacts, Layer, Reference, ReferenceKind, parent};
 use crate::diag::{Application, Place};
 use crate::discover::Kind;
-use crate::formats::mhclo::{Name, Named};
+use crate::formats::mhclo::Entry;
 
 /// An asset that a body wears.
 #[derive(Debug)]
@@ -29,20 +29,20 @@ impl<'a> Worn<'a> {
         layer: &'a Layer,
         file: &'a FileFacts,
         base: &'a str,
-        counts: fn(&Name) -> bool,
+        counts: fn(&Entry) -> bool,
         weights_beside_mesh: bool,
     ) -> Self {
         let own = parent(&file.rel);
-        let references = file.asset_names().map(|names| {
-            let named = |what, kind, folder: &str| {
-                let name = names.iter().rev().filter(|name| counts(name)).find(|name| name.what == what)?;
-                let (place, rel) = (Place::Span(name.span.clone()), format!("{folder}/{}", name.word));
-                Some(Reference::to(&[layer], kind, base, file, place, &name.word, rel))
+        let references = file.clothes().map(|clothes| {
+            let named = |keyword, kind, folder: &str| {
+                let entry = clothes.all(keyword).rev().find(|entry| counts(entry))?;
+                let (place, word) = (Place::Span(entry.word_span()), entry.word());
+                Some(Reference::to(&[layer], kind, base, file, place, word, format!("{folder}/{word}")))
             };
-            let mesh = named(Named::Mesh, ReferenceKind::AssetMesh, own);
+            let mesh = named("obj_file", ReferenceKind::AssetMesh, own);
             let folder = mesh.as_ref().filter(|_| weights_beside_mesh).map_or(own, |mesh| parent(&mesh.rel));
-            let weights = named(Named::Weights, ReferenceKind::AssetWeights, folder);
-            let material = named(Named::Material, ReferenceKind::AssetMaterial, own);
+            let weights = named("vertexboneweights_file", ReferenceKind::AssetWeights, folder);
+            let material = named("material", ReferenceKind::AssetMaterial, own);
             [mesh, weights, material].into_iter().flatten().collect()
         });
         Self { file, base, references }

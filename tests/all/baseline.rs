@@ -311,7 +311,7 @@ fn an_earlier_neighbour_that_goes_away_does_not_matter() {
     let base = "data/base/figure/base.json";
     let repository = example();
     let root = repository.path();
-    edit(root, base, "\"equipment\": []", "\"equipment\": [\"cloths\", \"hairs\"]");
+    edit(root, base, "[\"clothes\", \"hair\", \"eyes\", \"teeth\", \"proxy\"]", "[\"cloths\", \"hairs\"]");
     edit(root, MACROS, "\"coastal-female\"", "\"costal-female\"");
     edit(root, MACROS, "\"woodland-male\", \"t\"", "\"woodlnd-male\", \"t\"");
     let all = write(root, &[]).len();

@@ -35,13 +35,13 @@ pub struct Asset {
 /// # Errors
 /// Files that cannot be read, and lines that stop the application.
 pub fn read_asset(path: &Path) -> Result<Asset, Error> {
-    let clothes = mhclo::parse(&read_text(path)?);
-    let stops_at = clothes.faults.iter().find_map(|fault| Some((fault.line, stop(fault.kind)?)));
+    let clothes = mhclo::parse(&read_text(path)?, None);
+    let stops_at = clothes.faults.first(|fault| stop(fault.kind));
     if let Some((line, (exception, reason))) = stops_at {
         return Err(stops(exception, format!("`{}`, line {line}: {reason}", shown(path))));
     }
-    let name = clothes.obj_file.as_ref().ok_or_else(|| Error::file(shown(path), "it has no `obj_file` line"))?;
-    let obj_path = path.parent().unwrap_or(Path::new("")).join(name);
+    let name = clothes.last("obj_file").ok_or_else(|| Error::file(shown(path), "it has no `obj_file` line"))?;
+    let obj_path = path.parent().unwrap_or(Path::new("")).join(name.word());
     let mesh = obj::parse(&read_text(&obj_path)?);
     if let Some(bad) = mesh.facts.unreadable.first() {
         return Err(Error::file(shown(&obj_path), format!("line {}: {}", bad.line, bad.what)));
@@ -64,12 +64,12 @@ fn stop(kind: FaultKind) -> Option<(&'static str, String)> {
         FaultKind::FieldCount(count) => {
             return Some(("IndexError", format!("a vertex line needs 1, 6 or at least 9 words, but has {count}")));
         }
-        FaultKind::MissingValue => ("IndexError", "the values of a keyword are missing"),
-        FaultKind::NoNumber => ("ValueError", "a word is not a number"),
-        FaultKind::KeywordInDelete => ("ValueError", "a keyword is in the list of vertices to delete"),
+        FaultKind::ShortScale => ("IndexError", "the values of a keyword are missing"),
+        FaultKind::RowWord | FaultKind::ScaleWord | FaultKind::NotWhole => ("ValueError", "a word is not a number"),
+        FaultKind::DeleteWord => ("ValueError", "a word in the list of vertices to delete is not a number"),
         FaultKind::OldFormat => ("ValueError", "`weights` belongs to an old format that is no longer read"),
         FaultKind::OpenRange => ("UnboundLocalError", "a range begins with `-`"),
-        FaultKind::NoVertex => return None,
+        FaultKind::MissingValue | FaultKind::DroppedRow | FaultKind::NumbersInHeader => return None,
     };
     Some((exception, reason.to_owned()))
 }

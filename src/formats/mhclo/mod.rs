@@ -5,25 +5,47 @@
 //! application stops at, or that ends a section for it: such lines are kept as faults. What comes of a fault is a matter
 //! of the application's own evaluation.
 
-mod names;
+mod faults;
+mod header;
 mod reader;
+mod rows;
 
-pub use names::{Name, Named, names};
+pub use faults::{Fault, FaultKind, Faults};
+pub use header::{Entry, Scanned, Value};
 pub use reader::parse;
+pub use rows::{DeleteFacts, RowFacts, VISIBLE_SUM};
 
 /// The file.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Clothes {
-    /// `obj_file`: the first word of the last such line.
-    pub obj_file: Option<String>,
-    /// `x_scale`, `y_scale`, `z_scale`.
+    /// Lines with keywords in file order, those of comments that say who made the asset among them.
+    pub entries: Vec<Entry>,
+    /// What the library of MakeHuman 2 knows it by.
+    pub scanned: Scanned,
+    /// `x_scale`, `y_scale`, `z_scale`: of several the last.
     pub scales: [Option<Scale>; 3],
     /// The vertex lines: one for each vertex of the asset.
     pub references: Vec<Reference>,
+    /// What was counted of them.
+    pub rows: RowFacts,
     /// Runs of base vertices to hide, both ends included, as written.
     pub deleted: Vec<(i64, i64)>,
+    /// What was counted of them.
+    pub deletes: DeleteFacts,
     /// Lines that are not what their section or keyword wants.
-    pub faults: Vec<Fault>,
+    pub faults: Faults,
+}
+
+/// Where a line stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Section {
+    /// Before any other section.
+    #[default]
+    Header,
+    /// Behind `verts`.
+    Vertices,
+    /// Behind `delete_verts`.
+    Deleted,
 }
 
 /// Two base vertices and the distance they had on an axis.
@@ -50,32 +72,18 @@ pub struct Reference {
     pub line: u32,
 }
 
-/// A line that is not what its section or keyword wants.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Fault {
-    /// Line from 1.
-    pub line: u32,
-    /// What is wrong.
-    pub kind: FaultKind,
-}
+impl Clothes {
+    /// The last line of a keyword that has a value, comments aside.
+    pub fn last(&self, keyword: &str) -> Option<&Entry> {
+        self.all(keyword).next_back()
+    }
 
-/// The kinds of [`Fault`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum FaultKind {
-    /// A vertex line with 2 to 5, 7 or 8 words.
-    FieldCount(usize),
-    /// A word that is no number where one must be.
-    NoNumber,
-    /// A scale or a keyword without its values.
-    MissingValue,
-    /// `-` with nothing before it in the delete section.
-    OpenRange,
-    /// A keyword in the delete section.
-    KeywordInDelete,
-    /// A line of the vertex section that begins with neither a plain number nor a letter.
-    NoVertex,
-    /// `weights`, of an old format.
-    OldFormat,
+    /// All lines of a keyword that have a value, comments aside.
+    pub fn all(&self, keyword: &str) -> impl DoubleEndedIterator<Item = &Entry> {
+        self.entries
+            .iter()
+            .filter(move |entry| *entry.keyword == *keyword && !entry.is_comment && !entry.value.is_empty())
+    }
 }
 
 #[cfg(test)]
@@ -85,25 +93,105 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
+    use crate::formats::target::MeshSize;
+
+    const SIZE: MeshSize = MeshSize { vertices: 10, with_seams: 12 };
+
+    fn of(text: &str) -> Clothes {
+        parse(text.as_bytes(), Some(SIZE))
+    }
+
+    fn faults(clothes: &Clothes) -> Vec<(u32, FaultKind, &str)> {
+        clothes.faults.iter().map(|fault| (fault.line, fault.kind, &*fault.word)).collect()
+    }
 
     #[test]
     fn sections_and_faults() {
         let text = "# author Ann Ex\nname: a shirt\nuuid 1\nobj_file shirt.obj\nx_scale 1 2 3.5\ny_scale 1\nverts 0\n\
             5\n0 1 2 .5 .25 .25\n0 1 2 1 0 0 .1 .2 .3\n-5\n1 2\n# note\ndelete_verts\n1 2 - 4\n- 6\nname x\n";
-        let clothes = parse(text.as_bytes());
-        assert_eq!(clothes.obj_file.as_deref(), Some("shirt.obj"));
+        let clothes = of(text);
+        assert_eq!(clothes.last("obj_file").unwrap().word(), "shirt.obj");
         assert_eq!(clothes.scales[0].unwrap().vertices, [1, 2]);
         let lines: Vec<u32> = clothes.references.iter().map(|reference| reference.line).collect();
         assert_eq!(lines, [8, 9, 10]);
         assert_eq!(clothes.deleted, [(1, 1), (2, 2), (2, 4), (4, 6)]);
-        let faults: Vec<_> = clothes.faults.iter().map(|fault| (fault.line, fault.kind)).collect();
         let kinds = [
-            (6, FaultKind::MissingValue),
-            (11, FaultKind::NoVertex),
-            (12, FaultKind::FieldCount(2)),
-            (17, FaultKind::KeywordInDelete),
+            (6, FaultKind::ShortScale, "y_scale"),
+            (11, FaultKind::DroppedRow, "-5"),
+            (12, FaultKind::FieldCount(2), "1"),
+            (17, FaultKind::DeleteWord, "name"),
         ];
-        assert_eq!(faults, kinds);
+        assert_eq!(faults(&clothes), kinds);
+    }
+
+    #[test]
+    fn a_library_reads_the_head_in_its_own_way() {
+        let text = "# author: Ann Ex\nname a shirt\nuuid: 1\nuuid 12 3\ntag Warm Wool\ndescription vintage coat\n\
+            author someone\nobj_file shirt.obj tag\nverts 0\n5\nname other\n1 2 3 1 0 0\nname late\n";
+        let clothes = of(text);
+        let text = |value: &Option<Value>| value.as_ref().map(|value| (value.text.to_string(), value.line));
+        assert_eq!(text(&clothes.scanned.name), Some(("other".to_owned(), 11)));
+        assert_eq!(text(&clothes.scanned.uuid), Some(("12".to_owned(), 4)));
+        assert_eq!(text(&clothes.scanned.author), Some(("Ann Ex".to_owned(), 1)));
+        let tags: Vec<_> = clothes.scanned.tags.iter().map(|tag| &*tag.text).collect();
+        assert_eq!(tags, ["Warm Wool", "vintage coat"]);
+        assert_eq!(&*clothes.last("name").unwrap().value, "late");
+        assert_eq!(&*clothes.last("uuid").unwrap().value, "12 3");
+        let comments: Vec<_> = clothes.entries.iter().filter(|entry| entry.is_comment).collect();
+        assert_eq!((comments.len(), &*comments[0].keyword, &*comments[0].value), (1, "author", "Ann Ex"));
+    }
+
+    #[test]
+    fn words_that_are_not_numbers() {
+        for (row, kind, word) in [
+            ("1 2 - 1 0 0", FaultKind::RowWord, "-"),
+            ("1 - 4", FaultKind::RowWord, "-"),
+            ("1 2 3 0,5 0 0", FaultKind::RowWord, "0,5"),
+            ("1 2 3 1 0 0 #", FaultKind::RowWord, "#"),
+            ("1 2 3 1 0 0 0", FaultKind::FieldCount(7), "1"),
+            ("\u{b2}", FaultKind::RowWord, "\u{b2}"),
+            ("5:", FaultKind::RowWord, "5:"),
+            ("6.0", FaultKind::DroppedRow, "6.0"),
+            ("1_0", FaultKind::DroppedRow, "1_0"),
+            ("+5", FaultKind::DroppedRow, "+5"),
+            ("x1 2 3 1 0 0", FaultKind::DroppedRow, "x1"),
+        ] {
+            let clothes = of(&format!("verts 0\n{row}\n"));
+            assert_eq!(faults(&clothes), [(2, kind, word)], "{row}");
+        }
+        for row in ["1 2 3 nan 0 0", "1 2 3 1 0 0 0 0 0 x", "\u{663}"] {
+            let clothes = of(&format!("verts 0\n{row}\n"));
+            assert_eq!((clothes.rows.count, faults(&clothes)), (1, vec![]), "{row}");
+        }
+    }
+
+    #[test]
+    fn rows_are_counted_against_the_mesh() {
+        let clothes =
+            of("verts 0\n9\n10\n12\n1 -2 4294967296 1 0 0\n1 2 3 .5 .25 .2\n1 2 3 nan 0 0\n1 2 3 0.999 0 0\n");
+        let rows = &clothes.rows;
+        assert_eq!((rows.count, &rows.in_seams.first, &rows.out_of_range.first), (7, &vec![(3, 10)], &vec![(4, 12)]));
+        assert_eq!((&rows.unstorable.first, rows.unstorable.count), (&vec![(5, -2), (5, 4_294_967_296)], 2));
+        assert_eq!((&rows.off_sums.first, rows.visible_sums), (&vec![(6, 4), (8, 6)], 1));
+        assert_eq!(rows.non_finite.first, [(7, 5)]);
+        assert_eq!(rows.worst_sum.unwrap().0, 4);
+    }
+
+    #[test]
+    fn ranges_are_counted_against_the_mesh() {
+        let deletes = of("delete_verts\n2 -\n- 4 9 - 10\n-1 -11\n7 - 3\n").deletes;
+        assert_eq!((&deletes.cut_ranges.first, &deletes.reversed.first), (&vec![(2, 2)], &vec![(5, 7)]));
+        assert_eq!((&deletes.out_of_range.first, &deletes.negative.first), (&vec![(3, 10), (4, -11)], &vec![(4, -1)]));
+        assert_eq!(faults(&of("delete_verts\n- 4\n0-3\n")).len(), 2);
+    }
+
+    #[test]
+    fn long_lists_are_bounded() {
+        let text = format!("{}name x\n{}", "zzz 1\n".repeat(5000), "1 2\nname y\n".repeat(5000));
+        let clothes = of(&format!("{text}verts 0\n{}", "-5\n".repeat(5000)));
+        assert!(clothes.entries.len() < 2010 && clothes.faults.iter().count() <= 10);
+        assert_eq!(&*clothes.last("name").unwrap().value, "y");
+        assert_eq!(clothes.faults.of(|kind| kind == FaultKind::DroppedRow).unwrap().1, 5000);
     }
 
     proptest! {
@@ -115,19 +203,36 @@ mod tests {
                 let line = if *short { format!("{vertex}\n") } else { format!("{vertex} 1 2 {weight} 0 0 0 0 0\n") };
                 text.push_str(&line);
             }
-            let whole = parse(text.as_bytes());
+            let whole = of(&text);
             prop_assert_eq!(whole.references.len(), rows.len());
             for (reference, (vertex, weight, short)) in whole.references.iter().zip(&rows) {
                 prop_assert_eq!(reference.vertices[0], i64::from(*vertex));
                 prop_assert_eq!(reference.weights[0], if *short { 1.0 } else { *weight });
             }
-            parse(noise.as_bytes());
-            parse(format!("{text}delete_verts\n{noise}").as_bytes());
+            of(&noise);
+            of(&format!("{text}delete_verts\n{noise}"));
+        }
+
+        #[test]
+        fn values_stand_where_they_say(text in prop::collection::vec(prop::sample::select(vec!["name", "uuid:", " ", "\u{e4}", "\n", "# author", "a"]), 0..30)) {
+            let text = text.concat();
+            let clothes = of(&text);
+            for entry in &clothes.entries {
+                prop_assert_eq!(text.get(entry.word_span()), Some(entry.word()));
+            }
+            for value in [&clothes.scanned.name, &clothes.scanned.uuid].into_iter().flatten() {
+                prop_assert_eq!(text.get(value.span.clone()), Some(&*value.text));
+            }
         }
 
         #[test]
         fn no_bytes_stop_the_parser(bytes in prop::collection::vec(any::<u8>(), 0..200)) {
-            parse(&bytes);
+            parse(&bytes, Some(SIZE));
+        }
+
+        #[test]
+        fn no_words_stop_the_parser(words in prop::collection::vec("verts|delete_verts|weights|x_scale|-|-?[0-9]{1,20}|nan|1e999|0,5|5%|#|name:|\n", 0..60)) {
+            parse(words.join(" ").as_bytes(), Some(SIZE));
         }
     }
 }

@@ -1,135 +1,184 @@
 //! The lines of an asset in turn: which section they stand in decides what they are.
 
-use super::{Clothes, Fault, FaultKind, Reference, Scale};
+use std::ops::Range;
+
+use super::header::{Header, Words};
+use super::{Clothes, Fault, FaultKind, Reference, Scale, Section};
 use crate::formats::fields::fields;
+use crate::formats::target::MeshSize;
 use crate::formats::{python_float, python_int, stored};
 use crate::source::lines;
 
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Section {
-    Header,
-    Vertices,
-    Deleted,
-}
+type Word<'l> = (usize, &'l [u8]);
 
+#[derive(Default)]
 struct Reader {
     clothes: Clothes,
+    header: Header,
     section: Section,
+    mesh: Option<MeshSize>,
     line: u32,
-    /// Last index of the delete section; a range may continue on the next line.
+    /// Where the line starts.
+    start: usize,
+    /// Last index of the delete section; a range may begin on the next line.
     last: Option<i64>,
-    range: bool,
 }
 
-/// Parses an asset.
-pub fn parse(text: &[u8]) -> Clothes {
-    let mut reader =
-        Reader { clothes: Clothes::default(), section: Section::Header, line: 0, last: None, range: false };
-    for (_, line) in lines(text) {
+/// Parses an asset for a mesh of this size, if that is known.
+pub fn parse(text: &[u8], mesh: Option<MeshSize>) -> Clothes {
+    let mut reader = Reader { mesh, ..Reader::default() };
+    reader.clothes.rows.mesh = mesh;
+    for (Range { start, .. }, line) in lines(text) {
         reader.line = reader.line.saturating_add(1);
-        let words: Vec<&[u8]> = fields(line).into_iter().map(|(_, word)| word).collect();
+        reader.start = start;
+        let words = fields(line);
+        let is_row = words.first().is_some_and(|(_, word)| is_numeric(&String::from_utf8_lossy(word)));
+        reader.header.scan(reader.words(&words), line, is_row);
         reader.take(&words);
     }
-    reader.clothes
+    let Reader { clothes, header, .. } = reader;
+    Clothes { entries: header.entries, scanned: header.scanned, ..clothes }
 }
 
 impl Reader {
-    fn take(&mut self, words: &[&[u8]]) {
-        let [first, rest @ ..] = words else { return };
+    fn words<'l>(&self, words: &'l [Word<'l>]) -> Words<'l> {
+        Words { start: self.start, words, line: self.line }
+    }
+
+    fn take(&mut self, words: &[Word<'_>]) {
+        let Some((_, first)) = words.first() else { return };
         if first.starts_with(b"#") {
-            return;
+            return self.header.remark(self.words(words), self.section);
         }
-        let keyword = String::from_utf8_lossy(first.strip_suffix(b":").unwrap_or(first));
-        match (self.section, keyword.as_ref()) {
-            (_, "verts") => self.section = Section::Vertices,
+        let keyword = String::from_utf8_lossy(first.strip_suffix(b":").unwrap_or(first)).into_owned();
+        match (self.section, keyword.as_str()) {
+            (_, "weights") => self.fault(FaultKind::OldFormat, words.first()),
+            (_, "verts") => self.open(Section::Vertices, words),
+            (_, "delete_verts") => self.open(Section::Deleted, words),
             (Section::Deleted, _) => self.delete(words),
-            (_, "delete_verts") => self.section = Section::Deleted,
             (Section::Vertices, word) if is_numeric(word) => self.vertex(words),
-            (_, word) => self.keyword(word, rest),
+            (Section::Vertices, word) if is_meant_as_row(word, words) => {
+                self.fault(FaultKind::DroppedRow, words.first());
+            }
+            (Section::Header, word) if is_numeric(word) => self.fault(FaultKind::NumbersInHeader, words.first()),
+            (_, word) => self.keyword(word, words),
         }
     }
 
-    fn fault(&mut self, kind: FaultKind) {
-        self.clothes.faults.push(Fault { line: self.line, kind });
+    fn open(&mut self, section: Section, words: &[Word<'_>]) {
+        self.section = section;
+        self.header.take(self.words(words), section);
     }
 
-    fn keyword(&mut self, word: &str, rest: &[&[u8]]) {
-        match word {
-            "obj_file" => self.clothes.obj_file = rest.first().map(|name| String::from_utf8_lossy(name).into_owned()),
-            "x_scale" => self.scale(0, rest),
-            "y_scale" => self.scale(1, rest),
-            "z_scale" => self.scale(2, rest),
-            "weights" => self.fault(FaultKind::OldFormat),
-            "z_depth" | "version" => match rest.first().map(|value| python_int(value)) {
-                Some(Some(_)) => {}
-                Some(None) => self.fault(FaultKind::NoNumber),
-                None => self.fault(FaultKind::MissingValue),
-            },
-            word if self.section == Section::Vertices && !word.starts_with(char::is_alphabetic) => {
-                self.fault(FaultKind::NoVertex);
+    fn fault(&mut self, kind: FaultKind, word: Option<&Word<'_>>) {
+        let (at, word) = word.copied().unwrap_or_default();
+        let span = self.start + at..self.start + at + word.len();
+        let word = String::from_utf8_lossy(word).into();
+        self.clothes.faults.add(Fault { line: self.line, kind, word, span });
+    }
+
+    fn keyword(&mut self, word: &str, words: &[Word<'_>]) {
+        self.header.take(self.words(words), self.section);
+        // A keyword alone is passed over.
+        let Some(value) = words.get(1) else {
+            if is_valued(word) {
+                self.fault(FaultKind::MissingValue, words.first());
             }
+            return;
+        };
+        match word {
+            "x_scale" => self.scale(0, words),
+            "y_scale" => self.scale(1, words),
+            "z_scale" => self.scale(2, words),
+            "z_depth" | "version" if python_int(value.1).is_none() => self.fault(FaultKind::NotWhole, Some(value)),
             _ => {}
         }
     }
 
-    fn scale(&mut self, axis: usize, rest: &[&[u8]]) {
-        let [a, b, distance, ..] = rest else { return self.fault(FaultKind::MissingValue) };
-        let read = python_int(a).zip(python_int(b)).zip(python_float(distance));
-        let Some(((a, b), distance)) = read else { return self.fault(FaultKind::NoNumber) };
-        if let Some(slot) = self.clothes.scales.get_mut(axis) {
-            *slot = Some(Scale { vertices: [a, b], distance: stored(distance), line: self.line });
-        }
-    }
-
-    fn vertex(&mut self, words: &[&[u8]]) {
-        let (exact, offset) = match words.len() {
-            1 => (true, false),
-            6 => (false, false),
-            9.. => (false, true),
-            count => return self.fault(FaultKind::FieldCount(count)),
+    fn scale(&mut self, axis: usize, words: &[Word<'_>]) {
+        let [_, a, b, distance, ..] = words else {
+            // The first that is not a number is met before the end of the line.
+            let wrong = words.iter().skip(1).find(|(_, word)| python_int(word).is_none());
+            return match wrong {
+                Some(wrong) => self.fault(FaultKind::ScaleWord, Some(wrong)),
+                None => self.fault(FaultKind::ShortScale, words.first()),
+            };
         };
-        let reference = if exact { exact_vertex(words) } else { triple(words, offset) };
-        match reference {
-            Some(reference) => self.clothes.references.push(Reference { line: self.line, ..reference }),
-            None => self.fault(FaultKind::NoNumber),
+        let vertices = [a, b].map(|(_, word)| python_int(word));
+        let wrong = [a, b].into_iter().find(|(_, word)| python_int(word).is_none());
+        match (vertices, python_float(distance.1)) {
+            ([Some(a), Some(b)], Some(distance)) => {
+                if let Some(slot) = self.clothes.scales.get_mut(axis) {
+                    *slot = Some(Scale { vertices: [a, b], distance: stored(distance), line: self.line });
+                }
+            }
+            _ => self.fault(FaultKind::ScaleWord, Some(wrong.unwrap_or(distance))),
         }
     }
 
-    fn delete(&mut self, words: &[&[u8]]) {
+    fn vertex(&mut self, words: &[Word<'_>]) {
+        let read = if words.len() == 1 { exact_vertex(words) } else { triple(words) };
+        match read {
+            Ok(reference) => {
+                let reference = Reference { line: self.line, ..reference };
+                self.clothes.rows.count(&reference, words.len() > 1);
+                self.clothes.references.push(reference);
+            }
+            Err(BadRow::Short) => self.fault(FaultKind::FieldCount(words.len()), words.first()),
+            Err(BadRow::Word(place)) => self.fault(FaultKind::RowWord, words.get(place)),
+        }
+    }
+
+    fn delete(&mut self, words: &[Word<'_>]) {
+        let mut is_range = false;
         for word in words {
-            match (*word, python_int(word), self.last) {
-                (b"-", _, None) => self.fault(FaultKind::OpenRange),
-                (b"-", _, Some(_)) => self.range = true,
+            match (word.1, python_int(word.1), self.last) {
+                (b"-", ..) => is_range = true,
+                (_, Some(_), None) if is_range => return self.fault(FaultKind::OpenRange, words.first()),
                 (_, Some(index), last) => {
-                    let first = last.filter(|_| self.range).unwrap_or(index);
+                    let first = last.filter(|_| is_range).unwrap_or(index);
                     self.clothes.deleted.push((first, index));
+                    self.clothes.deletes.count(self.line, (first, index), self.mesh);
                     self.last = Some(index);
-                    self.range = false;
+                    is_range = false;
                 }
-                (word, None, _) => {
-                    let is_word = word.first().is_some_and(u8::is_ascii_alphabetic);
-                    return self.fault(if is_word { FaultKind::KeywordInDelete } else { FaultKind::NoNumber });
+                (_, None, _) => {
+                    self.header.take(self.words(words), Section::Deleted);
+                    return self.fault(FaultKind::DeleteWord, Some(word));
                 }
             }
         }
+        if is_range {
+            self.clothes.deletes.cut_ranges.add(self.line, self.last.unwrap_or_default());
+        }
     }
 }
 
-/// A line with one number is that base vertex itself.
-fn exact_vertex(words: &[&[u8]]) -> Option<Reference> {
-    let vertex = python_int(words.first()?)?;
-    Some(Reference { vertices: [vertex; 3], weights: [1.0, 0.0, 0.0], offset: [0.0; 3], line: 0 })
+/// Why a line among the rows gives no vertex.
+enum BadRow {
+    /// Too few words.
+    Short,
+    /// The word of this number is not a number.
+    Word(usize),
 }
 
-/// Three base vertices, their weights, and a displacement if there is one.
-fn triple(words: &[&[u8]], with_offset: bool) -> Option<Reference> {
-    let vertex = |place: usize| python_int(words.get(place)?);
-    let number = |place: usize| Some(stored(python_float(words.get(place)?)?));
-    let numbers = |from: usize| Some([number(from)?, number(from + 1)?, number(from + 2)?]);
-    Some(Reference {
+/// A line with one number is that base vertex itself.
+fn exact_vertex(words: &[Word<'_>]) -> Result<Reference, BadRow> {
+    let vertex = words.first().and_then(|(_, word)| python_int(word)).ok_or(BadRow::Word(0))?;
+    Ok(Reference { vertices: [vertex; 3], weights: [1.0, 0.0, 0.0], offset: [0.0; 3], line: 0 })
+}
+
+/// Three base vertices, their weights, and a displacement if there is one. Read in the order of the words, up to the
+/// first that is missing or wrong.
+fn triple(words: &[Word<'_>]) -> Result<Reference, BadRow> {
+    let word = |place: usize| words.get(place).map(|(_, word)| *word).ok_or(BadRow::Short);
+    let vertex = |place: usize| python_int(word(place)?).ok_or(BadRow::Word(place));
+    let number = |place: usize| Ok(stored(python_float(word(place)?).ok_or(BadRow::Word(place))?));
+    let numbers = |from: usize| Ok([number(from)?, number(from + 1)?, number(from + 2)?]);
+    Ok(Reference {
         vertices: [vertex(0)?, vertex(1)?, vertex(2)?],
         weights: numbers(3)?,
-        offset: if with_offset { numbers(6)? } else { [0.0; 3] },
+        offset: if words.len() > 6 { numbers(6)? } else { [0.0; 3] },
         line: 0,
     })
 }
@@ -137,4 +186,18 @@ fn triple(words: &[&[u8]], with_offset: bool) -> Option<Reference> {
 /// Python's `isnumeric()`: no sign, no point.
 fn is_numeric(word: &str) -> bool {
     !word.is_empty() && word.chars().all(char::is_numeric)
+}
+
+/// Whether a line that is no row looks like one: it begins with a number of another form, or has as many numbers.
+fn is_meant_as_row(first: &str, words: &[Word<'_>]) -> bool {
+    let begins = first.trim_start_matches(['+', '-', '.']).starts_with(|first: char| first.is_ascii_digit());
+    let rest = words.get(1..).unwrap_or_default();
+    let has_numbers = matches!(rest.len(), 5 | 8) && rest.iter().all(|(_, word)| python_float(word).is_some());
+    begins || has_numbers
+}
+
+/// Keywords that say nothing without a value.
+fn is_valued(word: &str) -> bool {
+    let valued = ["name", "uuid", "obj_file", "material", "vertexboneweights_file", "z_depth"];
+    valued.contains(&word) || matches!(word, "x_scale" | "y_scale" | "z_scale")
 }
