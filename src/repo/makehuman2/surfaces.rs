@@ -39,7 +39,7 @@ fn litsphere<'a>(layers: Layers<'a>, material: &'a Material) -> Option<Picture<'
     let word = material.parameter("litsphereTexture")?.words.get(1)?;
     let name = word.text.rsplit('/').next().unwrap_or_default();
     let rel = format!("shaders/litspheres/{name}");
-    let file = layers.strongest_first().find_map(|layer| layer.file(&rel));
+    let file = layers.strongest_first().chain(layers.beside).find_map(|layer| layer.file(&rel));
     // A system without shaders is not the program's whole one.
     let has_shaders = |system: &crate::repo::Layer| system.below("shaders").next().is_some();
     let system = layers.system.filter(|_| !layers.is_one_root());
