@@ -123,8 +123,8 @@ impl<'t> Data<'t> {
 impl Data<'_> {
     /// The first of the user's roots.
     fn user_of(&self, application: Application) -> Option<&Layer> {
-        let mut users = self.roots.iter().filter(|root| root.role_in(application) == Some(Role::User));
-        users.next().map(|root| &root.layer)
+        let plays = |root: &&Loaded<'_>| matches!(root.role_in(application), Some(Role::User | Role::Both));
+        self.roots.iter().find(plays).map(|root| &root.layer)
     }
 }
 

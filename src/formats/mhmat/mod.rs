@@ -28,7 +28,7 @@ pub struct Material {
 }
 
 /// Lines with a keyword that are kept. Those that people write have fifty.
-const MOST_LINES: usize = 4096;
+const MOST_LINES: usize = 1024;
 /// Unknown words that are kept.
 const MOST_UNKNOWN: usize = 64;
 
@@ -104,11 +104,6 @@ impl Line {
     /// A word behind the keyword, as a number.
     pub fn number_at(&self, at: usize) -> Option<f64> {
         self.words.get(at)?.number()
-    }
-
-    /// All words that are kept, as they are written.
-    pub fn text(&self) -> String {
-        self.words.iter().map(|word| &*word.text).collect::<Vec<_>>().join(" ")
     }
 }
 

@@ -1,9 +1,11 @@
 //! Materials that are offered for an asset must be found, also by saved models.
 
+use std::collections::BTreeSet;
+
 use super::super::{Check, Rule, RuleCx, counted};
-use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo};
-use crate::discover::Kind;
-use crate::repo::{FileFacts, Layer, ReferenceKind, View, Wearer, Worn, parent};
+use crate::diag::{Application::Makehuman2, Case, Evidence, Finding, Level, Place, RuleInfo, grouped};
+use crate::discover::{Kind, extension, material_of};
+use crate::repo::{FileFacts, Layer, Reference, ReferenceKind, View, Wearer, Worn, parent};
 use crate::source::is_below;
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
@@ -11,6 +13,7 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     docs: "MakeHuman 2 offers for an asset all materials in the folder of its mesh and below. Some of them are lost:\n\n\
         - A material with a space in its file name is offered, but a saved model cannot name it: loaded again, the asset \
         wears its standard material, the body the default skin.\n\
+        - A material whose extension is not `.mhmat` in small letters is not offered.\n\
         - If `obj_file` names a mesh in a sub-folder, materials next to the asset are not offered. Its own one still \
         loads.\n\
         - An asset directly in the folder of the base mesh, such as `clothes/<base>/`, is offered the materials of all \
@@ -38,8 +41,32 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             out.push(finding.help("rename the file without spaces, and everything that names it"));
         }
     }
-    for worn in view.assets().iter().filter(|worn| layers.is_checked(worn.file) && !is_topology(worn.file)) {
-        out.extend(elsewhere(layers.checked, worn));
+    capitals(view, out);
+    let own = view.assets().iter().filter(|worn| layers.is_checked(worn.file) && !is_topology(worn.file));
+    let meshes = own.filter_map(|worn| Some((worn, mesh(worn)?)));
+    let by_folder = grouped(meshes.map(|(worn, mesh)| (parent(&mesh.rel), (worn, mesh))));
+    for (folder, assets) in by_folder {
+        if folder.matches('/').count() < 2 {
+            out.extend(at_top(layers.checked, folder, &assets));
+        } else {
+            out.extend(assets.iter().filter_map(|(worn, mesh)| elsewhere(layers.checked, worn, mesh)));
+        }
+    }
+}
+
+/// Materials whose extension is in capitals. That of an asset which names it is missing, and a skin is not listed: these
+/// have findings of their own.
+fn capitals(view: &View<'_>, out: &mut Vec<Finding>) {
+    let named = view.assets().iter().flat_map(|worn| worn.references.iter().flatten());
+    let named: BTreeSet<&str> = named.filter_map(|one| one.meant()).map(|file| file.rel.as_str()).collect();
+    let is_written = |rel: &str| extension(rel) != "mhmat" && extension(rel).eq_ignore_ascii_case("mhmat");
+    for file in view.layers().checked.files.values().filter(|file| is_written(&file.rel)) {
+        let is_offered = material_of(&file.rel).is_some_and(|of| of.folder != "skins");
+        if view.application() == Makehuman2 && is_offered && !named.contains(file.rel.as_str()) {
+            let message = format!("`{}` has its extension in capitals", file.file_name());
+            let finding = RULE.at(file, Place::File, message).key("capitals");
+            out.push(finding.help(format!("rename it to `{}.mhmat`", file.stem())));
+        }
     }
 }
 
@@ -48,34 +75,51 @@ fn is_topology(file: &FileFacts) -> bool {
     file.rel.starts_with("proxy/")
 }
 
-/// What becomes of the materials around an asset whose mesh is not in a folder for both.
-fn elsewhere(layer: &Layer, worn: &Worn<'_>) -> Option<Finding> {
-    let references = worn.references.as_ref()?;
-    let of = |kind| references.iter().find(|one| one.kind == kind);
-    let mesh = of(ReferenceKind::AssetMesh)?;
-    mesh.found()?;
+/// The mesh of an asset, which is there.
+fn mesh<'w, 'a>(worn: &'w Worn<'a>) -> Option<&'w Reference<'a>> {
+    let mesh = worn.references.iter().flatten().find(|one| one.kind == ReferenceKind::AssetMesh)?;
+    mesh.found().map(|_| mesh)
+}
+
+/// The material that it names.
+fn own_material<'a>(worn: &Worn<'a>) -> Option<&'a str> {
+    let material = worn.references.iter().flatten().find(|one| one.kind == ReferenceKind::AssetMaterial)?;
+    material.found().map(|file| file.rel.as_str())
+}
+
+fn materials<'l>(layer: &'l Layer, folder: &str) -> impl Iterator<Item = &'l FileFacts> {
+    layer.below(folder).filter(|file| file.kind == Kind::Material)
+}
+
+/// Assets whose meshes lie in the folder of all assets, if there are materials besides their own.
+fn at_top(layer: &Layer, folder: &str, assets: &[(&Worn<'_>, &Reference<'_>)]) -> Option<Finding> {
+    let (first, mesh) = assets.first()?;
+    let own = own_material(first);
+    materials(layer, folder).find(|file| Some(file.rel.as_str()) != own)?;
+    let message = match assets.len() {
+        1 => format!("`{}` lies in the folder of all assets", mesh.text),
+        count => format!("the meshes of {count} assets lie in the folder of all assets"),
+    };
+    let finding = RULE.at(first.file, mesh.place.clone(), message).key("folder").case(OF_ALL);
+    let parts = assets.iter().map(|(worn, mesh)| (worn.file.file_name(), &worn.file.path, mesh.place.clone()));
+    let names = assets.iter().map(|(worn, _)| worn.file.file_name());
+    let finding = finding.parts_at(parts).evidence(Evidence::of_cases(names));
+    Some(finding.help("give each asset a folder of its own, with its mesh and its materials"))
+}
+
+/// An asset with materials around it, but not around its mesh.
+fn elsewhere(layer: &Layer, worn: &Worn<'_>, mesh: &Reference<'_>) -> Option<Finding> {
     let (own, searched) = (parent(&worn.file.rel), parent(&mesh.rel));
-    let named = of(ReferenceKind::AssetMaterial).and_then(|one| one.found()).map(|file| file.rel.as_str());
-    let materials = |folder: &str| -> Vec<&FileFacts> {
-        let files = layer.below(folder).filter(|file| file.kind == Kind::Material);
-        files.filter(|file| Some(file.rel.as_str()) != named).collect()
-    };
-    let (lost, case): (Vec<&FileFacts>, Option<Case>) = if searched.matches('/').count() < 2 {
-        (materials(searched), Some(OF_ALL))
-    } else if is_below(own, searched) {
+    // Those of other assets are none of its own.
+    if is_below(own, searched) || own.matches('/').count() < 2 {
         return None;
-    } else {
-        let around = materials(own);
-        (around.into_iter().filter(|file| !is_below(&file.rel, searched)).collect(), None)
-    };
+    }
+    let standard = own_material(worn);
+    let is_lost = |file: &&FileFacts| Some(file.rel.as_str()) != standard && !is_below(&file.rel, searched);
+    let lost: Vec<&str> = materials(layer, own).filter(is_lost).map(|file| file.rel.as_str()).collect();
     lost.first()?;
-    let message = if case.is_some() {
-        "lies with its mesh in the folder of all assets".to_owned()
-    } else {
-        format!("{} next to it, but the mesh is in `{searched}`", counted(lost.len(), "material"))
-    };
+    let message = format!("{} next to the asset, but its mesh is in `{searched}`", counted(lost.len(), "material"));
     let finding = RULE.at(worn.file, mesh.place.clone(), message).key("folder");
-    let finding = finding.evidence(Evidence::of_cases(lost.iter().map(|file| file.rel.as_str())));
-    let help = "keep asset, mesh and materials together in a folder of their own";
-    Some(case.map_or(finding.clone(), |case| finding.case(case)).help(help))
+    let finding = finding.evidence(Evidence::of_cases(lost));
+    Some(finding.help("keep asset, mesh and materials together in a folder of their own"))
 }

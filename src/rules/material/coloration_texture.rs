@@ -27,7 +27,7 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
             continue;
         };
         let Some(stored) = file.picture().and_then(|picture| picture.pixels).and_then(unfit) else { continue };
-        let message = format!("`colorationMethod` over `{}`, which is stored {stored}", file.file_name());
+        let message = format!("`colorationMethod` cannot colour `{}`: it is stored {stored}", file.file_name());
         let finding = RULE.at(surface.file, picture.place.clone(), message).key("diffuseTexture");
         let effect = format!("crashes with `TypeError` {}; {}", loader::when(surface), loader::models(surface));
         let help = "save the picture as RGB with 8 bits a channel, or write `colorationMethod 0`";

@@ -1,6 +1,6 @@
 //! A keyword must not be set twice.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Check, Rule, RuleCx};
 use super::loader;
@@ -21,8 +21,8 @@ fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for surface in view.surfaces().iter().filter(|surface| view.layers().is_checked(surface.file)) {
         let set = surface.material.lines.iter().filter(|line| loader::reads(line.keyword.name) && line.count > 0);
         let by_name: BTreeMap<(&str, &str), Vec<&Line>> = grouped(set.filter_map(|line| Some((name(line)?, line))));
-        for ((keyword, parameter), lines) in by_name {
-            out.extend(finding(surface, keyword, parameter, &lines));
+        for ((keyword, parameter), lines) in by_name.into_iter().filter(|(_, lines)| lines.len() > 1) {
+            out.extend(finding(view, surface, keyword, parameter, &lines));
         }
     }
 }
@@ -36,17 +36,33 @@ fn name(line: &Line) -> Option<(&str, &str)> {
     }
 }
 
-fn finding(surface: &Surface<'_>, keyword: &str, parameter: &str, lines: &[&Line]) -> Option<Finding> {
+/// The words of a line that are read.
+fn meaning(line: &Line) -> Vec<&str> {
+    let read = match line.keyword.value {
+        Value::Text => line.words.len(),
+        Value::Colour => 3,
+        Value::Parameter => 2,
+        Value::Picture | Value::Word | Value::Flag | Value::Number | Value::Whole => 1,
+    };
+    line.words.iter().take(read).map(|word| &*word.text).collect()
+}
+
+fn finding(view: &View<'_>, surface: &Surface<'_>, keyword: &str, parameter: &str, lines: &[&Line]) -> Option<Finding> {
+    // Of pictures those that are missing have findings of their own, and count for nothing.
+    let is_picture = lines.iter().any(|line| line.keyword.value == Value::Picture);
+    let found = || view.references().of_file(surface.file).filter(|one| one.found().is_some());
+    let found: BTreeSet<usize> = found().filter_map(|one| start(&one.place)).collect();
+    let counts = |line: &&&Line| !is_picture || line.words.first().is_some_and(|word| found.contains(&word.span.start));
+    let lines: Vec<&Line> = lines.iter().filter(counts).copied().collect();
     let (last, others) = lines.split_last()?;
-    let lost = others.iter().rev().find(|line| line.text() != last.text())?;
-    if last.keyword.value == Value::Picture {
-        // One that is missing has a finding of its own, and the picture of a line above.
-        let own = last.words.first().map(|word| Place::Span(word.span.clone()));
-        surface.picture(keyword).filter(|picture| picture.file.is_some() && Some(&picture.place) == own.as_ref())?;
-    }
+    let lost = others.iter().rev().find(|line| meaning(line) != meaning(last))?;
     let what = if parameter.is_empty() { keyword.to_owned() } else { format!("{keyword} {parameter}") };
     let message = format!("`{what}` has {} lines with different values", lines.len());
     let finding = RULE.at(surface.file, Surface::place(last), message).key(what);
     let finding = finding.related(surface.file.path.clone(), Surface::place(lost), "has no effect");
     Some(finding.help("remove the lines that are not meant"))
+}
+
+const fn start(place: &Place) -> Option<usize> {
+    if let Place::Span(span) = place { Some(span.start) } else { None }
 }

@@ -1,8 +1,9 @@
 //! Quotes belong to the name of a picture.
 
 use super::super::{Check, Rule, RuleCx};
+use super::fault::{Fault, report};
 use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
-use crate::repo::{FileFacts, ReferenceKind, Resolution, View};
+use crate::repo::{Reference, ReferenceKind, Resolution, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
     breaks: &[(Makehuman2, "takes the quotes for a part of the name, and silently drops the keyword")],
@@ -21,36 +22,46 @@ pub(super) fn is_quoted(text: &str) -> bool {
 }
 
 fn run(view: &View<'_>, _: &RuleCx<'_>, out: &mut Vec<Finding>) {
-    let layers = view.layers();
-    let textures = view.references().iter().filter(|one| one.kind == ReferenceKind::Texture && one.meant().is_none());
-    let textures = textures.filter(|one| !matches!(one.resolution, Resolution::NeedsSystem));
-    for one in textures.filter(|one| is_quoted(one.text) && layers.is_checked(one.from)) {
-        let texture = one
-            .from
-            .material()
-            .and_then(|material| material.textures.iter().find(|own| is_at(&one.place, own.span.start)));
-        let lost = texture.map_or("", |texture| &texture.lost);
-        out.push(finding(one.from, &one.place, one.text, lost, one.owner));
-    }
-    for surface in view.surfaces().iter().filter(|surface| layers.is_checked(surface.file)) {
+    for surface in view.surfaces().iter().filter(|surface| view.layers().is_checked(surface.file)) {
+        let textures = view.references().of_file(surface.file).filter(|one| is_lost(one));
+        let textures = textures.map(|one| fault(&one.place, one.text, lost(one), one.owner));
         let litsphere = surface.litsphere.iter().filter(|one| one.file.is_none() && is_quoted(one.text));
-        out.extend(litsphere.map(|one| finding(surface.file, &one.place, one.text, "", "litsphereTexture")));
+        let litsphere = litsphere.map(|one| fault(&one.place, one.text, "", "litsphereTexture"));
+        report(&RULE, surface, textures.chain(litsphere).collect(), "name pictures in quotes", out);
     }
 }
 
-fn is_at(place: &Place, start: usize) -> bool {
-    matches!(place, Place::Span(span) if span.start == start)
+fn is_lost(one: &Reference<'_>) -> bool {
+    let is_texture = one.kind == ReferenceKind::Texture && one.meant().is_none();
+    is_texture && !matches!(one.resolution, Resolution::NeedsSystem) && is_quoted(one.text)
 }
 
-fn finding(file: &FileFacts, place: &Place, text: &str, lost: &str, keyword: &str) -> Finding {
+/// What stands behind the first word of the name.
+fn lost<'a>(one: &Reference<'a>) -> &'a str {
+    let (Some(material), Place::Span(span)) = (one.from.material(), &one.place) else { return "" };
+    // They stand in the order of the file.
+    let at = material.textures.partition_point(|texture| texture.span.start < span.start);
+    material.textures.get(at).filter(|texture| texture.span == *span).map_or("", |texture| &texture.lost)
+}
+
+fn fault(place: &Place, text: &str, lost: &str, keyword: &str) -> Fault {
     let whole = if lost.is_empty() { text.to_owned() } else { format!("{text} {lost}") };
     let plain = whole.trim_matches(QUOTES);
     let shown: String = whole.chars().take(60).collect();
-    let message = format!("`{keyword}` has its name in quotes: `{shown}`");
-    let help = if plain.contains(' ') {
-        format!("rename `{plain}` without spaces, and write that name without quotes")
-    } else {
-        format!("write `{plain}`")
-    };
-    RULE.at(file, place.clone(), message).key(keyword).help(help)
+    Fault {
+        key: keyword.to_owned(),
+        place: place.clone(),
+        level: Level::Warning,
+        message: format!("`{keyword}` has its name in quotes: `{shown}`"),
+        effect: match keyword {
+            "litsphereTexture" => "takes the quotes for a part of the name, and silently draws the surface with phong",
+            _ => "takes the quotes for a part of the name, and silently drops the keyword",
+        }
+        .to_owned(),
+        help: if plain.contains(' ') {
+            format!("rename `{plain}` without spaces, and write that name without quotes")
+        } else {
+            format!("write `{plain}`")
+        },
+    }
 }

@@ -4,7 +4,7 @@ use super::super::{Check, Rule, RuleCx};
 use super::fault::{Fault, report};
 use super::loader;
 use crate::diag::{Application::Makehuman2, Finding, Level, Place, RuleInfo};
-use crate::formats::mhmat::{Line, Unknown};
+use crate::formats::mhmat::{Line, Material, Unknown};
 use crate::repo::{Surface, View};
 
 pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
@@ -14,7 +14,7 @@ pub(in crate::rules) static RULE: Rule = Check::Repository(run).rule(RuleInfo {
         `bumpmapTexture` for `normalmapTexture`.\n\n\
         MakeHuman 2 ignores such lines without a message: the colour, number or texture has its default. If the file has \
         its own keyword as well, the other application's one is not reported. A word that is like no keyword is an \
-        info.\n\n\
+        info. If no line begins with a keyword, the file is something else.\n\n\
         Write the keyword, or put `#` and a space in front of a comment.",
     ..RuleInfo::new("material-unknown-keyword", Level::Warning, "a keyword of a material that is not known")
 });
@@ -32,13 +32,32 @@ const SAME: [(&str, &str); 10] = [
 fn run(view: &View<'_>, cx: &RuleCx<'_>, out: &mut Vec<Finding>) {
     for surface in view.surfaces().iter().filter(|surface| view.layers().is_checked(surface.file)) {
         let material = surface.material;
+        if material.lines.is_empty() && !is_marked(material) {
+            out.extend(nothing_known(surface));
+            continue;
+        }
         let foreign = material.lines.iter().filter_map(|line| of_others(surface, line));
         // A byte order mark has a finding of its own.
-        let unknown = material.unknown.iter().filter(|one| !one.word.text.starts_with('\u{feff}'));
+        let unknown = material.unknown.iter().filter(|one| !one.word.text.starts_with(MARK));
         let mut faults: Vec<Fault> = unknown.map(|one| unknown_word(cx, one)).chain(foreign).collect();
         faults.sort_by_key(|fault| start(&fault.place));
         report(&RULE, surface, faults, "begin with unknown words", out);
     }
+}
+
+const MARK: char = '\u{feff}';
+
+fn is_marked(material: &Material) -> bool {
+    material.unknown.first().is_some_and(|one| one.word.text.starts_with(MARK))
+}
+
+/// A file that is something else.
+fn nothing_known(surface: &Surface<'_>) -> Option<Finding> {
+    let first = surface.material.unknown.first()?;
+    let place = Place::Span(first.word.span.clone());
+    let finding = RULE.at(surface.file, place, "no line begins with a keyword of a material").key("all");
+    let effect = "ignores all lines: the surface is white, without a name";
+    Some(finding.effect_in(Makehuman2, effect).help("restore the material, or export it again"))
 }
 
 const fn start(place: &Place) -> usize {
@@ -83,6 +102,10 @@ fn of_others(surface: &Surface<'_>, line: &Line) -> Option<Fault> {
         effect: format!("silently ignores the line: its own keyword is `{own}`"),
         help: match own {
             "shaderParam" => "write `shaderParam litsphereTexture` and the name".to_owned(),
+            "normalmapTexture" => "save the bumps as a normal map, and name that in `normalmapTexture`".to_owned(),
+            "metallicRoughnessTexture" => {
+                "save both maps as one picture, and name that in `metallicRoughnessTexture`".to_owned()
+            }
             own => format!("add a line with `{own}`"),
         },
     })
